@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use assur_kinematics::CompileError;
 use assur_mechanism::{Mechanism, Motion};
 use assur_scene::{SceneErrors, document};
+use assur_words::{Describe, Text, errors, name, number, quantity, text};
 
 pub(crate) use lock::{Lock, create_own, open_own};
 pub(crate) use stream::{is_stream, open_stream};
@@ -19,58 +20,72 @@ pub(crate) use write::{
 };
 
 /// Why a file is not read or written.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub(crate) enum FileError {
     /// A file can't be read.
-    #[error("error: {}: {problem}", path.display())]
     Read {
         /// The file.
         path: PathBuf,
         /// What is wrong.
-        problem: String,
+        problem: Text,
     },
     /// A file can't be written; the old content is untouched.
-    #[error("error: can't write {}: {problem}", path.display())]
     Write {
         /// The file.
         path: PathBuf,
         /// What is wrong.
-        problem: String,
+        problem: Text,
     },
     /// The reader of a pipe has closed it.
-    #[error("the reader of the output has gone")]
     Reader,
 }
 
-#[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
+impl Describe for FileError {
+    fn describe(&self) -> Text {
+        let file = |path: &Path| name(path.display().to_string());
+        match self {
+            Self::Read { path, problem } => text!("cli-error-in", file = file(path), problem = problem),
+            Self::Write { path, problem } => text!("file-not-written", file = file(path), problem = problem),
+            Self::Reader => text!("file-reader-gone"),
+        }
+    }
+}
+
+errors!(FileError);
+
 impl FileError {
-    pub(crate) fn read(path: &Path, problem: impl ToString) -> Self {
-        Self::Read { path: path.to_owned(), problem: problem.to_string() }
+    pub(crate) fn read(path: &Path, problem: Text) -> Self {
+        Self::Read { path: path.to_owned(), problem }
     }
 
+    /// A file that is refused.
+    pub(crate) fn refused(path: &Path, problem: Text) -> Self {
+        Self::Write { path: path.to_owned(), problem }
+    }
+
+    /// A file that can't be written, as whoever tried it says.
+    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn write(path: &Path, problem: impl ToString) -> Self {
-        Self::Write { path: path.to_owned(), problem: problem.to_string() }
+        Self::refused(path, name(problem.to_string()))
     }
 }
 
 /// The text of a scene or a configuration.
 pub(crate) fn read(path: &Path) -> Result<String, FileError> {
-    let error = |problem: String| FileError::read(path, problem);
+    let error = |problem: Text| FileError::read(path, problem);
     if path.is_dir() {
-        return Err(error("is a folder, not a scene file".to_owned()));
+        return Err(error(text!("file-is-folder")));
     }
     let most = document::MOST_BYTES;
     let mut bytes = Vec::new();
     // A device has no size, and may have no end.
     let found = fs::File::open(path).and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
     found.map_err(|problem| match problem.kind() {
-        io::ErrorKind::NotFound => {
-            error("there is no such file (`assur new FILE` writes a scene to begin with)".to_owned())
-        }
-        _ => error(format!("can't be read: {problem}")),
+        io::ErrorKind::NotFound => error(text!("file-missing")),
+        _ => error(text!("file-not-read", problem = name(problem.to_string()))),
     })?;
     if bytes.len() > most {
-        return Err(error(format!("is larger than {} MiB: is it the right file?", most >> 20)));
+        return Err(error(text!("file-too-large", most = quantity(most >> 20, "MiB"))));
     }
     String::from_utf8(bytes).map_err(|problem| {
         let (read, rest) = problem.as_bytes().split_at(problem.utf8_error().valid_up_to());
@@ -79,8 +94,10 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
         let before = before.trim_start_matches('\u{feff}');
         let line = before.split('\n').count();
         let column = before.rsplit('\n').next().map_or(0, |line| line.chars().count()) + 1;
-        let byte = rest.first().map_or_else(String::new, |byte| format!(": byte 0x{byte:02X}"));
-        error(format!("is not UTF-8 text (line {line}, column {column}{byte}); save it as UTF-8"))
+        let byte = rest
+            .first()
+            .map_or_else(Text::default, |byte| text!("file-byte", byte = name(format!("0x{byte:02X}"))));
+        error(text!("file-not-utf8", line = number(line), column = number(column), byte = byte))
     })
 }
 

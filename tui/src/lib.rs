@@ -14,3 +14,5 @@ mod words;
 mod working;
 
 use assur_figure::number;
+
+assur_words::resources!();

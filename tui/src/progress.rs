@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use assur_analysis::Progress;
+use assur_words::{Language, Text, number, quantity, text};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::number::plain;
@@ -16,24 +17,27 @@ const UNCOUNTED: &str = "{msg} ({elapsed})";
 const COUNTED: &str = "{msg} {wide_bar} {human_pos} of {human_len}, {per_sec}, {eta} left";
 
 /// Progress of an analysis: what is done, and how much of how much where it can be counted.
-fn counted(progress: Progress) -> (String, Option<[usize; 2]>) {
+fn counted(progress: Progress) -> (Text, Option<[usize; 2]>) {
     match progress {
         Progress::Motion { time, cycles } => {
-            (format!("turn {}, t = {} s", cycles.saturating_add(1), plain(time)), None)
+            let (turn, time) = (number(cycles.saturating_add(1)), quantity(plain(time), "s"));
+            (text!("progress-turn", turn = turn, time = time), None)
         }
-        Progress::Regime { evaluations } => (format!("steady regime, {evaluations} evaluations"), None),
-        Progress::Positions { done, total } => ("position".to_owned(), Some([done, total])),
-        Progress::Writing { done, total } => ("writing position".to_owned(), Some([done, total])),
-        Progress::Samples { done, total } => ("instant of the motion".to_owned(), Some([done, total])),
-        Progress::Checks { done, total } => ("checks".to_owned(), Some([done, total])),
-        _ => (String::new(), None),
+        Progress::Regime { evaluations } => (text!("progress-regime", count = number(evaluations)), None),
+        Progress::Positions { done, total } => (text!("progress-position"), Some([done, total])),
+        Progress::Writing { done, total } => (text!("progress-writing"), Some([done, total])),
+        Progress::Samples { done, total } => (text!("progress-instant"), Some([done, total])),
+        Progress::Checks { done, total } => (text!("progress-checks"), Some([done, total])),
+        _ => (Text::default(), None),
     }
 }
 
-/// Progress of an analysis in words.
-pub(crate) fn words(progress: Progress) -> String {
+/// Progress of an analysis.
+pub(crate) fn told(progress: Progress) -> Text {
     match counted(progress) {
-        (what, Some([done, total])) => format!("{what} {done} of {total}"),
+        (what, Some([done, total])) => {
+            text!("progress-of", what = what, done = number(done), total = number(total))
+        }
         (what, None) => what,
     }
 }
@@ -43,12 +47,13 @@ pub(crate) fn words(progress: Progress) -> String {
 pub(crate) struct ProgressLine {
     bar: ProgressBar,
     since: Instant,
+    language: &'static Language,
 }
 
 impl ProgressLine {
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(language: &'static Language) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
-            .with_message("calculating")
+            .with_message(text!("progress-calculating").render(language))
             .with_style(style(UNCOUNTED));
         let line = bar.clone();
         std::thread::spawn(move || {
@@ -59,15 +64,15 @@ impl ProgressLine {
                 line.enable_steady_tick(PATIENCE);
             }
         });
-        Self { bar, since: Instant::now() }
+        Self { bar, since: Instant::now(), language }
     }
 
     /// Updates the progress: `done` of `total` of something.
-    pub(crate) fn count(&self, what: &str, done: usize, total: usize) {
-        let total = total as u64;
+    pub(crate) fn count(&self, what: &Text, done: usize, total: usize) {
+        let (what, total) = (what.render(self.language), total as u64);
         if self.bar.length() != Some(total) || self.bar.message() != what {
             self.bar.set_style(style(COUNTED));
-            self.bar.set_message(what.to_owned());
+            self.bar.set_message(what);
             self.bar.set_length(total);
             self.bar.set_position(done as u64);
             // What is done from the beginning has no rate.
@@ -84,7 +89,7 @@ impl ProgressLine {
                 (what, Some([done, total])) => self.count(&what, done, total),
                 (what, None) if self.since.elapsed() >= PATIENCE => {
                     self.bar.set_style(style(UNCOUNTED));
-                    self.bar.set_message(what);
+                    self.bar.set_message(what.render(self.language));
                 }
                 _ => {}
             }

@@ -39,8 +39,6 @@ pub(crate) struct Words {
     phrases: Vec<(String, String)>,
     /// English units and their translations.
     units: Vec<(String, String)>,
-    /// Words of the field and their meanings.
-    pub(crate) glossary: Vec<(String, String)>,
 }
 
 impl fmt::Debug for Words {
@@ -73,14 +71,12 @@ impl Words {
         let mut all = section("phrases");
         all.sort_by_key(|(english, _)| std::cmp::Reverse(english.len()));
         let (sentences, phrases) = all.into_iter().partition(|(english, _)| english.contains(ANY));
-        Self {
-            bundle,
-            language: LANGUAGES[number],
-            sentences,
-            phrases,
-            units: section("units"),
-            glossary: section("glossary"),
-        }
+        Self { bundle, language: LANGUAGES[number], sentences, phrases, units: section("units") }
+    }
+
+    /// The language of texts that have an identity.
+    pub(crate) fn spoken(&self) -> &'static assur_words::Language {
+        assur_words::Language::find(self.language).unwrap_or_else(assur_words::Language::english)
     }
 
     /// The text of an identifier; the identifier where there is none.
@@ -90,33 +86,20 @@ impl Words {
 
     /// The text of an identifier with its values.
     pub(crate) fn with(&self, id: &str, values: &[(&'static str, String)]) -> String {
-        self.find(id, "", values).unwrap_or_else(|| id.to_owned())
+        self.find(id, values).unwrap_or_else(|| id.to_owned())
     }
 
-    /// Another text of an identifier, such as its short form; empty where there is none.
-    pub(crate) fn attribute(&self, id: &str, name: &str) -> String {
-        self.find(id, name, &[]).unwrap_or_default()
-    }
-
-    fn find(&self, id: &str, attribute: &str, values: &[(&'static str, String)]) -> Option<String> {
+    fn find(&self, id: &str, values: &[(&'static str, String)]) -> Option<String> {
         let Some(message) = self.bundle.get_message(id) else {
             let english = Self::of(LANGUAGES[0]);
-            return (self.language != english.language).then(|| english.find(id, attribute, values))?;
+            return (self.language != english.language).then(|| english.find(id, values))?;
         };
-        let pattern = match attribute {
-            "" => message.value()?,
-            name => message.get_attribute(name)?.value(),
-        };
+        let pattern = message.value()?;
         let mut given = FluentArgs::new();
         for (name, value) in values {
             given.set(*name, value.clone());
         }
         Some(self.bundle.format_pattern(pattern, Some(&given), &mut Vec::new()).into_owned())
-    }
-
-    /// A text of a view in English as it is shown on the screen.
-    pub(crate) fn shown(&self, text: &str) -> String {
-        if self.language == LANGUAGES[0] { text.to_owned() } else { self.phrase(text) }
     }
 
     /// A number with the signs of print: minus, decimal sign of the language, power of ten.

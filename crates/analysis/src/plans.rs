@@ -218,7 +218,7 @@ impl Shares {
     fn add(&mut self, row: usize, shares: &[Share]) {
         let mut names: Vec<String> = Vec::new();
         for share in shares {
-            let mut name = share.cause.clone();
+            let mut name = share.cause.to_string();
             // A load may be called `weight` too.
             while names.contains(&name) {
                 name.push_str(" (load)");

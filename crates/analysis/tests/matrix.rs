@@ -126,7 +126,8 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
         }
         "contact" => {
             let force = over(Over::Coordinate, &[[0.0, 40.0], [2.0, 90.0]]);
-            let (center, radius, friction, during) = (at, 0.02, 0.15, Some([-2.0, 4.0]));
+            let (center, radius, friction, against_sliding, during) =
+                (at, 0.02, 0.15, true, Some([-2.0, 4.0]));
             let angle = Value::Constant(0.6);
             mechanism.contacts.push(Contact {
                 name: name.into(),
@@ -135,6 +136,7 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
                 angle,
                 force,
                 friction,
+                against_sliding,
                 during,
             });
         }

@@ -260,9 +260,10 @@ impl<'a> Writer<'a> {
         let center = contact.center;
         let body = &now.bodies[center.link];
         let given = now.given(Cause::Contact(id), center.link).force();
-        let angle = self.contact_angle(now, contact, given);
+        let friction = self.contact_friction(now, contact, given);
+        let angle = self.contact_angle(now, contact, friction, given);
         let (s, c) = angle.sin_cos();
-        let along = [s + contact.friction * c, c - contact.friction * s];
+        let along = [s + friction * c, c - friction * s];
         let square = along[0] * along[0] + along[1] * along[1];
         let found = (given[0] * along[0] + given[1] * along[1]) / square;
         let mut size = self.size(now, &contact.force, center, None, found);
@@ -293,11 +294,32 @@ impl<'a> Writer<'a> {
         (after - before).abs()
     }
 
+    /// The friction of a contact with its sign. Where the arc just rolls, or the input rests, the scene leaves the sign open.
+    fn contact_friction(&self, now: &Now<'_>, contact: &Contact, given: [f64; 2]) -> f64 {
+        if !contact.against_sliding {
+            return contact.friction;
+        }
+        let angle = self.size(now, &contact.angle, contact.center, None, f64::INFINITY).value;
+        let (s, c) = angle.sin_cos();
+        let body = &now.bodies[contact.center.link];
+        let arm = body.arm(contact.center.at);
+        let slides = body.first([arm[0] - contact.radius * s, arm[1] - contact.radius * c]);
+        let along = slides[0] * c - slides[1] * s;
+        let sense = if now.state.speed == 0.0 { self.mechanism.input.sign() } else { now.state.speed };
+        let open = now.state.side != Side::Prescribed && now.state.speed == 0.0;
+        if open || along.abs() <= REST * (slides[0].hypot(slides[1]) + contact.radius * body.w1.abs()) {
+            let [across, pressed] = [given[0] * c - given[1] * s, given[0] * s + given[1] * c];
+            let found = if pressed == 0.0 { 0.0 } else { across / pressed };
+            return found.clamp(-contact.friction, contact.friction);
+        }
+        -(along * sense).signum() * contact.friction
+    }
+
     /// The angle of a contact: the one of the given force, if the scene allows it.
-    fn contact_angle(&self, now: &Now<'_>, contact: &Contact, given: [f64; 2]) -> f64 {
+    fn contact_angle(&self, now: &Now<'_>, contact: &Contact, friction: f64, given: [f64; 2]) -> f64 {
         let of_scene = self.size(now, &contact.angle, contact.center, None, f64::INFINITY).value;
         // The force may point either way along its line.
-        let apart = given[0].atan2(given[1]) - contact.friction.atan() - of_scene;
+        let apart = given[0].atan2(given[1]) - friction.atan() - of_scene;
         let apart = if given[0].hypot(given[1]) == 0.0 { 0.0 } else { apart - PI * (apart / PI).round() };
         self.size(now, &contact.angle, contact.center, None, of_scene + apart).value
     }

@@ -3,6 +3,8 @@
 use assur_force::{Construction, Drawing, Step, VectorKind};
 use assur_group::plane::{minus, plus, scaled};
 
+use assur_words::{name, text};
+
 use crate::plan::{Plan, PlanVector, length};
 
 /// One plan for each drawing of the construction: mechanism (m), polygon (N), lever (m/rad).
@@ -19,27 +21,28 @@ pub fn construction_plans(construction: &Construction) -> Vec<Plan> {
 pub fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Plan> {
     let steps: Vec<&Step> = construction.steps.iter().filter(|step| step.drawing == drawing).collect();
     let first = steps.first()?;
-    let (what, unit) = match drawing {
-        Drawing::Mechanism => ("in the mechanism", "m"),
-        Drawing::Polygon => ("force polygon", "N"),
-        Drawing::Lever => ("lever", if is_force(first) { "m/rad" } else { first.unit }),
+    let (title, unit) = match drawing {
+        Drawing::Mechanism => ("plan-construction-mechanism", "m"),
+        Drawing::Polygon => ("plan-construction-polygon", "N"),
+        Drawing::Lever => ("plan-construction-lever", if is_force(first) { "m/rad" } else { first.unit }),
     };
-    let mut plan = Plan::new(format!("{}: {what}", construction.title), unit);
+    let mut plan = Plan::new(text!(title, method = name(construction.title.clone())), unit);
     let per_newton = if unit == "N" { 1.0 } else { drawn_per_newton(&steps) };
     for step in &steps {
         if step.kind == VectorKind::Point {
-            plan.point(&step.name, step.start);
+            plan.point(name(step.name.clone()), step.start);
             continue;
         }
         let factor = if is_force(step) { per_newton } else { 1.0 };
         plan.items.push(PlanVector {
-            name: step.name.clone(),
+            name: name(step.name.clone()),
+            image: String::new(),
             kind: step.kind,
             start: step.start,
             end: plus(step.start, scaled(factor, step.vector)),
             size: length(step.vector),
             unit: step.unit.to_owned(),
-            note: step.note.clone(),
+            note: name(step.note.clone()),
         });
     }
     let open = if drawing == Drawing::Polygon { open(&steps) } else { 0.0 };

@@ -30,5 +30,7 @@ pub use polygon::{NamedLoad, force_polygons, named_loads};
 pub use sheet::{JointForce, Share, Sheet, Split, constructions, sheet, split};
 pub use sign::{SignChange, Solver, sign_changes};
 
+assur_words::resources!();
+
 #[cfg(test)]
 mod tests;

@@ -4,6 +4,7 @@ use assur_force::State;
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{GROUND, LinkId, Place, PointId, Slide};
+use assur_words::{Text, joined, name, text};
 
 use crate::plan::{Plan, length};
 use assur_force::VectorKind;
@@ -28,13 +29,16 @@ pub fn acceleration_plan(linkage: &Linkage, position: &Position, state: Option<&
 }
 
 fn draw(linkage: &Linkage, position: &Position, state: Option<&State>, order: usize) -> Plan {
-    let (letter, word, plural) =
-        if order == 1 { ('v', "velocity", "velocities") } else { ('a', "acceleration", "accelerations") };
-    let of_unit_speed =
-        if state.is_some() { String::new() } else { format!(" for a unit speed of the input (PF{order})") };
-    let plan = Plan::new(format!("Plan of {plural}{of_unit_speed}"), unit(linkage, state.is_some(), order));
-    let mut drawer = Drawer { linkage, position, rate: Rate::of(state), letter, word, plan, open: 0.0 };
-    drawer.plan.point("pole", [0.0; 2]);
+    let title = match (order, state.is_some()) {
+        (1, true) => text!("plan-velocities"),
+        (1, false) => text!("plan-velocities-unit"),
+        (_, true) => text!("plan-accelerations"),
+        (_, false) => text!("plan-accelerations-unit"),
+    };
+    let plan = Plan::new(title, unit(linkage, state.is_some(), order));
+    let rate = Rate::of(state);
+    let mut drawer = Drawer { linkage, position, rate, of_velocities: order == 1, plan, open: 0.0 };
+    drawer.plan.point(text!("plan-pole"), [0.0; 2]);
     for id in 0..linkage.mechanism.points.len() {
         drawer.absolute(id);
     }
@@ -49,30 +53,28 @@ fn draw(linkage: &Linkage, position: &Position, state: Option<&State>, order: us
 }
 
 /// A component of a velocity or an acceleration: its kind, its name, the vector, its meaning.
-type Part = (VectorKind, String, [f64; 2], String);
+type Part = (VectorKind, Text, [f64; 2], Text);
 
 struct Drawer<'a> {
     linkage: &'a Linkage,
     position: &'a Position,
     rate: Rate,
-    /// `v` or `a`.
-    letter: char,
-    /// `velocity` or `acceleration`.
-    word: &'static str,
+    of_velocities: bool,
     plan: Plan,
     /// Greatest difference between the components and the images.
     open: f64,
 }
 
 impl Drawer<'_> {
-    fn of_velocities(&self) -> bool {
-        self.letter == 'v'
+    /// One of two texts.
+    fn either(&self, velocity: &'static str, acceleration: &'static str) -> &'static str {
+        if self.of_velocities { velocity } else { acceleration }
     }
 
     /// PF1 w, or PF2 w^2 + PF1 e.
     fn total(&self, motion: &PointMotion) -> [f64; 2] {
         let Rate { w, e } = self.rate;
-        if self.of_velocities() {
+        if self.of_velocities {
             scaled(w, motion.pf1)
         } else {
             plus(scaled(w * w, motion.pf2), scaled(e, motion.pf1))
@@ -83,16 +85,19 @@ impl Drawer<'_> {
         self.total(&self.linkage.point_motion(point, self.position))
     }
 
-    fn name(&self, point: usize) -> &str {
-        &self.linkage.mechanism.points[point].name
+    fn name(&self, point: usize) -> Text {
+        (&self.linkage.mechanism.points[point].name).into()
     }
 
     fn absolute(&mut self, point: usize) {
-        let (name, image) = (self.name(point).to_owned(), self.image(point));
-        self.plan.point(&name, image);
+        let (point_name, image) = (self.name(point), self.image(point));
+        self.plan.point(point_name.clone(), image);
         if !is_fixed(self.linkage, point) {
-            let (letter, note) = (self.letter, format!("{} of {name}", self.word));
-            self.plan.push(VectorKind::Absolute, format!("{letter}({name})"), [0.0; 2], image, note);
+            let symbol = symbol(self.either("v", "a"), [point_name.clone()]);
+            let note = text!(self.either("plan-velocity-of", "plan-acceleration-of"), point = point_name);
+            self.plan.push(VectorKind::Absolute, symbol, [0.0; 2], image, note);
+            let letter = self.linkage.mechanism.points[point].name.to_lowercase();
+            self.plan.items.last_mut().into_iter().for_each(|item| item.image.clone_from(&letter));
         }
     }
 
@@ -101,8 +106,8 @@ impl Drawer<'_> {
         let end = parts.iter().fold(start, |at, (_, _, vector, _)| plus(at, *vector));
         self.open = self.open.max(length(minus(end, image)));
         let mut corner = start;
-        for (kind, name, vector, note) in parts.into_iter().filter(|_| drawn) {
-            corner = self.plan.push(kind, name, corner, vector, note);
+        for (kind, symbol, vector, note) in parts.into_iter().filter(|_| drawn) {
+            corner = self.plan.push(kind, symbol, corner, vector, note);
         }
     }
 
@@ -114,27 +119,28 @@ impl Drawer<'_> {
             let place = |id| self.linkage.mechanism.place_in(id, link);
             let (Some(from), Some(to)) = (place(first), place(other)) else { continue };
             let arm = self.position.bodies[link].arm(minus(to, from));
-            let parts = self.turn_parts(link, arm, self.name(other), self.name(first));
+            let parts = self.turn_parts(link, arm, &self.name(other), &self.name(first));
             // Where the first point is at rest, the velocity of the other one is this component.
-            let drawn = !self.of_velocities() || !is_fixed(self.linkage, first);
+            let drawn = !self.of_velocities || !is_fixed(self.linkage, first);
             self.parts(self.image(first), parts, self.image(other), drawn);
         }
     }
 
-    fn turn_parts(&self, link: usize, arm: [f64; 2], to: &str, from: &str) -> Vec<Part> {
+    fn turn_parts(&self, link: usize, arm: [f64; 2], to: &Text, from: &Text) -> Vec<Part> {
         let (body, Rate { w, e }) = (&self.position.bodies[link], self.rate);
-        let link = &self.linkage.mechanism.links[link].name;
+        let link = Text::from(&self.linkage.mechanism.links[link].name);
+        let of = |letter: &'static str| symbol(letter, [to.clone(), from.clone()]);
         let speed = w * body.w1;
-        if self.of_velocities() {
-            let note = format!("velocity of {to} against {from}: turn of `{link}`");
-            return vec![(VectorKind::Relative, format!("v({to}/{from})"), scaled(speed, perp(arm)), note)];
+        if self.of_velocities {
+            let note = text!("plan-relative-velocity", point = to, other = from, link = link);
+            return vec![(VectorKind::Relative, of("v"), scaled(speed, perp(arm)), note)];
         }
         let turning = w * w * body.w2 + e * body.w1;
-        let normal = format!("normal part, from {to} to {from}: turn of `{link}`");
-        let tangential = format!("tangential part: angular acceleration of `{link}`");
+        let normal = text!("plan-normal-part", point = to, other = from, link = &link);
+        let tangential = text!("plan-tangential-part", link = link);
         vec![
-            (VectorKind::Normal, format!("an({to}/{from})"), scaled(-speed * speed, arm), normal),
-            (VectorKind::Tangential, format!("at({to}/{from})"), scaled(turning, perp(arm)), tangential),
+            (VectorKind::Normal, of("an"), scaled(-speed * speed, arm), normal),
+            (VectorKind::Tangential, of("at"), scaled(turning, perp(arm)), tangential),
         ]
     }
 
@@ -142,26 +148,35 @@ impl Drawer<'_> {
     fn slide(&mut self, at: &Sliding) {
         let carrier = &self.position.bodies[at.carrier];
         let motion = self.linkage.slide_motion(at.slide, self.position);
-        let (Rate { w, e }, word, Sliding { name, under, .. }) = (self.rate, self.word, at);
+        let (Rate { w, e }, Sliding { name, under, .. }) = (self.rate, at);
         let on_guide = PointMotion { pf0: [0.0; 2], pf1: carrier.first(at.arm), pf2: carrier.second(at.arm) };
         let transport = self.total(&on_guide);
-        let note = format!("{word} of the point of the guide under {name}");
-        let along = format!("{word} of {name} along the guide");
-        let mut parts = vec![(VectorKind::Absolute, format!("{}({under})", self.letter), transport, note)];
-        if self.of_velocities() {
+        let note = text!(self.either("plan-velocity-under", "plan-acceleration-under"), point = name);
+        let along = text!(self.either("plan-velocity-along", "plan-acceleration-along"), point = name);
+        let of = |letter: &'static str| symbol(letter, [name.clone(), under.clone()]);
+        let own = symbol(self.either("v", "a"), [under.clone()]);
+        let mut parts = vec![(VectorKind::Absolute, own, transport, note)];
+        if self.of_velocities {
             let relative = scaled(w * motion.pf1, at.along);
-            parts.push((VectorKind::Relative, format!("v({name}/{under})"), relative, along));
+            parts.push((VectorKind::Relative, of("v"), relative, along));
         } else {
             let coriolis = scaled(2.0 * (carrier.w1 * w) * (motion.pf1 * w), perp(at.along));
-            let note = "Coriolis part: twice the turn of the guide by the speed along it".to_owned();
-            parts.push((VectorKind::Coriolis, format!("ac({name}/{under})"), coriolis, note));
+            let note = text!("plan-coriolis-part");
+            parts.push((VectorKind::Coriolis, of("ac"), coriolis, note));
             let relative = scaled(motion.pf2 * w * w + motion.pf1 * e, at.along);
-            parts.push((VectorKind::Relative, format!("ar({name}/{under})"), relative, along));
+            parts.push((VectorKind::Relative, of("ar"), relative, along));
         }
         let image = self.total(&self.linkage.place_motion(at.place, self.position));
-        self.plan.point(under, transport);
+        self.plan.point(under.clone(), transport);
+        let first = self.plan.items.len();
         self.parts([0.0; 2], parts, image, true);
+        self.plan.items[first].image.clone_from(&at.image);
     }
+}
+
+/// The symbol of a vector with its points: `v(B/A)`.
+fn symbol<const N: usize>(letter: &'static str, points: [Text; N]) -> Text {
+    joined("", [name(letter), name("("), joined("/", points), name(")")])
 }
 
 /// Speed and acceleration of the coordinate; per unit of it without a motion.
@@ -226,9 +241,11 @@ pub(crate) struct Sliding {
     pub(crate) slide: usize,
     pub(crate) carrier: LinkId,
     /// Name of the sliding point.
-    pub(crate) name: String,
+    pub(crate) name: Text,
     /// `A on rocker`.
-    pub(crate) under: String,
+    pub(crate) under: Text,
+    /// The image of the point of the guide: `a'`.
+    pub(crate) image: String,
     /// The sliding point.
     pub(crate) place: Place,
     /// From the origin of the carrier to it, ground's frame, m.
@@ -251,12 +268,15 @@ fn sliding(linkage: &Linkage, position: &Position, id: usize, slide: &Slide) -> 
     let named = mechanism.points.iter().find(|point| {
         point.places.iter().any(|own| own.link == slide.link && length(minus(own.at, slide.point)) <= near)
     });
-    let name = named.map_or_else(|| format!("point of {}", slide.name), |point| point.name.to_string());
+    let letter = named.map_or(&slide.name, |point| &point.name).to_lowercase();
+    let point =
+        named.map_or_else(|| text!("plan-point-of", slide = &slide.name), |point| Text::from(&point.name));
     Sliding {
         slide: id,
         carrier: slide.on,
-        under: format!("{name} on {}", mechanism.links[slide.on].name),
-        name,
+        under: text!("plan-point-on", point = &point, link = &mechanism.links[slide.on].name),
+        name: point,
+        image: format!("{letter}'"),
         place,
         arm: minus(world, [carrier.x, carrier.y]),
         along: carrier.turned([slide.angle.cos(), slide.angle.sin()]),

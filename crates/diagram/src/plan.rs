@@ -2,6 +2,7 @@
 
 use assur_force::VectorKind;
 use assur_group::plane::minus;
+use assur_words::Text;
 use serde::Serialize;
 
 /// Width of a drawing for which the scale is suggested, mm.
@@ -11,7 +12,11 @@ const PAPER: f64 = 150.0;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlanVector {
     /// Short name: `R(A)`, `v(B)`.
-    pub name: String,
+    pub name: Text,
+    /// The small letter of its tip in a plan of velocities or accelerations: `a`; of the point of a guide under `A` it is
+    /// `a'`. Empty for vectors that have none.
+    #[serde(skip)]
+    pub image: String,
     /// What it represents.
     pub kind: VectorKind,
     /// Where it begins, in the unit of the plan.
@@ -23,14 +28,14 @@ pub struct PlanVector {
     /// Unit of the size.
     pub unit: String,
     /// What it means.
-    pub note: String,
+    pub note: Text,
 }
 
 /// A named point of a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlanPoint {
     /// Its name.
-    pub name: String,
+    pub name: Text,
     /// Its place, in the unit of the plan.
     pub at: [f64; 2],
 }
@@ -39,7 +44,7 @@ pub struct PlanPoint {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Plan {
     /// One line.
-    pub title: String,
+    pub title: Text,
     /// Unit of the coordinates.
     pub unit: String,
     /// Suggested scale, units for 1 mm of paper: 1, 2 or 5 by a power of ten; 0 for an empty plan.
@@ -54,8 +59,8 @@ pub struct Plan {
 }
 
 impl Plan {
-    pub(crate) fn new(title: impl Into<String>, unit: &str) -> Self {
-        let (title, unit) = (title.into(), unit.to_owned());
+    pub(crate) fn new(title: Text, unit: &str) -> Self {
+        let unit = unit.to_owned();
         Self { title, unit, scale: 0.0, items: Vec::new(), points: Vec::new(), residual: 0.0 }
     }
 
@@ -63,20 +68,20 @@ impl Plan {
     pub(crate) fn push(
         &mut self,
         kind: VectorKind,
-        name: String,
+        name: Text,
         start: [f64; 2],
         vector: [f64; 2],
-        note: String,
+        note: Text,
     ) -> [f64; 2] {
         let end = [start[0] + vector[0], start[1] + vector[1]];
         let (size, unit) = (length(vector), self.unit.clone());
-        self.items.push(PlanVector { name, kind, start, end, size, unit, note });
+        self.items.push(PlanVector { name, image: String::new(), kind, start, end, size, unit, note });
         end
     }
 
     /// Adds a point.
-    pub(crate) fn point(&mut self, name: impl Into<String>, at: [f64; 2]) {
-        self.points.push(PlanPoint { name: name.into(), at });
+    pub(crate) fn point(&mut self, name: Text, at: [f64; 2]) {
+        self.points.push(PlanPoint { name, at });
     }
 
     /// Length of the greatest vector as it is drawn.

@@ -5,6 +5,7 @@ use assur_group::plane::{opposite, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, InputPair, LinkId};
+use assur_words::{Text, joined, name, text};
 
 use crate::plan::{Plan, length};
 use assur_force::VectorKind;
@@ -46,11 +47,11 @@ pub fn force_polygons(
     let balance = balancing_force(linkage, position, reactions);
     let drawer = Drawer { linkage, loads, reactions, balance, floor: UNLOADED * greatest };
     let groups = structure.groups.iter().enumerate().rev().map(|(index, group)| {
-        let title = format!("Force polygon of {}", structure.group_name(mechanism, index));
+        let title = text!("plan-forces-of", group = name(structure.group_name(mechanism, index)));
         drawer.polygon(title, &group.frame.links)
     });
     let input = mechanism.input.link;
-    let title = format!("Force polygon of the input link `{}`", mechanism.links[input].name);
+    let title = text!("plan-forces-of-input", link = &mechanism.links[input].name);
     groups.chain([drawer.polygon(title, &[input])]).collect()
 }
 
@@ -84,7 +85,7 @@ struct Drawer<'a> {
 }
 
 impl Drawer<'_> {
-    fn polygon(&self, title: String, links: &[LinkId]) -> Plan {
+    fn polygon(&self, title: Text, links: &[LinkId]) -> Plan {
         let mut plan = Plan::new(title, "N");
         let mut corner = [0.0; 2];
         for (nth, &link) in links.iter().enumerate() {
@@ -92,11 +93,11 @@ impl Drawer<'_> {
             // In a group of two links the inner reactions close the polygon of the first link.
             let inner = if nth == 0 { self.pairs(link, |other| links.contains(&other)) } else { Vec::new() };
             let mut start = corner;
-            for (name, force, note) in inner.into_iter().filter(|_| links.len() == 2) {
-                start = plan.push(VectorKind::Inner, name, start, force, note);
+            for (joint, force, note) in inner.into_iter().filter(|_| links.len() == 2) {
+                start = plan.push(VectorKind::Inner, joint, start, force, note);
             }
         }
-        plan.point("start", [0.0; 2]);
+        plan.point(text!("plan-start"), [0.0; 2]);
         let mut plan = plan.finish(length(corner));
         plan.residual = length(corner) / plan.greatest().max(self.floor).max(f64::MIN_POSITIVE);
         plan
@@ -111,22 +112,22 @@ impl Drawer<'_> {
                 Cause::Inertia(_) => VectorKind::Inertia,
                 _ => VectorKind::Load,
             };
-            let note = format!("load on `{}`", mechanism.links[link].name);
-            corner = plan.push(kind, load.cause.name(mechanism), corner, load.wrench.force(), note);
+            let note = text!("plan-load-on", link = &mechanism.links[link].name);
+            corner = plan.push(kind, name(load.cause.name(mechanism)), corner, load.wrench.force(), note);
         }
         if let Some((_, force)) = self.balance.filter(|(loaded, _)| *loaded == link) {
-            let note = format!("balancing force on `{}`", mechanism.links[link].name);
-            corner = plan.push(VectorKind::Balancing, "Fb".to_owned(), corner, force, note);
+            let note = text!("plan-balancing-on", link = &mechanism.links[link].name);
+            corner = plan.push(VectorKind::Balancing, name("Fb"), corner, force, note);
         }
         let outside = |other: LinkId| other == GROUND || !links.contains(&other);
-        for (name, force, note) in self.pairs(link, outside) {
-            corner = plan.push(VectorKind::Reaction, name, corner, force, note);
+        for (joint, force, note) in self.pairs(link, outside) {
+            corner = plan.push(VectorKind::Reaction, joint, corner, force, note);
         }
         corner
     }
 
     /// Reactions on a link in its pairs with the selected bodies: name, force, meaning.
-    fn pairs(&self, link: LinkId, wanted: impl Fn(LinkId) -> bool) -> Vec<(String, [f64; 2], String)> {
+    fn pairs(&self, link: LinkId, wanted: impl Fn(LinkId) -> bool) -> Vec<(Text, [f64; 2], Text)> {
         let (mechanism, structure) = (&self.linkage.mechanism, &self.linkage.structure);
         let mut list = Vec::new();
         for (id, named) in structure.pairs.iter().enumerate() {
@@ -136,15 +137,15 @@ impl Drawer<'_> {
             }
             let on_a = self.reactions.pairs[id].force();
             let force = if pair.a == link { on_a } else { opposite(on_a) };
-            let (name, what) =
-                (structure.pair_name(mechanism, id), if pair.is_slide() { "guide" } else { "pin" });
-            let [on, from] = [link, pair.other(link)].map(|link| &mechanism.links[link].name);
-            let share = if structure.is_share(id) { format!(" from {from}") } else { String::new() };
-            list.push((
-                format!("R({name}{share})"),
-                force,
-                format!("{what} {name} on `{on}`, from `{from}`"),
-            ));
+            let joint = name(structure.pair_name(mechanism, id).to_owned());
+            let [on, from] = [link, pair.other(link)].map(|link| Text::from(&mechanism.links[link].name));
+            let symbol = if structure.is_share(id) {
+                text!("plan-share-of-reaction", pair = &joint, link = &from)
+            } else {
+                joined("", [name("R("), joint.clone(), name(")")])
+            };
+            let note = if pair.is_slide() { "plan-guide-on" } else { "plan-pin-on" };
+            list.push((symbol, force, text!(note, pair = joint, on = on, from = from)));
         }
         list
     }

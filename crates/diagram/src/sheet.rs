@@ -7,6 +7,7 @@ use assur_geometry::{Center, instant_centers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_structure::name_of;
+use assur_words::{Text, name, text};
 use serde::Serialize;
 
 use crate::plan::length;
@@ -103,8 +104,8 @@ pub fn constructions(
 /// The effect of one cause.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Share {
-    /// `weight`, `inertia`, `all`, or the name of a load.
-    pub cause: String,
+    /// Weight, inertia, all, or the name of a load.
+    pub cause: Text,
     /// The reactions that it causes.
     pub reactions: Vec<JointForce>,
     /// The balancing moment (N m) or force (N) for this cause.
@@ -139,12 +140,12 @@ pub fn split(
     let mut causes: Vec<Cause> = list.iter().map(|load| load.cause.of_all()).collect();
     causes.sort_unstable();
     causes.dedup();
-    let solve = |name: String, cause: Option<Cause>| {
+    let solve = |told: Text, cause: Option<Cause>| {
         let acting = list.iter().filter(|load| cause.is_none_or(|cause| cause == load.cause.of_all()));
-        share(linkage, position, analyzer, name, acting)
+        share(linkage, position, analyzer, told, acting)
     };
-    let whole = solve("all".to_owned(), None)?;
-    let each = causes.into_iter().map(|cause| solve(cause.name(&linkage.mechanism), Some(cause)));
+    let whole = solve(text!("plan-all-causes"), None)?;
+    let each = causes.into_iter().map(|cause| solve(name(cause.name(&linkage.mechanism)), Some(cause)));
     let shares = each.collect::<Result<Vec<_>, _>>()?;
     let residual = residual(&whole, &shares);
     Ok(Split { whole, shares, residual })
@@ -154,7 +155,7 @@ fn share<'a>(
     linkage: &Linkage,
     position: &Position,
     analyzer: &dyn ForceAnalyzer,
-    cause: String,
+    cause: Text,
     loads: impl Iterator<Item = &'a NamedLoad>,
 ) -> Result<Share, DiagramError> {
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];

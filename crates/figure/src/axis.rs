@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod tests;
 
+use assur_words::{Text, number};
+
 use crate::number::{plain, round_up};
 
 /// What is told apart on an axis.
@@ -22,7 +24,7 @@ pub enum Kind {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// What is drawn along it, with its unit; may be empty.
-    pub label: String,
+    pub label: Text,
     /// Its ends, the lower one first.
     pub range: [f64; 2],
     /// How its numbers are spread.
@@ -47,7 +49,7 @@ pub fn extent(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
 impl Axis {
     /// An axis of equal steps around values, never empty; values up to `floor` count as zero. A constant is drawn in the
     /// middle between zero and twice its value, to be recognizable as a constant.
-    pub fn around(label: impl Into<String>, values: impl IntoIterator<Item = f64>, floor: f64) -> Self {
+    pub fn around(label: Text, values: impl IntoIterator<Item = f64>, floor: f64) -> Self {
         let [low, high] = extent(values).unwrap_or_default();
         let most = low.abs().max(high.abs());
         let range = if most <= floor || most == 0.0 {
@@ -57,7 +59,7 @@ impl Axis {
         } else {
             [(low + high).min(0.0), (low + high).max(0.0)]
         };
-        Self { label: label.into(), range, kind: Kind::Linear }
+        Self { label, range, kind: Kind::Linear }
     }
 
     /// Place of a value on the axis: 0 at its lower end, 1 at its upper end.
@@ -78,7 +80,7 @@ impl Axis {
     }
 
     /// At most this many round values within the range, with their texts.
-    pub fn ticks(&self, most: usize) -> Vec<(f64, String)> {
+    pub fn ticks(&self, most: usize) -> Vec<(f64, Text)> {
         let [low, high] =
             if self.kind == Kind::Logarithmic { self.range.map(f64::log10) } else { self.range };
         let span = high - low;
@@ -88,14 +90,14 @@ impl Axis {
         let step = self.step(span / most.max(1) as f64);
         let (first, last) = ((low / step - SAME).ceil(), (high / step + SAME).floor());
         let mut ticks = Vec::new();
-        let mut number = first;
-        while number <= last {
-            let at = number * step;
+        let mut count = first;
+        while count <= last {
+            let at = count * step;
             ticks.push(match self.kind {
-                Kind::Logarithmic => (10.0_f64.powf(at), format!("1e{at}")),
-                _ => (at, plain(if at.abs() < SAME * step { 0.0 } else { at })),
+                Kind::Logarithmic => (10.0_f64.powf(at), number(format_args!("1e{at}"))),
+                _ => (at, number(plain(if at.abs() < SAME * step { 0.0 } else { at }))),
             });
-            number += 1.0;
+            count += 1.0;
         }
         ticks
     }

@@ -21,5 +21,7 @@ mod trace;
 
 pub use axis::{Axis, Kind, extent};
 pub use bounds::{Bounds, Zoom};
-pub use model::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
+pub use model::{Cursor, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 pub use number::round_length;
+
+assur_words::resources!();

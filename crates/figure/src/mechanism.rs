@@ -7,6 +7,7 @@ mod tests;
 use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, LinkId, Slide};
+use assur_words::name;
 
 use crate::model::{Ink, Item, Point, Sign, Stroke};
 
@@ -52,11 +53,11 @@ impl Drawing<'_> {
             let Some(place) = point.places.iter().find(|place| self.shows(place.link)) else { continue };
             let at = bodies[place.link].point(place.at);
             let needed = self.linkage.mechanism.points.len() <= MOST_NAMES;
-            items.push(Item::Name { at, text: point.name.to_string(), ink: Ink::Title, needed });
+            items.push(Item::Name { at, text: (&point.name).into(), ink: Ink::Title, needed });
         }
         items.extend(numbers.into_iter().map(|(at, link)| Item::Name {
             at,
-            text: link.to_string(),
+            text: name(link.to_string()),
             ink: self.ink(link),
             needed: false,
         }));

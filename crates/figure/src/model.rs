@@ -1,5 +1,7 @@
 //! What is drawn: figures, panels, items.
 
+use assur_words::{Text, joined};
+
 use crate::axis::Axis;
 use crate::bounds::Bounds;
 
@@ -10,7 +12,7 @@ pub type Point = [f64; 2];
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Figure {
     /// Heading of the whole; may be empty.
-    pub title: String,
+    pub title: Text,
     /// The panels, row by row.
     pub panels: Vec<Panel>,
     /// Panels beside each other in a row; at least 1.
@@ -23,21 +25,6 @@ impl Figure {
     /// A figure of one panel.
     pub fn of(panel: Panel) -> Self {
         Self { panels: vec![panel], columns: 1, ..Self::default() }
-    }
-
-    /// The figure with its headings, its legend and the names of its axes in other words.
-    #[must_use]
-    pub fn translated(&self, words: &dyn Fn(&str) -> String) -> Self {
-        let mut figure = self.clone();
-        figure.title = words(&figure.title);
-        figure.legend.iter_mut().filter(|key| !key.is_name()).for_each(|key| key.text = words(&key.text));
-        for panel in &mut figure.panels {
-            panel.title = words(&panel.title);
-            if let Frame::Axes { x, y, .. } = &mut panel.frame {
-                (x.label, y.label) = (words(&x.label), words(&y.label));
-            }
-        }
-        figure
     }
 
     /// Number of rows of panels.
@@ -59,7 +46,7 @@ impl Figure {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
     /// Heading; may be empty.
-    pub title: String,
+    pub title: Text,
     /// What its coordinates are.
     pub frame: Frame,
     /// What is drawn; later items lie over earlier ones.
@@ -88,8 +75,35 @@ pub enum Frame {
         /// The vertical axis.
         y: Axis,
         /// Where a vertical line marks the present position.
-        cursor: Option<f64>,
+        cursor: Option<Cursor>,
     },
+}
+
+/// The present position in a plot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cursor {
+    /// Where it is on the horizontal axis.
+    pub at: f64,
+    /// The value there, shown behind the heading; may be empty.
+    pub value: Text,
+}
+
+impl From<f64> for Cursor {
+    fn from(at: f64) -> Self {
+        Self { at, value: Text::default() }
+    }
+}
+
+impl Panel {
+    /// Its title, and the value at the cursor.
+    pub(crate) fn heading(&self) -> Text {
+        let value = match &self.frame {
+            Frame::Axes { cursor: Some(cursor), .. } => Some(&cursor.value),
+            _ => None,
+        };
+        let parts = std::iter::once(&self.title).chain(value).filter(|part| !part.is_empty());
+        joined("  ", parts.cloned())
+    }
 }
 
 /// What something that is drawn stands for; each renderer has a color for it.
@@ -229,7 +243,7 @@ pub enum Item {
         /// The point.
         at: Point,
         /// The name.
-        text: String,
+        text: Text,
         /// What it stands for.
         ink: Ink,
         /// Whether it is written even where it covers something.
@@ -244,8 +258,8 @@ impl Item {
     }
 
     /// A name that is always written.
-    pub fn name(at: Point, text: impl Into<String>, ink: Ink) -> Self {
-        Self::Name { at, text: text.into(), ink, needed: true }
+    pub fn name(at: Point, text: Text, ink: Ink) -> Self {
+        Self::Name { at, text, ink, needed: true }
     }
 
     /// A line from point to point.
@@ -272,14 +286,7 @@ pub struct Key {
     /// What is explained.
     pub sample: Sample,
     /// The explanation.
-    pub text: String,
-}
-
-impl Key {
-    /// Whether the text is the name of a link, which is the same in every language.
-    pub(crate) fn is_name(&self) -> bool {
-        matches!(self.sample, Sample::Line(_, Ink::Link(_)))
-    }
+    pub text: Text,
 }
 
 /// What an entry of a legend explains.

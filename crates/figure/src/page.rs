@@ -8,6 +8,8 @@ mod plane;
 
 pub(crate) use element::Element;
 
+use assur_words::Language;
+
 use crate::model::{Figure, Frame, Ink, Panel, Point, Sign, Stroke};
 use crate::trace::{Mark, block, shifted};
 use element::{Outline, circle, polygon, polyline, text};
@@ -40,29 +42,29 @@ pub(crate) struct Room {
 }
 
 /// The elements of a figure on a page of this width and height, mm.
-pub(crate) fn elements(figure: &Figure, [width, height]: [f64; 2]) -> Vec<Element> {
+pub(crate) fn elements(figure: &Figure, [width, height]: [f64; 2], language: &Language) -> Vec<Element> {
     let mut room =
         Room { left: BORDER, top: BORDER, width: width - 2.0 * BORDER, height: height - 2.0 * BORDER };
     let mut elements = Vec::new();
     if !figure.title.is_empty() {
-        let title = names::fitted(&figure.title, room.width);
+        let title = names::fitted(&figure.title.render(language), room.width);
         elements.push(text([room.left, room.top + EM], &title, Ink::Title, "start"));
         room.top += LINE;
         room.height -= LINE;
     }
-    let rows = legend::rows(figure, room.width);
+    let rows = legend::rows(figure, room.width, language);
     room.height -= rows.len() as f64 * LINE;
     let mut unit = None;
-    let numbers = axes::numbers(figure, room);
+    let numbers = axes::numbers(figure, room, language);
     for (index, panel) in figure.panels.iter().enumerate() {
         let part = cell(figure, index, room);
         elements.extend(match panel.frame {
             Frame::Plane { .. } => {
-                let (drawn, width) = plane::elements(panel, part);
+                let (drawn, width) = plane::elements(panel, part, language);
                 unit.get_or_insert(width);
                 drawn
             }
-            Frame::Axes { .. } => axes::elements(panel, figure.shows_axis(index), numbers, part),
+            Frame::Axes { .. } => axes::elements(panel, figure.shows_axis(index), numbers, part, language),
         });
     }
     let bottom = room.top + room.height + LINE;
@@ -91,15 +93,16 @@ fn cell(figure: &Figure, index: usize, room: Room) -> Room {
 }
 
 /// The heading of a panel.
-fn heading(panel: &Panel, room: Room) -> Option<Element> {
-    (!panel.title.is_empty()).then(|| {
-        let title = names::fitted(&panel.title, room.width);
+fn heading(panel: &Panel, room: Room, language: &Language) -> Option<Element> {
+    let title = panel.heading();
+    (!title.is_empty()).then(|| {
+        let title = names::fitted(&title.render(language), room.width);
         text([room.left, room.top + EM], &title, Ink::Title, "start")
     })
 }
 
 /// The elements of marks: lines first, then signs, then names where they cover least.
-fn drawn(marks: &[Mark], room: Room) -> Vec<Element> {
+fn drawn(marks: &[Mark], room: Room, language: &Language) -> Vec<Element> {
     let mut elements = Vec::new();
     let mut names = Names::new(room);
     for mark in marks {
@@ -121,8 +124,9 @@ fn drawn(marks: &[Mark], room: Room) -> Vec<Element> {
     }
     for mark in marks {
         if let Mark::Name { at, text: name, ink, needed } = mark {
-            let (at, seen) = names.place(*at, name, *needed);
-            let mut element = Element { is_name: true, ..text(at, name, *ink, "start") };
+            let name = name.render(language);
+            let (at, seen) = names.place(*at, &name, *needed);
+            let mut element = text(at, &name, *ink, "start");
             // A name that is not seen stays, so that all frames of an animation have the same elements.
             element.attributes.push(("visibility", if seen { "visible" } else { "hidden" }.to_owned()));
             elements.push(element);

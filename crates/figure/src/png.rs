@@ -5,6 +5,8 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Error, Options, Tree, fontdb};
 
+use assur_words::{Describe, Language, Text, errors, name, number, text};
+
 use crate::model::Figure;
 use crate::svg;
 
@@ -20,25 +22,40 @@ pub use crate::page::EM;
 pub const MOST: f64 = 64e6;
 
 /// Why a figure has no PNG.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum PngError {
     /// The picture would be empty, or larger than memory should be taken for.
-    #[error("a picture of {0:.0} x {1:.0} pixels can't be painted; a png has at most {max:.0} million, such as {side:.0} x {side:.0} mm; an svg may be larger", max = MOST / 1e6, side = MOST.sqrt() / PIXELS)]
     Size(f64, f64),
     /// The painter refuses the SVG of the figure.
-    #[error("the figure can't be painted: {0}")]
-    Svg(#[from] Error),
+    Svg(Error),
     /// The picture can't be compressed.
-    #[error("the picture can't be written: {0}")]
     Write(String),
 }
+
+impl Describe for PngError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Size(width, height) => text!(
+                "picture-size",
+                width = number(format_args!("{width:.0}")),
+                height = number(format_args!("{height:.0}")),
+                most = number(format_args!("{:.0}", MOST / 1e6)),
+                side = number(format_args!("{:.0}", MOST.sqrt() / PIXELS)),
+            ),
+            Self::Svg(error) => text!("picture-not-painted", problem = name(error.to_string())),
+            Self::Write(problem) => text!("picture-not-written", problem = name(problem.clone())),
+        }
+    }
+}
+
+errors!(PngError);
 
 /// A figure on a page of this width and height, mm, with [`PIXELS`] in a millimeter.
 ///
 /// # Errors
 ///
 /// If the page is empty or too large.
-pub fn write(figure: &Figure, size: [f64; 2]) -> Result<Vec<u8>, PngError> {
+pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> Result<Vec<u8>, PngError> {
     let [width, height] = size.map(|side| (side * PIXELS).round());
     if !(width >= 1.0 && height >= 1.0 && width * height <= MOST) {
         return Err(PngError::Size(width, height));
@@ -46,7 +63,7 @@ pub fn write(figure: &Figure, size: [f64; 2]) -> Result<Vec<u8>, PngError> {
     let mut fonts = fontdb::Database::new();
     fonts.load_font_data(FONT.to_vec());
     let options = Options { font_family: FAMILY.to_owned(), fontdb: Arc::new(fonts), ..Options::default() };
-    let tree = Tree::from_str(&svg::write(figure, size), &options)?;
+    let tree = Tree::from_str(&svg::write(figure, size, language), &options).map_err(PngError::Svg)?;
     let mut picture = Pixmap::new(pixels(width), pixels(height)).ok_or(PngError::Size(width, height))?;
     let page = tree.size();
     let (across, down) = (pixels(width) as f32 / page.width(), pixels(height) as f32 / page.height());

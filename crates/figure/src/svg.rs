@@ -2,38 +2,25 @@
 
 use std::fmt::Write;
 
+use assur_words::Language;
+
 use crate::model::Figure;
 use crate::page::{Element, elements};
 
 /// Fonts of the texts, the first that is there; their letters have nearly one width.
 const FONTS: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
 
-/// A figure on a page of this width and height, mm.
-pub fn write(figure: &Figure, size: [f64; 2]) -> String {
-    animate(std::slice::from_ref(figure), size, 0.0)
-}
-
-/// The elements of a figure in the words of a language.
-fn elements_in(figure: &Figure, size: [f64; 2], words: &dyn Fn(&str) -> String) -> Vec<Element> {
-    // Long texts are translated before they are laid out, numbers of axes and scales when they are there.
-    let mut all = elements(&figure.translated(words), size);
-    all.iter_mut()
-        .filter(|element| !element.text.is_empty() && !element.is_name)
-        .for_each(|element| element.text = words(&element.text));
-    all
+/// A figure on a page of this width and height, mm, in the words of a language.
+pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> String {
+    animate(std::slice::from_ref(figure), size, 0.0, language)
 }
 
 /// A figure that moves: its frames follow each other in equal times and repeat; `seconds` is the time of all.
 ///
 /// What is equal in all frames is written once; between two frames everything moves in straight lines. A frame that does
 /// not have the elements of the first one is left out.
-pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64) -> String {
-    animate_in(frames, size, seconds, &str::to_owned)
-}
-
-/// A figure that moves (of one frame: that does not), whose texts are translated by `words`; names of the scene are not.
-pub fn animate_in(frames: &[Figure], size: [f64; 2], seconds: f64, words: &dyn Fn(&str) -> String) -> String {
-    let mut all: Vec<Vec<Element>> = frames.iter().map(|frame| elements_in(frame, size, words)).collect();
+pub fn animate(frames: &[Figure], size: [f64; 2], seconds: f64, language: &Language) -> String {
+    let mut all: Vec<Vec<Element>> = frames.iter().map(|frame| elements(frame, size, language)).collect();
     let Some(first) = all.first().cloned() else { return String::new() };
     let names = |frame: &[Element]| frame.iter().map(|element| element.name).collect::<Vec<_>>();
     all.retain(|frame| names(frame) == names(&first));
@@ -43,7 +30,7 @@ pub fn animate_in(frames: &[Figure], size: [f64; 2], seconds: f64, words: &dyn F
         let of: Vec<&Element> = all.iter().map(|frame| &frame[index]).collect();
         markup(of[0], &motion(&of, seconds))
     });
-    document(&frames[0], size, parts)
+    document(&frames[0].title.render(language), size, parts)
 }
 
 /// The changes of an element over the frames.
@@ -63,13 +50,13 @@ fn motion(frames: &[&Element], seconds: f64) -> String {
     text
 }
 
-fn document(figure: &Figure, [width, height]: [f64; 2], parts: impl Iterator<Item = String>) -> String {
+fn document(title: &str, [width, height]: [f64; 2], parts: impl Iterator<Item = String>) -> String {
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" \
          viewBox=\"0 0 {width} {height}\" font-family=\"{FONTS}\" stroke-linecap=\"round\" \
          stroke-linejoin=\"round\">\n<title>{}</title>\n<rect width=\"{width}\" height=\"{height}\" \
          fill=\"#ffffff\"/>\n",
-        escaped(&figure.title)
+        escaped(title)
     );
     for part in parts {
         text.push_str(&part);

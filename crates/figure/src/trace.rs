@@ -2,6 +2,8 @@
 //!
 //! Lengths on paper have equal units in both directions: widths of a cell, or millimeters; y grows downwards.
 
+use assur_words::Text;
+
 use crate::model::{Ink, Item, Point, Sign, Stroke};
 
 /// Half length and half thickness of a slider, in text sizes.
@@ -28,7 +30,7 @@ const SHORTEST: f64 = 0.5;
 pub(crate) enum Mark {
     Line { points: Vec<Point>, stroke: Stroke, ink: Ink, closed: bool },
     Sign { at: Point, along: Point, sign: Sign, ink: Ink },
-    Name { at: Point, text: String, ink: Ink, needed: bool },
+    Name { at: Point, text: Text, ink: Ink, needed: bool },
 }
 
 /// How a panel comes to paper.

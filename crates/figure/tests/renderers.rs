@@ -2,24 +2,27 @@
 
 use assur_figure::cells::{self, Look, Marker, Spot};
 use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Panel, Sign, Stroke, Zoom, png, svg};
+use assur_words::{Language, Text, name, unit};
 
-const LOOK: Look = Look { marker: Marker::Braille, ratio: 2.0, zoom: Zoom::WHOLE };
+fn look(marker: Marker) -> Look {
+    Look { marker, ratio: 2.0, zoom: Zoom::WHOLE, language: Language::english() }
+}
 
 fn plane(items: Vec<Item>) -> Figure {
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
     let frame = Frame::Plane { bounds, unit: "m/s".into(), factor: 1.0, scale: ("v", "m/s".into()) };
-    Figure::of(Panel { title: String::new(), frame, items })
+    Figure::of(Panel { title: Text::default(), frame, items })
 }
 
 fn chart(title: &str, values: &[f64], floor: f64) -> Figure {
     let points: Vec<_> = values.iter().enumerate().map(|(at, value)| [at as f64, *value]).collect();
     let frame = Frame::Axes {
-        x: Axis::around("time, s", points.iter().map(|at| at[0]), 0.0),
-        y: Axis::around("N", values.iter().copied(), floor),
-        cursor: Some(0.0),
+        x: Axis::around(name("time, s"), points.iter().map(|at| at[0]), 0.0),
+        y: Axis::around(unit("N"), values.iter().copied(), floor),
+        cursor: Some(0.0.into()),
     };
     let items = vec![Item::line(points, Stroke::Solid, Ink::First)];
-    Figure::of(Panel { title: title.to_owned(), frame, items })
+    Figure::of(Panel { title: name(title.to_owned()), frame, items })
 }
 
 fn place(spots: &[Spot], text: &str) -> Option<u16> {
@@ -39,10 +42,10 @@ fn row(spots: &[Spot], row: u16) -> String {
 #[test]
 fn an_arrow_has_its_head_at_the_tip_and_its_name_beside_it() {
     let arrow = Item::Arrow { from: [0.0; 2], to: [1.0, 0.0], stroke: Stroke::Solid, ink: Ink::Velocity };
-    let pole = [Item::sign([0.0; 2], Sign::Ring, Ink::Title), Item::name([0.0; 2], "p", Ink::Title)];
-    let name = Item::name([1.0, 0.0], "a", Ink::Title);
-    let figure = plane([arrow, name].into_iter().chain(pole).collect());
-    let spots = cells::draw(&figure, [40, 9], LOOK);
+    let pole = [Item::sign([0.0; 2], Sign::Ring, Ink::Title), Item::name([0.0; 2], name("p"), Ink::Title)];
+    let tip = Item::name([1.0, 0.0], name("a"), Ink::Title);
+    let figure = plane([arrow, tip].into_iter().chain(pole).collect());
+    let spots = cells::draw(&figure, [40, 9], look(Marker::Braille));
     let [Some(name), Some(pole), Some(tip)] = ["a", "p", ">"].map(|text| place(&spots, text)) else {
         panic!("a sign is missing: {spots:?}")
     };
@@ -52,7 +55,7 @@ fn an_arrow_has_its_head_at_the_tip_and_its_name_beside_it() {
 #[test]
 fn a_chart_keeps_to_its_place_and_rounding_is_zero() {
     let figure = chart("piston/ground on piston F  133.269 N and more", &[1.27e-14, 367.0, 100.0], 0.0);
-    let spots = cells::draw(&figure, [40, 8], LOOK);
+    let spots = cells::draw(&figure, [40, 8], look(Marker::Braille));
     assert!(row(&spots, 0).ends_with("133.269 N a…"), "{}", row(&spots, 0));
     assert!(row(&spots, 5).starts_with("         0│"), "{}", row(&spots, 5));
     assert!(spots.iter().all(|spot| spot.column + 1 < 41 && spot.row < 8));
@@ -81,7 +84,11 @@ fn attributes(text: &str, element: &str, attribute: &str) -> Vec<String> {
 fn a_length_on_paper_times_the_scale_is_the_true_length() {
     for length in [0.0137, 0.4, 3.0, 77.7, 1.2e4] {
         let ends = [[0.0, 0.0], [0.6 * length, 0.8 * length]];
-        let text = svg::write(&plane(vec![Item::line(ends, Stroke::Solid, Ink::First)]), [160.0, 120.0]);
+        let text = svg::write(
+            &plane(vec![Item::line(ends, Stroke::Solid, Ink::First)]),
+            [160.0, 120.0],
+            Language::english(),
+        );
         let points = &attributes(&text, "polyline", "points")[0];
         let numbers: Vec<f64> = points.split([' ', ',']).map(|number| number.parse().unwrap()).collect();
         let drawn = (numbers[2] - numbers[0]).hypot(numbers[3] - numbers[1]);
@@ -95,27 +102,30 @@ fn a_length_on_paper_times_the_scale_is_the_true_length() {
 
 #[test]
 fn the_same_figure_has_the_same_bytes_and_its_texts_are_no_markup() {
-    let figure = Figure { title: "a < b & \"c\"".into(), ..chart("1 > 0", &[1.0, 2.0], 0.0) };
-    let text = svg::write(&figure, [100.0, 80.0]);
-    assert_eq!(text, svg::write(&figure, [100.0, 80.0]));
+    let figure = Figure { title: name("a < b & \"c\""), ..chart("1 > 0", &[1.0, 2.0], 0.0) };
+    let text = svg::write(&figure, [100.0, 80.0], Language::english());
+    assert_eq!(text, svg::write(&figure, [100.0, 80.0], Language::english()));
     assert!(text.contains("a &lt; b &amp; &quot;c&quot;") && text.contains("1 &gt; 0"), "{text}");
 }
 
 #[test]
 fn a_picture_has_ten_pixels_a_millimeter_and_is_not_empty() {
     let figure = chart("силы, μ", &[1.0, 2.0], 0.0);
-    let bytes = png::write(&figure, [50.0, 40.0]).unwrap();
+    let bytes = png::write(&figure, [50.0, 40.0], Language::english()).unwrap();
     let side = |at: usize| u32::from_be_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
     assert_eq!([side(16), side(20)], [500, 400]);
-    let blank = png::write(&chart("", &[f64::NAN], 0.0), [50.0, 40.0]).unwrap();
+    let blank = png::write(&chart("", &[f64::NAN], 0.0), [50.0, 40.0], Language::english()).unwrap();
     assert!(bytes.len() > blank.len() + 500, "{} and {}", bytes.len(), blank.len());
     // 64 million pixels are 800 mm square; as wide as an svg may be, a picture is flat.
-    let error = png::write(&figure, [800.1, 800.1]).unwrap_err().to_string();
+    let error = png::write(&figure, [800.1, 800.1], Language::english()).unwrap_err().to_string();
     assert!(
         error.ends_with("a png has at most 64 million, such as 800 x 800 mm; an svg may be larger"),
         "{error}"
     );
-    assert!(png::write(&figure, [0.0, 40.0]).is_err() && png::write(&figure, [f64::NAN, 40.0]).is_err());
+    assert!(
+        png::write(&figure, [0.0, 40.0], Language::english()).is_err()
+            && png::write(&figure, [f64::NAN, 40.0], Language::english()).is_err()
+    );
 }
 
 #[test]
@@ -131,9 +141,9 @@ fn an_animation_moves_what_changes_and_writes_the_rest_once() {
             factor: 1.0,
             scale: ("l", "m".into()),
         };
-        Figure::of(Panel { title: String::new(), frame, items })
+        Figure::of(Panel { title: Text::default(), frame, items })
     };
-    let text = svg::animate(&[frame(0.0), frame(1.0), frame(2.0)], [100.0, 80.0], 3.0);
+    let text = svg::animate(&[frame(0.0), frame(1.0), frame(2.0)], [100.0, 80.0], 3.0, Language::english());
     assert_eq!(text.matches("<animate ").count(), 1, "{text}");
     assert_eq!(text.matches("<polyline").count(), 2, "{text}");
     // Three frames, and the first one again.
@@ -153,16 +163,16 @@ fn any_size_and_any_number_is_drawn_without_a_fault() {
                 Item::Spring { from: [value, 0.0], to: [1.0, value], elastic: true, damped: true },
                 Item::Guide { from: [0.0; 2], to: [value, value] },
                 Item::sign([value, 0.0], Sign::Bearing, Ink::Ground),
-                Item::name([value, 0.0], "name", Ink::Title),
+                Item::name([value, 0.0], name("name"), Ink::Title),
             ]),
         ];
         for figure in figures {
             for size in [[0, 0], [1, 1], [12, 4], [13, 2], [80, 24], [300, 2]] {
                 for marker in <Marker as strum::VariantArray>::VARIANTS.iter().copied() {
-                    cells::draw(&figure, size, Look { marker, ..LOOK });
+                    cells::draw(&figure, size, look(marker));
                 }
             }
-            let text = svg::write(&figure, [100.0, 80.0]);
+            let text = svg::write(&figure, [100.0, 80.0], Language::english());
             assert!(!text.contains("NaN") && !text.contains("inf"), "{value}: {text}");
         }
     }

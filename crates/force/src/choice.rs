@@ -4,8 +4,9 @@ use assur_integrator::Piece;
 
 use crate::State;
 use crate::breaks::cut;
-use crate::law::Active;
+use crate::law::{Active, Law};
 use crate::loads::{Along, ArcContact, Loads};
+use crate::sliding::Sliding;
 use crate::state::{Selection, Side};
 
 /// The formulas of all loads on one side of a state, or in one smooth piece.
@@ -14,6 +15,8 @@ pub(crate) trait Formulas {
     fn active(&self, loads: &Loads, law: usize, state: &State) -> Active;
     /// Whether a contact touches.
     fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool;
+    /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
+    fn rubs(&self, loads: &Loads, sliding: &Sliding, contact: usize, state: &State) -> f64;
     /// Factor of the unit vector of PF1 for a force against the motion; 0 where the point is at rest. `lengths`: of PF1
     /// and PF2 of its point.
     fn against(&self, loads: &Loads, force: usize, state: &State, lengths: [f64; 2]) -> f64;
@@ -70,6 +73,18 @@ impl Formulas for Selection {
     }
 
     #[inline(always)]
+    fn rubs(&self, loads: &Loads, sliding: &Sliding, _: usize, state: &State) -> f64 {
+        // Without a motion, or at speed 0 of a prescribed one, it is as if the input moved along its direction.
+        let sense = match (self.moves, self.closed) {
+            (true, _) => self.sense,
+            (false, true) => loads.direction(),
+            (false, false) => return 0.0,
+        };
+        let side = Self { sense, ..*self };
+        -sense * sliding.at(side.coordinate(state, loads.period)).1
+    }
+
+    #[inline(always)]
     fn against(&self, loads: &Loads, _: usize, _: &State, [first, second]: [f64; 2]) -> f64 {
         /// A rest within this distance of the coordinate is at the coordinate: the difference is rounding.
         const AT_REST: f64 = 1e-12;
@@ -87,6 +102,11 @@ impl Formulas for Phase {
     #[inline(always)]
     fn touches(&self, _: &Loads, contact: usize, _: &State) -> bool {
         self.contacts[contact]
+    }
+
+    #[inline(always)]
+    fn rubs(&self, _: &Loads, _: &Sliding, contact: usize, _: &State) -> f64 {
+        self.rubs[contact]
     }
 
     #[inline(always)]
@@ -116,13 +136,37 @@ pub(crate) enum Selections {
 }
 
 impl Loads {
+    /// Direction of the input, 1 or -1.
+    fn direction(&self) -> f64 {
+        if self.sense == 0.0 { 1.0 } else { self.sense }
+    }
+
+    /// The value of a law that has no place at a state.
+    pub(crate) fn value_of(&self, law: &Law, state: &State) -> f64 {
+        let value = |side: &Selection| law.value(law.at(state, side, self.period), state, [0.0; 2]);
+        Live.weigh(self, state, value)
+    }
+
+    /// Angle of a contact of the mechanism at a state, rad, and its coefficient of friction with its sign along (cos a, -sin a);
+    /// `None` where no link has it.
+    pub fn contact(&self, id: usize, state: &State) -> Option<[f64; 2]> {
+        let index = self.contacts.iter().position(|contact| contact.id == id)?;
+        let contact = &self.contacts[index];
+        let angle = &self.laws[self.forces.len() + self.moments.len() + self.contacts.len() + index];
+        let sign = contact
+            .sliding
+            .as_ref()
+            .map_or(1.0, |sliding| Live.weigh(self, state, |side| side.rubs(self, sliding, index, state)));
+        Some([self.value_of(angle, state), sign * contact.friction])
+    }
+
     /// The formulas in use at a state: those of one side, or of both where the motion is held.
     #[inline(always)]
     pub(crate) fn selections(&self, state: &State) -> Selections {
         let (speed, acceleration) = (state.speed, state.acceleration);
         let sign = |value: f64| if value == 0.0 { 0.0 } else { value.signum() };
         let one = |ahead: f64| {
-            let mut sense = if self.sense == 0.0 { 1.0 } else { self.sense };
+            let mut sense = self.direction();
             if acceleration != 0.0 {
                 sense = sign(ahead * acceleration);
             }
@@ -155,6 +199,8 @@ pub struct Phase {
     /// For each force, then for each moment: the interval of the coordinate in which its point or link does not reverse.
     pub(crate) sides: Vec<[f64; 2]>,
     pub(crate) contacts: Vec<bool>,
+    /// Sign of the friction of each contact that is against its sliding.
+    pub(crate) rubs: Vec<f64>,
     pub(crate) sense: f64,
 }
 
@@ -167,6 +213,7 @@ impl Loads {
             actives: vec![Active::only(); self.laws.len()],
             sides: vec![EVERYWHERE; self.forces.len() + self.moments.len()],
             contacts: vec![true; self.contacts.len()],
+            rubs: vec![0.0; self.contacts.len()],
             sense: self.sense,
         }
     }
@@ -199,6 +246,12 @@ impl Loads {
             *touches = interval.index == contact.touching;
             cut(&mut bounds.coordinate, interval.ends);
         }
+        for (contact, rubs) in self.contacts.iter().zip(&mut phase.rubs) {
+            if let Some((interval, sign)) = contact.sliding.as_ref().map(|sliding| sliding.at(ahead)) {
+                *rubs = -phase.sense * sign;
+                cut(&mut bounds.coordinate, interval.ends);
+            }
+        }
         if self.turns_with_speed() {
             let side = if phase.sense < 0.0 { [f64::NEG_INFINITY, 0.0] } else { [0.0, f64::INFINITY] };
             cut(&mut bounds.speed, side);
@@ -206,10 +259,11 @@ impl Loads {
         bounds
     }
 
-    /// Whether a load depends on the sign of the speed: a load against the motion, or a stroke.
+    /// Whether a load depends on the sign of the speed: a load against the motion, friction against the sliding, or a stroke.
     pub fn turns_with_speed(&self) -> bool {
         let against = self.forces.iter().any(|force| force.along == Along::AgainstMotion);
         let brakes = self.moments.iter().any(|moment| moment.brake.is_some());
-        against || brakes || self.laws.iter().any(|law| matches!(law, crate::law::Law::Stroke(_)))
+        let rubs = self.contacts.iter().any(|contact| contact.sliding.is_some());
+        against || brakes || rubs || self.laws.iter().any(|law| matches!(law, Law::Stroke(_)))
     }
 }

@@ -4,7 +4,8 @@ use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Spring, Table, Value,
+    Contact, Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Spring, Table,
+    Value,
 };
 
 use crate::breaks::Breaks;
@@ -13,6 +14,7 @@ use crate::formula::{FormulaLaw, Unlocated};
 use crate::grid::{Bodies, GRID, Span, rests};
 use crate::law::Law;
 use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
+use crate::sliding::{Rate, Sliding};
 use crate::stroke::{NoStroke, Stroke, Travel};
 use crate::{LoadError, Loads, State};
 
@@ -25,6 +27,9 @@ const MOST_CHANGES: usize = 10_000;
 
 /// Of more cycles than these the cells in which a switch is looked for grow.
 const MOST_CYCLES: u32 = 100;
+
+/// Angles of a contact nearer to each other than this are the same, rad.
+const SAME_ANGLE: f64 = 1e-9;
 
 /// What compiling needs.
 struct Compiler<'a> {
@@ -105,6 +110,11 @@ fn needs_motion(mechanism: &Mechanism, name: &str, what: &'static str) -> Result
 }
 
 impl<'a> Compiler<'a> {
+    /// Whether the motion is given, so that nothing steps along it.
+    fn is_given(&self) -> bool {
+        matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }))
+    }
+
     /// The earlier loads, if this part of the mechanism was the same.
     fn same<T: PartialEq + 'a>(&self, part: impl Fn(&'a Mechanism) -> &'a T) -> Option<&'a Loads> {
         let (mechanism, loads) = self.earlier?;
@@ -161,19 +171,41 @@ impl<'a> Compiler<'a> {
         for (id, contact) in mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND) {
             let (breaks, touching) = contact_breaks(contact.during, loads.period);
             loads.laws.push(self.law(&contact.name, Some(contact.center), &contact.force)?);
-            loads.contacts.push(ArcContact {
-                id,
-                center: contact.center,
-                radius: contact.radius,
-                friction: contact.friction,
-                breaks,
-                touching,
-            });
+            let &Contact { center, radius, friction, .. } = contact;
+            loads.contacts.push(ArcContact { id, center, radius, friction, sliding: None, breaks, touching });
         }
-        for contact in mechanism.contacts.iter().filter(|contact| contact.center.link != GROUND) {
-            loads.laws.push(self.law(&contact.name, None, &contact.angle)?);
+        for index in 0..loads.contacts.len() {
+            let contact = &mechanism.contacts[loads.contacts[index].id];
+            let angle = self.law(&contact.name, None, &contact.angle)?;
+            if contact.against_sliding {
+                loads.contacts[index].sliding = Some(self.sliding(loads, contact, &angle)?);
+            }
+            loads.laws.push(angle);
         }
         Ok(())
+    }
+
+    /// In which sense the arc of a contact slides, found before the motion.
+    fn sliding(&self, loads: &Loads, contact: &Contact, angle: &Law) -> Result<Sliding, LoadError> {
+        let angle = |q: f64| loads.value_of(angle, &State::prescribed(self.mechanism, q));
+        let cycle = self.spans().first().map(|span| self.reach(span));
+        let repeats = |span: &Span| {
+            let again = |q: f64| (angle(q + span.length) - angle(q)).abs() <= SAME_ANGLE;
+            !span.periodic || (0..span.cells).all(|cell| again(span.at(cell)))
+        };
+        let span = match cycle.filter(repeats) {
+            Some(span) => span,
+            None if !self.is_given() => return Err(LoadError::UnlocatedSliding(contact.name.to_string())),
+            None => self.positions(),
+        };
+        let (center, step) = (contact.center, 1e-3 * span.length / f64::from(span.cells));
+        let mut bodies = Bodies::new(self.linkage, span);
+        let mut rate = |q: f64| {
+            let body = bodies.at(q, center.link)?;
+            let turning = (angle(q + step) - angle(q - step)) / (2.0 * step);
+            Ok(Rate::of(&body, center.at, contact.radius, [angle(q), turning]))
+        };
+        Ok(Sliding::find(&mut rate, &span))
     }
 
     fn law(&self, name: &str, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
@@ -211,7 +243,7 @@ impl<'a> Compiler<'a> {
         if used.speed || used.time {
             needs_motion(self.mechanism, name, "a formula with `w` or `t`")?;
         }
-        let steps = !matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }));
+        let steps = !self.is_given();
         let place = |index: usize| {
             let span = &formula.switches()[index].span;
             (name.to_owned(), formula.text()[span.clone()].to_owned(), span.start + 1)
@@ -297,7 +329,7 @@ impl<'a> Compiler<'a> {
     fn reach(&self, span: &Span) -> Span {
         /// At its ends the mechanism just holds together: part of the whole that is left out there.
         const BESIDE: f64 = 1e-9;
-        let stays = matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }));
+        let stays = self.is_given();
         let whole = self.linkage.range.filter(|range| !(stays || span.periodic || range.full));
         let Some(whole) = whole else { return *span };
         let beside = BESIDE * (whole.high - whole.low);
@@ -308,7 +340,7 @@ impl<'a> Compiler<'a> {
 
     /// Rests are needed only for the integration: at a single position the velocity itself is known.
     fn rests(&self, motion: impl Fn(&Body<f64>) -> ([f64; 2], [f64; 2]), link: LinkId) -> Breaks {
-        if matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. })) {
+        if self.is_given() {
             return Breaks::default();
         }
         let Some(span) = self.spans().first().map(|span| self.reach(span)) else { return Breaks::default() };

@@ -63,6 +63,12 @@ pub enum LoadError {
         /// Where it stands in the formula, from 1.
         column: usize,
     },
+    /// Where the sliding of a contact turns can't be found before an integrator steps over it (the contact).
+    #[error(
+        "contact `{0}`: its friction is against the sliding, but its angle does not repeat with the cycle of the input, so where the \
+         sliding turns can't be found in advance in a motion that is calculated; let the angle repeat with the cycle"
+    )]
+    UnlocatedSliding(String),
     /// A formula changes too often for its changes to be followed.
     #[error(
         "load `{name}`: the argument of `{function}` (character {column} of the formula) passes zero too often: a formula may have \
@@ -102,6 +108,7 @@ impl LoadError {
             | Self::InfiniteStroke { name, .. }
             | Self::NotFinite { name, .. }
             | Self::Unlocated { name, .. }
+            | Self::UnlocatedSliding(name)
             | Self::ChangesTooOften { name, .. }
             | Self::NoPosition { name, .. } => (name, true),
         };

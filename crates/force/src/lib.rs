@@ -26,6 +26,7 @@ mod kinetostatics;
 mod law;
 mod loads;
 mod reduce;
+mod sliding;
 mod state;
 mod stroke;
 mod visit;

@@ -5,6 +5,7 @@ use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, Place};
 
 use crate::breaks::Breaks;
 use crate::law::Law;
+use crate::sliding::Sliding;
 
 /// The loads of a mechanism, compiled: indices and formulas, no names.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,8 +116,10 @@ pub(crate) struct ArcContact {
     pub(crate) center: Place,
     /// Radius of the arc, m.
     pub(crate) radius: f64,
-    /// Coefficient of friction.
+    /// Coefficient of friction, with its sign unless it is against the sliding.
     pub(crate) friction: f64,
+    /// How the arc slides, where the friction is against that.
+    pub(crate) sliding: Option<Sliding>,
     /// Interval of contact; `None`: always in contact.
     pub(crate) breaks: Breaks,
     /// Index of the interval of `breaks` in which there is contact.

@@ -183,7 +183,12 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             );
         let (s, c) = self.size(law + self.loads.contacts.len(), point).sin_cos();
         let arm = minus(center, scaled(T::from_f64(contact.radius), [s, c]));
-        let friction = T::from_f64(contact.friction);
+        let friction = match &contact.sliding {
+            None => T::from_f64(contact.friction),
+            Some(sliding) => self.by_lane(|formulas, lane| {
+                contact.friction * formulas.rubs(self.loads, sliding, index, T::state(self.states, lane))
+            }),
+        };
         let along = [s + friction * c, c - friction * s];
         sink.cause(Cause::Contact(contact.id));
         sink.size(size);

@@ -117,6 +117,35 @@ pub fn swing(series: &Series) -> f64 {
     series[1..].iter().map(|c| c.abs()).sum()
 }
 
+/// First x in [-1, 1] at which a series falls to zero. The walk goes on by steps over which the slope here and a bound of the
+/// curvature keep the series positive: it passes no dip, however narrow, and becomes Newton's method near a root.
+pub fn first_zero(series: &Series) -> Option<f64> {
+    let slope = derivative(series);
+    // |T_k''| is at most k² (k² - 1)/3.
+    let most = |(k, c): (usize, &f64)| (k * k * (k * k).saturating_sub(1)) as f64 / 3.0 * c.abs();
+    let curvature: f64 = series.iter().enumerate().map(most).sum();
+    let mut x = -1.0;
+    while x <= 1.0 {
+        let (height, slope) = (value(series, x), value(&slope, x));
+        let step = 2.0 * height / ((slope * slope + 2.0 * curvature * height).sqrt() - slope);
+        if height <= 0.0 || x + step <= x {
+            return Some(x);
+        }
+        x += step;
+    }
+    None
+}
+
+/// The derivative of a series.
+fn derivative(series: &Series) -> Series {
+    let mut slope = [0.0; TERMS];
+    for k in (1..TERMS).rev() {
+        slope[k - 1] = 2.0 * k as f64 * series[k] + if k + 1 < TERMS { slope[k + 1] } else { 0.0 };
+    }
+    slope[0] *= 0.5;
+    slope
+}
+
 /// The argument between `low` and `high` at which a growing function (given with its derivative) has a value: Newton's
 /// method from `start`, kept within the bounds by bisection, until a correction is at most `enough`. Near the root a
 /// correction d leaves an error of about d².

@@ -222,6 +222,8 @@ pub struct Contact {
     pub force: Value,
     /// Coefficient of friction f, which adds f F along (cos a, -sin a).
     pub friction: f64,
+    /// Whether the friction is against the sliding of K, so that its sign follows from the motion; else it is the one given.
+    pub against_sliding: bool,
     /// Interval of the input coordinate with contact; `None`: always.
     pub during: Option<[f64; 2]>,
 }

@@ -104,7 +104,7 @@ fn in_spring(spring: &mut Spring, visit: &mut impl FnMut(&mut f64)) {
 }
 
 fn in_contact(contact: &mut Contact, visit: &mut impl FnMut(&mut f64)) {
-    let Contact { name: _, center, radius, angle, force, friction, during: _ } = contact;
+    let Contact { name: _, center, radius, angle, force, friction, against_sliding: _, during: _ } = contact;
     in_place(center, visit);
     [radius, friction].into_iter().for_each(&mut *visit);
     for value in [angle, force] {

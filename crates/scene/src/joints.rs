@@ -1,6 +1,6 @@
 //! `[[spring]]` and `[[contact]]`: loads between two links.
 
-use assur_mechanism::{Contact, GROUND, LinkId, Place, PointId, Spring, Value};
+use assur_mechanism::{Contact, GROUND, LinkId, Over, Place, PointId, Spring, Value};
 
 use assur_words::text;
 
@@ -106,7 +106,15 @@ fn contact(
         Some(entry) if entry.value.is_table() => value::read(&entry, Dimension::Angle, false, context),
         Some(entry) => entry.bounded(Dimension::Angle, Bound::Direction).map(Value::Constant),
     };
-    let friction = section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0);
+    let (friction, against_sliding) = friction(section);
+    if let Some(entry) =
+        section.get("angle").filter(|_| against_sliding && angle.as_ref().is_some_and(follows_time))
+    {
+        entry.fault(
+            "the friction is `against_sliding`, and `angle` depends on more than the input coordinate",
+            "a number, or a table or formula over the input coordinate",
+        );
+    }
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
     let link = section
@@ -115,7 +123,31 @@ fn contact(
     let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
     let on = &linkage.links[link.unwrap_or(GROUND)].name;
     let name = names.read(section, || text!("scene-unnamed-contact", number = index + 1, link = on));
-    Some(Contact { name, center: center?, radius: radius?, angle: angle?, force: force?, friction, during })
+    let (center, radius, angle, force) = (center?, radius?, angle?, force?);
+    Some(Contact { name, center, radius, angle, force, friction, against_sliding, during })
+}
+
+/// The coefficient of friction, and whether its sign is found from the sliding: a number with its sign, or
+/// `{ against_sliding = 0.1 }`.
+fn friction(section: &Section<'_>) -> (f64, bool) {
+    let table = section.get("friction").filter(|entry| entry.value.is_table());
+    let Some(entry) = table else {
+        return (section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0), false);
+    };
+    let Some(section) = entry.section("friction against the sliding", &["against_sliding"]) else {
+        return (0.0, true);
+    };
+    let coefficient = section.need("against_sliding");
+    (coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative)).unwrap_or(0.0), true)
+}
+
+/// Whether a law depends on time or speed.
+fn follows_time(value: &Value) -> bool {
+    match value {
+        Value::Constant(_) | Value::Stroke { .. } => false,
+        Value::Table { over, .. } => *over != Over::Coordinate,
+        Value::Formula { formula, .. } => formula.used().time || formula.used().speed,
+    }
 }
 
 fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {

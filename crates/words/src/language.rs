@@ -75,6 +75,11 @@ impl Language {
         self.formatted(id, &FluentArgs::new()).is_some()
     }
 
+    /// What this language itself has of an identity without values, for one that is optional: `do-pick.also`.
+    pub fn own(&self, id: &str) -> Option<String> {
+        self.formatted(id, &FluentArgs::new())
+    }
+
     /// Behind a point the identity names an attribute of a message.
     fn formatted(&self, id: &str, values: &FluentArgs<'_>) -> Option<String> {
         let (id, attribute) = id.split_once('.').map_or((id, None), |(id, attribute)| (id, Some(attribute)));

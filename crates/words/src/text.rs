@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt::{self, Display};
 
+use serde::{Serialize, Serializer};
+
 use crate::Language;
 
 /// A text that a person reads, before it is put into a language.
@@ -28,7 +30,7 @@ pub(crate) enum Part {
 }
 
 /// A text by its identity: `text!("group-past-end", group = name(group), gap = quantity(format_args!("{gap:.2}"), "mm"))`.
-/// Each value is a [`Text`], or a count.
+/// Each value is a [`Text`], or a count. Without values it may stand in a constant: in the entry of a plugin.
 #[macro_export]
 macro_rules! text {
     ($id:expr $(, $value:ident = $text:expr)* $(,)?) => {
@@ -38,7 +40,7 @@ macro_rules! text {
 
 impl Text {
     /// The message of an identity with its values; [`text!`](crate::text!) is shorter.
-    pub fn message(id: &'static str, values: Vec<(&'static str, Self)>) -> Self {
+    pub const fn message(id: &'static str, values: Vec<(&'static str, Self)>) -> Self {
         Self(Part::Message { id, values })
     }
 
@@ -68,6 +70,12 @@ impl Default for Text {
 impl Display for Text {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&Language::english().render(self))
+    }
+}
+
+impl Serialize for Text {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 

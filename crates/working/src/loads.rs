@@ -3,7 +3,7 @@
 use assur_force::{Cause, Loads};
 use assur_group::Wrench;
 use assur_group::plane::direction;
-use assur_mechanism::{Direction, LinkId, Name, Place, Value};
+use assur_mechanism::{Direction, LinkId, Name, Place};
 use assur_words::{Text, text};
 use assur_worksheet::{Expr, Load, Point, Symbol};
 
@@ -47,7 +47,7 @@ impl Work<'_> {
                 Cause::Force(id) => self.point_force(id, &wrench),
                 Cause::Moment(id) => self.moment(id, link, wrench.m),
                 Cause::Spring(id) => self.spring(id),
-                Cause::Contact(id) => self.contact(id, &wrench),
+                Cause::Contact(id) => self.contact(id, loads.contact(id, &self.state), &wrench),
             }
         }
         // Massless links have no inertia loads.
@@ -206,25 +206,21 @@ impl Work<'_> {
     }
 
     /// K = N + R (-sin a, -cos a); F along (sin a, cos a), friction along (cos a, -sin a).
-    fn contact(&mut self, id: usize, wrench: &Wrench<f64>) {
+    fn contact(&mut self, id: usize, found: Option<[f64; 2]>, wrench: &Wrench<f64>) {
+        let [angle, friction] = found.unwrap_or_default();
         let contact = self.linkage.mechanism.contacts[id].clone();
         let (link, name) = (contact.center.link, Text::from(&contact.name));
         let of = |letter: &'static str| Symbol::from(letter).of(&name);
         let center = self.sheet.point(link, contact.center.at);
-        let angle = match contact.angle {
-            Value::Constant(angle) => angle,
-            // F along (sin a, cos a), friction along (cos a, -sin a).
-            _ => wrench.fx.atan2(wrench.fy) - contact.friction.atan(),
-        };
         let a = self.sheet.fixed_angle(of("α"), angle, text!("working-where-the-force-acts"));
         let radius = self.sheet.given(of("R"), contact.radius, "m", text!("working-radius"));
-        let f = if contact.friction == 0.0 {
+        let f = if friction == 0.0 {
             Expr::zero()
         } else {
-            self.sheet.given(of("f"), contact.friction, "", text!("working-friction"))
+            self.sheet.given(of("f"), friction, "", text!("working-friction"))
         };
         let [c, s]: [f64; 2] = direction(angle);
-        let along = [s + contact.friction * c, c - contact.friction * s];
+        let along = [s + friction * c, c - friction * s];
         let size =
             (wrench.fx * along[0] + wrench.fy * along[1]) / (along[0] * along[0] + along[1] * along[1]);
         let size = self.sheet.given(Symbol::from("F").of(&name), size, "N", text!("working-size-here"));

@@ -43,15 +43,17 @@ impl<'a> Scene<'a> {
         let mut places: Vec<_> = forces.map(|force| bodies[layout.coupler].point(force.at.at)).collect();
         for contact in mechanism.contacts.iter().filter(|contact| contact.center.link == layout.coupler) {
             let center = bodies[layout.coupler].point(contact.center.at);
-            let angle = if let Value::Constant(angle) = contact.angle {
-                angle
-            } else {
-                // Of a coupler without other loads; where there are others, the place lies on no line of action and is not taken.
-                let [fx, fy] = loads[layout.coupler].force();
-                fx.atan2(fy) - contact.friction.atan()
-            };
-            let (s, c) = angle.sin_cos();
-            places.push(plus(center, [-contact.radius * s, -contact.radius * c]));
+            // Of a coupler without other loads; where there are others, the place lies on no line of action and is not taken, nor is
+            // that of the other sense of a friction against the sliding.
+            let [fx, fy] = loads[layout.coupler].force();
+            for friction in [contact.friction, -contact.friction] {
+                let angle = match contact.angle {
+                    Value::Constant(angle) => angle,
+                    _ => fx.atan2(fy) - friction.atan(),
+                };
+                let (s, c) = angle.sin_cos();
+                places.push(plus(center, [-contact.radius * s, -contact.radius * c]));
+            }
         }
         places.push(bodies[layout.coupler].point(mechanism.links[layout.coupler].center));
         places.push(bodies[layout.coupler].point(layout.b.own));

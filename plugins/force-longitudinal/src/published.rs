@@ -1,9 +1,7 @@
 //! The published form: the pole P in plain coordinates (L eqs. 1-12, for any load on the coupler and any line 3).
 //!
-//! Axes as in L: origin O, x along line 3 (across the guide), y along the guide; f1 is the angle of OA from y, here
-//! always counter-clockwise. L eqs. (3), (4), (10), (11) also count it so; the printed (8), (9) count it towards x, so
-//! the abscissa of P has the opposite sign here. K and B are taken from the position, not from (8), (9), which apply to
-//! the press alone.
+//! Axes as in L: origin O, x along line 3 (across the guide), y along the guide, away from the slider; f1 is the angle of OA from
+//! -y towards x. K and B are taken from the position, not from the printed (8), (9), which apply to the press alone.
 
 use assur_force::ForceError;
 use assur_group::LEAST_HEALTH;
@@ -43,7 +41,7 @@ pub(crate) enum Failure {
 pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     let (x, y) = (at.line, perp(at.line));
     let (along, r1) = at.crank();
-    let (sin, cos) = (-dot(along, x), dot(along, y));
+    let (sin, cos) = (dot(along, x), -dot(along, y));
     if cos.abs() <= PARALLEL {
         return Err(Failure::Parallel(cos.abs().asin()));
     }
@@ -53,7 +51,7 @@ pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     // P: on line 3, at the height of B, and on the line of the crank.
     let yp = dot(from_o(at.b), y);
     let xp = -yp * (sin / cos);
-    let ap = yp / cos - r1;
+    let ap = -yp / cos - r1;
     let rod = minus(at.b, at.a);
     let health = cross(rod, x).abs() / rod[0].hypot(rod[1]);
     if health.is_nan() || health < LEAST_HEALTH || ap == 0.0 {
@@ -62,7 +60,7 @@ pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     let (fx, fy) = (dot(at.force, x), dot(at.force, y)); // L eq. (2)
     let (x2, y2) = (xp - xk, yk - yp); // L eqs. (8), (9): distances of K and P
     let mc = fy * x2 + fx * y2 - action.couple; // L eq. (7), clockwise; the couple is what L does not have
-    let mb = -mc * r1 / ap; // L eq. (6), counter-clockwise
+    let mb = mc * r1 / ap; // L eq. (6), clockwise
     let fb = mb / r1; // L eq. (5)
     let r1 = (fy - fb * sin) / cos; // L eq. (10), from (1), (3): Fy - Fb sin f1 - R1 cos f1 = 0
     let r3 = fx - fb * cos + r1 * sin; // L eq. (11), from (1), (4): Fx - Fb cos f1 + R1 sin f1 - R3 = 0

@@ -82,11 +82,11 @@ impl Clock {
         let (mut now, mut whole) = (begin, 0.0);
         while let Some((from, to, depth)) = waiting.pop() {
             let leaf = clock.leaf(panel, from, to, now);
-            if depth == 0 {
-                whole = leaf.0[0].abs();
-            }
             let width = to - from;
             let own = leaf.0[0].abs() * width;
+            if whole == 0.0 && own.is_finite() {
+                whole = own;
+            }
             let roundings = (clock.roundings(from, to) * own).min(NOISE * whole);
             let allowed = (tolerance * own.max(whole)).max(roundings);
             if tail(&leaf.0) * width <= allowed {
@@ -129,8 +129,8 @@ impl Clock {
         let half = 0.5 * (to - from);
         let values: [f64; NODES] = std::array::from_fn(|j| {
             let Place { x, slope, .. } = self.place(from + half * (1.0 + INSIDE.nodes[j]));
-            // A negative radicand is rounding on a motion that creeps; the last coefficients of the fit then show it.
-            panel.slowness(x) * slope / value(&self.energy, x).max(f64::MIN_POSITIVE).sqrt()
+            // A negative radicand is rounding on a motion that creeps: no time is found over it, only on its sides.
+            panel.slowness(x) * slope / value(&self.energy, x).sqrt()
         });
         let fit = INSIDE.fit(&values);
         let time = integral(&fit, half);

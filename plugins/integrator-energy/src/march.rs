@@ -11,6 +11,9 @@ use crate::panel::{Panel, Values, factor};
 /// If a turning point is nearer to the start than this part of the panel, the panel is fitted again with that length.
 const TOO_NEAR: f64 = 0.2;
 
+/// Least part of its length to which a panel is shortened at once.
+const NEAREST: f64 = 1e-3;
+
 /// Largest growth of the kinetic energy over a panel. With a slower start its speed would be lost in the rounding of
 /// the work, and with it the time, since 1/w is nearly singular there. The relative loss is eps times the root of this
 /// factor.
@@ -152,10 +155,10 @@ impl March<'_> {
             return self.shorten(length, factor.clamp(0.1, 0.7), None);
         }
         let rise = panel.most_energy() / self.energy.max(f64::MIN_POSITIVE);
-        let ending = match panel.turning() {
+        let ending = match panel.turning(self.energy <= 0.0) {
             None if self.energy > 0.0 && rise > RISE => return self.shorten_or_restart(length, RISE / rise),
             Some(x) if 0.5 * (x + 1.0) < TOO_NEAR => {
-                return self.shorten_or_restart(length, 0.75 * (x + 1.0));
+                return self.shorten_or_restart(length, (0.75 * (x + 1.0)).max(NEAREST));
             }
             Some(x) => Ending::Turning(x),
             None if at_bound => Ending::Bound(bound, is_goal),

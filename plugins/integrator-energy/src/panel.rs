@@ -1,8 +1,9 @@
 //! A panel of the coordinate with the polynomials of J and of the kinetic energy.
 
-use assur_integrator::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, swing, tail, value};
+use assur_integrator::chebyshev::{
+    NODES, Series, WITH_ENDS, divided, first_zero, integral, swing, tail, value,
+};
 use assur_integrator::{Equation, MotionError, State};
-use assur_number::search::bisect;
 
 /// J and Q at a node.
 pub(crate) type Values = (f64, f64);
@@ -90,23 +91,12 @@ impl Panel {
         self.energy[0] + swing(&self.energy)
     }
 
-    /// First x at which T falls to zero, if it does.
-    pub(crate) fn turning(&self) -> Option<f64> {
-        /// Points of the search; more than twice the degree, so that no dip is missed.
-        const POINTS: u32 = 32;
+    /// First x at which T falls to zero, if it does, after a start from rest or in motion.
+    pub(crate) fn turning(&self, from_rest: bool) -> Option<f64> {
         if self.energy[0] - swing(&self.energy) > 0.0 {
             return None;
         }
-        let mut before = -1.0;
-        for k in 1..=POINTS {
-            let x = -(std::f64::consts::PI * f64::from(k) / f64::from(POINTS)).cos();
-            if self.energy(x) <= 0.0 {
-                // At a start from rest the first positive energy lies inside.
-                return Some(bisect(before, x, 0.0, |x| self.energy(x) > 0.0)[1]);
-            }
-            before = x;
-        }
-        None
+        first_zero(&self.energy_without_zeros(from_rest, None))
     }
 }
 

@@ -1,4 +1,4 @@
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use assur_integrator::{AUTO, EventKind, Motion, Reduced, Request, State, Until};
 use assur_integrator_dormand_prince::DOP853;
@@ -6,6 +6,9 @@ use assur_problems::{Andrews, Example, VARIABLE};
 use proptest::prelude::*;
 
 use super::*;
+
+/// How much greater the error of a panel may be than is allowed.
+const MARGIN: f64 = 4.0;
 
 fn assert_close(found: f64, wanted: f64, allowed: f64) {
     assert!((found - wanted).abs() <= allowed, "{found} is not {wanted}: off by {:e}", found - wanted);
@@ -95,6 +98,36 @@ fn creeping_onto_an_equilibrium_has_no_end() {
         .solve(&mut assur_problems::pendulum(), &Request::new(initial, Until::Coordinate(PI)))
         .unwrap_err();
     assert!(error.to_string().starts_with("coordinate 3.14159"), "{error}");
+}
+
+/// The moment -k cos q lifts a pendulum to where the speed is zero for a moment only: it swings between two turning points near
+/// its top, and a panel that reaches beyond both has energy left at its end and hardly any dip in between.
+#[test]
+fn it_turns_however_narrow_the_hill() {
+    const K: f64 = 10.0;
+    for exponent in 1..=24 {
+        let lack = K * 0.5_f64.powi(exponent);
+        let mut motion = Example::new(VARIABLE, |_, at| Reduced {
+            inertia: 1.0,
+            inertia_derivative: 0.0,
+            moment: -K * at.coordinate.cos(),
+        });
+        // From the bottom, with a little less energy than at the top.
+        let initial = State { coordinate: -FRAC_PI_2, speed: (2.0 * (2.0 * K - lack)).sqrt(), time: 0.0 };
+        for (tolerance, offset) in [(1e-6, 0.0), (1e-9, 0.0), (1e-9, 0.7), (1e-12, 0.3)] {
+            let coordinate = initial.coordinate + offset;
+            let height = K * (1.0 + coordinate.sin());
+            let speed = (2.0 * (2.0 * K - lack - height)).sqrt();
+            let start = State { coordinate, speed, ..initial };
+            let request = Request { tolerance, samples: 50, ..Request::new(start, Until::Time(40.0)) };
+            let found = ENERGY.solve(&mut motion, &request).unwrap();
+            for sample in found.samples {
+                assert!((sample.coordinate + FRAC_PI_2).abs() < PI, "{exponent}: {sample:?}");
+                let energy = 0.5 * sample.speed * sample.speed + K * (1.0 + sample.coordinate.sin());
+                assert_close(energy, 2.0 * K - lack, 10.0 * tolerance * 2.0 * K);
+            }
+        }
+    }
 }
 
 #[test]
@@ -227,5 +260,54 @@ fn a_motion_held_from_its_start_has_its_samples_in_time() {
     for sample in found.samples {
         assert_close(sample.coordinate, 0.2, 0.0);
         assert_close(sample.acceleration, 0.0, 0.0);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    /// Energy and slowness in a panel that passes against the exact ones.
+    #[test]
+    fn the_error_of_a_panel_that_passes_is_bounded(
+        harmonics in prop::collection::vec((1..40_u32, 0.3..1.0_f64, 0.0..2.0 * PI), 1..6),
+        at in -PI..PI,
+        length in 0.05..6.0_f64,
+        tolerance in (4.0..13.0_f64).prop_map(|digits| 10.0_f64.powf(-digits)),
+        energy in 0.0..10.0_f64,
+    ) {
+        let (of_moment, of_inertia) = (harmonics.clone(), harmonics.clone());
+        let inertia = move |q: f64| {
+            8.0 + of_inertia.iter().map(|(n, a, p)| a * (f64::from(*n) * q - p).cos()).sum::<f64>()
+        };
+        let whole = move |q: f64| {
+            of_moment.iter().map(|(n, a, p)| a / f64::from(*n) * (f64::from(*n) * q + p).sin()).sum::<f64>()
+        };
+        let (j, moments) = (inertia.clone(), harmonics);
+        let mut motion = Example::new(VARIABLE, move |_, at| Reduced {
+            inertia: j(at.coordinate),
+            inertia_derivative: 0.0,
+            moment: moments.iter().map(|(n, a, p)| a * (f64::from(*n) * at.coordinate + p).cos()).sum(),
+        });
+        let mut equation = assur_integrator::Equation::new(&mut motion);
+        let state = State { coordinate: at, speed: 1.0, time: 0.0 };
+        let (mut length, mut factor) = (length, 1.0);
+        let panel = loop {
+            length *= factor;
+            let panel = panel::Panel::fit(&mut equation, &state, length, None, (energy, energy)).unwrap();
+            if panel.error <= tolerance {
+                break panel;
+            }
+            factor = panel::factor(tolerance, panel.error).clamp(0.1, 0.7);
+        };
+        let scale = panel.most_energy();
+        for k in 0..=100 {
+            let x = f64::from(k) / 50.0 - 1.0;
+            let q = panel.coordinate(x);
+            let wanted = energy + whole(q) - whole(at);
+            let missed = (panel.energy(x) - wanted).abs() / scale;
+            let slow = (panel.slowness(x) / (0.5 * length * (0.5 * inertia(q)).sqrt()) - 1.0).abs();
+            let most = MARGIN * tolerance + 1e-14;
+            prop_assert!(missed <= most && slow <= most, "{x}: {missed:e}, {slow:e}, allowed {tolerance:e}");
+        }
     }
 }

@@ -4,7 +4,8 @@ use std::io::{self, Write};
 
 use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, Table};
-use assur_report::{csv, json, parquet, text};
+use assur_report::{csv, json, parquet, text as report};
+use assur_words::{name, text};
 
 use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
@@ -21,14 +22,14 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &scene.scene)?;
     let study = scene::study(scene, style)?;
     args.plans.refuse(args.format, &study)?;
-    let line = ProgressLine::new();
+    let line = ProgressLine::new(style.language);
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
     let checks = study.checks(args.checked.checks.into(), &mut line.watch());
     analysis.add_checks(checks.map_err(Fault::other)?);
     let count = study.linkage.mechanism.input.positions;
     let positions = plans::chosen(&args.positions, form == Form::Text, &analysis, count)?;
     let added = args.plans.add(&study, scene, style, &mut analysis)?;
-    let verdict = Verdict::of(&analysis, &study, &scene.scene, style);
+    let verdict = Verdict::of(&analysis, &study, &scene.scene);
     if !verdict.writable {
         verdict.tell(style);
         return Ok(verdict.status());
@@ -40,18 +41,16 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         Form::Csv => results.csv(output, status),
         Form::Parquet => results.parquet(output, status),
         Form::Text => {
-            let report = text::report(&analysis, &study.linkage, positions.as_deref(), style.words());
+            let report = report::report(&analysis, &study.linkage, positions.as_deref(), style.words());
             output.write(report.map_err(Fault::other)? + &plans::text(&analysis, style), status)
         }
     };
     drop(line);
     for note in &analysis.notes {
-        style.tell(&format!("note: {note}"));
+        style.tell(text!("cli-note", note = name(note.clone())));
     }
     if form == Form::Parquet && !analysis.trajectory.is_empty() {
-        style.tell(
-            "note: Parquet has the positions; the motion over time is written by `--format csv -o FOLDER`.",
-        );
+        style.tell(text!("cli-parquet-motion"));
     }
     verdict.tell(style);
     written.map(|()| status)
@@ -72,10 +71,8 @@ impl Form {
         let parquet = ending.is_some_and(|ending| ending.eq_ignore_ascii_case("parquet"));
         match (args.format, parquet) {
             (Format::Text, true) => Ok(Self::Parquet),
-            (_, true) => Err(Fault::other("*.parquet is a form of its own; leave `--format` out")),
-            (Format::Csv, _) if args.output.is_none() => {
-                Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"))
-            }
+            (_, true) => Err(Fault::Other(text!("cli-parquet-form"))),
+            (Format::Csv, _) if args.output.is_none() => Err(Fault::Other(text!("cli-csv-folder"))),
             (Format::Csv, _) => Ok(Self::Csv),
             (Format::Json, _) => Ok(Self::Json),
             (Format::Text, _) => Ok(Self::Text),

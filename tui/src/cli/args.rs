@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use assur_words::LANGUAGES;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 
@@ -21,6 +22,9 @@ pub(crate) struct Cli {
     /// Print no character beyond ASCII (the default where the locale is not UTF-8)
     #[arg(long, global = true)]
     pub(crate) ascii: bool,
+    /// Language of texts and pictures: en, uk, ru (default: as configured; in the terminal UI else that of the scene's note)
+    #[arg(long, global = true, value_name = "NAME", value_parser = LANGUAGES)]
+    pub(crate) language: Option<String>,
     #[command(flatten)]
     pub(crate) look: crate::screen::LookArgs,
     #[command(subcommand)]

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use assur_study::chart::{self, ChartData, ChartError, Options};
+use assur_words::{name, text};
 use clap::Args;
 use signal_hook::consts::SIGINT;
 
@@ -54,18 +55,20 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     let data = match charted(&args.scene, args.quick, style, &stop)? {
         Ok(data) => data,
         Err(failure) => {
-            style.tell(&format!("error: {}: {failure}", args.scene.display()));
+            let (file, problem) = (name(args.scene.display().to_string()), name(failure.to_string()));
+            style.tell(text!("cli-error-in", file = file, problem = problem));
             return Ok(Status::Failed);
         }
     };
     let stopped = stop.load(Ordering::Relaxed);
     if stopped {
-        style.tell("stopped: what had been measured follows");
+        style.tell(text!("cli-chart-stopped"));
     }
     let status = if stopped { Status::Code(INTERRUPTED) } else { verdict.status() };
     if let Some(path) = args.output.as_deref().filter(|path| is_picture(path)) {
         let figure = chart::figure(&data);
-        let picture = crate::screen::command::picture(&figure, path, PAGE).map_err(Fault::other)?;
+        let picture =
+            crate::screen::command::picture(&figure, path, PAGE, style.language).map_err(Fault::Other)?;
         return output.write(picture, status).map(|()| status);
     }
     let text = match args.format {
@@ -81,7 +84,7 @@ fn on_interrupt() -> Result<Arc<AtomicBool>, Fault> {
     let stop = Arc::new(AtomicBool::new(false));
     signal_hook::flag::register_conditional_shutdown(SIGINT, i32::from(INTERRUPTED), Arc::clone(&stop))
         .and_then(|_| signal_hook::flag::register(SIGINT, Arc::clone(&stop)))
-        .map_err(|error| Fault::other(format!("can't listen for Ctrl-C: {error}")))?;
+        .map_err(|error| Fault::Other(text!("cli-no-interrupt", problem = name(error.to_string()))))?;
     Ok(stop)
 }
 
@@ -92,17 +95,17 @@ fn charted(
     style: Style,
     stop: &AtomicBool,
 ) -> Result<Result<ChartData, ChartError>, Fault> {
-    let linkage = scene::linkage(path, style)?;
+    let linkage = scene::linkage(path)?;
     let options = if quick { Options::QUICK } else { Options::THOROUGH };
-    let line = ProgressLine::new();
+    let line = ProgressLine::new(style.language);
     let mut clock = SystemClock::default();
     let found = chart::chart(&linkage, &mut clock, options, &mut |progress| {
-        line.count(progress.stage.heading(), progress.done, progress.total);
+        line.count(&name(progress.stage.heading()), progress.done, progress.total);
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     drop(line);
     match found {
-        Err(error @ ChartError::Compile(_)) => Err(scene::in_file(path, &error.to_string())),
+        Err(error @ ChartError::Compile(_)) => Err(scene::in_file(path, name(error.to_string()))),
         other => Ok(other),
     }
 }

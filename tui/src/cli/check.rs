@@ -12,13 +12,13 @@ use crate::progress::ProgressLine;
 pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever results the scene requests.
     let study = scene::whole_study(&args.scene, style)?;
-    let line = ProgressLine::new();
+    let line = ProgressLine::new(style.language);
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
     let checks = study.checks(args.checks.into(), &mut line.watch()).map_err(Fault::other)?;
     drop(line);
     analysis.add_checks(checks);
     output::print(&text::checks(&analysis.checks, style.words()))?;
-    let verdict = Verdict::of(&analysis, &study, &args.scene.scene, style);
+    let verdict = Verdict::of(&analysis, &study, &args.scene.scene);
     verdict.tell(style);
     Ok(verdict.proved())
 }

@@ -15,8 +15,8 @@ use crate::screen::{Config, default_text};
 const FILE: &str = "assur/config.toml";
 
 /// Prints the default configuration.
-pub(crate) fn print() -> Result<Status, Fault> {
-    output::print(&default_text())?;
+pub(crate) fn print(style: Style) -> Result<Status, Fault> {
+    output::print(&style.text(&default_text(style.language)))?;
     Ok(Status::Done)
 }
 
@@ -26,17 +26,17 @@ pub(crate) fn file() -> Option<PathBuf> {
 }
 
 /// The configuration of the user; or the default, with the reason. A missing file is no error.
-pub(crate) fn load(style: Style) -> (Config, Option<String>) {
-    match file().filter(|path| path.exists()).map(|path| read(&path, style)) {
+pub(crate) fn load() -> (Config, Option<Fault>) {
+    match file().filter(|path| path.exists()).map(|path| read(&path)) {
         None => (Config::default(), None),
         Some(Ok(config)) => (config, None),
-        Some(Err(fault)) => (Config::default(), Some(fault.to_string())),
+        Some(Err(fault)) => (Config::default(), Some(fault)),
     }
 }
 
-fn read(path: &Path, style: Style) -> Result<Config, Fault> {
+fn read(path: &Path) -> Result<Config, Fault> {
     let text = files::read(path)?;
-    Config::read(&path.display().to_string(), &text).map_err(|errors| scene::faults(&errors, style))
+    Config::read(&path.display().to_string(), &text).map_err(|errors| scene::faults(&errors))
 }
 
 /// `$XDG_CONFIG_HOME`, else `~/.config`; a path that is not absolute counts as unset, as the specification demands.

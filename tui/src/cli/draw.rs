@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use assur_words::text;
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -27,15 +28,20 @@ pub(crate) fn run(args: &DrawArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(Some(&args.output), &args.scene.scene)?;
     scene::options(&args.scene.methods)?;
     let methods = [args.scene.methods.analyzer.clone(), args.scene.methods.integrator.clone()];
-    let state = still::analyzed(still::open(args.scene.scene.clone())?, methods, args.request.shows_checks());
+    let state = still::analyzed(
+        still::open(args.scene.scene.clone())?,
+        methods,
+        args.request.shows_checks(),
+        style.language,
+    );
     let verdict = scene::verdict_of(&state, &args.scene, style)?;
     verdict.tell(style);
     match still::draw(state, &args.request, &args.output) {
         Ok(content) => output.write(content, verdict.status()).map(|()| verdict.status()),
         Err(StillError::Nothing(why)) => {
-            style.tell(&format!("error: there is nothing to draw: {why}"));
+            style.tell(text!("cli-nothing-to-draw", reason = why));
             Ok(Status::Failed)
         }
-        Err(error @ StillError::Request(_)) => Err(Fault::Scene(error.to_string())),
+        Err(StillError::Request(problem)) => Err(Fault::Other(problem)),
     }
 }

@@ -3,7 +3,7 @@
 use assur_analysis::plan::Plan;
 use assur_analysis::{method_of_motion, methods};
 use assur_structure::Structure;
-use assur_words::Language;
+use assur_words::{Describe, Language, name, number, text};
 use assur_working::WorkingError;
 
 use super::args::ExplainArgs;
@@ -18,14 +18,14 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     if let Some(position) = args.position {
         return working(args, position, style);
     }
-    let mechanism = scene::read(&args.scene.scene, style)?;
+    let mechanism = scene::read(&args.scene.scene)?;
     let path = &args.scene.scene;
-    let fault = |error: &dyn std::fmt::Display| scene::in_file(path, &error.to_string());
+    let fault = |error: &dyn std::fmt::Display| scene::in_file(path, name(error.to_string()));
     let structure = Structure::of(&mechanism).map_err(|error| fault(&error))?;
     let methods = methods(&mechanism, &options);
     let plan = Plan::of(&mechanism, &structure, methods.by_groups);
     let equation = method_of_motion(&mechanism, structure.clone(), &options)
-        .map_err(|error| scene::fault(path, &error, style))?;
+        .map_err(|error| scene::fault(path, &error))?;
     let text = assur_report::explain(&mechanism, &structure, &plan, &methods, equation.as_deref());
     output::print(&style.text(&text))?;
     Ok(Status::Done)
@@ -34,16 +34,16 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
 /// Every equation of one position, or of one sample of a transient motion, with its numbers.
 fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fault> {
     let path = &args.scene.scene;
-    let fault = |error: &dyn std::fmt::Display| scene::in_file(path, &error.to_string());
+    let fault = |error: &dyn std::fmt::Display| scene::in_file(path, name(error.to_string()));
     let study = scene::whole_study(&args.scene, style)?;
-    let verdict = Verdict::of_motion(&study, path, style);
+    let verdict = Verdict::of_motion(&study, path);
     verdict.tell(style);
     let worked = match study.sample(index) {
         (Some(state), _) => working::of_sample(&study, index, state),
         (None, 0) => working::of_position(&study, index),
         (None, count) => {
-            let text = format!("there is no sample {index}: the motion has samples 0 to {}", count - 1);
-            return Err(fault(&text));
+            let [sample, last] = [index, count - 1].map(number);
+            return Err(scene::in_file(path, text!("cli-no-sample", sample = sample, last = last)));
         }
     };
     match worked {
@@ -52,13 +52,13 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
             Ok(verdict.status())
         }
         Err(error @ WorkingError::Position(_)) => {
-            style.tell(&fault(&error).to_string());
+            style.tell(fault(&error).describe());
             Ok(Status::Failed)
         }
         Err(error @ WorkingError::Load { .. }) => {
             let key = error.key(&study.linkage.mechanism);
-            let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string(), style));
-            style.tell(&located.unwrap_or_else(|| fault(&error)).to_string());
+            let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string()));
+            style.tell(located.unwrap_or_else(|| fault(&error)).describe());
             Ok(Status::Failed)
         }
         Err(error) => Err(fault(&error)),

@@ -3,7 +3,10 @@
 use std::io;
 use std::process::ExitCode;
 
+use assur_words::{Describe, Text, name, text};
+
 use crate::files::FileError;
+use crate::screen::ScreenError;
 
 /// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,26 +40,44 @@ impl From<Status> for ExitCode {
 }
 
 /// Why a command failed; all errors end with status 2, except a reader that closed the pipe, with 0.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub(crate) enum Fault {
     /// A file can't be read or written.
-    #[error(transparent)]
-    File(#[from] FileError),
+    File(FileError),
     /// Incomplete results would replace a file; the command ends with the status that it would have had.
-    #[error("{0}")]
     Partial(FileError, Status),
     /// Standard output can't be written.
-    #[error("error: can't write to standard output: {0}")]
     Stdout(io::Error),
     /// The faults of a scene, ready to print.
-    #[error("{0}")]
-    Scene(String),
+    Scene(Text),
     /// Any other error, in words.
-    #[error("error: {0}")]
-    Other(String),
+    Other(Text),
     /// The terminal UI could not open.
-    #[error("{0}")]
-    Screen(#[from] crate::screen::ScreenError),
+    Screen(ScreenError),
+}
+
+impl Describe for Fault {
+    fn describe(&self) -> Text {
+        match self {
+            Self::File(error) | Self::Partial(error, _) => error.describe(),
+            Self::Stdout(error) => text!("cli-stdout", problem = name(error.to_string())),
+            Self::Scene(faults) => faults.clone(),
+            Self::Other(problem) => text!("cli-error", problem = problem),
+            Self::Screen(error) => error.describe(),
+        }
+    }
+}
+
+impl From<FileError> for Fault {
+    fn from(error: FileError) -> Self {
+        Self::File(error)
+    }
+}
+
+impl From<ScreenError> for Fault {
+    fn from(error: ScreenError) -> Self {
+        Self::Screen(error)
+    }
 }
 
 impl Fault {
@@ -65,10 +86,10 @@ impl Fault {
         if let Self::Partial(_, status) = self { *status } else { Status::Bad }
     }
 
-    /// An error in words.
+    /// An error that says itself what it is.
     #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn other(what: impl ToString) -> Self {
-        Self::Other(what.to_string())
+        Self::Other(name(what.to_string()))
     }
 
     /// From an error of writing to standard output.

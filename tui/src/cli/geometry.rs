@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use assur_mechanism::GROUND;
-use assur_report::{csv, json, text};
+use assur_report::{csv, json, text as report};
+use assur_words::{self as words, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -32,25 +33,26 @@ pub(crate) struct GeometryArgs {
 pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene;
     let output = Output::of(args.output.as_deref(), path)?;
-    let linkage = scene::linkage(path, style)?;
+    let linkage = scene::linkage(path)?;
     let against = match &args.against {
         None => GROUND,
         Some(name) => linkage.mechanism.link(name).ok_or_else(|| {
-            let names: Vec<_> = linkage.mechanism.links.iter().map(|link| link.name.as_str()).collect();
-            Fault::other(format!("`--against {name}`: the scene has no such link, only {}", names.join(", ")))
+            let links = words::list(linkage.mechanism.links.iter().map(|link| (&link.name).into()));
+            Fault::Other(text!("cli-no-such-link", link = words::name(name.clone()), links = links))
         })?,
     };
-    let verdict = Verdict::of_positions(&linkage, path, style);
+    let verdict = Verdict::of_positions(&linkage, path);
     verdict.tell(style);
     let found = match assur_geometry::geometry(&linkage, against) {
         Ok(found) => found,
         Err(error) => {
-            style.tell(&format!("error: {}: {error}", path.display()));
+            let (file, problem) = (words::name(path.display().to_string()), words::name(error.to_string()));
+            style.tell(text!("cli-error-in", file = file, problem = problem));
             return Ok(Status::Failed);
         }
     };
     let text = match args.format {
-        Format::Text => text::geometry(&found, style.words()).map_err(Fault::other)?,
+        Format::Text => report::geometry(&found, style.words()).map_err(Fault::other)?,
         Format::Json => json::to_json(&found, style.ascii).map_err(Fault::other)?,
         Format::Csv => csv::geometry(&found, style.ascii).map_err(Fault::other)?,
     };

@@ -6,6 +6,7 @@ use assur_analysis::{Calculation, Options};
 use assur_motor::{Motor, MotorFilter, catalogues, flag_meaning, list_motors, rpm};
 use assur_report::text::columns;
 use assur_scene::{Dimension, quantity};
+use assur_words::{joined, name, text, unit};
 
 use super::args::MotorArgs;
 use super::fault::{Fault, Status};
@@ -16,22 +17,24 @@ use crate::progress::ProgressLine;
 /// Every registered plugin: kind, name, crate, one line.
 pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     let mut rows = Vec::new();
-    let mut add = |sort: &str, name: &str, crate_name: &str, summary: &str| {
-        rows.push([sort, name, crate_name, summary].map(String::from).to_vec());
+    let told = |id: &'static str| text!(id).render(style.language);
+    let mut add = |sort: &'static str, name: &str, crate_name: &str, summary: &str| {
+        rows.push([told(sort).as_str(), name, crate_name, summary].map(String::from).to_vec());
     };
     for plugin in assur_group::groups().map_err(Fault::other)? {
-        add("group", plugin.name, plugin.crate_name, plugin.summary);
+        add("cli-plugin-group", plugin.name, plugin.crate_name, plugin.summary);
     }
     for plugin in assur_force::analyzers().map_err(Fault::other)? {
-        add("force analyzer", plugin.name, plugin.crate_name, plugin.summary);
+        add("cli-plugin-analyzer", plugin.name, plugin.crate_name, plugin.summary);
     }
     for plugin in assur_integrator::integrators().map_err(Fault::other)? {
-        add("integrator", plugin.name, plugin.crate_name, plugin.summary);
+        add("cli-plugin-integrator", plugin.name, plugin.crate_name, plugin.summary);
     }
     for plugin in catalogues().map_err(Fault::other)? {
-        add("catalogue", plugin.name, plugin.crate_name, plugin.summary);
+        add("cli-plugin-catalogue", plugin.name, plugin.crate_name, plugin.summary);
     }
-    output::print(&columns(&["sort", "name", "crate", "what"], &rows, style.ascii))?;
+    let head = ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what"].map(told);
+    output::print(&columns(&head.each_ref().map(String::as_str), &rows, style.ascii))?;
     Ok(Status::Done)
 }
 
@@ -49,12 +52,23 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
     };
     let all = catalogues().map_err(Fault::other)?;
     let motors = list_motors(&all, &filter).map_err(Fault::other)?;
-    let header = ["catalogue", "motor", "poles", "kW", "sync rpm", "rpm", "Mmax/Mn", "J kg m^2", "remarks"];
+    let header = [
+        text!("cli-plugin-catalogue"),
+        text!("cli-motor-motor"),
+        text!("cli-motor-poles"),
+        unit("kW"),
+        text!("cli-motor-sync"),
+        unit("rpm"),
+        text!("cli-motor-breakdown"),
+        joined(" ", [name("J"), unit("kg m^2")]),
+        text!("cli-motor-remarks"),
+    ]
+    .map(|text| text.render(style.language));
     let rows: Vec<_> = motors.iter().map(|motor| row(motor, style)).collect();
-    output::print(&columns(&header, &rows, style.ascii))?;
-    output::print(&remarks(&motors))?;
+    output::print(&columns(&header.each_ref().map(String::as_str), &rows, style.ascii))?;
+    output::print(&remarks(&motors, style))?;
     if motors.is_empty() {
-        style.tell("no motor fits");
+        style.tell(text!("cli-no-motor"));
     }
     Ok(Status::Done)
 }
@@ -63,22 +77,27 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
 fn advise(path: &Path, style: Style) -> Result<Status, Fault> {
     /// Most motors that are compared.
     const MOST: usize = 20;
-    let mechanism = scene::read(path, style)?;
-    let study = Calculation::of(mechanism, &Options::default(), &mut ProgressLine::new().watch())
-        .map_err(|error| scene::fault(path, &error, style))?;
-    let (motors, count) = study.advice(MOST).map_err(|error| scene::fault(path, &error, style))?;
+    let mechanism = scene::read(path)?;
+    let study =
+        Calculation::of(mechanism, &Options::default(), &mut ProgressLine::new(style.language).watch())
+            .map_err(|error| scene::fault(path, &error))?;
+    let (motors, count) = study.advice(MOST).map_err(|error| scene::fault(path, &error))?;
     output::print(&assur_report::text::advice(&motors, count, style.words()))?;
     Ok(Status::Done)
 }
 
 /// The meaning of the remarks on these motors, one line each, below the list.
-fn remarks(motors: &[&Motor]) -> String {
+fn remarks(motors: &[&Motor], style: Style) -> String {
     let mut flags: Vec<&str> = motors.iter().flat_map(|motor| &motor.flags).map(String::as_str).collect();
     flags.sort_unstable();
     flags.dedup();
     let line = |flag: &str| flag_meaning(flag).map(|meaning| format!("  {flag}: {meaning}\n"));
     let lines: String = flags.into_iter().filter_map(line).collect();
-    if lines.is_empty() { lines } else { format!("\nremarks\n{lines}") }
+    if lines.is_empty() {
+        lines
+    } else {
+        format!("\n{}\n{lines}", text!("cli-motor-remarks").render(style.language))
+    }
 }
 
 fn row(motor: &Motor, style: Style) -> Vec<String> {

@@ -28,6 +28,7 @@ use std::ffi::OsString;
 use std::io::IsTerminal;
 use std::process::ExitCode;
 
+use assur_words::{Describe, name, text};
 use clap::CommandFactory;
 
 use args::{AnalyzeArgs, Cli, Command};
@@ -37,6 +38,7 @@ use plans::PlanArgs;
 use style::Style;
 
 use crate::files::{self, FileError};
+use crate::screen::Config;
 
 /// Runs one command line and returns the exit status: 0 done; 1 no assembly, no solution or a check that fails; 2 a bad
 /// scene or usage.
@@ -46,12 +48,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return refused(&error),
     };
-    let style = Style::of(cli.ascii);
-    match command(cli, style) {
+    let (config, config_fault) = config::load();
+    let style = Style::of(cli.ascii, cli.language.as_deref().into_iter().chain([config.language()]));
+    match command(cli, (config, config_fault), style) {
         Ok(status) => status.into(),
         Err(Fault::File(FileError::Reader)) => ExitCode::SUCCESS,
         Err(fault) => {
-            style.tell(&fault.to_string());
+            style.tell(fault.describe());
             fault.status().into()
         }
     }
@@ -63,20 +66,23 @@ fn refused(error: &clap::Error) -> ExitCode {
     if error.use_stderr() {
         // The parser's own printing has colors, but repeats words of the command line unescaped.
         if plain.chars().any(|c| c.is_control() && c != '\n') || error.print().is_err() {
-            Style::of(false).tell(&plain);
+            Style::of(false, []).tell(name(plain));
         }
         return Status::Bad.into();
     }
     match error.print().map_err(Fault::stdout) {
         Ok(()) | Err(Fault::File(FileError::Reader)) => ExitCode::SUCCESS,
         Err(fault) => {
-            Style::of(false).tell(&fault.to_string());
+            Style::of(false, []).tell(fault.describe());
             Status::Bad.into()
         }
     }
 }
 
-fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
+/// The configuration of the user, and why it is not used.
+type Configured = (Config, Option<Fault>);
+
+fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fault> {
     match cli.command {
         Some(Command::Analyze(args)) => analyze::run(&args, style),
         Some(Command::Check(args)) => check::run(&args, style),
@@ -85,21 +91,21 @@ fn command(cli: Cli, style: Style) -> Result<Status, Fault> {
         Some(Command::Stability(args)) => stability::run(&args, style),
         Some(Command::Geometry(args)) => geometry::run(&args, style),
         Some(Command::Shaking(args)) => shaking::run(&args, style),
-        Some(Command::Report(args)) => report::run(&args, style),
+        Some(Command::Report(args)) => report::run(&args, cli.language.as_deref(), style),
         Some(Command::Draw(args)) => draw::run(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
         Some(Command::New { file, kind }) => starter::run(&file, kind.as_deref()),
-        Some(Command::Config) => config::print(),
+        Some(Command::Config) => config::print(style),
         Some(Command::Completions { shell }) => shell::completions(shell),
         Some(Command::Man) => shell::man(),
-        None => scene_or_screen(cli, style),
+        None => scene_or_screen(cli, configured, style),
     }
 }
 
 /// `assur SCENE`: the terminal UI; if standard output is no terminal that can show it, the output of `analyze`.
-fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
+fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -> Result<Status, Fault> {
     // A terminal that calls itself dumb can't move its cursor.
     let dumb = std::env::var_os("TERM").is_some_and(|name| name == "dumb");
     let interactive = !dumb && std::io::stdout().is_terminal() && std::io::stdin().is_terminal();
@@ -107,8 +113,8 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
         // A single word may be meant as a command.
         Some(scene) if !scene.exists() && scene.to_str().and_then(usage::nearest_command).is_some() => {
             let offer = scene.to_str().and_then(usage::nearest_command).unwrap_or_default();
-            let missing = files::read(&scene).err().map_or_else(String::new, |error| error.to_string());
-            Err(Fault::Scene(format!("{missing}; did you mean the command `assur {offer}`?")))
+            let missing = files::read(&scene).err().map(|error| error.describe()).unwrap_or_default();
+            Err(Fault::Scene(text!("cli-offer-command", problem = missing, command = name(offer))))
         }
         Some(scene) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };
@@ -125,25 +131,25 @@ fn scene_or_screen(cli: Cli, style: Style) -> Result<Status, Fault> {
             )
         }
         None if !interactive => {
-            style.tell(&Cli::command().render_help().to_string());
+            style.tell(name(Cli::command().render_help().to_string()));
             Ok(Status::Bad)
         }
         scene => {
-            let (config, config_fault) = config::load(style);
-            let fault = config_fault.clone();
+            let fault = config_fault.map(|fault| fault.describe());
             let options = crate::screen::Options {
                 ascii: style.ascii,
                 look: cli.look,
+                language: cli.language,
                 analyzer: cli.methods.analyzer,
                 integrator: cli.methods.integrator,
                 config,
-                config_fault,
+                config_fault: fault.clone(),
                 config_file: config::file(),
                 note: Some(report::of_text),
             };
             let code = crate::screen::run(scene, options);
             if let Some(fault) = fault {
-                style.tell(&fault);
+                style.tell(fault);
             }
             Ok(Status::Code(code?))
         }

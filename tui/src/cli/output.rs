@@ -3,6 +3,7 @@
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
+use assur_words::text;
 use tempfile::NamedTempFile;
 
 use super::fault::{Fault, Status};
@@ -30,7 +31,7 @@ impl<'a> Output<'a> {
 
     fn refuse_scene(&self, path: &Path) -> Result<(), Fault> {
         if files::is_same(path, self.scene) {
-            return Err(FileError::write(path, "it is the scene itself; name another file").into());
+            return Err(FileError::refused(path, text!("file-is-scene")).into());
         }
         Ok(())
     }
@@ -65,7 +66,7 @@ impl<'a> Output<'a> {
         fill: impl FnOnce(&mut [BufWriter<&mut NamedTempFile>]) -> io::Result<()>,
     ) -> Result<(), Fault> {
         let Some(folder) = self.target else {
-            return Err(Fault::other("--format csv writes several files; name a folder with `-o FOLDER`"));
+            return Err(Fault::Other(text!("cli-csv-folder")));
         };
         for name in all {
             let path = folder.join(name);
@@ -79,9 +80,7 @@ impl<'a> Output<'a> {
 
 fn refuse_partial(path: &Path, status: Status) -> Result<(), Fault> {
     if status != Status::Done && path.is_file() && !files::is_stream(path) {
-        let problem =
-            "the results are incomplete, so the existing file is kept; name a new file to write them";
-        return Err(Fault::Partial(FileError::write(path, problem), status));
+        return Err(Fault::Partial(FileError::refused(path, text!("file-partial")), status));
     }
     Ok(())
 }

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, PositionPlans};
 use assur_mechanism::MOST_PARTS_KEPT;
+use assur_words::{self as words, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -35,26 +36,24 @@ pub(crate) fn chosen(
 ) -> Result<Option<Vec<usize>>, Fault> {
     let Some(last) = intervals.iter().map(|interval| *interval.end()).max() else { return Ok(None) };
     if !is_text {
-        return Err(Fault::other(
-            "--positions limits the tables of text; the other forms have all positions",
-        ));
+        return Err(Fault::Other(text!("cli-positions-of-text")));
     }
     if last >= count {
-        return Err(Fault::other(format!(
-            "--positions {last}: there is no such position; they are numbered 0 to {}",
-            count - 1
-        )));
+        return Err(no_position("--positions", last, count));
     }
     let numbers: Vec<usize> = intervals.iter().cloned().flatten().collect();
     let dropped = numbers.iter().find(|number| analysis.positions.row_of(**number).is_none());
     if let Some(number) = dropped.filter(|_| !analysis.is_complete()) {
-        return Err(Fault::other(format!(
-            "--positions {number}: of so many positions only {} are kept for tables of text; write all by \
-             `-o FILE.parquet`",
-            analysis.positions.len()
-        )));
+        let (position, kept) = (words::number(*number), words::number(analysis.positions.len()));
+        return Err(Fault::Other(text!("cli-position-not-kept", position = position, kept = kept)));
     }
     Ok(Some(numbers))
+}
+
+/// There is no position of a number.
+fn no_position(option: &'static str, position: usize, count: usize) -> Fault {
+    let [position, last] = [position, count - 1].map(words::number);
+    Fault::Other(text!("cli-no-position", option = words::name(option), position = position, last = last))
 }
 
 /// Additional results.
@@ -72,7 +71,7 @@ impl PlanArgs {
     /// Rejects a request that can't be fulfilled, before anything is calculated.
     pub(crate) fn refuse(&self, format: Format, study: &Calculation) -> Result<(), Fault> {
         if format == Format::Csv && (self.by_cause || !self.plans.is_empty()) {
-            return Err(Fault::other("--plans and --by-cause have no csv form; use --format text or json"));
+            return Err(Fault::Other(text!("cli-plans-no-csv")));
         }
         let count = study.linkage.mechanism.input.positions;
         let mechanism = &study.linkage.mechanism;
@@ -80,16 +79,11 @@ impl PlanArgs {
         let shares = mechanism.parts() * (mechanism.loads() + 2);
         let most = mechanism.most_kept().min(10 * MOST_PARTS_KEPT / shares);
         if self.by_cause && count > most {
-            return Err(Fault::other(format!(
-                "--by-cause splits the reactions of at most {most} positions of this scene, which has {count}; lower \
-                 `positions` in `[input]`"
-            )));
+            let [most, count] = [most, count].map(words::number);
+            return Err(Fault::Other(text!("cli-by-cause-most", most = most, count = count)));
         }
         match self.plans.iter().find(|index| **index >= count) {
-            Some(index) => Err(Fault::other(format!(
-                "--plans {index}: there is no such position; they are numbered 0 to {}",
-                count - 1
-            ))),
+            Some(index) => Err(no_position("--plans", *index, count)),
             None => Ok(()),
         }
     }
@@ -106,7 +100,7 @@ impl PlanArgs {
         if self.by_cause
             && let Err(error) = study.add_causes(analysis)
         {
-            style.tell(&format!("error: reactions by cause: {error}"));
+            style.tell(text!("cli-no-causes", problem = words::name(error.to_string())));
             status = Status::Failed;
         }
         if self.plans.is_empty() {
@@ -122,7 +116,8 @@ impl PlanArgs {
             match study.sheet(index) {
                 Ok(sheet) => analysis.cycle.plans.push(PositionPlans { index, sheet }),
                 Err(error) => {
-                    style.tell(&format!("error: plans of position {index}: {error}"));
+                    let problem = words::name(error.to_string());
+                    style.tell(text!("cli-no-plans", position = words::number(index), problem = problem));
                     status = Status::Failed;
                 }
             }
@@ -136,11 +131,13 @@ pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
     let mut text = String::new();
     for plans in &analysis.cycle.plans {
         let coordinate = if analysis.input.angular {
-            format!("{:.4} deg", plans.sheet.coordinate.to_degrees())
+            words::quantity(format_args!("{:.4}", plans.sheet.coordinate.to_degrees()), "deg")
         } else {
-            format!("{:.6} m", plans.sheet.coordinate)
+            words::quantity(format_args!("{:.6}", plans.sheet.coordinate), "m")
         };
-        let heading = format!("Plans of position {} ({} {coordinate})", plans.index, analysis.input.link);
+        let (position, link) = (words::number(plans.index), words::name(analysis.input.link.to_string()));
+        let heading = text!("cli-plans-of", position = position, link = link, at = coordinate);
+        let heading = heading.render(style.language);
         let rule = "-".repeat(heading.chars().count());
         text += &style.text(&format!(
             "\n{heading}\n{rule}\n{}",

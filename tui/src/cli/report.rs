@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use assur_words::{Language, Text, name, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -14,45 +15,44 @@ use crate::files;
 use crate::note::{self, Form};
 use crate::screen::state::{Scene, Source};
 use crate::screen::still;
-use crate::words::LANGUAGES;
 
 /// Arguments of `report`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ReportArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    /// Language of the note: en, uk, ru (default: `[note] language` of the scene)
-    #[arg(long, value_name = "NAME", value_parser = LANGUAGES)]
-    language: Option<String>,
     /// File to write; its ending chooses the form: .html and .typ are one file with all figures in it, .md has its figures
     /// in a folder beside it
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 }
 
-pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
+/// The note is in the language that is asked for, or else in that of the scene.
+pub(crate) fn run(args: &ReportArgs, language: Option<&str>, style: Style) -> Result<Status, Fault> {
     let path = &args.scene.scene;
     let output = Output::of(Some(&args.output), path)?;
     let ending = args.output.extension().unwrap_or_default().to_string_lossy().into_owned();
     let form = Form::of(&ending)
-        .ok_or_else(|| Fault::other(format!("`{}` must end in .html, .md or .typ", args.output.display())))?;
+        .ok_or_else(|| text!("cli-note-ending", file = name(args.output.display().to_string())))
+        .map_err(Fault::Other)?;
     scene::options(&args.scene.methods)?;
     let text = files::read(path)?;
-    let name = path.display().to_string();
-    let mut note = assur_scene::note(&name, &text).map_err(|errors| scene::faults(&errors, style))?;
-    if let Some(language) = LANGUAGES.into_iter().find(|known| args.language.as_deref() == Some(known)) {
-        note.language = language;
+    let file = path.display().to_string();
+    let mut note = assur_scene::note(&file, &text).map_err(|errors| scene::faults(&errors))?;
+    if let Some(language) = language.and_then(Language::find) {
+        note.language = language.code;
     }
+    let language = Language::find(note.language).unwrap_or_else(Language::english);
     let methods = [args.scene.methods.analyzer.clone(), args.scene.methods.integrator.clone()];
-    let mut state = still::analyzed(still::open(path.clone())?, methods, true);
+    let mut state = still::analyzed(still::open(path.clone())?, methods, true, language);
     let verdict = scene::verdict_of(&state, &args.scene, style)?;
     verdict.tell(style);
     let status = verdict.proved();
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
-    let name = format!("{stem}-figures");
-    let written = note::write(&mut state, &note, form, &name).map_err(Fault::other)?;
+    let figures = format!("{stem}-figures");
+    let written = note::write(&mut state, &note, form, &figures).map_err(Fault::other)?;
     if !written.figures.is_empty() {
-        let folder = args.output.with_file_name(&name);
+        let folder = args.output.with_file_name(&figures);
         let names: Vec<&str> = written.figures.iter().map(|(name, _)| name.as_str()).collect();
         Output::of(Some(&folder), path)?.write_folder(status, &names, &names, |files| {
             files
@@ -69,9 +69,10 @@ pub(crate) fn run(args: &ReportArgs, style: Style) -> Result<Status, Fault> {
 /// # Errors
 ///
 /// Why there is no note; in words.
-pub(crate) fn of_text(name: &str, text: &str, methods: [Option<String>; 2]) -> Result<String, String> {
-    let note = assur_scene::note(name, text).map_err(|errors| errors.to_string())?;
-    let scene = Scene::read(Source::File(name.into()), text)?;
-    let mut state = still::analyzed(scene, methods, true);
-    note::write(&mut state, &note, Form::Html, "").map(|written| written.text)
+pub(crate) fn of_text(file: &str, text: &str, methods: [Option<String>; 2]) -> Result<String, Text> {
+    let note = assur_scene::note(file, text).map_err(|errors| name(errors.to_string()))?;
+    let scene = Scene::read(Source::File(file.into()), text)?;
+    let language = Language::find(note.language).unwrap_or_else(Language::english);
+    let mut state = still::analyzed(scene, methods, true, language);
+    note::write(&mut state, &note, Form::Html, "").map(|written| written.text).map_err(name)
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use assur_report::{csv, json, text};
+use assur_words::{Describe, name};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -37,12 +38,12 @@ pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
         Ok(found) => found,
         Err(error) => {
             let key = error.key(&calculation.linkage.mechanism);
-            let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string(), style));
-            let fault = located.unwrap_or_else(|| scene::in_file(path, &error.to_string()));
+            let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string()));
+            let fault = located.unwrap_or_else(|| scene::in_file(path, name(error.to_string())));
             if !error.is_no_solution() {
                 return Err(fault);
             }
-            style.tell(&fault.to_string());
+            style.tell(fault.describe());
             return Ok(Status::Failed);
         }
     };

@@ -5,6 +5,7 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use assur_fixtures::SCENES;
+use assur_words::{name, text};
 
 use super::fault::{Fault, Status};
 use crate::files::FileError;
@@ -16,19 +17,19 @@ pub(crate) fn kinds() -> impl Iterator<Item = &'static str> {
 
 pub(crate) fn run(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
     let scene =
-        SCENES.iter().find(|(name, _)| Some(*name) == kind).map_or(assur_scene::STARTER, |(_, text)| text);
-    let fault = |problem: String| FileError::write(path, problem);
+        SCENES.iter().find(|(known, _)| Some(*known) == kind).map_or(assur_scene::STARTER, |(_, text)| text);
+    let fault = |problem| FileError::refused(path, problem);
     let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| {
         fault(match error.kind() {
-            ErrorKind::AlreadyExists => "it exists already; name a new file".to_owned(),
-            _ => error.to_string(),
+            ErrorKind::AlreadyExists => text!("file-exists"),
+            _ => name(error.to_string()),
         })
     })?;
     if let Err(error) = file.write_all(scene.as_bytes()) {
         drop(file);
         // An incomplete scene is worse than none.
         let _ = std::fs::remove_file(path);
-        return Err(fault(error.to_string()).into());
+        return Err(fault(name(error.to_string())).into());
     }
     Ok(Status::Done)
 }

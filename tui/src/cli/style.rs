@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::io::Write;
 
 use assur_report::to_ascii;
+use assur_words::{Language, Text};
 
 use crate::locale::is_utf8;
 
@@ -28,17 +29,22 @@ pub(crate) struct Style {
     pub(crate) ascii: bool,
     /// ASCII only in formats for programs, whose encoding is UTF-8 whatever the locale.
     pub(crate) ascii_data: bool,
+    /// The language in which a command speaks.
+    pub(crate) language: &'static Language,
 }
 
 impl Style {
-    /// ASCII on request; text also if the locale is not UTF-8.
-    pub(crate) fn of(ascii: bool) -> Self {
-        Self { ascii: ascii || !is_utf8(|name| std::env::var(name).ok()), ascii_data: ascii }
+    /// ASCII on request; text also if the locale is not UTF-8. The language is the first of those that are asked for which is
+    /// known; in ASCII it is English.
+    pub(crate) fn of<'a>(ascii_data: bool, asked: impl IntoIterator<Item = &'a str>) -> Self {
+        let ascii = ascii_data || !is_utf8(|name| std::env::var(name).ok());
+        let language = asked.into_iter().find_map(Language::find).filter(|_| !ascii);
+        Self { ascii, ascii_data, language: language.unwrap_or_else(Language::english) }
     }
 
     /// How a report is written.
     pub(crate) fn words(self) -> assur_report::text::Style<'static> {
-        assur_report::text::Style { ascii: self.ascii, ..assur_report::text::Style::english() }
+        assur_report::text::Style { ascii: self.ascii, language: self.language }
     }
 
     /// Text as it may be printed.
@@ -47,7 +53,8 @@ impl Style {
     }
 
     /// Writes to standard error; errors are ignored.
-    pub(crate) fn tell(self, message: &str) {
+    pub(crate) fn tell(self, message: impl Into<Text>) {
+        let message = message.into().render(self.language);
         let message = escaped(message.trim_end());
         let message = self.text(&message);
         let _ = writeln!(std::io::stderr().lock(), "{message}");

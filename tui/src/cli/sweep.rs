@@ -9,6 +9,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use assur_sweep::{Measure, Points, Request, Sweep, SweepError, Tally, Vary};
+use assur_words::{name, number, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -85,7 +86,7 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     // A target that is the scene itself is refused before anything is calculated.
     Output::of(args.output.as_deref(), &args.scene)?;
     let form = args.output.as_deref().map_or(Ok(Form::Csv), form)?;
-    let sweep = sweep(args, style)?;
+    let sweep = sweep(args)?;
     let job = Job::of(args, &sweep, style);
     match (&args.output, form) {
         (Some(path), Form::Parquet) => parts::run(&job, path, args.resume),
@@ -93,12 +94,12 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     }
 }
 
-fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
+fn sweep(args: &SweepArgs) -> Result<Sweep, Fault> {
     let points = match args.sample {
         Some(count) => Points::Sample { count: count.get(), seed: args.seed },
         None => Points::Grid,
     };
-    let fault = |error| fault(&args.scene, error, style);
+    let fault = |error| fault(&args.scene, error);
     let measures = Measure::named(&args.measure).map_err(fault)?;
     let request = Request { points, measures, options: scene::options(&args.methods)? };
     let text = files::read(&args.scene)?;
@@ -107,10 +108,10 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)
 }
 
-fn fault(path: &Path, error: SweepError, style: Style) -> Fault {
+fn fault(path: &Path, error: SweepError) -> Fault {
     match error {
-        SweepError::Scene(errors) => scene::faults(&errors, style),
-        SweepError::AllRefused { .. } => scene::in_file(path, &error.to_string()),
+        SweepError::Scene(errors) => scene::faults(&errors),
+        SweepError::AllRefused { .. } => scene::in_file(path, name(error.to_string())),
         error => Fault::other(error),
     }
 }
@@ -149,8 +150,8 @@ impl<'a> Job<'a> {
         encode: impl Fn(assur_sweep::Rows) -> Result<T, Fault> + Sync,
         mut accept: impl FnMut(T, Tally) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
-        let (line, total) = (ProgressLine::new(), self.points.len());
-        line.count("point", done, total);
+        let (line, total) = (ProgressLine::new(self.style.language), self.points.len());
+        line.count(&text!("progress-point"), done, total);
         let mut finished = done;
         let encode = |rows: assur_sweep::Rows| {
             let tally = Tally::of(&rows);
@@ -161,7 +162,7 @@ impl<'a> Job<'a> {
             let (encoded, tally) = block?;
             finished += tally.points;
             accept(encoded, tally)?;
-            line.count("point", finished, total);
+            line.count(&text!("progress-point"), finished, total);
             Ok(())
         })
     }
@@ -171,7 +172,7 @@ impl<'a> Job<'a> {
         if !tally.is_hopeless() {
             return Ok(());
         }
-        Err(fault(self.scene, self.sweep.all_refused(self.points.start), self.style))
+        Err(fault(self.scene, self.sweep.all_refused(self.points.start)))
     }
 
     /// Points without a solution are reported on standard error, the first one in full.
@@ -181,8 +182,12 @@ impl<'a> Job<'a> {
         let row = self.sweep.row(first);
         let message = row.status(0).map_or("", |(_, message)| message);
         let point = self.sweep.describe(first);
-        self.style.tell(&format!(
-            "error: no solution at {failures} of {points} points; the first, {point}: {message}"
+        self.style.tell(text!(
+            "cli-sweep-failures",
+            failures = number(failures),
+            points = number(points),
+            point = name(point),
+            message = name(message.to_owned()),
         ));
         Status::Failed
     }

@@ -86,7 +86,6 @@ fn misplaced(cli: &Cli, name: &str) -> Option<clap::Error> {
         ("--mouse", cli.look.mouse),
         ("--fps", cli.look.fps.is_some()),
         ("--cell-ratio", cli.look.cell_ratio.is_some()),
-        ("--language", cli.look.language.is_some()),
     ];
     let lost = before.iter().find(|(_, given)| *given);
     if let Some((option @ ("--analyzer" | "--integrator"), _)) = lost {

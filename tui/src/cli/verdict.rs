@@ -8,6 +8,7 @@ use assur_analysis::results::{Analysis, Check, Failure};
 use assur_analysis::{Calculation, lost_positions};
 use assur_kinematics::Linkage;
 use assur_report::json::analysis::finite;
+use assur_words::{Describe, Text, list, name, number, text};
 
 use super::fault::Status;
 use super::scene;
@@ -22,9 +23,9 @@ const MOST_NUMBERS: usize = 100;
 #[derive(Debug)]
 pub(crate) struct Verdict {
     /// Positions, a motion, or numbers that there are not; the first is the reason for the exit status.
-    losses: Vec<String>,
+    losses: Vec<Text>,
     /// Checks that fail, or that could judge nothing.
-    checks: Vec<String>,
+    checks: Vec<Text>,
     /// Whether a check fails, or none of several could judge anything.
     unproved: bool,
     /// Whether all numbers of the results are finite, so that they can be written.
@@ -33,34 +34,33 @@ pub(crate) struct Verdict {
 
 impl Verdict {
     /// Of the results of a scene, with the checks that were made.
-    pub(crate) fn of(analysis: &Analysis, calculation: &Calculation, path: &Path, style: Style) -> Self {
-        let mut losses = failures(&analysis.failures, analysis.survey.failures, path, style);
-        losses.extend(no_motion(calculation, path, style));
+    pub(crate) fn of(analysis: &Analysis, calculation: &Calculation, path: &Path) -> Self {
+        let mut losses = failures(&analysis.failures, analysis.survey.failures, path);
+        losses.extend(no_motion(calculation, path));
         let not_finite = finite(analysis).err();
         let writable = not_finite.is_none();
-        losses.extend(not_finite.map(|problem| format!("error: {problem}")));
+        losses.extend(not_finite.map(|problem| text!("cli-error", problem = name(problem.to_string()))));
         let all = &analysis.checks;
         let judged = all.is_empty() || all.iter().any(|check| check.verdict().is_some());
         let mut checks = checks(all);
         if !judged {
-            checks
-                .push("not judged: no check could judge any position, so that nothing is proved".to_owned());
+            checks.push(text!("verdict-nothing-judged"));
         }
         Self { losses, checks, unproved: !judged || all.iter().any(Check::failed), writable }
     }
 
     /// Of the motion of a scene, for a command that calculates a single position or sample.
-    pub(crate) fn of_motion(calculation: &Calculation, path: &Path, style: Style) -> Self {
-        Self::of_losses(no_motion(calculation, path, style).into_iter().collect())
+    pub(crate) fn of_motion(calculation: &Calculation, path: &Path) -> Self {
+        Self::of_losses(no_motion(calculation, path).into_iter().collect())
     }
 
     /// Of the positions of a mechanism, for a command that needs neither loads nor motion.
-    pub(crate) fn of_positions(linkage: &Linkage, path: &Path, style: Style) -> Self {
+    pub(crate) fn of_positions(linkage: &Linkage, path: &Path) -> Self {
         let (lost, count) = lost_positions(linkage);
-        Self::of_losses(failures(&lost, count, path, style))
+        Self::of_losses(failures(&lost, count, path))
     }
 
-    fn of_losses(losses: Vec<String>) -> Self {
+    fn of_losses(losses: Vec<Text>) -> Self {
         Self { losses, checks: Vec::new(), unproved: false, writable: true }
     }
 
@@ -82,32 +82,39 @@ impl Verdict {
 
 /// Positions without a solution, the first ones in full, each fault of the scene once with its place; `count`: how many
 /// there are.
-fn failures(failures: &[Failure], count: usize, path: &Path, style: Style) -> Vec<String> {
+fn failures(failures: &[Failure], count: usize, path: &Path) -> Vec<Text> {
     let mut located = BTreeSet::new();
     let message = |Failure { message, key, .. }: &Failure| {
         let first = key.as_ref().filter(|key| located.insert((*key).clone()));
-        let place = first.and_then(|key| scene::at_key(path, key, message, style));
-        place.map_or_else(|| format!("error: {message}"), |fault| fault.to_string())
+        let place = first.and_then(|key| scene::at_key(path, key, message));
+        place.map_or_else(|| text!("cli-error", problem = name(message.clone())), |fault| fault.describe())
     };
-    let mut told: Vec<String> = failures.iter().take(MOST).map(message).collect();
+    let mut told: Vec<Text> = failures.iter().take(MOST).map(message).collect();
     if let Some(more) = count.checked_sub(MOST).filter(|more| *more > 0) {
-        let rest: Vec<_> =
-            failures.iter().skip(MOST).take(MOST_NUMBERS).map(|failure| failure.index.to_string()).collect();
-        let dots = if rest.len() < more { ", ..." } else { "" };
-        told.push(format!("error: no solution in {more} more positions: {}{dots}", rest.join(", ")));
+        let rest = failures.iter().skip(MOST).take(MOST_NUMBERS);
+        let rest: Vec<_> = rest.map(|failure| number(failure.index)).collect();
+        let dots = if rest.len() < more { Some(name("...")) } else { None };
+        told.push(text!(
+            "verdict-more-positions",
+            count = more,
+            positions = list(rest.into_iter().chain(dots))
+        ));
     }
     told
 }
 
 /// Why the requested motion is not found.
-fn no_motion(calculation: &Calculation, path: &Path, style: Style) -> Option<String> {
-    calculation.no_motion.as_ref().map(|error| scene::fault(path, error, style).to_string())
+fn no_motion(calculation: &Calculation, path: &Path) -> Option<Text> {
+    calculation.no_motion.as_ref().map(|error| scene::fault(path, error).describe())
 }
 
-fn checks(all: &[Check]) -> Vec<String> {
+fn checks(all: &[Check]) -> Vec<Text> {
+    let told = |id: &'static str, check: &Check, reason: &str| {
+        text!(id, check = name(check.name), reason = name(reason.to_owned()))
+    };
     let failed = all.iter().filter(|check| check.failed());
-    let failed = failed.map(|check| format!("FAILED: {}: {}", check.name, check.reason));
+    let failed = failed.map(|check| told("verdict-failed", check, &check.reason));
     let open = all.iter().filter(|check| check.verdict().is_none());
-    let open = open.map(|check| format!("not judged: {}: {}", check.name, check.why_left_out));
+    let open = open.map(|check| told("verdict-not-judged", check, &check.why_left_out));
     failed.chain(open).collect()
 }

@@ -4,6 +4,8 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
+use assur_words::{Text, name, text};
+
 use super::FileError;
 
 /// What the text of a lock begins with: a file with another text belongs to somebody else.
@@ -55,7 +57,7 @@ impl Lock {
             let mut file = open_own(path).map_err(fault)?;
             let text = text_of(&mut file).map_err(fault)?;
             if !text.is_empty() && !text.starts_with(MARK) {
-                return Err(FileError::write(path, "it is no lock of this program; rename or remove it"));
+                return Err(FileError::refused(path, text!("file-not-our-lock")));
             }
             match lock(&file) {
                 Ok(()) if is_at(&file, path) => {
@@ -64,14 +66,14 @@ impl Lock {
                 }
                 // Whoever held it has removed it in between.
                 Ok(()) => {}
-                Err(TryLockError::WouldBlock) => return Err(FileError::write(target, told(&text, path))),
+                Err(TryLockError::WouldBlock) => return Err(FileError::refused(target, told(&text, path))),
                 Err(TryLockError::Error(_)) => {
                     let _ = fs::remove_file(path);
                     return Ok(None);
                 }
             }
         }
-        Err(FileError::write(target, told("", path)))
+        Err(FileError::refused(target, told("", path)))
     }
 }
 
@@ -100,13 +102,11 @@ fn sign(file: &mut File) -> io::Result<()> {
 }
 
 /// Who writes, from the text of a lock.
-fn told(text: &str, path: &Path) -> String {
+fn told(text: &str, path: &Path) -> Text {
     let writer = text.strip_prefix(MARK).map(|rest| rest.trim_start_matches([',', ' ']));
-    let writer = writer.filter(|writer| !writer.is_empty()).unwrap_or("another process");
-    format!(
-        "{writer} is writing it now ({} is locked): wait for its end, or name another file",
-        path.display()
-    )
+    let writer = writer.filter(|writer| !writer.is_empty());
+    let writer = writer.map_or_else(|| text!("file-another-process"), |writer| name(writer.to_owned()));
+    text!("file-locked", writer = writer, lock = name(path.display().to_string()))
 }
 
 /// Opens a file of our own beside a target, or creates it: a regular file with one name. What a link points to is

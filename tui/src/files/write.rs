@@ -6,6 +6,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
+use assur_words::text;
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 use tempfile::NamedTempFile;
@@ -35,7 +36,7 @@ pub(crate) fn write_by(
         _ => FileError::write(path, error),
     };
     if path.is_dir() {
-        return Err(FileError::write(path, "it is a folder; name a file"));
+        return Err(FileError::refused(path, text!("file-name-a-file")));
     }
     if let Some(stream) = open_stream(path) {
         return stream.and_then(|mut stream| fill(&mut stream).and_then(|()| stream.flush())).map_err(fault);
@@ -67,7 +68,7 @@ pub(crate) fn write_folder(
     fill: impl FnOnce(&mut [BufWriter<&mut NamedTempFile>]) -> io::Result<()>,
 ) -> Result<(), FileError> {
     if fs::metadata(folder).is_ok_and(|found| !found.is_dir()) {
-        return Err(FileError::write(folder, "several files go into a folder, and this is a file"));
+        return Err(FileError::refused(folder, text!("file-not-a-folder")));
     }
     let created = !folder.exists();
     if created {

@@ -3,6 +3,7 @@
 use assur_figure::svg::lowered;
 use assur_figure::{Figure, Frame};
 use assur_scene::Note;
+use assur_words::list;
 
 use super::Context;
 use crate::screen::state::{State, View};
@@ -93,29 +94,24 @@ impl Context<'_> {
         figure.map(|mut figure| {
             figure.panels.iter_mut().for_each(still);
             let title = std::mem::take(&mut figure.title);
-            (figure, title)
+            (figure, title.render(self.words.spoken()))
         })
     }
 
     /// `position 6, 45 deg`.
     pub(super) fn place(&self, position: usize) -> String {
         let scene = self.state.scene.as_ref();
-        scene.map_or_else(String::new, |scene| scene.place(self.words, position))
+        scene.map_or_else(String::new, |scene| scene.place(position).render(self.words.spoken()))
     }
 }
 
-/// Takes the cursor from a plot, and the value at it from its heading, where the unit stays.
+/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
 pub(super) fn still(panel: &mut assur_figure::Panel) {
     let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
     *cursor = None;
-    if y.label.is_empty() {
-        return;
+    if !y.label.is_empty() {
+        panel.title = list([panel.title.clone(), y.label.clone()]);
     }
-    // `PF0  103.988 mm`
-    panel.title = match panel.title.split_once("  ") {
-        Some((name, value)) if value.ends_with(&y.label) => format!("{name}, {}", y.label),
-        _ => format!("{}, {}", panel.title, y.label),
-    };
 }
 
 /// A text with its subscripts in a form: what writes a text in which nothing is markup, and what writes a subscript.

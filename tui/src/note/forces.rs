@@ -49,7 +49,13 @@ fn loads(context: &Context<'_>) -> Option<Block> {
         let varies = nodes.iter().any(|node| (node.value - nodes[0].value).abs() > 0.0);
         let whole = nodes.len() == scene.positions();
         let curve = [(series, Stroke::Solid, Ink::First)];
-        let mut panel = plots::over_positions(context.state, scene, title, &curve, Vec::new());
+        let mut panel = plots::over_positions(
+            context.state,
+            scene,
+            [assur_words::name(title), assur_words::Text::default()],
+            &curve,
+            Vec::new(),
+        );
         still(&mut panel);
         (varies && whole).then_some(panel)
     };
@@ -90,7 +96,7 @@ fn polygons(context: &mut Context<'_>) -> Vec<Block> {
             let Some(plan) = sheet.sheet.as_ref().ok().and_then(|sheet| sheet.polygons.get(polygon)) else {
                 continue;
             };
-            title = words.phrase(&plan.title);
+            title = plan.title.render(words.spoken());
             rows.extend(
                 plans::labelled(Part::Forces, plan).into_iter().filter(|(label, _)| label != "..").map(
                     |(label, item)| {
@@ -98,8 +104,8 @@ fn polygons(context: &mut Context<'_>) -> Vec<Block> {
                         vec![
                             position.to_string(),
                             label,
-                            words.name(&item.name),
-                            words.phrase(&item.note),
+                            item.name.render(words.spoken()),
+                            item.note.render(words.spoken()),
                             size,
                         ]
                     },
@@ -164,7 +170,7 @@ fn curves(context: &mut Context<'_>) -> Vec<Block> {
     let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
     let most = pairs.map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
     let balancing = found.reactions.iter().position(|reaction| reaction.pair.is_empty());
-    let name = most.map(|index| found.reactions[index].name()).unwrap_or_default();
+    let name = most.map(|index| found.reactions[index].name.render(words.spoken())).unwrap_or_default();
     let of = [("of", words.phrase(&name))];
     let all = [
         (most, Part::Overview, words.with("reaction-curve", &of)),

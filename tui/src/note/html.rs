@@ -61,7 +61,7 @@ pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
             }
             Block::Picture { frames, size, caption } => {
                 figures += 1;
-                let drawn = svg::animate_in(frames, *size, TURN, &|text| words.phrase(text));
+                let drawn = svg::animate(frames, *size, TURN, words.spoken());
                 let number = format!("{} {figures}", words.get("figure"));
                 let caption = rich(caption);
                 let _ =

@@ -28,7 +28,7 @@ pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words, folder: &str
             Block::Equation(terms) => writeln!(text, "${}$\n", equation(terms)),
             Block::Picture { frames, size, caption } => {
                 let name = format!("figure-{}.svg", figures.len() + 1);
-                let drawn = svg::animate_in(frames, *size, TURN, &|text| words.phrase(text));
+                let drawn = svg::animate(frames, *size, TURN, words.spoken());
                 figures.push((name.clone(), drawn));
                 let caption = format!("{} {}. {}", words.get("figure"), figures.len(), rich(caption));
                 writeln!(text, "![{caption}](<{folder}/{name}>)\n\n{caption}\n")

@@ -74,7 +74,7 @@ impl Context<'_> {
         let mut whole: Option<Figure> = None;
         for &position in self.positions {
             let Some((mut figure, _)) = self.figure(shown, position, &set) else { continue };
-            let place = self.place(position);
+            let place = self.state.scene.as_ref().map(|scene| scene.place(position)).unwrap_or_default();
             let bare = figure.panels.iter_mut().filter(|panel| panel.title.is_empty());
             bare.for_each(|panel| panel.title.clone_from(&place));
             match &mut whole {

@@ -102,7 +102,7 @@ fn assembly(context: &Context<'_>) -> Vec<Block> {
     let mut panel = |title: String, marked: &[LinkId]| {
         hidden.retain(|link| !marked.contains(link));
         let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(scene, marked) };
-        Panel { title, ..mechanism::plane(scene, drawing.items(pose)) }
+        Panel { title: assur_words::name(title), ..mechanism::plane(scene, drawing.items(pose)) }
     };
     let named = |link: LinkId| ("link", linkage.mechanism.links[link].name.to_string());
     let mut panels = vec![panel(words.with("input-link-alone", &[named(input)]), &[input])];

@@ -131,7 +131,7 @@ fn drive(drive: &Drive) -> Vec<Given> {
 /// The mechanism over one cycle.
 fn moving(context: &mut Context<'_>) -> Option<Block> {
     let scene = context.state.scene.as_ref()?;
-    let scene_coordinate = scene.coordinate(context.words, scene.first_position());
+    let scene_coordinate = scene.coordinate(scene.first_position()).render(context.words.spoken());
     let exist: Vec<usize> =
         (0..scene.positions()).filter(|position| scene.poses[*position].is_some()).collect();
     let frames: Option<Vec<_>> = exist

@@ -18,7 +18,12 @@ fn note(language: &'static str) -> Note {
 
 /// A scene with its analysis done.
 fn state(scene: &str) -> State {
-    analyzed(open(assur_fixtures::path(&format!("{scene}.toml"))).unwrap(), [None, None], true)
+    analyzed(
+        open(assur_fixtures::path(&format!("{scene}.toml"))).unwrap(),
+        [None, None],
+        true,
+        assur_words::Language::english(),
+    )
 }
 
 fn of(scene: &str, language: &'static str, form: Form) -> Written {

@@ -36,8 +36,7 @@ pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
             Block::Equation(terms) => writeln!(text, "#h(8mm)${}$\n", equation(terms)),
             // Paper does not move.
             Block::Picture { frames, size, caption } => {
-                let first =
-                    svg::animate_in(&frames[..1.min(frames.len())], *size, 0.0, &|text| words.phrase(text));
+                let first = svg::animate(&frames[..1.min(frames.len())], *size, 0.0, words.spoken());
                 let drawn = quoted(&first);
                 writeln!(
                     text,

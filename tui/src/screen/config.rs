@@ -14,7 +14,6 @@ pub(crate) use default::{keep, text as default_text};
 
 use super::command::COMMANDS;
 use super::state::{Command, Key, Keymap, Kind, Look, Panels, SETTINGS, View};
-use crate::words::{LANGUAGES, Words};
 
 /// Without a key for this command a user could not leave.
 const OUT: &str = "quit";
@@ -34,6 +33,11 @@ impl Default for Config {
 }
 
 impl Config {
+    /// The language that is configured: a code, or what asks for that of a scene.
+    pub(crate) fn language(&self) -> &'static str {
+        self.look.language
+    }
+
     /// Reads the text of a configuration. `file_name` is only repeated in errors.
     ///
     /// # Errors
@@ -148,7 +152,7 @@ fn fault(
         (Some(first), None) => (Some(first), two),
         (_, second) => (second, one),
     };
-    let view = view.name(Words::of(LANGUAGES[0]));
+    let view = view.name();
     let message = format!("`{}` means both `{}` and `{}` in {view}", key.name(), one.name, two.name);
     let other = other.name;
     let label = match at(other) {

@@ -4,6 +4,7 @@ pub(crate) use assur_figure::cells::cut;
 
 use assur_figure::cells::{self, Look};
 use assur_figure::{Figure, Frame, Ink};
+use assur_words::Text;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -13,7 +14,7 @@ use crate::screen::state::{Role, State, Zoom};
 
 /// How a figure is drawn in cells now, in the whole or zoomed.
 pub(crate) fn cells(state: &State, zoom: Zoom) -> Look {
-    Look { marker: state.look.marker, ratio: state.look.ratio, zoom }
+    Look { marker: state.look.marker, ratio: state.look.ratio, zoom, language: state.language() }
 }
 
 /// Draws the whole figure into an area.
@@ -23,10 +24,8 @@ pub(crate) fn paint(state: &State, figure: &Figure, area: Rect, buffer: &mut Buf
 
 /// Draws the visible part of a figure into an area.
 pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rect, buffer: &mut Buffer) {
-    let words = state.words();
-    let figure = figure.translated(&|text| words.shown(text));
     if zoom == Zoom::WHOLE && state.shows_pictures() && area.width > 0 && area.height > 0 {
-        let mut figure = figure;
+        let mut figure = figure.clone();
         for panel in &mut figure.panels {
             if let Frame::Plane { scale, .. } = &mut panel.frame {
                 // A millimeter of a screen is not known.
@@ -35,7 +34,7 @@ pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rec
         }
         return state.shown.borrow_mut().push((figure, area));
     }
-    for spot in cells::draw(&figure, [area.width, area.height], cells(state, zoom)) {
+    for spot in cells::draw(figure, [area.width, area.height], cells(state, zoom)) {
         put(buffer, area, spot.column, spot.row, &spot.text, state.look.theme.style(role(spot.ink)));
     }
 }
@@ -68,7 +67,7 @@ pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: 
     }
 }
 
-/// Writes English lines one below the other, in the language of the screen.
+/// Writes lines one below the other.
 pub(crate) fn put_lines<'a>(
     buffer: &mut Buffer,
     area: Rect,
@@ -77,13 +76,19 @@ pub(crate) fn put_lines<'a>(
     lines: impl IntoIterator<Item = &'a (Role, String)>,
 ) {
     for (row, (role, line)) in lines.into_iter().enumerate() {
-        put(buffer, area, column, short(row), &state.words().shown(line), state.look.theme.style(*role));
+        put(buffer, area, column, short(row), line, state.look.theme.style(*role));
     }
 }
 
 /// A table in lines: its head, then its rows, each column as wide as it needs.
-pub(crate) fn table(head: &[&str], rows: &[Vec<String>]) -> Vec<(Role, String)> {
-    let text = assur_report::text::columns(head, rows, false);
+pub(crate) fn table<const N: usize>(
+    state: &State,
+    head: [Text; N],
+    rows: impl IntoIterator<Item = [Text; N]>,
+) -> Vec<(Role, String)> {
+    let head = head.map(|text| state.told(text));
+    let rows: Vec<_> = rows.into_iter().map(|row| row.map(|text| state.told(text)).to_vec()).collect();
+    let text = assur_report::text::columns(&head.each_ref().map(String::as_str), &rows, false);
     // The second line is a rule.
     let lines = text.lines().enumerate().filter(|(number, _)| *number != 1);
     lines.map(|(number, line)| (if number == 0 { Role::Dim } else { Role::Plain }, line.to_owned())).collect()

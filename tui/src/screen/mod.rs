@@ -26,11 +26,12 @@ mod tests;
 use std::io::IsTerminal;
 use std::path::PathBuf;
 
+use assur_words::{Describe, Text, errors, name, text};
 use command::COMMANDS;
 pub use config::Config;
 pub(crate) use config::default_text;
 pub use state::NoteWriter;
-use state::{Look, Marker, Source, State, Theme};
+use state::{Look, Marker, State, Theme};
 
 /// Options of the command line that go before the configuration.
 #[derive(Debug, Clone, Default, clap::Args)]
@@ -44,9 +45,6 @@ pub struct LookArgs {
     /// Height of a character cell in its widths, for drawings to scale in the terminal UI
     #[arg(long, value_name = "RATIO")]
     pub cell_ratio: Option<f64>,
-    /// Language of the terminal UI: en, uk, ru (default: as configured, else that of the scene's note)
-    #[arg(long, value_name = "NAME", value_parser = crate::words::LANGUAGES)]
-    pub language: Option<String>,
 }
 
 /// Options of the terminal UI from the command line.
@@ -56,6 +54,8 @@ pub struct Options {
     pub ascii: bool,
     /// What is asked for on the command line.
     pub look: LookArgs,
+    /// The language that is asked for; `None`: as configured, else that of the scene's note.
+    pub language: Option<String>,
     /// Force analyzer by name; `None`: the scene's.
     pub analyzer: Option<String>,
     /// Integrator by name; `None`: the scene's.
@@ -63,7 +63,7 @@ pub struct Options {
     /// The configuration; the options above have precedence.
     pub config: Config,
     /// Why the configuration of the user was not used; the text is complete.
-    pub config_fault: Option<String>,
+    pub config_fault: Option<Text>,
     /// The configuration file of the user, which need not exist; `None`: there is no place for it.
     pub config_file: Option<PathBuf>,
     /// Writes the note of a scene.
@@ -71,19 +71,28 @@ pub struct Options {
 }
 
 /// Why the terminal UI could not open.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum ScreenError {
     /// Standard input or output is no terminal.
-    #[error("error: the terminal UI needs a terminal; `assur analyze SCENE` prints the same as text")]
     NoTerminal,
     /// The terminal returned an error.
-    #[error("error: the terminal can't be used: {0}")]
-    Terminal(#[from] std::io::Error),
+    Terminal(std::io::Error),
     /// The scene can't be read; the text is complete, with file, line and column.
-    #[error("{0}")]
-    Scene(String),
+    Scene(Text),
 }
+
+impl Describe for ScreenError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::NoTerminal => text!("screen-no-terminal"),
+            Self::Terminal(problem) => text!("screen-terminal-fails", problem = name(problem.to_string())),
+            Self::Scene(fault) => fault.clone(),
+        }
+    }
+}
+
+errors!(ScreenError);
 
 /// Opens the terminal UI on a scene, or on the menu of shipped scenes; returns the exit status.
 ///
@@ -93,22 +102,21 @@ pub enum ScreenError {
 #[expect(clippy::needless_pass_by_value, reason = "the command line gives its options away")]
 pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     let scene = match path {
-        Some(path) => Some(work::open(Source::File(path)).map_err(ScreenError::Scene)?),
+        Some(path) => Some(still::open(path)?),
         None => None,
     };
     if !(std::io::stdin().is_terminal() && std::io::stdout().is_terminal()) {
         return Err(ScreenError::NoTerminal);
     }
     let mut state = State::new(scene, look(&options), COMMANDS, options.config.keys.clone());
-    let title = "The configuration could not be used; the defaults apply. Press any key.";
-    state.fault = options.config_fault.clone().map(|fault| (title, fault));
+    state.fault = options.config_fault.clone().map(|fault| (text!("config-fault"), fault));
     state.panels.clone_from(&options.config.panels);
     state.note = options.note;
     state.size = terminal::size().unwrap_or(state.size);
     state.analyzer.clone_from(&options.analyzer);
     state.integrator.clone_from(&options.integrator);
     command::start(&mut state);
-    Ok(session::run(state, options.config_file.as_deref())?)
+    session::run(state, options.config_file.as_deref()).map_err(ScreenError::Terminal)
 }
 
 /// How to draw, from options, configuration, locale and `NO_COLOR`.
@@ -119,7 +127,7 @@ fn look(options: &Options) -> Look {
     let theme = variable("NO_COLOR").filter(|value| !value.is_empty()).map(|_| Theme::Mono);
     let look = look.with("fps", asked.fps.map(|fps| fps.to_string()));
     let look = look.with("cell_ratio", asked.cell_ratio.map(|ratio| ratio.to_string()));
-    let look = look.with("language", asked.language.clone());
+    let look = look.with("language", options.language.clone());
     Look {
         ascii,
         marker: if ascii { Marker::Ascii } else { look.marker },

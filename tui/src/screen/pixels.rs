@@ -10,6 +10,7 @@ mod tests;
 use std::fmt::Write;
 
 use assur_figure::{Figure, png};
+use assur_words::Language;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use ratatui::layout::Rect;
@@ -49,7 +50,12 @@ pub(crate) fn answer(sequence: &[u8]) -> Option<Answer> {
 
 /// The bytes that show pictures in place of those before, each with its place on the terminal; `cell`: width and height of a
 /// cell in pixels.
-pub(crate) fn bytes(pictures: &[(Figure, Rect)], way: Pictures, cell: [f64; 2]) -> String {
+pub(crate) fn bytes(
+    pictures: &[(Figure, Rect)],
+    way: Pictures,
+    cell: [f64; 2],
+    language: &Language,
+) -> String {
     // The cursor stays where it is.
     let mut text = "\x1b7".to_owned();
     if way == Pictures::Kitty {
@@ -58,7 +64,7 @@ pub(crate) fn bytes(pictures: &[(Figure, Rect)], way: Pictures, cell: [f64; 2]) 
     for (figure, area) in pictures {
         let mm = png::EM / (LETTERS * cell[1]);
         let size = [f64::from(area.width) * cell[0] * mm, f64::from(area.height) * cell[1] * mm];
-        let Ok(picture) = png::write(figure, size) else { continue };
+        let Ok(picture) = png::write(figure, size, language) else { continue };
         let picture = STANDARD.encode(picture);
         let (columns, rows) = (area.width, area.height);
         let _ = write!(text, "\x1b[{};{}H", area.y + 1, area.x + 1);

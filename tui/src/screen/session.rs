@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use assur_words::text;
 use crossterm::event::{Event as Own, KeyEventKind};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
 use signal_hook::iterator::Signals;
@@ -94,8 +95,7 @@ impl Session {
         terminal::capture_mouse(self.state.look.mouse)?;
         let dropped = self.inbox.dropped();
         if dropped > 0 && self.state.message.is_none() {
-            let text = format!("more keys came than could be taken: {dropped} were dropped");
-            self.state.say(Role::Bad, text);
+            self.state.say(Role::Bad, text!("say-keys-dropped", count = dropped));
         }
         command::prepare(&mut self.state);
         let state = &self.state;
@@ -218,7 +218,7 @@ fn take_answer(state: &mut State, answer: Answer) -> bool {
         state.pictures = way;
     } else {
         (state.pictures, state.look.pixels) = (Pictures::None, false);
-        state.say(Role::Bad, "this terminal does not say that it shows pictures (kitty, iTerm2): no pixels");
+        state.say(Role::Bad, text!("say-no-pixels"));
     }
     true
 }

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use assur_figure::{Figure, svg};
+use assur_words::{Language, Text, list, name, number, text};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
@@ -48,14 +49,12 @@ fn page(text: &str) -> Result<[f64; 2], String> {
 }
 
 /// Why there is no picture.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub(crate) enum StillError {
     /// The request has no meaning for this scene.
-    #[error("error: {0}")]
-    Request(String),
+    Request(Text),
     /// The scene has nothing of this kind to show.
-    #[error("{0}")]
-    Nothing(String),
+    Nothing(Text),
 }
 
 impl Request {
@@ -81,12 +80,12 @@ pub(crate) fn views() -> Vec<&'static str> {
 /// [`StillError`]: a request without a meaning, a view that has nothing to show.
 pub(crate) fn draw(mut state: State, request: &Request, output: &Path) -> Result<Vec<u8>, StillError> {
     let size = request.size.unwrap_or(PAGE);
-    let wrong = |error: String| StillError::Request(error);
+    let wrong = StillError::Request;
     state.view = request.view.parse().unwrap_or(View::Mechanism);
     let last = state.positions() - 1;
     if request.position > last {
-        let text = format!("there is no position {}; they are numbered 0 to {last}", request.position);
-        return Err(wrong(text));
+        let [position, last] = [request.position, last].map(number);
+        return Err(wrong(text!("draw-no-position", position = position, last = last)));
     }
     state.position = request.position;
     if let Some(part) = &request.part {
@@ -102,7 +101,7 @@ pub(crate) fn draw(mut state: State, request: &Request, output: &Path) -> Result
         return animation(&mut state, output, size);
     }
     let figure = figure(&state)?;
-    picture(&figure, output, size).map_err(|error| wrong(error.to_string()))
+    picture(&figure, output, size, state.language()).map_err(wrong)
 }
 
 /// Reads a scene from a file.
@@ -116,8 +115,14 @@ pub(crate) fn open(scene: PathBuf) -> Result<Scene, ScreenError> {
 
 /// The state of a scene with its analysis done, by a force analyzer and an integrator, and with its checks where they
 /// are wanted.
-pub(crate) fn analyzed(scene: Scene, [analyzer, integrator]: [Option<String>; 2], checks: bool) -> State {
-    let mut state = State::new(Some(scene), Look::default(), COMMANDS, Keymap::of(COMMANDS));
+pub(crate) fn analyzed(
+    scene: Scene,
+    [analyzer, integrator]: [Option<String>; 2],
+    checks: bool,
+    language: &'static Language,
+) -> State {
+    let look = Look { language: language.code, ..Look::default() };
+    let mut state = State::new(Some(scene), look, COMMANDS, Keymap::of(COMMANDS));
     (state.analyzer, state.integrator) = (analyzer, integrator);
     command::ask(&mut state, Purpose::Main);
     for wish in std::mem::take(&mut state.wishes) {
@@ -144,14 +149,14 @@ pub(crate) fn analyzed(scene: Scene, [analyzer, integrator]: [Option<String>; 2]
     state
 }
 
-fn choose_part(state: &mut State, name: &str) -> Result<(), String> {
+fn choose_part(state: &mut State, wanted: &str) -> Result<(), Text> {
     let (view, parts) = (state.view, state.view.parts());
     if parts.is_empty() {
-        return Err(format!("the view `{}` has no parts", view.command()));
+        return Err(text!("draw-no-parts", view = name(view.command())));
     }
-    let Some(part) = parts.iter().find(|part| <&str>::from(**part) == name) else {
-        let names: Vec<&str> = parts.iter().map(Into::into).collect();
-        return Err(format!("there is no part `{name}` of this view; its parts are {}", names.join(", ")));
+    let Some(part) = parts.iter().find(|part| <&str>::from(**part) == wanted) else {
+        let names = list(parts.iter().map(|part| name(<&str>::from(*part))));
+        return Err(text!("draw-no-part", part = name(wanted.to_owned()), parts = names));
     };
     state.parts.insert(view, *part);
     if *part == Part::Construction {
@@ -170,7 +175,7 @@ fn figure(state: &State) -> Result<Figure, StillError> {
 /// One turn through all positions that exist.
 fn animation(state: &mut State, output: &Path, size: [f64; 2]) -> Result<Vec<u8>, StillError> {
     if output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
-        return Err(StillError::Request("--animate writes SVG alone: name a file that ends in .svg".into()));
+        return Err(StillError::Request(text!("draw-svg-alone")));
     }
     let mut frames = Vec::new();
     for position in 0..state.positions() {
@@ -181,8 +186,10 @@ fn animation(state: &mut State, output: &Path, size: [f64; 2]) -> Result<Vec<u8>
         }
     }
     if let Some(first) = frames.first_mut() {
-        first.title =
-            state.scene.as_ref().map_or_else(String::new, |scene| scene.linkage.mechanism.title.clone());
+        first.title = state
+            .scene
+            .as_ref()
+            .map_or_else(Text::default, |scene| name(scene.linkage.mechanism.title.clone()));
     }
-    Ok(svg::animate(&frames, size, TURN).into_bytes())
+    Ok(svg::animate(&frames, size, TURN, state.language()).into_bytes())
 }

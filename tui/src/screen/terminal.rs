@@ -111,7 +111,7 @@ impl Screen {
         };
         let cell = [pixels(size.width, size.columns, CELL[0]), pixels(size.height, size.rows, CELL[1])];
         self.shown.clone_from(&state.shown.borrow());
-        self.write(&pixels::bytes(&self.shown, state.pictures, cell))
+        self.write(&pixels::bytes(&self.shown, state.pictures, cell, state.language()))
     }
 
     /// Draws one frame as one synchronized update.

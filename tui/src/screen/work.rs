@@ -10,16 +10,17 @@ use assur_fixtures::SCENES;
 use assur_mechanism::Mechanism;
 use assur_study::chart;
 use assur_study::stability::stability;
+use assur_words::{Describe, Text, name, number, text};
 
 use super::state::{Cancel, Found, Job, Measured, Planner, Purpose, Report, Request, Scene, Source, Wanted};
 use crate::files;
-use crate::progress::{SystemClock, words};
+use crate::progress::{SystemClock, told};
 
 /// Time between two updates of the progress.
 const PAUSE: Duration = Duration::from_millis(150);
 
 /// The report of a job that failed.
-pub(crate) fn failed(job: &Job, text: String) -> Report {
+pub(crate) fn failed(job: &Job, text: Text) -> Report {
     match job {
         Job::Read(wanted) => Report::Read(wanted.clone(), Err(text)),
         Job::Note { path, .. } => Report::Noted(path.clone(), Err(text)),
@@ -67,9 +68,9 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
 /// # Errors
 ///
 /// The errors as text.
-pub(crate) fn open(source: Source) -> Result<Scene, String> {
+pub(crate) fn open(source: Source) -> Result<Scene, Text> {
     let text = match &source {
-        Source::File(path) => files::read(path).map_err(|error| error.to_string())?,
+        Source::File(path) => files::read(path).map_err(|error| error.describe())?,
         Source::Shipped(name) => {
             let scene = SCENES.iter().find(|(known, _)| known == name);
             scene.map(|(_, text)| (*text).to_owned()).unwrap_or_default()
@@ -82,15 +83,15 @@ pub(crate) fn open(source: Source) -> Result<Scene, String> {
 fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> Report {
     let (mechanism, number) = (&request.linkage.mechanism, request.number);
     let options = Options { analyzer: request.analyzer.clone(), integrator: request.integrator.clone() };
-    let mut watch = |progress| watch.see(|| words(progress));
-    let failed = |text: String| Report::Analyzed { number, found: Err(text) };
+    let mut watch = |progress| watch.see(|| told(progress));
+    let failed = |text: Text| Report::Analyzed { number, found: Err(text) };
     let calculation = match Calculation::of(mechanism.clone(), &options, &mut watch) {
         Ok(calculation) => calculation,
-        Err(error) => return failed(error.to_string()),
+        Err(error) => return failed(name(error.to_string())),
     };
     let analysis = match calculation.analyze(&mut watch) {
         Ok(analysis) => analysis,
-        Err(stopped) => return failed(stopped.to_string()),
+        Err(stopped) => return failed(name(stopped.to_string())),
     };
     let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
     let ending = calculation.ending(&analysis.positions);
@@ -115,11 +116,14 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
 fn measure(request: &Request, watch: &mut Watch<'_>) -> Measured {
     let (linkage, mut clock) = (&request.linkage, SystemClock::default());
     let chart = chart::chart(linkage, &mut clock, chart::Options::QUICK, &mut |now| {
-        watch.see(|| format!("{}: {} / {}", now.stage.heading(), now.done, now.total))
+        watch.see(|| {
+            let [done, total] = [now.done, now.total].map(number);
+            text!("measure-progress", stage = name(now.stage.heading()), done = done, total = total)
+        })
     });
     let stability = request.cancel.flow().is_continue().then(|| {
         stability(linkage.mechanism.clone(), &mut |done, total| {
-            watch.see(|| format!("stability: {done} / {total}"))
+            watch.see(|| text!("measure-stability", done = number(done), total = number(total)))
         })
         .continue_value()
     });
@@ -132,13 +136,13 @@ fn measure(request: &Request, watch: &mut Watch<'_>) -> Measured {
 /// Watches a calculation: passes on its progress now and then, and stops it when requested.
 struct Watch<'a> {
     cancel: &'a Cancel,
-    tell: &'a dyn Fn(String),
+    tell: &'a dyn Fn(Text),
     last: Instant,
 }
 
 impl Watch<'_> {
     /// One piece of work, and how to express its progress.
-    fn see(&mut self, count: impl FnOnce() -> String) -> ControlFlow<()> {
+    fn see(&mut self, count: impl FnOnce() -> Text) -> ControlFlow<()> {
         if self.last.elapsed() >= PAUSE {
             self.last = Instant::now();
             (self.tell)(count());

@@ -12,6 +12,8 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 
+use assur_words::{name, text};
+
 use super::state::{Job, Purpose, Report, Wanted};
 use super::terminal::WORKER;
 use super::work;
@@ -103,7 +105,7 @@ fn perform(job: &Job, tell: &dyn Fn(Report)) {
     let report = catch_unwind(AssertUnwindSafe(|| work::run(job, tell))).unwrap_or_else(|panic| {
         let what = panic.downcast_ref::<String>().map_or("", String::as_str);
         let what = panic.downcast_ref::<&str>().copied().unwrap_or(what);
-        work::failed(job, format!("the calculation stopped unexpectedly: {what}"))
+        work::failed(job, text!("say-panic", what = name(what.to_owned())))
     });
     tell(report);
 }

@@ -21,8 +21,6 @@ fn every_language_is_read_without_a_fault_and_has_every_text() {
     assert_eq!(en, uk);
     assert_eq!(en, ru);
     assert_eq!(Words::of("tlh").language, LANGUAGES[0]);
-    let counts = LANGUAGES.map(|language| Words::of(language).glossary.len());
-    assert_eq!(counts, [counts[0]; 3]);
 }
 
 #[test]

@@ -80,7 +80,8 @@ fn acceleration_parts_add_up_to_pf2_w2_and_pf1_e() {
                 .items
                 .iter()
                 .find(|item| length(minus(item.start, part.end)) == 0.0 && item.kind == VectorKind::Relative);
-            let point = part.name.trim_start_matches("ac(").split('/').next().unwrap();
+            let symbol = part.name.to_string();
+            let point = symbol.trim_start_matches("ac(").split('/').next().unwrap();
             let Some(id) = linkage.mechanism.point(point) else { continue };
             let motion = linkage.point_motion(id, &position);
             let wanted = [0, 1].map(|k| motion.pf2[k] * 9.0 - motion.pf1[k] * 4.0);

@@ -10,7 +10,7 @@ const PARALLELOGRAM: &str = "[ground]\npoints = { O = 0, C = 0.3 }\n[link.crank]
     [input]\nlink = 'crank'\nfrom = 1\n[assembly]\nB = [0.354, 0.084]\n";
 
 fn vector<'a>(plan: &'a crate::Plan, name: &str) -> &'a crate::PlanVector {
-    plan.items.iter().find(|item| item.name == name).unwrap_or_else(|| panic!("{name}"))
+    plan.items.iter().find(|item| item.name.to_string() == name).unwrap_or_else(|| panic!("{name}"))
 }
 
 fn center(linkage: &assur_kinematics::Linkage, q: f64, link: &str, against: &str) -> CenterAt {
@@ -82,7 +82,7 @@ fn without_a_motion_plans_are_per_unit_speed() {
     let position = solved(&linkage, 1.0);
     let (v, a) = (velocity_plan(&linkage, &position, None), acceleration_plan(&linkage, &position, None));
     assert_eq!((v.unit.as_str(), a.unit.as_str()), ("m/rad", "m/rad^2"));
-    assert_eq!(v.title, "Plan of velocities for a unit speed of the input (PF1)");
+    assert_eq!(v.title.to_string(), "Plan of velocities for a unit speed of the input (PF1)");
     assert!((vector(&v, "v(B)").size - 0.1).abs() < 1e-12 && vector(&v, "v(B/A)").size < 1e-12);
 }
 

@@ -1,11 +1,13 @@
 //! Tests of `axis`.
 
+use assur_words::Text;
+
 use super::{Axis, Kind, extent};
 
 #[test]
 #[expect(clippy::float_cmp, reason = "bounds are taken as they are, or doubled")]
 fn an_axis_is_never_empty() {
-    let range = |values: [f64; 2], floor| Axis::around("", values, floor).range;
+    let range = |values: [f64; 2], floor| Axis::around(Text::default(), values, floor).range;
     assert_eq!(range([-2.0, 3.0], 0.0), [-2.0, 3.0]);
     assert_eq!(range([0.1, 0.1], 0.0), [0.0, 0.2]);
     assert_eq!(range([-4.0, -4.0], 0.0), [-8.0, 0.0]);
@@ -21,7 +23,11 @@ fn the_extent_ignores_what_is_no_number() {
 }
 
 fn texts(kind: Kind, range: [f64; 2], most: usize) -> Vec<String> {
-    Axis { label: String::new(), range, kind }.ticks(most).into_iter().map(|(_, text)| text).collect()
+    Axis { label: Text::default(), range, kind }
+        .ticks(most)
+        .into_iter()
+        .map(|(_, text)| text.to_string())
+        .collect()
 }
 
 #[test]
@@ -44,7 +50,7 @@ fn other_ticks_are_round() {
 #[test]
 fn a_place_on_an_axis_leads_back_to_its_value() {
     for kind in [Kind::Linear, Kind::Degrees, Kind::Logarithmic] {
-        let axis = Axis { label: String::new(), range: [0.5, 300.0], kind };
+        let axis = Axis { label: Text::default(), range: [0.5, 300.0], kind };
         for value in [0.5, 2.0, 77.0, 300.0] {
             assert!((axis.value(axis.part(value)) - value).abs() < 1e-12 * value, "{kind:?} {value}");
         }

@@ -1,9 +1,12 @@
 //! A plot in cells, with its axes.
 
+use assur_words::{Language, number};
+use unicode_width::UnicodeWidthStr;
+
 use super::raster::{short, whole};
 use super::{Look, Spot, draw_marks, heading};
 use crate::axis::{Axis, Kind};
-use crate::model::{Frame, Ink, Item, Panel, Point, Stroke};
+use crate::model::{Cursor, Frame, Ink, Item, Panel, Point, Stroke};
 use crate::number::plain;
 use crate::trace::{Paper, stars};
 
@@ -57,7 +60,7 @@ pub(super) fn draw(panel: &Panel, shows_axis: bool, [width, height]: [u16; 2], l
     let stars: Vec<_> = stars.flat_map(|item| paper.marks(&item)).collect();
     let (raster, labels) = draw_marks(&[marks, stars].concat(), size, look);
     let mut spots: Vec<Spot> = raster.spots().collect();
-    if let Some(at) = cursor {
+    if let Some(Cursor { at, .. }) = cursor {
         // A line where nothing else is drawn, so that it is seen without color.
         let column = map.column(*at);
         for row in (0..size[1]).filter(|_| column >= 0.0 && column < f64::from(size[0])) {
@@ -70,17 +73,18 @@ pub(super) fn draw(panel: &Panel, shows_axis: bool, [width, height]: [u16; 2], l
     let plot = spots.into_iter().map(|spot| Spot { column: spot.column + LABELS, row: spot.row + 1, ..spot });
     let mut spots: Vec<Spot> = plot.collect();
     // A long title begins above the labels of the axis.
-    let title = short(panel.title.chars().count());
-    spots.push(heading(panel, LABELS.min((width - 1).saturating_sub(title)), width - 1));
-    spots.extend(vertical(&map));
+    let title = panel.heading().render(look.language);
+    let room = (width - 1).saturating_sub(short(title.chars().count()));
+    spots.push(heading(&title, LABELS.min(room), width - 1));
+    spots.extend(vertical(&map, look.language));
     if shows_axis {
-        spots.extend(horizontal(&map, width, height));
+        spots.extend(horizontal(&map, width, height, look.language));
     }
     spots
 }
 
 /// The greatest value in the first row of the plot, the least in the last one, zero between them.
-fn vertical(map: &Map<'_>) -> Vec<Spot> {
+fn vertical(map: &Map<'_>, language: &Language) -> Vec<Spot> {
     let rows = map.size[1];
     let [low, high] = map.y.range;
     let mut labels = vec![(0, high), (rows.saturating_sub(1), low)];
@@ -93,30 +97,31 @@ fn vertical(map: &Map<'_>) -> Vec<Spot> {
         (0..rows)
             .map(|row| Spot { column: LABELS - 1, row: row + 1, text: "│".to_owned(), ink: Ink::Text });
     let numbers = labels.into_iter().map(|(row, value)| {
-        let text = plain(if value.abs() <= least { 0.0 } else { value });
-        let column = LABELS.saturating_sub(short(text.len()) + 1);
+        let text = number(plain(if value.abs() <= least { 0.0 } else { value })).render(language);
+        let column = LABELS.saturating_sub(short(text.width()) + 1);
         Spot { column, row: row + 1, text, ink: Ink::Text }
     });
     line.chain(numbers).collect()
 }
 
 /// Round values under their columns, the ends where there is no round one, and the name of the axis.
-fn horizontal(map: &Map<'_>, width: u16, height: u16) -> Vec<Spot> {
+fn horizontal(map: &Map<'_>, width: u16, height: u16, language: &Language) -> Vec<Spot> {
     let mut ticks = map.x.ticks(usize::from(map.size[0] / TICK).max(1));
     if map.x.kind == Kind::Linear && ticks.len() < 2 {
-        ticks = map.x.range.map(|at| (at, plain(at))).to_vec();
+        ticks = map.x.range.map(|at| (at, number(plain(at)))).to_vec();
     }
     let mut spots = Vec::new();
     let mut end = 0;
     for (at, text) in ticks {
+        let text = text.render(language);
         let column = LABELS + short(whole(map.column(at)));
-        let column = column.min(width.saturating_sub(short(text.len())));
+        let column = column.min(width.saturating_sub(short(text.width())));
         if column >= end {
-            end = column + short(text.len()) + 1;
+            end = column + short(text.width()) + 1;
             spots.push(Spot { column, row: height - 2, text, ink: Ink::Text });
         }
     }
-    spots.push(Spot { column: LABELS, row: height - 1, text: map.x.label.clone(), ink: Ink::Dim });
+    spots.push(Spot { column: LABELS, row: height - 1, text: map.x.label.render(language), ink: Ink::Dim });
     spots
 }
 

@@ -5,11 +5,12 @@ mod labels;
 mod plane;
 mod raster;
 
+use assur_words::Language;
 use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 use unicode_width::UnicodeWidthStr;
 
 use crate::bounds::Zoom;
-use crate::model::{Figure, Frame, Ink, Panel, Sign, Stroke};
+use crate::model::{Figure, Frame, Ink, Sign, Stroke};
 use crate::trace::{Mark, block};
 use labels::{Labels, head};
 use raster::{Raster, short};
@@ -29,7 +30,7 @@ pub enum Marker {
 }
 
 /// How a figure is drawn in cells.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Look {
     /// The characters for dots.
     pub marker: Marker,
@@ -37,6 +38,8 @@ pub struct Look {
     pub ratio: f64,
     /// Zoom and pan of planes.
     pub zoom: Zoom,
+    /// In the words of which language.
+    pub language: &'static Language,
 }
 
 /// A text at a cell; columns and rows are counted from the upper left corner.
@@ -123,7 +126,7 @@ fn draw_marks(marks: &[Mark], size: [u16; 2], look: Look) -> (Raster, Labels) {
     }
     for mark in marks {
         if let Mark::Name { at, text, ink, needed } = mark {
-            labels.beside(&raster, cell(*at), text, *ink, *needed);
+            labels.beside(&raster, cell(*at), &text.render(look.language), *ink, *needed);
         }
     }
     for mark in marks {
@@ -189,7 +192,7 @@ pub fn cut(text: &str, width: usize) -> String {
 }
 
 /// The heading of a panel in its first row.
-fn heading(panel: &Panel, column: u16, width: u16) -> Spot {
-    let text = cut(&panel.title, usize::from(width.saturating_sub(column)));
+fn heading(title: &str, column: u16, width: u16) -> Spot {
+    let text = cut(title, usize::from(width.saturating_sub(column)));
     Spot { column, row: 0, text, ink: Ink::Title }
 }

@@ -1,5 +1,7 @@
 //! A plane in cells, with one scale for both directions.
 
+use assur_words::{Language, quantity};
+
 use super::raster::{short, whole};
 use super::{Look, Spot, draw_marks, heading};
 use crate::bounds::Bounds;
@@ -87,15 +89,15 @@ pub(super) fn draw(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<
     let (raster, labels) = draw_marks(&marks, size, look);
     let spots = raster.spots().chain(labels.into_spots());
     let mut spots: Vec<_> = spots.map(|spot| Spot { row: spot.row + above, ..spot }).collect();
-    spots.push(heading(panel, 0, width));
-    let text = bar(map.unit, *factor, unit);
+    spots.push(heading(&panel.title.render(look.language), 0, width));
+    let text = bar(map.unit, *factor, unit, look.language);
     spots.push(Spot { column: 0, row: height - below, text, ink: Ink::Dim });
     spots
 }
 
 /// A bar of a round length: `|----| 100 mm`.
-fn bar(width: f64, factor: f64, unit: &str) -> String {
+fn bar(width: f64, factor: f64, unit: &str, language: &Language) -> String {
     let length = round_length(BAR * width);
     let dashes = "-".repeat(usize::from(short(whole((length / width).round().clamp(2.0, 40.0)))) - 1);
-    format!("|{dashes}| {} {unit}", plain(factor * length))
+    format!("|{dashes}| {}", quantity(plain(factor * length), unit.to_owned()).render(language))
 }

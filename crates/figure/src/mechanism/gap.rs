@@ -4,6 +4,7 @@
 use assur_group::{Body, GroupFrame, Pair, PairGeometry};
 use assur_kinematics::Position;
 use assur_mechanism::LinkId;
+use assur_words::text;
 
 use super::{Drawing, hull};
 use crate::model::{Ink, Item, Point, Stroke};
@@ -52,7 +53,7 @@ impl Drawing<'_> {
             {
                 items.push(Item::line(ends, Stroke::Dashed, Ink::Marked));
                 let middle = [0, 1].map(|axis| 0.5 * (ends[0][axis] + ends[1][axis]));
-                items.push(Item::name(middle, "gap", Ink::Marked));
+                items.push(Item::name(middle, text!("figure-gap"), Ink::Marked));
             }
         }
         items

@@ -1,5 +1,7 @@
 //! A plot on paper, with its axes.
 
+use assur_words::{Language, Text};
+
 use super::element::{Outline, fine, polygon, polyline};
 use super::names::text_width;
 use super::{BORDER, EM, Element, LINE, Room, drawn, heading, text, width};
@@ -17,7 +19,13 @@ const APART: [f64; 2] = [16.0, 8.0];
 const LEAST_NUMBERS: usize = 3;
 
 /// The elements of a panel.
-pub(super) fn elements(panel: &Panel, shows_axis: bool, numbers: f64, room: Room) -> Vec<Element> {
+pub(super) fn elements(
+    panel: &Panel,
+    shows_axis: bool,
+    numbers: f64,
+    room: Room,
+    language: &Language,
+) -> Vec<Element> {
     let Frame::Axes { x, y, cursor } = &panel.frame else { return Vec::new() };
     let below = if shows_axis { BELOW } else { 0.0 };
     let vertical = widened(y);
@@ -34,19 +42,19 @@ pub(super) fn elements(panel: &Panel, shows_axis: bool, numbers: f64, room: Room
     };
     let [low, high] = vertical.range;
     let upright = |at: f64| [place([at, low]), place([at, high])];
-    let mut elements: Vec<Element> = heading(panel, room).into_iter().collect();
+    let mut elements: Vec<Element> = heading(panel, room, language).into_iter().collect();
     for (at, number) in ticks {
         let ends = x.range.map(|end| place([end, at]));
         elements.push(grid(&ends, at == 0.0));
         let corner = [plot.left - 0.4 * EM, ends[0][1] + 0.35 * EM];
-        elements.push(text(corner, &number, Ink::Text, "end"));
+        elements.push(text(corner, &number.render(language), Ink::Text, "end"));
     }
     for (at, number) in x.ticks(count(plot.width, APART[0])) {
         let ends = upright(at);
         elements.push(grid(&ends, false));
         if shows_axis {
             let corner = [ends[0][0], plot.top + plot.height + 1.2 * EM];
-            elements.push(text(corner, &number, Ink::Text, "middle"));
+            elements.push(text(corner, &number.render(language), Ink::Text, "middle"));
         }
     }
     let frame = Outline { ink: Ink::Text, width: width::FINE, filled: None };
@@ -54,34 +62,38 @@ pub(super) fn elements(panel: &Panel, shows_axis: bool, numbers: f64, room: Room
     elements.push(polygon(&[left[0], left[1], right[1], right[0]], frame));
     if shows_axis {
         let corner = [plot.left + 0.5 * plot.width, plot.top + plot.height + 2.6 * EM];
-        elements.push(text(corner, &x.label, Ink::Text, "middle"));
+        elements.push(text(corner, &x.label.render(language), Ink::Text, "middle"));
     }
-    if let Some(at) = cursor.filter(|at| (0.0..=1.0).contains(&x.part(*at))) {
+    if let Some(at) = cursor.as_ref().map(|cursor| cursor.at).filter(|at| (0.0..=1.0).contains(&x.part(*at)))
+    {
         elements.push(polyline(&upright(at), Stroke::Dashed, Ink::Cursor));
     }
     let paper = Paper { place, em: EM, gap: 0.0 };
     let stars = panel.items.iter().flat_map(stars);
     let marks: Vec<_> =
         panel.items.iter().cloned().chain(stars).flat_map(|item| paper.marks(&item)).collect();
-    elements.extend(drawn(&marks, plot));
+    elements.extend(drawn(&marks, plot, language));
     elements
 }
 
 /// Width of the widest number of the vertical axes of a figure: one for all, so that plots below each other are aligned.
-pub(super) fn numbers(figure: &Figure, room: Room) -> f64 {
+pub(super) fn numbers(figure: &Figure, room: Room, language: &Language) -> f64 {
     let height = room.height / figure.rows().max(1) as f64;
     let axes = figure.panels.iter().filter_map(|panel| match &panel.frame {
         Frame::Axes { y, .. } => Some(widened(y)),
         Frame::Plane { .. } => None,
     });
     let widest = |axis: Axis| {
-        upright_ticks(&axis, height).iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max)
+        upright_ticks(&axis, height)
+            .iter()
+            .map(|(_, text)| text_width(&text.render(language)))
+            .fold(0.0, f64::max)
     };
     axes.map(widest).fold(0.0, f64::max)
 }
 
 /// The ticks of a vertical axis of this height, mm; two at least, from which its scale is seen.
-fn upright_ticks(axis: &Axis, height: f64) -> Vec<(f64, String)> {
+fn upright_ticks(axis: &Axis, height: f64) -> Vec<(f64, Text)> {
     let most = count(height, APART[1]);
     let ticks = axis.ticks(most);
     if ticks.len() < 2 { axis.ticks(2 * most) } else { ticks }

@@ -13,8 +13,6 @@ pub(crate) struct Element {
     pub(crate) attributes: Vec<(&'static str, String)>,
     /// Its text; may be empty.
     pub(crate) text: String,
-    /// Whether the text is a name, which is the same in every language.
-    pub(crate) is_name: bool,
 }
 
 /// How an outline is drawn.
@@ -62,7 +60,7 @@ fn points(all: &[Point]) -> String {
 }
 
 fn element(name: &'static str, attributes: Vec<(&'static str, String)>) -> Element {
-    Element { name, attributes, text: String::new(), is_name: false }
+    Element { name, attributes, text: String::new() }
 }
 
 pub(super) fn polyline(all: &[Point], stroke: Stroke, ink: Ink) -> Element {
@@ -130,5 +128,5 @@ pub(super) fn text(at: Point, words: &str, ink: Ink, anchor: &str) -> Element {
     if ink == Ink::Title {
         attributes.push(("font-weight", "bold".to_owned()));
     }
-    Element { name: "text", attributes, text: words.to_owned(), is_name: false }
+    Element { name: "text", attributes, text: words.to_owned() }
 }

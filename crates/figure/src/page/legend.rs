@@ -1,5 +1,7 @@
 //! The legend below a figure.
 
+use assur_words::Language;
+
 use super::names::text_width;
 use super::{EM, Element, LINE, sign_elements, stroked, text};
 use crate::model::{Figure, Key, Point, Sample, Sign};
@@ -9,28 +11,29 @@ const SAMPLE: f64 = 2.5 * EM;
 /// Distance between two entries, mm.
 const APART: f64 = 1.5 * EM;
 
-/// The entries in rows that fit into this width.
-pub(super) fn rows(figure: &Figure, width: f64) -> Vec<Vec<&Key>> {
-    let mut rows: Vec<Vec<&Key>> = Vec::new();
+/// The entries, each with its text, in rows that fit into this width.
+pub(super) fn rows<'a>(figure: &'a Figure, width: f64, language: &Language) -> Vec<Vec<(&'a Key, String)>> {
+    let mut rows: Vec<Vec<(&Key, String)>> = Vec::new();
     let mut used = f64::INFINITY;
     for key in &figure.legend {
-        let wide = SAMPLE + text_width(&key.text) + APART;
+        let text = key.text.render(language);
+        let wide = SAMPLE + text_width(&text) + APART;
         if used + wide > width {
             rows.push(Vec::new());
             used = 0.0;
         }
         used += wide;
-        rows.last_mut().into_iter().for_each(|row| row.push(key));
+        rows.last_mut().into_iter().for_each(|row| row.push((key, text.clone())));
     }
     rows
 }
 
 /// The elements of the rows from a corner on; `unit` is a millimeter in the units of the first plane.
-pub(super) fn elements(rows: &[Vec<&Key>], [left, top]: Point, unit: f64) -> Vec<Element> {
+pub(super) fn elements(rows: &[Vec<(&Key, String)>], [left, top]: Point, unit: f64) -> Vec<Element> {
     let mut elements = Vec::new();
     for (row, keys) in rows.iter().enumerate() {
         let (mut x, y) = (left, top + row as f64 * LINE - 0.3 * LINE);
-        for key in keys {
+        for (key, told) in keys {
             let middle = y - 0.35 * EM;
             let width = match key.sample {
                 Sample::Sign(sign, ink) => {
@@ -48,10 +51,8 @@ pub(super) fn elements(rows: &[Vec<&Key>], [left, top]: Point, unit: f64) -> Vec
                     length / unit
                 }
             };
-            let is_name = key.is_name();
-            let text = text([x + width + 0.5 * EM, y], &key.text, crate::Ink::Text, "start");
-            elements.push(Element { is_name, ..text });
-            x += width + text_width(&key.text) + APART;
+            elements.push(text([x + width + 0.5 * EM, y], told, crate::Ink::Text, "start"));
+            x += width + text_width(told) + APART;
         }
     }
     elements

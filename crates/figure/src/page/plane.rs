@@ -1,5 +1,7 @@
 //! A plane on paper, to a round scale.
 
+use assur_words::{Language, joined, name, quantity};
+
 use super::{BORDER, EM, Element, LINE, Room, drawn, heading, text};
 use crate::bounds::Bounds;
 use crate::model::{Frame, Ink, Panel, Point};
@@ -12,7 +14,7 @@ const MARGIN: f64 = 2.2;
 const SCALES: [f64; 5] = [1.0, 2.0, 2.5, 4.0, 5.0];
 
 /// The elements of a panel, and its scale: units of the plane in a millimeter.
-pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
+pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> (Vec<Element>, f64) {
     let Frame::Plane { bounds, scale: (symbol, unit), .. } = &panel.frame else { return (Vec::new(), 1.0) };
     let above = if panel.title.is_empty() { 0.0 } else { LINE };
     let plot = Room { top: room.top + above, height: room.height - above - LINE, ..room };
@@ -24,10 +26,11 @@ pub(super) fn elements(panel: &Panel, room: Room) -> (Vec<Element>, f64) {
         |at: Point| [middle[0] + (at[0] - center[0]) / scale, middle[1] - (at[1] - center[1]) / scale];
     let paper = Paper { place, em: EM, gap: 0.1 * EM };
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
-    let mut elements: Vec<Element> = heading(panel, room).into_iter().collect();
-    elements.extend(drawn(&marks, plot));
+    let mut elements: Vec<Element> = heading(panel, room, language).into_iter().collect();
+    elements.extend(drawn(&marks, plot, language));
     if !symbol.is_empty() {
-        let told = format!("μ_{{{symbol}}} = {} {unit}/mm", plain(scale));
+        let symbol = name(format!("μ_{{{symbol}}}"));
+        let told = joined(" = ", [symbol, quantity(plain(scale), format!("{unit}/mm"))]).render(language);
         let corner = [room.left, room.top + room.height - 0.3 * LINE];
         elements.push(text(corner, &told, Ink::Dim, "start"));
     }

@@ -191,14 +191,14 @@ fn a_switch_has_the_value_ahead() {
 fn a_contact_follows_its_angle() {
     let text = assur_fixtures::scene("press-compression");
     let (linkage, loads) = compiled(text);
-    for q in [2.2, 1.7, 1.0_f64] {
+    for q in [-1.3, -1.6, -1.9_f64] {
         let bodies = bodies(&linkage, q);
         let rod = bodies[linkage.mechanism.link("rod").unwrap()];
-        let a = (8.0 * (130.0_f64.to_radians() - q) / 80.0_f64.to_radians()).to_radians();
+        let a = (8.0 * (-70.0_f64.to_radians() - q) / 40.0_f64.to_radians()).to_radians();
         let (s, c) = a.sin_cos();
         let force = [20e3 * (s + 0.1 * c), 20e3 * (c - 0.1 * s)];
-        let arm = rod.arm([0.06, 0.0]);
-        let arm = [arm[0] - 0.3 * s, arm[1] - 0.3 * c];
+        let arm = rod.arm([-0.64, 0.0]);
+        let arm = [arm[0] - 0.75 * s, arm[1] - 0.75 * c];
         let found = applied(&loads, &at(q, -1.0), &bodies)[2];
         near(found.fx, force[0], 1e4);
         near(found.fy, force[1], 1e4);

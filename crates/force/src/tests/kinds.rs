@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 use assur_group::Wrench;
 
 use super::{applied, at, bodies, compiled, near};
-use crate::{Cause, State};
+use crate::{Cause, Side, State};
 
 fn arm(load: &str) -> String {
     format!(
@@ -207,4 +207,62 @@ fn causes_add_up_to_all_loads() {
     assert!(all.iter().all(|w| w.fx.abs() + w.fy.abs() + w.m.abs() < 1e-9), "{all:?}");
     assert!(names.contains(&"inertia of block".to_owned()), "{names:?}");
     assert!(Cause::Weight(1) < Cause::Inertia(1));
+}
+
+/// The arc of the arm: K goes along the line by N' (cos a, -sin a) + R, to the left where the arm is high enough.
+const AGAINST: &str = "[[contact]]\nlink = \"arm\"\ncenter = \"A\"\nradius = 0.1\nangle = \"30 deg\"\nforce = 10\nfriction = { against_sliding = 0.2 }\n";
+
+#[test]
+fn friction_against_the_sliding_changes_its_sign_with_it() {
+    let given = |sign: f64| AGAINST.replace("{ against_sliding = 0.2 }", &(0.2 * sign).to_string());
+    // s = -0.5 sin(q) cos(30) - 0.5 cos(q) sin(30) + 0.1 = 0.1 - 0.5 sin(q + 30).
+    let turn = 0.2_f64.asin() - FRAC_PI_6;
+    for q in [
+        -3.0,
+        -1.0,
+        turn - 1e-9,
+        turn + 1e-9,
+        0.5,
+        1.5,
+        PI - FRAC_PI_6 - 0.2_f64.asin() + 1e-9,
+        6.0,
+        40.0_f64,
+    ] {
+        let slides = (0.1 - 0.5 * (q + FRAC_PI_6).sin()).signum();
+        for speed in [3.0, -3.0] {
+            near(moment(AGAINST, at(q, speed)), moment(&given(-slides * speed.signum()), at(q, speed)), 10.0);
+        }
+        // Without a speed it is as if the input moved along its direction.
+        let rest = State { side: Side::Prescribed, ..at(q, 0.0) };
+        near(moment(AGAINST, rest), moment(&given(-slides), rest), 10.0);
+    }
+    // Where the arc rolls, the sign is the one just after the position in the direction of motion.
+    near(moment(AGAINST, at(turn, 3.0)), moment(&given(1.0), at(turn, 3.0)), 10.0);
+    near(moment(AGAINST, at(turn, -3.0)), moment(&given(1.0), at(turn, -3.0)), 10.0);
+}
+
+/// The pin of the arm as an arc of no radius.
+#[test]
+fn an_arc_that_never_slides_has_no_friction() {
+    let (linkage, loads) =
+        compiled(&arm(&AGAINST.replace("\"A\"", "\"O\"").replace("0.1\nangle", "0\nangle")));
+    let found = applied(&loads, &at(1.0, 3.0), &bodies(&linkage, 1.0))[1];
+    near(found.fx, 10.0 * FRAC_PI_6.sin(), 10.0);
+    near(found.fy, 10.0 * FRAC_PI_6.cos(), 10.0);
+}
+
+/// The sliding turns, and turns again within much less than a cell of the search.
+#[test]
+fn two_turns_within_a_cell_are_found() {
+    for depth in [1e-3, 1e-5, 1e-7_f64] {
+        // s = R - 0.5 sin(q + a), R a little less than 0.5: it turns twice close to q + a = 90 degrees.
+        let radius = 0.5 - depth;
+        let text = AGAINST.replace("radius = 0.1", &format!("radius = {radius:?}"));
+        let given = |sign: f64| text.replace("{ against_sliding = 0.2 }", &(0.2 * sign).to_string());
+        let half = (radius / 0.5).acos();
+        for (part, slides) in [(-1.01, 1.0), (-0.99, -1.0), (0.0, -1.0), (0.99, -1.0), (1.01, 1.0)] {
+            let q = FRAC_PI_3 + part * half;
+            near(moment(&text, at(q, 3.0)), moment(&given(-slides), at(q, 3.0)), 10.0);
+        }
+    }
 }

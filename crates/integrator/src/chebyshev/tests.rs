@@ -1,4 +1,4 @@
-use super::{INSIDE, NODES, Series, WITH_ENDS, divided, integral, inverse, swing, tail, value};
+use super::{INSIDE, NODES, Series, WITH_ENDS, divided, first_zero, integral, inverse, swing, tail, value};
 
 #[test]
 fn value_is_the_sum_of_cosines() {
@@ -60,4 +60,24 @@ fn a_growing_function_is_inverted_from_any_start() {
     // Newton's method alone would leave the bounds of the arc tangent.
     let found = inverse(0.0, [-20.0, 10.0], 9.0, 1e-9, |x| (x.atan(), 1.0 / (1.0 + x * x)));
     assert!(found.abs() < 1e-14, "{found}");
+}
+
+/// (x - a)² + b has a dip at a: two roots or none, both closer together than any fixed set of places tells.
+#[test]
+fn the_first_zero_is_found_however_narrow_the_dip() {
+    for exponent in 1..=24 {
+        let depth = 0.5_f64.powi(exponent);
+        for a in [-0.83, -0.2, 0.017, 0.6] {
+            let dip = |b: f64| {
+                let high = |x: f64| ((x - a) * (x - a) + b) * (1.3 + 0.7 * x - 0.2 * x.powi(5));
+                first_zero(&WITH_ENDS.fit(&WITH_ENDS.nodes.map(high)))
+            };
+            assert_eq!(dip(depth), None, "{a}, {depth:e}");
+            let first = (a - depth.sqrt() >= -1.0).then(|| a - depth.sqrt());
+            if let Some(first) = first {
+                let found = dip(-depth).unwrap();
+                assert!((found - first).abs() < 1e-7, "{a}, {depth:e}: {found}");
+            }
+        }
+    }
 }

@@ -148,6 +148,8 @@ fn law(value: &Value) -> &'static str {
 fn contact_words(contact: &Contact) -> String {
     let rubs = if contact.friction == 0.0 {
         "without friction (add `friction` to the `[[contact]]`)"
+    } else if contact.against_sliding {
+        "its friction is a given part of the force, against the sliding of the arc"
     } else {
         "its friction is a given part of the force, in a given sense"
     };

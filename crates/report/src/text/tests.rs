@@ -113,17 +113,18 @@ fn sheet_of(vectors: [[f64; 2]; 2]) -> Sheet {
     let calculation = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
     let sheet = calculation.sheet(3).unwrap();
     let item = |(name, end): (&str, [f64; 2])| PlanVector {
-        name: name.to_owned(),
+        name: assur_words::name(name.to_owned()),
+        image: String::new(),
         kind: VectorKind::Load,
         start: [0.0; 2],
         end,
         size: end[0].hypot(end[1]),
         unit: "N".to_owned(),
-        note: "load on `arm`".to_owned(),
+        note: assur_words::name("load on `arm`"),
     };
     let items = ["one", "other"].into_iter().zip(vectors).map(item).collect();
     let velocities =
-        Plan { title: "Two".to_owned(), unit: "N".to_owned(), scale: 0.2, items, ..sheet.velocities };
+        Plan { title: assur_words::name("Two"), unit: "N".to_owned(), scale: 0.2, items, ..sheet.velocities };
     Sheet { velocities, ..sheet }
 }
 

@@ -18,7 +18,7 @@ pub fn plans(sheet: &Sheet, page: &mut Document) {
 
 /// A plan: name, size and direction of every vector, its start, its meaning; then the points.
 fn plan(plan: &Plan, page: &mut Document) {
-    let title = name(plan.title.clone());
+    let title = plan.title.clone();
     let (own, residual) = (unit(plan.unit.clone()), number(format_args!("{:.1e}", plan.residual)));
     page.blocks.push(assur_book::Block::Subheading(if plan.scale > 0.0 {
         text!("plan-with-scale", title = title, unit = own, scale = number(plan.scale), residual = residual)
@@ -33,8 +33,8 @@ fn plan(plan: &Plan, page: &mut Document) {
         let vector = [0, 1].map(|axis| item.end[axis] - item.start[axis]);
         let angle = if size == 0.0 { Cell::None } else { degrees(vector) };
         let [x, y] = item.start.map(&places);
-        let (own, note) = (unit(item.unit.clone()), name(item.note.clone()));
-        row![name(item.name.clone()), size, own, angle, x, y, note]
+        let (own, note) = (unit(item.unit.clone()), item.note.clone());
+        row![item.name.clone(), size, own, angle, x, y, note]
     };
     let heads = [
         Column::of(text!("head-vector")),
@@ -49,7 +49,7 @@ fn plan(plan: &Plan, page: &mut Document) {
     let heads = [text!("head-point"), name("x"), name("y")].map(Column::of);
     let point = |point: &assur_diagram::PlanPoint| {
         let [x, y] = point.at.map(&places);
-        row![name(point.name.clone()), x, y]
+        row![point.name.clone(), x, y]
     };
     page.table(Table::list(Text::default(), heads).rows(plan.points.iter().map(point)));
 }
@@ -97,7 +97,7 @@ fn causes(split: &Split, page: &mut Document) {
     let residual = number(format_args!("{:.1e}", split.residual));
     let mut table = Table::list(text!("plan-causes", residual = residual), heads);
     for share in shares() {
-        let cause = || name(share.cause.clone());
+        let cause = || share.cause.clone();
         for JointForce { joint, on, force: [fx, fy], .. } in &share.reactions {
             let size = force(fx.hypot(*fy));
             table.row(row![cause(), named(joint), named(on), force(*fx), force(*fy), size]);

@@ -158,16 +158,18 @@ fn ends_of_transient_motions() {
 #[test]
 fn a_range_against_the_clock_keeps_the_direction_of_the_scene() {
     let scene = fixture("press.toml");
-    close!(scene.input.from, 130.0 * PI / 180.0, max_relative = 1e-15);
+    close!(scene.input.from, -70.0 * PI / 180.0, max_relative = 1e-15);
     let Range::To(to) = scene.input.range else { panic!() };
-    close!(to, 50.0 * PI / 180.0, max_relative = 1e-15);
-    assert_eq!((scene.input.positions, scene.input.sign()), (33, 1.0));
+    close!(to, -110.0 * PI / 180.0, max_relative = 1e-15);
+    assert_eq!((scene.input.positions, scene.input.sign()), (33, -1.0));
     let Some(Motion::Prescribed { speed, .. }) = scene.motion else { panic!() };
-    close!(speed, PI / 3.0, max_relative = 1e-15);
+    close!(speed, -PI / 3.0, max_relative = 1e-15);
     let contact = &scene.contacts[0];
-    assert_eq!((contact.center.link, contact.center.at, contact.radius), (2, [0.06, 0.0], 0.3));
+    assert_eq!((contact.center.link, contact.center.at, contact.radius), (2, [-0.64, 0.0], 0.75));
     assert_eq!((&contact.force, contact.friction, contact.during), (&Value::Constant(20_000.0), 0.1, None));
-    assert_eq!(contact.name, "contact 1 on rod");
+    assert_eq!((contact.name.as_str(), contact.against_sliding), ("contact 1 on rod", false));
+    let found = &fixture("press-compression.toml").contacts[0];
+    assert_eq!((found.friction, found.against_sliding), (0.1, true));
 }
 
 #[test]

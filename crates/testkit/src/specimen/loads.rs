@@ -154,6 +154,7 @@ fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
         angle: Value::Constant(draft.rng.signed(0.0, 0.5)),
         force,
         friction: draft.rng.signed(0.0, 0.3),
+        against_sliding: false,
         during,
     }
 }

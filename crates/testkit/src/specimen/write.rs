@@ -159,7 +159,13 @@ fn write_joints(text: &mut String, m: &Mechanism) -> Out {
         let center = &contact.center;
         writeln!(text, "link = {:?}\ncenter = {}", m.links[center.link].name, pair(center.at))?;
         writeln!(text, "radius = {:?}\nangle = {}", contact.radius, value(m, &contact.angle))?;
-        writeln!(text, "force = {}\nfriction = {:?}", value(m, &contact.force), contact.friction)?;
+        writeln!(text, "force = {}", value(m, &contact.force))?;
+        let friction = contact.friction;
+        if contact.against_sliding {
+            writeln!(text, "friction = {{ against_sliding = {friction:?} }}")?;
+        } else {
+            writeln!(text, "friction = {friction:?}")?;
+        }
         if let Some(during) = contact.during {
             writeln!(text, "during = {}", pair(during))?;
         }

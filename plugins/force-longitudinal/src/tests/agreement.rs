@@ -62,7 +62,10 @@ fn setting(linkage: &assur_kinematics::Linkage, q: f64) -> crate::setting::Setti
 }
 
 fn press_full_turn() -> String {
-    fixture("press.toml").replace("from = \"130 deg\"\nto = \"50 deg\"\npositions = 33", "positions = 48")
+    fixture("press.toml").replace(
+        "from = \"-70 deg\"\nto = \"-110 deg\"\npositions = 33\ndirection = \"cw\"",
+        "positions = 48",
+    )
 }
 
 #[test]
@@ -155,7 +158,7 @@ fn reference(name: &str, analyzer: Longitudinal) {
     assert!(compared > 300, "{compared}");
 }
 
-fn name_of(linkage: &assur_kinematics::Linkage, id: assur_mechanism::PairId) -> &str {
+pub(super) fn name_of(linkage: &assur_kinematics::Linkage, id: assur_mechanism::PairId) -> &str {
     match id {
         assur_mechanism::PairId::Pin(point) => &linkage.mechanism.points[point].name,
         assur_mechanism::PairId::Slide(slide) => &linkage.mechanism.slides[slide].name,

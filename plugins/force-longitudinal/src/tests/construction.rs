@@ -66,16 +66,18 @@ fn the_pole_is_the_instant_center_and_k_the_contact() {
     let velocity = rod.first(minus(pole, [rod.x, rod.y]));
     assert!(length(velocity) < 1e-14);
     let angle = 4.0_f64.to_radians();
-    let center = rod.point([0.06, 0.0]);
-    let contact = [center[0] - 0.3 * angle.sin(), center[1] - 0.3 * angle.cos()];
+    let center = rod.point([-0.64, 0.0]);
+    let contact = [center[0] - 0.75 * angle.sin(), center[1] - 0.75 * angle.cos()];
     let k = drawn.step(Drawing::Mechanism, "K").unwrap().start;
     assert!(length(minus(k, contact)) < 1e-15);
 }
 
 #[test]
 fn a_pole_at_infinity_is_a_direction() {
-    let text =
-        fixture("press.toml").replace("from = \"130 deg\"\nto = \"50 deg\"\npositions = 33", "positions = 4");
+    let text = fixture("press.toml").replace(
+        "from = \"-70 deg\"\nto = \"-110 deg\"\npositions = 33\ndirection = \"cw\"",
+        "positions = 4",
+    );
     let drawn = drawn(&compile(&text), 0.0);
     assert!(drawn.step(Drawing::Mechanism, "P").is_none());
     assert_eq!(
@@ -92,7 +94,7 @@ fn a_pole_at_infinity_is_a_direction() {
 #[test]
 fn the_steps_come_in_the_order_of_the_paper() {
     let linkage = compile(&fixture("press.toml"));
-    let drawn = drawn(&linkage, 2.0);
+    let drawn = drawn(&linkage, -1.9);
     let names: Vec<_> = drawn.steps.iter().map(|step| step.name.as_str()).collect();
     assert_eq!(
         names,

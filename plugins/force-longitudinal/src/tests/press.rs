@@ -1,9 +1,8 @@
 //! The press of L with the equations as printed: a central slider-crank whose rod carries an arc that rolls and slides along a
 //! straight line.
 //!
-//! Axes of L: x across the guide, y along it, origin in O; f1 is the angle of the crank from y. The print measures it towards x in
-//! (8), (9) and away from x in (3), (4), (10), (11); [`Press::at`] takes the first and turns the sign for the others. The scan
-//! has `+ b cos` as the last term of (8); geometry wants a minus, for K lies below P by it.
+//! O is above, the slider B below it, the center N of the arc on the line BA beyond A. f1 is the angle of the crank from the
+//! downward axis, towards x; forces count y upward.
 
 /// Lengths and load, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,8 +15,6 @@ pub(super) struct Press {
     pub(super) center: f64,
     /// R, radius of the arc, m.
     pub(super) radius: f64,
-    /// alpha, rad: the contact force acts at half of it.
-    pub(super) alpha: f64,
     /// Fc, normal force of the contact, N.
     pub(super) force: f64,
     /// f, coefficient of sliding friction.
@@ -27,17 +24,11 @@ pub(super) struct Press {
 /// What the equations give in one position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Answer {
-    /// (Fx, Fy), N (eq. 2).
-    pub(super) force: [f64; 2],
-    /// (X2, Y2), m: distances of K and P (eqs. 8, 9).
-    pub(super) distances: [f64; 2],
-    /// Mc, N m: moment of F about P, clockwise (eq. 7).
-    pub(super) moment: f64,
-    /// Mb, N m: balancing moment on the crank, counter-clockwise (eq. 6).
+    /// Mb, N m: balancing moment on the crank, clockwise (eq. 6).
     pub(super) balancing: f64,
-    /// Fb, N: balancing force at A (eq. 5).
+    /// Fb, N: balancing force at A (eq. 5), to the left of the crank seen from O.
     pub(super) balancing_force: f64,
-    /// R1, N: longitudinal reaction of the crank (eq. 10).
+    /// R1, N: longitudinal reaction of the crank, from O to A on the rod (eq. 10).
     pub(super) r1: f64,
     /// R3, N: longitudinal reaction of the slider, towards -x on the rod (eq. 11).
     pub(super) r3: f64,
@@ -46,38 +37,27 @@ pub(super) struct Answer {
 }
 
 impl Press {
-    /// All equations at the crank angle `f1`, rad, from y towards x.
+    /// All equations at the crank angle `f1`, with the contact at half of `alpha`; rad.
     ///
     /// Where cos f1 = 0 the pole is at infinity and numbers are infinite or NaN: the print has no other answer there.
-    pub(super) fn at(&self, f1: f64) -> Answer {
+    pub(super) fn at(&self, f1: f64, alpha: f64) -> Answer {
         let (sin, cos) = f1.sin_cos();
-        let (sa, ca) = (0.5 * self.alpha).sin_cos();
+        let (sa, ca) = (0.5 * alpha).sin_cos();
         let (fc, f) = (self.force, self.friction);
         let fy = fc * (ca - f * sa); // eq. (2)
         let fx = fc * (sa + f * ca); // eq. (2)
         let lean = self.crank * sin / self.rod; // sine of the rod's angle from y
         let up = (1.0 - lean * lean).sqrt(); // cos arcsin of it
-        let y2 = self.center * up - self.radius * ca - self.rod * up; // eq. (8)
+        let y2 = self.center * up - self.radius * ca + self.rod * up; // eq. (8)
         let yp = self.crank * cos + self.rod * up;
-        let x2 = yp * (sin / cos) - self.crank * sin + self.center * lean + self.radius * sa; // eq. (9)
+        let x2 = yp * (sin / cos) - self.crank * sin - self.center * lean + self.radius * sa; // eq. (9)
         let mc = fy * x2 + fx * y2; // eq. (7)
         let ap = yp / cos - self.crank;
-        let mb = -mc * self.crank / ap; // eq. (6)
+        let mb = mc * self.crank / ap; // eq. (6)
         let fb = mb / self.crank; // eq. (5)
-        // From here f1 is counted away from x.
-        let sin = -sin;
         let r1 = (fy - fb * sin) / cos; // eq. (10), which is (3) and so (1) solved for R1
         let r3 = fx - fb * cos + r1 * sin; // eq. (11), which is (4) solved for R3
         let ra = fb.hypot(r1); // eq. (12); RB = R3
-        Answer {
-            force: [fx, fy],
-            distances: [x2, y2],
-            moment: mc,
-            balancing: mb,
-            balancing_force: fb,
-            r1,
-            r3,
-            ra,
-        }
+        Answer { balancing: mb, balancing_force: fb, r1, r3, ra }
     }
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use assur_sweep::parquet::{self, Part};
 use assur_sweep::{Rows, Tally};
+use assur_words::text;
 
 use super::Job;
 use super::target::Unfinished;
@@ -77,7 +78,7 @@ impl Folder<'_> {
         match fs::create_dir(path) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::symlink_metadata(path) {
                 Ok(found) if found.is_dir() => Ok(()),
-                _ => Err(self.fault("it is no folder with the parts of a sweep: remove it")),
+                _ => Err(self.unfinished.refused(text!("file-no-parts"))),
             },
             created => created.map_err(|error| self.fault(error)),
         }

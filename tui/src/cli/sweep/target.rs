@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use assur_words::{Text, name, number, text};
+
 use crate::cli::fault::{Fault, Status};
 use crate::cli::style::Style;
 use crate::files::{self, FileError, Lock};
@@ -16,20 +18,18 @@ pub(super) enum Form {
 /// The form, from the name of the file; known before anything is calculated.
 pub(super) fn form(path: &Path) -> Result<Form, Fault> {
     let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    let fault = |problem: String| FileError::write(path, problem).into();
+    let fault = |problem| FileError::refused(path, problem).into();
     let form = match extension.as_deref() {
         // Whether the target is a device such as `/dev/null`.
         None | Some("csv") => Form::Csv,
         Some("parquet") => Form::Parquet,
-        Some(_) => return Err(fault("name it *.csv or *.parquet".to_owned())),
+        Some(_) => return Err(fault(text!("file-row-form"))),
     };
     if form == Form::Parquet && files::is_stream(path) {
-        let problem =
-            "Parquet is put together from parts, so it can't go to a device or a pipe; write it to a file";
-        return Err(fault(problem.to_owned()));
+        return Err(fault(text!("file-parquet-stream")));
     }
     match path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
-        Some(folder) => Err(fault(format!("there is no folder {}", folder.display()))),
+        Some(folder) => Err(fault(text!("file-no-folder", folder = name(folder.display().to_string())))),
         None => Ok(form),
     }
 }
@@ -50,23 +50,19 @@ impl<'a> Unfinished<'a> {
     /// Refuses what an earlier run left, unless this run goes on with it, and what another process is writing.
     pub(super) fn of(target: &'a Path, resume: bool, style: Style) -> Result<Self, Fault> {
         if target.is_dir() {
-            return Err(FileError::write(target, "it is a folder; name a file").into());
+            return Err(FileError::refused(target, text!("file-name-a-file")).into());
         }
         // Beside the file itself, not beside a link to it.
         let real = files::behind_links(target);
         let path = with_ending(&real, ".part");
         let lock = Lock::of(&with_ending(&path, ".lock"), target)?;
         if lock.is_none() {
-            style.tell(&format!(
-                "note: the file system of {} has no locks: start no second sweep that writes this file",
-                target.display()
-            ));
+            style.tell(text!("cli-sweep-no-locks", file = name(target.display().to_string())));
         }
         let unfinished = Self { target, path, real, _lock: lock };
         // A link counts too, wherever it leads.
         if unfinished.path.symlink_metadata().is_ok() && !resume {
-            return Err(unfinished
-                .fault("a sweep was ended here before it was complete: go on with --resume, or remove it"));
+            return Err(unfinished.refused(text!("cli-sweep-ended")));
         }
         Ok(unfinished)
     }
@@ -75,9 +71,13 @@ impl<'a> Unfinished<'a> {
         FileError::write(&self.path, problem).into()
     }
 
+    pub(super) fn refused(&self, problem: Text) -> Fault {
+        FileError::refused(&self.path, problem).into()
+    }
+
     /// What is here is not what the sweep would write.
     pub(super) fn foreign(&self, row: usize) -> Fault {
-        self.fault(format!("row {row} is not of this sweep: remove it, or repeat the call that wrote it"))
+        self.refused(text!("cli-sweep-foreign", row = number(row)))
     }
 
     /// Refuses to replace a file by rows some of which have no values.
@@ -85,11 +85,8 @@ impl<'a> Unfinished<'a> {
         if status == Status::Done || !self.target.is_file() {
             return Ok(());
         }
-        let problem = format!(
-            "the results are incomplete, so the existing file is kept; the rows are in {}",
-            self.path.display()
-        );
-        Err(Fault::Partial(FileError::write(self.target, problem), status))
+        let problem = text!("file-partial-rows", file = name(self.path.display().to_string()));
+        Err(Fault::Partial(FileError::refused(self.target, problem), status))
     }
 
     /// Puts a complete file in the place of the target.

@@ -1,5 +1,7 @@
 //! Commands that choose what is shown of the scene, and how.
 
+use assur_words::{name, number, text};
+
 use super::{jobs, report, whatif};
 use crate::screen::state::{
     FRAMES, Job, PACES, Part, Pictures, Purpose, Role, Scene, Source, State, View, Wanted, Wish, following,
@@ -57,16 +59,17 @@ pub(super) fn extreme(state: &mut State, sense: isize) {
             summary.greatest
         };
         let other = if first == summary.least { summary.greatest } else { summary.least };
-        let (word, extreme) = if sense > 0 { ("greatest", first) } else { ("least", other) };
+        let (told, extreme) =
+            if sense > 0 { ("say-extreme-greatest", first) } else { ("say-extreme-least", other) };
         let at = extreme.number;
-        Some((at, format!("{word} {}: {} in position {at}", series.of, series.show(at))))
+        Some((at, text!(told, quantity = &series.of, value = series.show(at), position = number(at))))
     };
     match state.main_series().and_then(of_series) {
         Some((at, text)) => {
             state.go_to(at);
             state.say(Role::Plain, text);
         }
-        None => state.say(Role::Plain, "this view has no quantity with a greatest and a least value"),
+        None => state.say(Role::Plain, text!("say-no-extreme")),
     }
 }
 
@@ -74,8 +77,7 @@ pub(super) fn extreme(state: &mut State, sense: isize) {
 pub(super) fn pace(state: &mut State, by: isize) {
     state.pace = state.pace.saturating_add_signed(by).min(PACES.len() - 1);
     let pace = f64::from(PACES[state.pace]) / f64::from(FRAMES);
-    let text = format!("{} positions a second", pace * f64::from(state.look.fps));
-    state.say(Role::Plain, text);
+    state.say(Role::Plain, text!("say-pace", pace = number(pace * f64::from(state.look.fps))));
 }
 
 /// Shows the structure with one group more; after the last one, from the input link on.
@@ -114,7 +116,7 @@ pub(super) fn nearest(state: &mut State) {
     let least = state.scene.as_ref().and_then(|scene| scene.least_health(state.chosen.group));
     match least {
         Some((_, at)) => state.go_to(at),
-        None => state.say(Role::Plain, "this group is placed in no position"),
+        None => state.say(Role::Plain, text!("say-group-nowhere")),
     }
 }
 
@@ -122,7 +124,7 @@ pub(super) fn nearest(state: &mut State) {
 pub(super) fn worst(state: &mut State) {
     match state.found().and_then(|found| found.analysis.checks.get(state.chosen.check)?.at) {
         Some(at) => state.go_to(at),
-        None => state.say(Role::Plain, "this check belongs to no position"),
+        None => state.say(Role::Plain, text!("say-check-nowhere")),
     }
 }
 
@@ -172,7 +174,7 @@ pub(super) fn difference(state: &mut State) {
 /// The next theme.
 pub(super) fn theme(state: &mut State) {
     state.look.theme = next_kind(state.look.theme);
-    state.say(Role::Plain, <&str>::from(state.look.theme));
+    state.say(Role::Plain, name(<&str>::from(state.look.theme)));
 }
 
 /// Drawings as pixels, or as characters again; the terminal is asked anew.
@@ -203,7 +205,7 @@ pub(super) fn reload(state: &mut State) {
             jobs::ask(state, Purpose::Main);
         }
         Source::File(_) => state.wishes.push(Wish::Work(Job::Read(Wanted::Open(scene.source.clone())))),
-        Source::Shipped(_) => state.say(Role::Plain, "a shipped scene has no file to read again"),
+        Source::Shipped(_) => state.say(Role::Plain, text!("say-no-file")),
     }
 }
 
@@ -211,7 +213,7 @@ pub(super) fn reload(state: &mut State) {
 pub(super) fn close(state: &mut State) {
     state.message = None;
     if state.question.take().is_some() {
-        return state.say(Role::Plain, "no file was written");
+        return state.say(Role::Plain, text!("say-nothing-written"));
     }
     if state.prompt.take().is_some() || state.help.take().is_some() {
         return;

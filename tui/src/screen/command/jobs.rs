@@ -1,5 +1,7 @@
 //! Calculations by the worker: requested and stopped.
 
+use assur_words::{Text, name, text};
+
 use crate::screen::state::{Cancel, Job, Purpose, Request, Role, Running, Scene, State, Wish};
 
 /// Requests a calculation of the open scene by the chosen analyzer and integrator.
@@ -10,7 +12,7 @@ pub(crate) fn ask(state: &mut State, purpose: Purpose) {
     stop_running(state, |old| old == purpose || (purpose == Purpose::Main && old == Purpose::Difference));
     state.asked += 1;
     let (number, cancel) = (state.asked, Cancel::default());
-    state.running.push(Running { number, purpose, count: String::new(), cancel: cancel.clone() });
+    state.running.push(Running { number, purpose, count: Text::default(), cancel: cancel.clone() });
     let (analyzer, integrator) = (state.analyzer.clone(), state.integrator.clone());
     let request = Request { number, purpose, linkage, analyzer, integrator, cancel };
     state.wishes.push(Wish::Work(Job::Calculate(request)));
@@ -31,7 +33,7 @@ pub(super) fn stop(state: &mut State) {
         return;
     }
     stop_running(state, |purpose| purpose != Purpose::Measurement);
-    let stopped = format!("stopped; {} calculates again", state.keys.first("reload"));
+    let stopped = text!("say-stopped", key = name(state.keys.first("reload")));
     if let Some(scene) = &mut state.scene {
         match &scene.found {
             Some(found) => state.analyzer = Some(found.analyzer.clone()).filter(|name| !name.is_empty()),

@@ -1,6 +1,7 @@
 //! The commands of the `:` line and of the `/` line.
 
 use assur_fixtures::SCENES;
+use assur_words::{self as words, Text, text};
 
 use super::{motors, picker, report, whatif, write};
 use crate::screen::state::{
@@ -14,7 +15,7 @@ const FAR: usize = 3;
 const LETTERS: usize = 3;
 
 /// Words of the line that take a value, and their values.
-fn words(state: &State) -> Vec<(String, Vec<String>)> {
+fn takers(state: &State) -> Vec<(String, Vec<String>)> {
     let of_scene = |kind: &str| {
         let owner = |scene: &Scene| -> Vec<String> {
             let owners = scene.transfers.iter().map(|transfer| scene.owner(&transfer.owner));
@@ -45,13 +46,13 @@ fn words(state: &State) -> Vec<(String, Vec<String>)> {
 
 /// The values that a word takes; `None` if there is no such word.
 fn values_of(state: &State, word: &str) -> Option<Vec<String>> {
-    words(state).into_iter().find(|(known, _)| *known == word).map(|(_, values)| values)
+    takers(state).into_iter().find(|(known, _)| *known == word).map(|(_, values)| values)
 }
 
 /// Complete lines that the typed text may become.
 pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     let mut all: Vec<String> = state.commands.iter().map(|command| command.name.to_owned()).collect();
-    for (word, values) in words(state) {
+    for (word, values) in takers(state) {
         all.extend(values.iter().map(|value| format!("{word} {value}")));
     }
     all.retain(|line| line.starts_with(typed));
@@ -92,8 +93,8 @@ pub(super) fn run(state: &mut State, line: &str) {
         (name, "") => match state.named(name) {
             Some(command) if state.takes(command) => (command.run)(state),
             Some(command) => {
-                let place = where_it_works(state, command);
-                state.say(Role::Bad, format!("`{name}` has no meaning here{place}"));
+                let (place, command) = (where_it_works(state, command), words::name(command.name));
+                state.say(Role::Bad, text!("say-no-meaning", command = command, views = place));
             }
             _ => unknown(state, name),
         },
@@ -104,12 +105,9 @@ pub(super) fn run(state: &mut State, line: &str) {
 /// Reads a second scene, a file or a shipped one, or ends the comparison.
 fn compare(state: &mut State, file: &str) {
     match file {
-        "" => {
-            let text = "`:compare FILE` wants a scene file or the name of a shipped one; `off` ends it";
-            state.say(Role::Bad, text);
-        }
+        "" => state.say(Role::Bad, text!("say-compare")),
         "off" => state.compared = None,
-        _ if state.scene.is_none() => state.say(Role::Bad, "there is no open scene to compare with"),
+        _ if state.scene.is_none() => state.say(Role::Bad, text!("say-nothing-to-compare")),
         _ => state.wishes.push(Wish::Work(Job::Read(Wanted::Compare(source(file))))),
     }
 }
@@ -126,28 +124,30 @@ fn source(file: &str) -> Source {
 
 fn unknown(state: &mut State, name: &str) {
     let offer = suggestion(name, &completions(state, ""));
-    state.say(Role::Bad, format!("there is no command `{name}`{offer}"));
+    state.say(Role::Bad, text!("say-no-command", command = words::name(name.to_owned()), offer = offer));
 }
 
 fn unknown_name(state: &mut State, word: &str, name: &str) {
     let offer = suggestion(name, &values_of(state, word).unwrap_or_default());
-    state.say(Role::Bad, format!("there is no `{word} {name}` here{offer}"));
+    state.say(Role::Bad, text!("say-no-such", words = words::name(format!("{word} {name}")), offer = offer));
 }
 
 /// `; did you mean ...?` or nothing; in a short word only few letters may be wrong.
-fn suggestion(name: &str, known: &[String]) -> String {
+fn suggestion(name: &str, known: &[String]) -> Text {
     let far = (name.chars().count() / LETTERS).clamp(1, FAR);
     let near = known.iter().map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate)).min();
     match near {
-        Some((distance, candidate)) if distance <= far => format!("; did you mean `{candidate}`?"),
-        _ => String::new(),
+        Some((distance, candidate)) if distance <= far => {
+            text!("say-offer", offer = words::name(candidate.clone()))
+        }
+        _ => Text::default(),
     }
 }
 
 fn view(state: &mut State, name: &str) {
     match state.named(name).filter(|command| command.group == Group::Views) {
         Some(command) if state.scene.is_some() => (command.run)(state),
-        Some(_) => state.say(Role::Bad, "no scene is open; Enter opens the chosen one"),
+        Some(_) => state.say(Role::Bad, text!("say-no-scene")),
         None => unknown_name(state, "view", name),
     }
 }
@@ -185,7 +185,9 @@ fn set(state: &mut State, rest: &str) {
         state.pictures = Pictures::Unknown;
     }
     if setting.take(&mut state.look, value).is_none() {
-        state.say(Role::Bad, format!("`{}` takes {}, not `{value}`", setting.name, setting.kind.told()));
+        let (own, value) = (words::name(setting.name), words::name(value.to_owned()));
+        let allowed = setting.kind.told();
+        state.say(Role::Bad, text!("say-setting", setting = own, allowed = allowed, value = value));
     }
 }
 
@@ -231,11 +233,13 @@ pub(crate) fn search(state: &mut State, text: &str) {
     let Some(scene) = &state.scene else { return };
     let count = scene.column_count();
     let fits = |column: &usize| {
-        let names = scene.column(*column).map(|series| [&series.of, &series.short]);
-        names.is_some_and(|names| names.iter().any(|name| name.to_lowercase().contains(&wanted)))
+        scene.column(*column).is_some_and(|series| {
+            let names = [state.told(&series.of), state.told(&series.head), series.short.clone()];
+            names.iter().any(|name| name.to_lowercase().contains(&wanted))
+        })
     };
     let Some(column) = (1..=count).map(|step| (state.chosen.column + step) % count).find(fits) else {
-        return state.say(Role::Bad, format!("`{text}` was not found"));
+        return state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned())));
     };
     let transfer = scene.transfers.iter().position(|transfer| transfer.orders.contains(&column));
     let short = scene.column(column).map(|series| series.short.clone());

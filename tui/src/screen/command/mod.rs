@@ -16,6 +16,7 @@ pub(crate) use line::search;
 pub(crate) use reports::take;
 pub(crate) use table::COMMANDS;
 
+use assur_words::{number, text};
 use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKind};
 
 #[cfg(test)]
@@ -80,7 +81,7 @@ pub(crate) fn press(state: &mut State, event: KeyEvent) {
 pub(crate) fn prepare(state: &mut State) {
     picker::preview(state);
     if state.entry().is_some_and(Entry::is_cut) {
-        state.say(Role::Bad, format!("no more than {LONGEST} bytes are taken; the rest was left out"));
+        state.say(Role::Bad, text!("say-too-long", most = number(LONGEST)));
     }
 }
 

@@ -3,6 +3,7 @@
 use assur_mechanism::Torque;
 use assur_motor::{Candidate, MotorFilter, SelectionRequest, catalogues, list_motors, rpm, select};
 use assur_scene::{Dimension, edit, quantity};
+use assur_words::{self as words, Text, name, number, text};
 
 use super::whatif;
 use crate::number::digits;
@@ -25,12 +26,13 @@ pub(super) fn list(state: &mut State) {
 
 /// `motors POWER, SPEED` of the `:` line: lists the motors of at least this power and at most this speed.
 pub(super) fn limits(state: &mut State, rest: &str) {
-    let read = |text: &str, dimension| quantity(text.trim(), dimension).map_err(|error| error.to_string());
+    let read =
+        |text: &str, dimension| quantity(text.trim(), dimension).map_err(|error| name(error.to_string()));
     let limits = match rest.split_once(',') {
         Some((power, speed)) => {
             read(power, Dimension::Power).and_then(|power| Ok([power, read(speed, Dimension::AngularSpeed)?]))
         }
-        None => Err("`:motors` wants a power and a speed, such as :motors 1.5 kW, 1500 rpm".to_owned()),
+        None => Err(text!("say-motors")),
     };
     match limits {
         Ok(limits) => {
@@ -42,14 +44,14 @@ pub(super) fn limits(state: &mut State, rest: &str) {
 }
 
 /// The motors that fit the drive of the scene under a heading that says what is asked of them; or why there are none.
-fn suitable(state: &State) -> Result<(String, Vec<Choice>), String> {
+fn suitable(state: &State) -> Result<(Text, Vec<Choice>), Text> {
     let drive = state.scene.as_ref().and_then(|scene| scene.linkage.mechanism.drive.as_ref());
     let Some(Torque::Motor { catalogue, max_speed, characteristic, .. }) = drive.map(|drive| &drive.torque)
     else {
-        return Err("the scene has no drive with a motor: add motor = \"auto\" to [drive]".to_owned());
+        return Err(text!("say-no-motor-drive"));
     };
     let dynamics = state.found().and_then(|found| found.analysis.dynamics.as_ref());
-    let dynamics = dynamics.ok_or("no regime is found, so the needed power is not known")?;
+    let dynamics = dynamics.ok_or_else(|| text!("say-no-regime"))?;
     let (required_power, max_motor_speed) = match state.motor_limits {
         Some([power, speed]) => (power, Some(speed)),
         None => (dynamics.figures.required_power, *max_speed),
@@ -61,23 +63,27 @@ fn suitable(state: &State) -> Result<(String, Vec<Choice>), String> {
         characteristic: *characteristic,
     };
     let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
-    let all = catalogues().and_then(|all| list_motors(&all, &filter)).map_err(|error| error.to_string())?;
-    let found = select(all, &request).map_err(|error| error.to_string())?;
+    let all =
+        catalogues().and_then(|all| list_motors(&all, &filter)).map_err(|error| name(error.to_string()))?;
+    let found = select(all, &request).map_err(|error| name(error.to_string()))?;
     // The load on the shaft of another motor, with the ratio that this one needs.
     let work = dynamics.motor.as_ref().map(|motor| &motor.work);
     let load = work.map(|work| work.starting_load * dynamics.figures.ratio.unwrap_or(1.0));
-    let rows = std::iter::once(&found.chosen).chain(&found.runners_up).map(|candidate| row(candidate, load));
-    let limit = max_motor_speed.map_or_else(String::new, |speed| format!(", at most {:.0} rpm", rpm(speed)));
-    let power = digits(required_power / 1e3, 4);
-    let columns = "kW, rpm, ratio, breakdown torque / load at rest, kg";
-    let heading = format!("Motors of at least {power} kW{limit}: {columns}");
+    let rows =
+        std::iter::once(&found.chosen).chain(&found.runners_up).map(|candidate| row(state, candidate, load));
+    let limit = max_motor_speed.map_or_else(Text::default, |speed| {
+        text!("picker-motors-limit", speed = words::quantity(format_args!("{:.0}", rpm(speed)), "rpm"))
+    });
+    let power = words::quantity(digits(required_power / 1e3, 4), "kW");
+    let heading = text!("picker-motors", power = power, limit = limit);
     Ok((heading, rows.collect()))
 }
 
 /// A row of the list; `load`: greatest torque of the load at rest, reduced to the input, N m.
-fn row(candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
+fn row(state: &State, candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
     let motor = candidate.motor;
-    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| digits(value, 4));
+    let told = |value: f64| state.told(number(digits(value, 4)));
+    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), told);
     let torque = motor.max_torque_ratio.map(|ratio| ratio * motor.rated_power / motor.rated_speed);
     let reserve = torque.zip(load).filter(|(_, load)| *load > 0.0);
     let reserve = or_dash(reserve.map(|(torque, load)| torque * candidate.ratio / load));
@@ -85,9 +91,9 @@ fn row(candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
         "{:<21} {:<12}{:>7}{:>7.0}{:>8}{:>8}{:>8}",
         motor.designation,
         motor.catalogue,
-        digits(motor.rated_power / 1e3, 4),
+        told(motor.rated_power / 1e3),
         rpm(motor.rated_speed),
-        digits(candidate.ratio, 4),
+        told(candidate.ratio),
         reserve,
         or_dash(motor.mass),
     );
@@ -99,7 +105,7 @@ pub(super) fn take(state: &mut State, designation: &str) {
     if let Some(index) = state.what_if.values.iter().position(|value| value.key == KEY) {
         whatif::put(state, index, edit::quoted(designation));
     } else {
-        let text = format!("the scene gives data of its motor: write {KEY} = \"{designation}\" instead");
-        state.say(Role::Bad, text);
+        let motor = name(designation.to_owned());
+        state.say(Role::Bad, text!("say-motor-by-data", key = name(KEY), motor = motor));
     }
 }

@@ -1,6 +1,7 @@
 //! Lists to choose from: opened, searched, taken.
 
 use assur_fixtures::SCENES;
+use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
 use super::{motors, whatif};
@@ -12,10 +13,10 @@ const PAGE: isize = 10;
 /// Opens the list of the shipped scenes.
 pub(crate) fn scenes(state: &mut State) {
     state.playing = false;
-    let row = |(name, _): &(&str, &str)| Choice { name: (*name).to_owned(), text: format!("{name}.toml") };
+    let row = |(scene, _): &(&str, &str)| Choice { name: (*scene).to_owned(), text: format!("{scene}.toml") };
     let rows = SCENES.iter().map(row).collect();
     let line = state.keys.first("command");
-    let heading = format!("Shipped scenes: type to search, {line}open FILE for a file of your own");
+    let heading = text!("picker-scenes", line = name(line));
     state.picker = Some(Picker::new(PickerKind::Scenes, heading, rows));
 }
 
@@ -26,8 +27,9 @@ pub(super) fn pick(state: &mut State) {
     }
     let Some(scene) = &state.scene else { return };
     let all = (1..scene.column_count()).filter_map(|index| scene.column(index));
-    let rows = all.map(|series| Choice { name: series.short.clone(), text: series.title() }).collect();
-    let heading = "Quantities for the chart: type to search, Tab marks several".to_owned();
+    let rows =
+        all.map(|series| Choice { name: series.short.clone(), text: state.told(series.title()) }).collect();
+    let heading = text!("picker-quantities");
     let mut picker = Picker::new(PickerKind::Quantities, heading, rows);
     picker.filter.typing = true;
     state.picker = Some(picker);

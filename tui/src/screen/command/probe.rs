@@ -1,5 +1,6 @@
 //! Commands of the point that is moved over the drawing.
 
+use assur_words::text;
 use ratatui::layout::Rect;
 
 use crate::screen::state::{Probe, Role, State, round};
@@ -23,7 +24,7 @@ pub(super) fn shift(state: &mut State, axis: usize, sense: f64) {
     let part = state.part_way();
     let (Some(scene), Some(probe)) = (&state.scene, &mut state.probe) else { return };
     let Some(pose) = scene.pose(state.position, part) else {
-        return state.say(Role::Bad, "there is no assembly in this position");
+        return state.say(Role::Bad, text!("say-no-pose"));
     };
     let [width, height] = scene.outline.bounds.size();
     let mut place = pose.bodies[probe.link].point(probe.at);

@@ -1,5 +1,7 @@
 //! Commands of the views that show a long text: the report on the methods, and the working of the position.
 
+use assur_words::text;
+
 use super::jobs;
 use crate::screen::state::{Purpose, Role, State};
 use crate::screen::view::report as view;
@@ -17,7 +19,7 @@ pub(super) fn measure(state: &mut State) {
 pub(super) fn stop(state: &mut State) {
     if let Some(running) = state.measuring() {
         running.cancel.stop();
-        state.say(Role::Plain, "stopping ...");
+        state.say(Role::Plain, text!("say-stopping"));
     }
 }
 

@@ -1,13 +1,12 @@
 //! Receives the reports of the worker.
 
 use assur_analysis::results::Checks;
+use assur_words::{self as words, Text, number, text};
 
 use super::{jobs, whatif};
 use crate::screen::state::{
     Chosen, Compared, Found, OutputFile, Purpose, Report, Role, Scene, State, View, Wanted, Wish, Zoom,
 };
-
-const FAULT: &str = "The scene could not be read; the old result is still shown. Press any key.";
 
 /// Takes a report of the worker; returns whether the frame may differ.
 pub(crate) fn take(state: &mut State, report: Report) -> bool {
@@ -22,7 +21,7 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
     match (report, running) {
         (Report::Read(Wanted::Change(change), scene), _) => return whatif::take(state, &change, scene),
         (Report::Read(Wanted::Preview(index), preview), _) => drop(state.previews.insert(index, preview)),
-        (Report::Read(_, Err(text)), _) => state.fault = Some((FAULT, text)),
+        (Report::Read(_, Err(text)), _) => state.fault = Some((text!("say-read-fault"), text)),
         (Report::Read(Wanted::Open(_), Ok(scene)), _) => open(state, *scene),
         (Report::Read(Wanted::Compare(_), Ok(scene)), _) => take_compared(state, scene),
         (Report::Noted(path, Ok(note)), _) => {
@@ -30,7 +29,7 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
             let file = OutputFile { path, content, numbers: None, overwrite: false, scene: false };
             state.wishes.push(Wish::Write(file));
         }
-        (Report::Noted(_, Err(text)), _) => state.say(Role::Bad, format!("no note: {text}")),
+        (Report::Noted(_, Err(text)), _) => state.say(Role::Bad, text!("say-no-note", reason = text)),
         (Report::Counted { count, .. }, Some(index)) => state.running[index].count = count,
         (Report::Analyzed { found, .. }, Some(index)) => take_found(state, index, found),
         (Report::Checked { checks, .. }, Some(index)) => take_checks(state, index, checks),
@@ -38,7 +37,7 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
             state.running.remove(index);
             match measured {
                 Ok(measured) => (state.measured, state.chosen.line) = (Some(measured), 0),
-                Err(text) => state.say(Role::Bad, format!("no analysis: {text}")),
+                Err(text) => state.say(Role::Bad, text!("no-analysis", reason = text)),
             }
         }
         // This report is no longer needed.
@@ -47,7 +46,7 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
     true
 }
 
-fn take_found(state: &mut State, index: usize, found: Result<Box<Found>, String>) {
+fn take_found(state: &mut State, index: usize, found: Result<Box<Found>, Text>) {
     let purpose = state.running[index].purpose;
     // After the main results their checks continue.
     if purpose == Purpose::Difference || found.is_err() {
@@ -59,7 +58,7 @@ fn take_found(state: &mut State, index: usize, found: Result<Box<Found>, String>
         Ok(found) => (scene.found, scene.fault) = (Some(found), None),
         Err(text) => {
             scene.fault.get_or_insert_with(|| text.clone());
-            state.say(Role::Bad, format!("no analysis: {text}"));
+            state.say(Role::Bad, text!("no-analysis", reason = text));
         }
     }
 }
@@ -79,13 +78,11 @@ fn take_compared(state: &mut State, other: Box<Scene>) {
         if name == scene.source.short_name() {
             name = other.source.name();
         }
-        state.compared = Some(Compared { name, scene: other, before: false });
+        state.compared = Some(Compared { name: words::name(name), scene: other, before: false });
     } else {
         let (other, own) = (other.positions(), scene.positions());
-        let text = format!(
-            "{name} has {other} positions, not {own}: only scenes of the same positions are compared"
-        );
-        state.say(Role::Bad, text);
+        let (scene, other, own) = (words::name(name), number(other), number(own));
+        state.say(Role::Bad, text!("say-other-positions", scene = scene, other = other, own = own));
     }
 }
 

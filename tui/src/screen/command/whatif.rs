@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use assur_words::{Text, name, text};
+
 use super::jobs;
 use super::write::home;
 use crate::screen::state::{
@@ -26,9 +28,8 @@ pub(super) fn shift(state: &mut State, sense: f64) {
     if let Some(toml) = value.moved(what.now(what.chosen), sense * what.per_cent()) {
         put(state, state.what_if.chosen, toml);
     } else {
-        let exact = state.keys.first("exact-value");
-        let text = format!("`{}` has no per cent: {exact} takes an exact value", value.key);
-        state.say(Role::Bad, text);
+        let (key, exact) = (name(value.key.clone()), name(state.keys.first("exact-value")));
+        state.say(Role::Bad, text!("say-no-per-cent", key = key, exact = exact));
     }
 }
 
@@ -46,7 +47,7 @@ pub(super) fn undo(state: &mut State) {
             state.what_if.set(index, before);
             ask(state);
         }
-        None => state.say(Role::Plain, "there is no change to take back"),
+        None => state.say(Role::Plain, text!("say-no-change")),
     }
 }
 
@@ -71,7 +72,7 @@ fn ask(state: &mut State) {
 }
 
 /// Takes a changed scene, or the reason why it can't be read; returns whether the frame may differ.
-pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>, String>) -> bool {
+pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>, Text>) -> bool {
     let what = &mut state.what_if;
     if change.opening != what.opening {
         return false;
@@ -85,8 +86,7 @@ pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>,
         }
         Err(text) if !late => {
             what.reading = Reading::Refused;
-            let title = "The change gives no valid scene; the old result is still shown. Undo it, or change it again.";
-            state.fault = Some((title, text));
+            state.fault = Some((text!("say-change-fault"), text));
         }
         Err(_) => {}
     }
@@ -107,7 +107,7 @@ fn show(state: &mut State, scene: Scene) {
     if !same || state.what_if.shown.is_empty() {
         state.compared.take_if(|compared| compared.before || !same);
     } else if state.compared.is_none() {
-        let compared = |old| Compared { name: "before".to_owned(), scene: Box::new(old), before: true };
+        let compared = |old| Compared { name: text!("say-before"), scene: Box::new(old), before: true };
         state.compared = old.map(compared);
     }
     if let Some(other) = state.what_if.compared.clone() {
@@ -124,8 +124,8 @@ pub(super) fn reloaded(state: &mut State, scene: &Scene, again: bool) {
     state.what_if = state.what_if.next(scene, again);
     if again {
         let text = match dropped {
-            0 => "the scene was read again".to_owned(),
-            _ => format!("the scene was read again as the file has it; changes dropped: {dropped}"),
+            0 => text!("say-reread"),
+            _ => text!("say-reread-dropped", count = dropped),
         };
         state.say(Role::Good, text);
     }
@@ -149,8 +149,8 @@ pub(super) fn set(state: &mut State, rest: &str) -> bool {
     let found = values.into_iter().find_map(|(index, value)| Some((index, value, typed(&value.key)?)));
     let Some((index, value, typed)) = found else { return false };
     if typed.is_empty() {
-        let text = format!("{} is {}", value.key, state.what_if.shown(index));
-        state.say(Role::Plain, text);
+        let (key, value) = (name(value.key.clone()), name(state.what_if.shown(index)));
+        state.say(Role::Plain, text!("say-value-is", key = key, value = value));
     } else {
         let toml = value.typed(typed);
         put(state, index, toml);
@@ -165,7 +165,7 @@ pub(super) fn search(state: &mut State, text: &str) {
     let fits = |index: &usize| what.values[*index].key.to_lowercase().contains(&wanted);
     match (1..=count).map(|step| (what.chosen + step) % count).find(fits) {
         Some(index) => what.chosen = index,
-        None => state.say(Role::Bad, format!("`{text}` was not found")),
+        None => state.say(Role::Bad, text!("say-not-found", text = name(text.to_owned()))),
     }
 }
 
@@ -177,16 +177,16 @@ pub(super) fn save(state: &mut State) {
 }
 
 /// `save FILE` of the `:` line: writes the scene with the changes.
-pub(super) fn save_line(state: &mut State, name: &str) {
-    if name.is_empty() {
+pub(super) fn save_line(state: &mut State, file: &str) {
+    if file.is_empty() {
         return save(state);
     }
     if state.what_if.reading != Reading::Done {
-        let undo = state.keys.first("undo");
-        return state.say(Role::Bad, format!("a change was not taken: {undo} takes it back, then save"));
+        let undo = name(state.keys.first("undo"));
+        return state.say(Role::Bad, text!("say-change-not-taken", undo = undo));
     }
     let content = state.what_if.changed_text().into_bytes();
-    let file = OutputFile { path: home(name), content, numbers: None, overwrite: false, scene: true };
+    let file = OutputFile { path: home(file), content, numbers: None, overwrite: false, scene: true };
     state.wishes.push(Wish::Write(file));
 }
 
@@ -195,8 +195,8 @@ pub(super) fn quit(state: &mut State) {
     if may_drop(state) {
         state.wishes.push(Wish::Quit);
     } else {
-        let [save, quit] = ["save", "quit"].map(|command| state.keys.first(command));
-        state.say(Role::Bad, format!("changes are not saved: {save} saves them, {quit} once more leaves"));
+        let [save, quit] = ["save", "quit"].map(|command| name(state.keys.first(command)));
+        state.say(Role::Bad, text!("say-unsaved-quit", save = save, quit = quit));
     }
 }
 
@@ -205,9 +205,8 @@ pub(super) fn open(state: &mut State, source: Source) {
     if may_drop(state) {
         state.wishes.push(Wish::Work(Job::Read(Wanted::Open(source))));
     } else {
-        let save = state.keys.first("save");
-        let text = format!("changes are not saved: {save} saves them, the same once more drops them");
-        state.say(Role::Bad, text);
+        let save = name(state.keys.first("save"));
+        state.say(Role::Bad, text!("say-unsaved-open", save = save));
     }
 }
 

@@ -1,11 +1,12 @@
 //! Writing what is shown to files: the picture, and the numbers behind it.
 
-use std::error::Error;
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use assur_analysis::results::Check;
 use assur_figure::{Figure, Frame, Item, png, svg};
 use assur_report::csv::{self, Cell};
+use assur_words::{Describe, Language, Text, name, text};
 use crossterm::event::KeyCode;
 
 use crate::files;
@@ -21,11 +22,11 @@ const TEXT: u16 = 100;
 /// Writes the picture of the view with its numbers, or the numbers alone, to a name that says what they are.
 pub(super) fn write(state: &mut State) {
     let Some(scene) = &state.scene else {
-        return state.say(Role::Plain, "this view has nothing to write");
+        return state.say(Role::Plain, text!("say-nothing-to-write"));
     };
     let stem = scene.source.stem();
     let of = match (state.view, scene.transfers.get(state.chosen.transfer)) {
-        (View::Curves, Some(transfer)) => transfer.name.clone(),
+        (View::Curves, Some(transfer)) => transfer.name.to_string(),
         (view, _) => view.command().to_owned(),
     };
     let of: String = of.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
@@ -40,7 +41,7 @@ pub(super) fn write(state: &mut State) {
 /// Writes the view to a file, in the form that its ending names.
 pub(super) fn write_to(state: &mut State, path: PathBuf) {
     let Some(scene) = &state.scene else {
-        return state.say(Role::Plain, "this view has nothing to write");
+        return state.say(Role::Plain, text!("say-nothing-to-write"));
     };
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     let figure = view::figure(state, state.view);
@@ -51,9 +52,10 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
             Ok(((lines.join("\n") + "\n").into_bytes(), None))
         }
         (_, "csv") => numbers.map(|numbers| (numbers, None)),
-        (None, _) => Err("this view has no picture; name a file that ends in .csv".into()),
+        (None, _) => Err(text!("say-no-picture")),
         (Some(figure), _) => {
-            picture(figure, &path, PAGE).and_then(|picture| numbers.map(|numbers| (picture, Some(numbers))))
+            let picture = picture(figure, &path, PAGE, state.language());
+            picture.and_then(|picture| numbers.map(|numbers| (picture, Some(numbers))))
         }
     };
     match content {
@@ -61,21 +63,21 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
             let file = OutputFile { path, content, numbers, overwrite: false, scene: false };
             state.wishes.push(Wish::Write(file));
         }
-        Err(error) => state.say(Role::Bad, error.to_string()),
+        Err(error) => state.say(Role::Bad, error),
     }
 }
 
 /// Writes the explanatory note of the scene with its present numbers to a name of its own.
 pub(super) fn note(state: &mut State) {
     let (Some(scene), Some(write)) = (&state.scene, state.note) else {
-        return state.say(Role::Plain, "there is no scene to write a note of");
+        return state.say(Role::Plain, text!("say-no-scene-for-note"));
     };
-    let (name, stem) = (scene.source.name(), scene.source.stem());
+    let (file, stem) = (scene.source.name(), scene.source.stem());
     let path = PathBuf::from(format!("{stem}-note.html"));
     let methods = [state.analyzer.clone(), state.integrator.clone()];
     let text = state.what_if.changed_text();
-    state.wishes.push(Wish::Work(Job::Note { write, name, text, methods, path }));
-    state.say(Role::Plain, "the note is being written ...");
+    state.wishes.push(Wish::Work(Job::Note { write, name: file, text, methods, path }));
+    state.say(Role::Plain, text!("say-note-written"));
 }
 
 /// A figure in the form that the ending of a file names.
@@ -83,18 +85,21 @@ pub(super) fn note(state: &mut State) {
 /// # Errors
 ///
 /// Another ending than `svg` and `png`, or a page that can't be painted.
-pub(crate) fn picture(figure: &Figure, path: &Path, size: [f64; 2]) -> Result<Vec<u8>, Box<dyn Error>> {
+pub(crate) fn picture(
+    figure: &Figure,
+    path: &Path,
+    size: [f64; 2],
+    language: &Language,
+) -> Result<Vec<u8>, Text> {
     match path.extension().unwrap_or_default().to_string_lossy().to_lowercase().as_str() {
-        "svg" => Ok(svg::write(figure, size).into_bytes()),
-        "png" => Ok(png::write(figure, size)?),
-        _ => {
-            Err(format!("`{}` must end in .svg or .png: the ending chooses the form", path.display()).into())
-        }
+        "svg" => Ok(svg::write(figure, size, language).into_bytes()),
+        "png" => png::write(figure, size, language).map_err(|error| error.describe()),
+        _ => Err(text!("say-picture-ending", file = name(path.display().to_string()))),
     }
 }
 
 /// The numbers of the view: the quantities over the positions, or of another figure its points.
-fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<u8>, Box<dyn Error>> {
+fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<u8>, Text> {
     let beyond = |index: &usize| index + scene.series.len();
     match (state.view, scene.transfers.get(state.chosen.transfer), state.found()) {
         (View::Mechanism | View::Structure, ..) => table(scene, 0..scene.series.len()),
@@ -108,13 +113,13 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
         },
         (View::Checks, _, Some(found)) => {
             let header = ["check", "residual", "limit", "where", "position", "ok"];
-            Ok(csv::write(&header, found.analysis.checks.iter().map(row), false)?.into_bytes())
+            bytes(csv::write(&header, found.analysis.checks.iter().map(row), false))
         }
-        (View::Working, ..) => Err("the working is a text; name a file that ends in .txt".into()),
+        (View::Working, ..) => Err(text!("say-working-is-text")),
         (View::Accuracy, ..) => match state.measured.as_ref().map(|measured| &measured.chart) {
-            Some(Ok(data)) => Ok(assur_study::chart::csv(data)?.into_bytes()),
-            Some(Err(error)) => Err(error.clone().into()),
-            None => Err("nothing is measured yet".into()),
+            Some(Ok(data)) => bytes(assur_study::chart::csv(data)),
+            Some(Err(error)) => Err(name(error.clone())),
+            None => Err(text!("say-nothing-measured")),
         },
         (View::Plans | View::Motion | View::Drive, ..) if figure.is_some() => {
             points(figure.map_or(&[][..], |figure| &figure.panels))
@@ -127,47 +132,52 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
 fn row(check: &Check) -> [Cell<'_>; 6] {
     let ok = check.verdict().map_or(Cell::Empty, |ok| Cell::Text(if ok { "true" } else { "false" }));
     let at = check.at.map_or(Cell::Empty, |at| Cell::Number(at as f64));
-    let [residual, limit] = [check.residual, check.limit].map(number);
+    let [residual, limit] = [check.residual, check.limit].map(finite);
     [Cell::Text(check.name), residual, limit, Cell::Text(&check.place), at, ok]
 }
 
 /// A number; an empty cell where it is not determined.
-fn number(value: f64) -> Cell<'static> {
+fn finite(value: f64) -> Cell<'static> {
     if value.is_finite() { Cell::Number(value) } else { Cell::Empty }
 }
 
+/// A text as the bytes of a file.
+fn bytes(written: Result<String, impl Display>) -> Result<Vec<u8>, Text> {
+    written.map(String::into_bytes).map_err(|error| name(error.to_string()))
+}
+
 /// The points of every line and arrow of panels, a row each.
-fn points(panels: &[assur_figure::Panel]) -> Result<Vec<u8>, Box<dyn Error>> {
+fn points(panels: &[assur_figure::Panel]) -> Result<Vec<u8>, Text> {
     let mut rows = Vec::new();
     for (index, panel) in panels.iter().enumerate() {
         let axes = match &panel.frame {
             Frame::Plane { unit, .. } => unit.clone(),
             Frame::Axes { x, y, .. } => format!("{}; {}", x.label, y.label),
         };
-        let name = if panel.title.is_empty() { index.to_string() } else { panel.title.clone() };
+        let title = if panel.title.is_empty() { index.to_string() } else { panel.title.to_string() };
         let lines = panel.items.iter().filter(|item| matches!(item, Item::Line { .. } | Item::Arrow { .. }));
         for (line, item) in lines.enumerate() {
             for at in item.points().iter().filter(|at| at[0].is_finite() && at[1].is_finite()) {
-                rows.push((name.clone(), axes.clone(), line, *at));
+                rows.push((title.clone(), axes.clone(), line, *at));
             }
         }
     }
-    let rows = rows.iter().map(|(name, axes, line, [x, y])| {
-        [Cell::Text(name), Cell::Text(axes), number(*line as f64), number(*x), number(*y)]
+    let rows = rows.iter().map(|(title, axes, line, [x, y])| {
+        [Cell::Text(title), Cell::Text(axes), finite(*line as f64), finite(*x), finite(*y)]
     });
-    Ok(csv::write(&["panel", "axes", "line", "x", "y"], rows, false)?.into_bytes())
+    bytes(csv::write(&["panel", "axes", "line", "x", "y"], rows, false))
 }
 
 /// The position and these columns as CSV, each column with its unit in the name; a missing number is an empty field.
-fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<Vec<u8>, Box<dyn Error>> {
+fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<Vec<u8>, Text> {
     let columns: Vec<_> = columns.filter_map(|column| scene.column(column)).collect();
     let names = columns.iter().map(|series| format!("{}_{}", series.short, series.unit));
     let header: Vec<String> = std::iter::once("position".to_owned()).chain(names).collect();
     let row = |position: usize| {
-        let values = columns.iter().map(move |series| number(series.at(position)));
+        let values = columns.iter().map(move |series| finite(series.at(position)));
         std::iter::once(Cell::Number(position as f64)).chain(values)
     };
-    Ok(csv::write(&header, (0..scene.positions()).map(row), false)?.into_bytes())
+    bytes(csv::write(&header, (0..scene.positions()).map(row), false))
 }
 
 /// Writes a file and the numbers beside it, or asks if one exists already.
@@ -184,10 +194,10 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
             if file.scene {
                 state.what_if.keep_saved();
             }
-            let beside = if file.numbers.is_some() { " and .csv" } else { "" };
-            state.say(Role::Good, format!("written: {}{beside}", path.display()));
+            let told = if file.numbers.is_some() { "say-written-both" } else { "say-written" };
+            state.say(Role::Good, text!(told, file = name(path.display().to_string())));
         }
-        Err(error) => state.say(Role::Bad, error.to_string()),
+        Err(error) => state.say(Role::Bad, error.describe()),
     }
 }
 
@@ -197,7 +207,7 @@ pub(super) fn answer(state: &mut State, file: OutputFile, key: Key) {
         state.message = None;
         state.wishes.push(Wish::Write(OutputFile { overwrite: true, ..file }));
     } else {
-        state.say(Role::Plain, format!("{} was left as it is", file.path.display()));
+        state.say(Role::Plain, text!("say-left", file = name(file.path.display().to_string())));
     }
 }
 

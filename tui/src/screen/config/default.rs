@@ -4,80 +4,82 @@
 use std::path::Path;
 
 use assur_scene::edit::quoted;
+use assur_words::{self as words, Describe, Language, Text, list, text};
 
 use super::Config;
 use crate::files;
 use crate::screen::command::COMMANDS;
 use crate::screen::state::{Command, Group, Key, Kind, Look, Panels, Role, SETTINGS, State};
-use crate::words::{LANGUAGES, Words};
 
 /// Column at which the comments of the keys begin.
 const COMMENT_AT: usize = 40;
 
-/// How the screen looks: names of settings, their values as TOML, and what they take.
-pub(super) fn settings(look: &Look, panels: &Panels) -> Vec<(&'static str, String, String)> {
+/// How the screen looks: names of settings, their values as TOML, and what they are.
+pub(super) fn settings(look: &Look, panels: &Panels) -> Vec<(&'static str, String, Text)> {
     let toml = |kind: &Kind, word: String| match kind {
         Kind::Choice(_) => quoted(&word),
         Kind::Flag => (word == "on").to_string(),
         _ => word,
     };
-    let own = SETTINGS.iter().map(|one| (one.name, toml(&one.kind, (one.get)(look)), one.kind.told()));
+    let own = SETTINGS
+        .iter()
+        .map(|one| (one.name, toml(&one.kind, (one.get)(look)), text!(one.text, values = one.kind.told())));
     let views = panels.views.iter().filter(|_| panels.shown).map(|view| quoted(view.command()));
     let views = format!("[{}]", views.collect::<Vec<_>>().join(", "));
-    own.chain([("panels", views, String::new())]).collect()
+    own.chain([("panels", views, text!("config-panels"))]).collect()
 }
 
-/// The file.
-pub(crate) fn text() -> String {
-    let (words, config) = (Words::of(LANGUAGES[0]), Config::default());
-    let comment = |text: &str| text.lines().map(|line| format!("# {line}")).collect::<Vec<_>>();
-    let mut lines = comment(&words.get("config-head"));
+/// The file, with comments in a language.
+pub(crate) fn text(language: &Language) -> String {
+    let config = Config::default();
+    let comment =
+        |text: &Text| text.render(language).lines().map(|line| format!("# {line}")).collect::<Vec<_>>();
+    let mut lines = comment(&text!("config-head"));
     for (name, value, told) in settings(&config.look, &config.panels) {
         lines.push(String::new());
-        lines.extend(comment(&words.with(&format!("config-{name}"), &[("values", told)])));
+        lines.extend(comment(&told));
         lines.push(format!("{name} = {value}"));
     }
     lines.push(String::new());
-    lines.extend(comment(&words.with("config-keys", &[("names", Key::names())])));
+    lines.extend(comment(&text!("config-keys", names = words::name(Key::names()))));
     lines.push("[keys]".to_owned());
     for (group, id) in Group::ALL {
-        lines.extend([String::new(), format!("# {}", words.get(id))]);
+        lines.extend([String::new(), format!("# {}", text!(id).render(language))]);
         let commands = COMMANDS.iter().filter(|command| command.group == group);
-        lines.extend(commands.map(|command| line_of(command, words)));
+        lines.extend(commands.map(|command| line_of(command, language)));
     }
     lines.join("\n") + "\n"
 }
 
-fn line_of(command: &Command, words: &Words) -> String {
+fn line_of(command: &Command, language: &Language) -> String {
     let keys: Vec<String> = command.default_keys().iter().map(|key| quoted(&key.name())).collect();
     let line = format!("{} = [{}]", command.name, keys.join(", "));
-    format!("{line:COMMENT_AT$} # {}", command.help(words))
+    format!("{line:COMMENT_AT$} # {}", command.help(language))
 }
 
 /// Writes what has changed since the start to the configuration file, and says so. What the terminal or its locale asks for is
 /// no change.
 pub(crate) fn keep(state: &mut State, file: Option<&Path>, (look, panels): &(Look, Panels)) {
     let Some(path) = file else {
-        let text = "there is no place for a configuration: neither XDG_CONFIG_HOME nor HOME is set";
-        return state.say(Role::Bad, text);
+        return state.say(Role::Bad, text!("say-no-place-for-config"));
     };
     let before = settings(look, panels);
     let now = settings(&state.look, &state.panels);
     let changed: Vec<_> =
         now.into_iter().filter(|one| !before.contains(one)).map(|(name, value, _)| (name, value)).collect();
     if changed.is_empty() {
-        let names: Vec<&str> = before.iter().map(|(name, ..)| *name).collect();
-        return state.say(Role::Plain, format!("nothing that is kept has changed: {}", names.join(", ")));
+        let names = list(before.iter().map(|(name, ..)| words::name(*name)));
+        return state.say(Role::Plain, text!("say-nothing-to-keep", settings = names));
     }
     let old =
-        if path.exists() { files::read(path).map_err(|error| error.to_string()) } else { Ok(String::new()) };
+        if path.exists() { files::read(path).map_err(|error| error.describe()) } else { Ok(String::new()) };
     let written = old.and_then(|old| kept(&old, &changed)).and_then(|text| {
         let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
-        folder.map_err(|error| error.to_string())?;
-        files::write(path, text.as_bytes()).map_err(|error| error.to_string())
+        folder.map_err(|error| words::name(error.to_string()))?;
+        files::write(path, text.as_bytes()).map_err(|error| error.describe())
     });
     match written {
-        Ok(()) => state.say(Role::Good, format!("kept in {}", path.display())),
+        Ok(()) => state.say(Role::Good, text!("say-kept", file = words::name(path.display().to_string()))),
         Err(error) => state.say(Role::Bad, error),
     }
 }
@@ -87,7 +89,7 @@ pub(crate) fn keep(state: &mut State, file: Option<&Path>, (look, panels): &(Loo
 /// # Errors
 ///
 /// What the user may do instead, if the text can't be changed so that it is read again.
-pub(super) fn kept(text: &str, changed: &[(&str, String)]) -> Result<String, String> {
+pub(super) fn kept(text: &str, changed: &[(&str, String)]) -> Result<String, Text> {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     for (name, value) in changed {
         let line = format!("{name} = {value}");
@@ -106,7 +108,6 @@ pub(super) fn kept(text: &str, changed: &[(&str, String)]) -> Result<String, Str
     {
         Ok(text)
     } else {
-        Err("the configuration has a form that can't be changed here; `assur config` prints one that can"
-            .into())
+        Err(text!("say-config-form"))
     }
 }

@@ -20,7 +20,7 @@ fn keys_of(text: &str) -> &str {
 
 #[test]
 fn the_printed_default_is_the_default_and_says_all() {
-    let text = default_text();
+    let text = default_text(assur_words::Language::english());
     assert_eq!(read(&text), Config::default());
     assert!(text.is_ascii());
     // A key that the text leaves out, or writes wrongly, shows when each line is read alone against other keys.
@@ -43,7 +43,7 @@ fn the_printed_default_is_the_default_and_says_all() {
 #[test]
 fn the_lines_of_the_default_are_live() {
     // Each changed line of the default changes what is read, so that none of them is a comment.
-    let text = default_text();
+    let text = default_text(assur_words::Language::english());
     for (from, to) in [
         ("theme = \"default\"", "theme = \"mono\""),
         ("marker = \"braille\"", "marker = \"ascii\""),
@@ -144,7 +144,7 @@ fn what_is_kept_is_read_again_and_the_rest_stays() {
     let look = Look { theme: Theme::Mono, fps: 25, ..Look::default() };
     let panels = Panels { shown: true, views: vec![View::Plans, View::Working] };
     let own = "# mine\nfps = 5\n\n[keys]\nplay = 'y' # y\n";
-    for old in [own, "", &default_text()] {
+    for old in [own, "", &default_text(assur_words::Language::english())] {
         let text = kept(old, &changed).unwrap();
         let config = read(&text);
         assert_eq!((config.look, &config.panels), (look, &panels));

@@ -1,6 +1,7 @@
 //! What is asked, what is answered, and the pictures.
 
 use assur_figure::{Axis, Figure, Frame, Panel};
+use assur_words::{Language, Text, name};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use ratatui::layout::Rect;
@@ -27,17 +28,17 @@ fn answers_are_told_from_keys_in_any_pieces() {
 
 #[test]
 fn a_picture_is_a_png_at_its_place() {
-    let axis = Axis::around("", [0.0, 1.0], 0.0);
+    let axis = Axis::around(Text::default(), [0.0, 1.0], 0.0);
     let frame = Frame::Axes { x: axis.clone(), y: axis, cursor: None };
-    let figure = Figure::of(Panel { title: "t".into(), frame, items: Vec::new() });
+    let figure = Figure::of(Panel { title: name("t"), frame, items: Vec::new() });
     let pictures = [(figure, Rect::new(4, 2, 60, 20))];
-    let kitty = bytes(&pictures, Pictures::Kitty, [10.0, 20.0]);
+    let kitty = bytes(&pictures, Pictures::Kitty, [10.0, 20.0], Language::english());
     assert!(kitty.contains("\x1b[3;5H\x1b_Ga=T,f=100,q=2,C=1,c=60,r=20,m="), "{}", &kitty[..80]);
     let chunks: Vec<&str> =
         kitty.split("m=").skip(1).filter_map(|rest| rest.split(['\x1b', ';']).nth(1)).collect();
     assert!(chunks.iter().all(|chunk| chunk.len() <= CHUNK));
     assert_eq!(kitty.matches("m=0;").count(), 1, "one end");
-    let iterm = bytes(&pictures, Pictures::Iterm, [10.0, 20.0]);
+    let iterm = bytes(&pictures, Pictures::Iterm, [10.0, 20.0], Language::english());
     let whole = iterm.split([':', '\x07']).nth(1).unwrap();
     assert_eq!(chunks.concat(), whole);
     assert!(STANDARD.decode(whole).unwrap().starts_with(b"\x89PNG\r\n\x1a\n"));

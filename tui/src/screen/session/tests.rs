@@ -47,7 +47,7 @@ fn ctrl_c_warns_of_unsaved_changes_also_in_a_flood_and_then_ends() {
     session.apply_what_waits();
     assert!(session.state.wishes.is_empty());
     let (_, message) = session.state.message.clone().unwrap();
-    assert!(message.contains("changes are not saved"), "{message}");
+    assert!(message.to_string().contains("changes are not saved"), "{message}");
     flooded(&session, KeyCode::Char('x'));
     session.apply_what_waits();
     assert!(matches!(session.state.wishes[..], [Wish::Quit]));

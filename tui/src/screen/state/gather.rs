@@ -1,8 +1,9 @@
 //! The columns of the results as series with names: rates, reduction, reactions, loads, residuals.
 
 use assur_analysis::results::{Column, Owner, Part, Quantity, Schema, Table};
-use assur_book::Course;
+use assur_book::{Course, catalogue};
 use assur_mechanism::{GROUND, LinkId, PairId};
+use assur_words::Text;
 
 use super::series::Series;
 
@@ -12,9 +13,6 @@ const ROUNDING: f64 = 1e-13;
 /// First and second derivative by time.
 pub(super) const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
 
-/// Name of the load on the input that keeps the motion.
-const BALANCING: &str = "balancing load";
-
 /// The force that a pair exerts on one link, as indices of series.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Reaction {
@@ -22,6 +20,8 @@ pub(crate) struct Reaction {
     pub(crate) pair: String,
     /// The link on which it acts.
     pub(crate) link: String,
+    /// `A on crank`, `balancing load`.
+    pub(crate) name: Text,
     /// Fx, Fy, modulus; for the balancing load its one series.
     pub(crate) series: Vec<usize>,
     /// Moment of a slide.
@@ -29,11 +29,6 @@ pub(crate) struct Reaction {
 }
 
 impl Reaction {
-    /// `A on crank`, `balancing load`.
-    pub(crate) fn name(&self) -> String {
-        if self.pair.is_empty() { BALANCING.to_owned() } else { format!("{} on {}", self.pair, self.link) }
-    }
-
     /// Whether it is the force of the same pair on the same link.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         self.pair == other.pair && self.link == other.link
@@ -98,16 +93,18 @@ impl Gather<'_> {
         let mut found = Vec::new();
         for (id, on) in pairs(schema) {
             let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_owned());
-            let series = self.add_all(Column::of(Quantity::Force, Owner::PairOn(id, on)));
+            let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
+            let (name, series) = (catalogue::owner(schema, force), self.add_all(force));
             let moment = self.add(Column::of(Quantity::Moment, Owner::Pair(id)));
             if series.len() == 3 {
-                found.push(Reaction { pair, link, series, moment });
+                found.push(Reaction { pair, link, name, series, moment });
             }
         }
         self.mark_rounding(&found);
         if let Some(index) = self.add(Column::BALANCING) {
             let (pair, link) = (String::new(), String::new());
-            found.push(Reaction { pair, link, series: vec![index], moment: None });
+            let name = catalogue::kind(Column::BALANCING);
+            found.push(Reaction { pair, link, name, series: vec![index], moment: None });
         }
         found
     }

@@ -9,6 +9,7 @@ use assur_analysis::results::Checks;
 use assur_kinematics::Linkage;
 use assur_study::chart::{self, ChartData};
 use assur_study::stability::Stability;
+use assur_words::Text;
 
 use super::found::Found;
 use super::scene::{Scene, Source};
@@ -44,7 +45,7 @@ pub(crate) struct OutputFile {
 
 /// Writes the explanatory note of a scene from its name, its text, and the names of force analyzer and integrator; an error
 /// is a text to show.
-pub type NoteWriter = fn(&str, &str, [Option<String>; 2]) -> Result<String, String>;
+pub type NoteWriter = fn(&str, &str, [Option<String>; 2]) -> Result<String, Text>;
 
 /// A request to the worker.
 #[derive(Debug)]
@@ -100,7 +101,7 @@ pub(crate) struct Running {
     pub(crate) number: usize,
     pub(crate) purpose: Purpose,
     /// Its progress; empty at the start.
-    pub(crate) count: String,
+    pub(crate) count: Text,
     pub(crate) cancel: Cancel,
 }
 
@@ -122,17 +123,17 @@ impl Cancel {
 /// A report of the worker. A failure is a text to show.
 #[derive(Debug)]
 pub(crate) enum Report {
-    Read(Wanted, Result<Box<Scene>, String>),
+    Read(Wanted, Result<Box<Scene>, Text>),
     /// The note, to be written to a file.
-    Noted(PathBuf, Result<String, String>),
+    Noted(PathBuf, Result<String, Text>),
     /// The progress of the calculation of a request.
     Counted {
         number: usize,
-        count: String,
+        count: Text,
     },
     Analyzed {
         number: usize,
-        found: Result<Box<Found>, String>,
+        found: Result<Box<Found>, Text>,
     },
     /// The checks of an analysis that was reported before.
     Checked {
@@ -141,7 +142,7 @@ pub(crate) enum Report {
     },
     Measured {
         number: usize,
-        measured: Result<Box<Measured>, String>,
+        measured: Result<Box<Measured>, Text>,
     },
 }
 

@@ -5,12 +5,12 @@ mod tests;
 
 use std::collections::BTreeMap;
 
+use assur_words::{Language, text};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use strum::VariantArray;
 
 use super::State;
 use super::kinds::View;
-use crate::words::Words;
 
 /// Groups of the help screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,6 +40,8 @@ impl Group {
 pub(crate) struct Command {
     /// Name on the `:` line and in the configuration.
     pub(crate) name: &'static str,
+    /// The identity of its text: what it does.
+    pub(crate) text: &'static str,
     pub(crate) group: Group,
     /// Names of its keys by default, the one for the hints first.
     pub(crate) keys: &'static str,
@@ -56,13 +58,13 @@ impl Command {
     }
 
     /// What it does.
-    pub(crate) fn help(&self, words: &Words) -> String {
-        words.get(&format!("do-{}", self.name))
+    pub(crate) fn help(&self, language: &Language) -> String {
+        text!(self.text).render(language)
     }
 
     /// Another of its texts: its name among the hints (`hint`), other words for it (`also`); empty where there is none.
-    pub(crate) fn text(&self, words: &Words, name: &str) -> String {
-        words.attribute(&format!("do-{}", self.name), name)
+    pub(crate) fn text(&self, language: &Language, attribute: &str) -> String {
+        language.own(&format!("{}.{attribute}", self.text)).unwrap_or_default()
     }
 
     /// The keys that it has by default.

@@ -1,7 +1,8 @@
 //! What can be shown and chosen.
 
+use assur_words::{Language, Text, text};
+
 use super::entry::Entry;
-use crate::words::Words;
 
 /// A view.
 #[derive(
@@ -54,14 +55,28 @@ impl View {
     }
 
     /// The name on its tab.
-    pub(crate) fn name(self, words: &Words) -> String {
-        words.get(&format!("view-{}", self.command()))
+    pub(crate) fn name(self) -> Text {
+        text!(match self {
+            Mechanism => "view-mechanism",
+            Curves => "view-curves",
+            Forces => "view-forces",
+            Plans => "view-plans",
+            Motion => "view-motion",
+            Drive => "view-drive",
+            Checks => "view-checks",
+            Accuracy => "view-accuracy",
+            Structure => "view-structure",
+            Table => "view-table",
+            Working => "view-working",
+            Self::Values => "view-what-if",
+            Self::Probe => "view-probe",
+        })
     }
 
     /// The name on its tab where there is little room.
-    pub(crate) fn short_name(self, words: &Words) -> String {
-        let short = words.attribute(&format!("view-{}", self.command()), "short");
-        if short.is_empty() { self.name(words) } else { short }
+    pub(crate) fn short_name(self, language: &Language) -> String {
+        let short = language.own(&format!("view-{}.short", self.command()));
+        short.unwrap_or_else(|| self.name().render(language))
     }
 
     /// Its parts, the one that is shown first in front; none if it is one whole.

@@ -3,11 +3,11 @@
 use std::ops::RangeInclusive;
 
 use assur_figure::cells::Marker;
+use assur_words::{LANGUAGES, Text, list, name, number, text};
 use strum::VariantNames;
 
 use super::kinds::View;
 use super::theme::Theme;
-use crate::words::LANGUAGES;
 
 /// The views that are shown beside the chosen one where there is room.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -84,6 +84,8 @@ impl Default for Look {
 pub(crate) struct Setting {
     /// Its name in the configuration; `:set` takes its beginning too.
     pub(crate) name: &'static str,
+    /// The identity of what it is.
+    pub(crate) text: &'static str,
     pub(crate) kind: Kind,
     /// Its value as a word.
     pub(crate) get: fn(&Look) -> String,
@@ -115,11 +117,12 @@ impl Kind {
     }
 
     /// What it takes, for a reader: `default, mono`, `1 to 60`.
-    pub(crate) fn told(&self) -> String {
+    pub(crate) fn told(&self) -> Text {
+        let range = |from: Text, to: Text| text!("setting-range", from = from, to = to);
         match self {
-            Self::Count(range) => format!("{} to {}", range.start(), range.end()),
-            Self::Number(range) => format!("{} to {}", range.start(), range.end()),
-            _ => self.words().join(", "),
+            Self::Count(all) => range(number(all.start()), number(all.end())),
+            Self::Number(all) => range(number(all.start()), number(all.end())),
+            _ => list(self.words().iter().map(|word| name(*word))),
         }
     }
 }
@@ -143,23 +146,23 @@ fn on_off(on: bool) -> String {
 /// All settings, in the order of the configuration.
 #[rustfmt::skip]
 pub(crate) const SETTINGS: [Setting; 8] = [
-    Setting { name: "theme", kind: Kind::Choice(<Theme as VariantNames>::VARIANTS),
+    Setting { name: "theme", text: "config-theme", kind: Kind::Choice(<Theme as VariantNames>::VARIANTS),
               get: |look| <&str>::from(look.theme).to_owned(),
               set: |look, word| word.parse().ok().map(|theme| look.theme = theme) },
-    Setting { name: "marker", kind: Kind::Choice(<Marker as VariantNames>::VARIANTS),
+    Setting { name: "marker", text: "config-marker", kind: Kind::Choice(<Marker as VariantNames>::VARIANTS),
               get: |look| <&str>::from(look.marker).to_owned(),
               set: |look, word| word.parse().ok().map(|marker| look.marker = marker) },
-    Setting { name: "ascii", kind: Kind::Flag, get: |look| on_off(look.ascii),
+    Setting { name: "ascii", text: "config-ascii", kind: Kind::Flag, get: |look| on_off(look.ascii),
               set: |look, word| { look.ascii = word == "on"; Some(()) } },
-    Setting { name: "fps", kind: Kind::Count(1..=60), get: |look| look.fps.to_string(),
+    Setting { name: "fps", text: "config-fps", kind: Kind::Count(1..=60), get: |look| look.fps.to_string(),
               set: |look, word| word.parse().ok().map(|fps| look.fps = fps) },
-    Setting { name: "cell_ratio", kind: Kind::Number(0.5..=5.0), get: |look| format!("{:?}", look.ratio),
+    Setting { name: "cell_ratio", text: "config-cell-ratio", kind: Kind::Number(0.5..=5.0), get: |look| format!("{:?}", look.ratio),
               set: |look, word| word.parse().ok().map(|ratio| look.ratio = ratio) },
-    Setting { name: "language", kind: Kind::Choice(&CHOICES), get: |look| look.language.to_owned(),
+    Setting { name: "language", text: "config-language", kind: Kind::Choice(&CHOICES), get: |look| look.language.to_owned(),
               set: |look, word| CHOICES.into_iter().find(|known| *known == word).map(|own| look.language = own) },
-    Setting { name: "pixels", kind: Kind::Flag, get: |look| on_off(look.pixels),
+    Setting { name: "pixels", text: "config-pixels", kind: Kind::Flag, get: |look| on_off(look.pixels),
               set: |look, word| { look.pixels = word == "on"; Some(()) } },
-    Setting { name: "mouse", kind: Kind::Flag, get: |look| on_off(look.mouse),
+    Setting { name: "mouse", text: "config-mouse", kind: Kind::Flag, get: |look| on_off(look.mouse),
               set: |look, word| { look.mouse = word == "on"; Some(()) } },
 ];
 

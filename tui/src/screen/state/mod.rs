@@ -23,6 +23,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use assur_figure::Figure;
+use assur_words::{Language, Text, number, text};
 use ratatui::layout::Rect;
 
 pub(crate) use assur_figure::cells::Marker;
@@ -34,7 +35,7 @@ pub use job::NoteWriter;
 pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wanted, Wish};
 pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{Arrows, Chosen, Part, Prompt, PromptKind, Traces, View, following, next_kind, round};
-pub(crate) use look::{AUTO, Kind, Look, Panels, Pictures, SETTINGS};
+pub(crate) use look::{Kind, Look, Panels, Pictures, SETTINGS};
 pub(crate) use picker::{Choice, Help, Picker, PickerKind};
 pub(crate) use plans::{Planner, Plans};
 pub(crate) use probe::Probe;
@@ -43,8 +44,6 @@ pub(crate) use series::Series;
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Change, Reading, STEPS, WhatIf};
-
-use crate::words::{LANGUAGES, Words};
 
 /// Greatest number of frames from a position to the next one.
 pub(crate) const FRAMES: u8 = 16;
@@ -66,7 +65,7 @@ pub(crate) struct State {
     /// The list that is open to choose from.
     pub(crate) picker: Option<Picker>,
     /// The shipped scenes that were read for their pictures, by number.
-    pub(crate) previews: BTreeMap<usize, Result<Box<Scene>, String>>,
+    pub(crate) previews: BTreeMap<usize, Result<Box<Scene>, Text>>,
     pub(crate) view: View,
     /// The other views that are shown beside it where there is room.
     pub(crate) panels: Panels,
@@ -114,9 +113,9 @@ pub(crate) struct State {
     /// A file that exists and is replaced only after confirmation.
     pub(crate) question: Option<OutputFile>,
     /// A message, shown until the next key.
-    pub(crate) message: Option<(Role, String)>,
+    pub(crate) message: Option<(Role, Text)>,
     /// Errors of a file that could not be used, under a title, shown until the next key.
-    pub(crate) fault: Option<(&'static str, String)>,
+    pub(crate) fault: Option<(Text, Text)>,
     /// Writes the note of a scene.
     pub(crate) note: Option<NoteWriter>,
     /// Columns and rows of the terminal.
@@ -147,13 +146,16 @@ impl State {
         self.scene.as_ref()?.found.as_deref()
     }
 
-    /// The words of the language that is asked for; on a screen of ASCII, English.
-    pub(crate) fn words(&self) -> &'static Words {
-        Words::of(match self.look.language {
-            _ if self.look.ascii => LANGUAGES[0],
-            AUTO => self.scene.as_ref().map_or(LANGUAGES[0], |scene| scene.language),
-            language => language,
-        })
+    /// The language that is asked for, or else that of the scene's note; on a screen of ASCII, English.
+    pub(crate) fn language(&self) -> &'static Language {
+        let of_scene = || self.scene.as_ref().and_then(|scene| scene.language);
+        let asked = Language::find(self.look.language).or_else(of_scene);
+        asked.filter(|_| !self.look.ascii).unwrap_or_else(Language::english)
+    }
+
+    /// A text in the language of the screen.
+    pub(crate) fn told(&self, text: impl Into<Text>) -> String {
+        text.into().render(self.language())
     }
 
     /// Whether figures are shown as pictures now: not below a list or a text that is open.
@@ -246,7 +248,7 @@ impl State {
         if position <= last {
             (self.position, self.phase) = (position, 0);
         } else {
-            self.say(Role::Bad, format!("there is no position {position}: the last one is {last}"));
+            self.say(Role::Bad, text!("say-no-position", position = number(position), last = number(last)));
         }
     }
 
@@ -268,7 +270,7 @@ impl State {
     }
 
     /// Shows a message until the next key.
-    pub(crate) fn say(&mut self, role: Role, text: impl Into<String>) {
-        self.message = Some((role, text.into()));
+    pub(crate) fn say(&mut self, role: Role, text: Text) {
+        self.message = Some((role, text));
     }
 }

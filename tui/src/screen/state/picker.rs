@@ -1,6 +1,7 @@
 //! What is searched by typing: the help, and a list to choose from (scenes, quantities, motors). What is typed narrows the
 //! list, letters in order and not necessarily side by side.
 
+use assur_words::Text;
 use crossterm::event::KeyCode;
 use frizbee::{CaseMatching, Config, Matcher};
 
@@ -66,7 +67,7 @@ pub(crate) struct Choice {
 pub(crate) struct Picker {
     pub(crate) kind: PickerKind,
     /// What is said above the list.
-    pub(crate) heading: String,
+    pub(crate) heading: Text,
     pub(crate) filter: Filter,
     /// Number of the chosen row among those that are left.
     pub(crate) chosen: usize,
@@ -77,7 +78,7 @@ pub(crate) struct Picker {
 
 impl Picker {
     /// A list that is just opened.
-    pub(crate) fn new(kind: PickerKind, heading: String, rows: Vec<Choice>) -> Self {
+    pub(crate) fn new(kind: PickerKind, heading: Text, rows: Vec<Choice>) -> Self {
         Self { kind, heading, filter: Filter::default(), chosen: 0, rows, marked: Vec::new() }
     }
 

@@ -9,13 +9,13 @@ use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{MOST_PARTS_DRAWN, Range};
 use assur_scene::edit::{Document, SceneValue};
+use assur_words::{Language, Text, joined, name, number, quantity, text};
 
 use super::found::Found;
 use super::outline::Outline;
 use super::series::{Series, Transfer};
 use super::transfer::{self, coordinate_unit};
 use crate::number::plain;
-use crate::words::{LANGUAGES, Words};
 
 /// The source of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,8 +53,8 @@ pub(crate) struct Scene {
     /// Its text, and the numbers in it.
     pub(crate) text: String,
     pub(crate) values: Vec<SceneValue>,
-    /// The language of its note.
-    pub(crate) language: &'static str,
+    /// The language of its note, if it has one.
+    pub(crate) language: Option<&'static Language>,
     pub(crate) linkage: Arc<Linkage>,
     /// The solved positions, by number; `None` where there is no assembly.
     pub(crate) poses: Vec<Option<Position>>,
@@ -71,14 +71,14 @@ pub(crate) struct Scene {
     /// The results by another force analyzer, for the difference.
     pub(crate) other: Option<Box<Found>>,
     /// Why there is no analysis.
-    pub(crate) fault: Option<String>,
+    pub(crate) fault: Option<Text>,
 }
 
 /// A position that can't be assembled.
 #[derive(Debug)]
 pub(crate) struct Broken {
     /// Why: what, by how much, where.
-    pub(crate) why: String,
+    pub(crate) why: Text,
     /// The links that have a place; the others are at NaN.
     pub(crate) pose: Position,
     /// The first group that has none.
@@ -91,27 +91,30 @@ impl Scene {
     /// # Errors
     ///
     /// The errors as text, complete with file and line.
-    pub(crate) fn read(source: Source, text: &str) -> Result<Self, String> {
-        let name = source.name();
-        let mechanism = assur_scene::read(&name, text).map_err(|errors| errors.to_string())?;
+    pub(crate) fn read(source: Source, text: &str) -> Result<Self, Text> {
+        let file = source.name();
+        let mechanism = assur_scene::read(&file, text).map_err(|errors| name(errors.to_string()))?;
         let positions = mechanism.input.positions;
         let parts = mechanism.parts();
         if parts > MOST_PARTS_DRAWN {
-            return Err(format!(
-                "error: the scene has {parts} links, points, slides and loads, and drawings, the note and the terminal UI show at \
-                 most {MOST_PARTS_DRAWN}; `assur analyze {name}` has no such bound\n"
-            ));
+            let most = number(MOST_PARTS_DRAWN);
+            return Err(text!("say-too-many-parts", parts = number(parts), most = most, scene = name(file)));
         }
         let most = mechanism.most_kept();
         if positions > most {
-            return Err(format!(
-                "error: the scene has {positions} positions, and the terminal UI shows at most {most} of this one; take fewer \
-                 `positions` in [input], or write them all: assur analyze {name} -o positions.parquet\n"
+            let [positions, most] = [positions, most].map(number);
+            return Err(text!(
+                "say-too-many-positions",
+                positions = positions,
+                most = most,
+                scene = name(file)
             ));
         }
         let linkage = Linkage::compile(mechanism).map_err(|error| {
-            let located = crate::files::located(&name, text, &error);
-            located.map_or_else(|| format!("error: {error}\n  {name}\n"), |errors| errors.to_string())
+            let located = crate::files::located(&file, text, &error).map(|errors| name(errors.to_string()));
+            located.unwrap_or_else(|| {
+                joined("\n  ", [text!("told-error", problem = name(error.to_string())), name(file.clone())])
+            })
         })?;
         Ok(Self::of(source, text, linkage))
     }
@@ -127,7 +130,7 @@ impl Scene {
             source,
             text: text.to_owned(),
             values: Document::of(text).values(),
-            language: assur_scene::note("", text).map_or(LANGUAGES[0], |note| note.language),
+            language: assur_scene::note("", text).ok().and_then(|note| Language::find(note.language)),
             linkage: Arc::new(linkage),
             poses,
             broken,
@@ -206,15 +209,16 @@ fn solve(linkage: &Linkage, index: usize) -> (Option<Position>, Option<Broken>) 
 }
 
 /// Why a position does not exist, the most important first: what, by how much, where.
-fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> String {
+fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let GroupError::NoAssembly { gap_m } = error.source else {
-        return format!("no assembly: {error}");
+        return text!("say-no-assembly", reason = name(error.to_string()));
     };
     let (unit, factor) = coordinate_unit(linkage);
-    let coordinate = format!("{} {unit}", plain(factor * error.coordinate));
-    let gap = format!("{:.4}", 1e3 * gap_m);
-    let group = linkage.structure.group_name(&linkage.mechanism, error.group);
-    format!("no assembly: misses by {gap} mm in position {index}, {coordinate}; {group}")
+    let at = quantity(plain(factor * error.coordinate), unit);
+    let place = text!("position-at", position = number(index), at = at);
+    let gap = quantity(format_args!("{:.4}", 1e3 * gap_m), "mm");
+    let group = name(linkage.structure.group_name(&linkage.mechanism, error.group));
+    text!("say-misses", gap = gap, place = place, group = group)
 }
 
 impl Scene {
@@ -241,15 +245,14 @@ impl Scene {
     }
 
     /// The coordinate of a position with its unit.
-    pub(crate) fn coordinate(&self, words: &Words, position: usize) -> String {
+    pub(crate) fn coordinate(&self, position: usize) -> Text {
         let series = &self.series[0];
-        format!("{} {}", words.number(&plain(series.at(position))), words.unit(&series.unit))
+        quantity(plain(series.at(position)), series.unit.clone())
     }
 
     /// `position 6, 45 deg`.
-    pub(crate) fn place(&self, words: &Words, position: usize) -> String {
-        let at = self.coordinate(words, position);
-        words.with("position-at", &[("position", position.to_string()), ("at", at)])
+    pub(crate) fn place(&self, position: usize) -> Text {
+        text!("position-at", position = number(position), at = self.coordinate(position))
     }
 
     /// The series of a short name.
@@ -269,7 +272,7 @@ impl Scene {
 /// The second scene.
 #[derive(Debug)]
 pub(crate) struct Compared {
-    pub(crate) name: String,
+    pub(crate) name: Text,
     pub(crate) scene: Box<Scene>,
     /// Whether it is the open scene as it was before its numbers were changed.
     pub(crate) before: bool,

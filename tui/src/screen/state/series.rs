@@ -3,6 +3,7 @@
 use assur_analysis::results::{Column, Owner, Schema};
 use assur_book::catalogue::{self, Shown};
 use assur_book::{Course, Extreme, Summary};
+use assur_words::{Text, joined, list, quantity, unit};
 
 use crate::number::number;
 
@@ -12,11 +13,13 @@ pub(crate) struct Series {
     /// What it is, by its identity in the results.
     pub(crate) column: Column,
     /// `point D x`, without the order.
-    pub(crate) of: String,
-    /// Column header: `D.x'`; no two quantities have the same.
+    pub(crate) of: Text,
+    /// Column header: `D.x'`.
+    pub(crate) head: Text,
+    /// The header in English, by which it is named in files; no two quantities have the same.
     pub(crate) short: String,
     /// What it is, in words by which it is looked for: `velocity`, `PF1`.
-    pub(crate) kind: String,
+    pub(crate) kind: Text,
     /// Unit of the values that are shown.
     pub(crate) unit: String,
     /// Number of these units in the SI unit.
@@ -30,11 +33,10 @@ pub(crate) struct Series {
 impl Series {
     /// A column of results with its values; values below `floor`, SI, count as zero.
     pub(crate) fn of(schema: &Schema, column: Column, course: Course, floor: f64) -> Self {
-        let of = catalogue::subject(schema, column).to_string();
-        let short = catalogue::short(schema, column).to_string();
-        let kind = catalogue::further(column).to_string();
+        let (of, head) = (catalogue::subject(schema, column), catalogue::short(schema, column));
+        let (kind, short) = (catalogue::further(column), head.to_string());
         let Shown { unit, factor } = catalogue::shown(schema, column);
-        Self { column, of, short, kind, unit, factor, course, floor }
+        Self { column, of, head, short, kind, unit, factor, course, floor }
     }
 
     /// Value at a position; NaN where there is none.
@@ -43,8 +45,8 @@ impl Series {
     }
 
     /// Value and unit at a position.
-    pub(crate) fn show(&self, position: usize) -> String {
-        format!("{} {}", self.bare(position), self.unit)
+    pub(crate) fn show(&self, position: usize) -> Text {
+        quantity(self.bare(position), self.unit.clone())
     }
 
     /// Value at a position without its unit; 0 if it is rounding compared with the greatest value.
@@ -77,10 +79,9 @@ impl Series {
     }
 
     /// Its name for a list: `point D x PF1, m/rad`.
-    pub(crate) fn title(&self) -> String {
-        let kind = if self.kind.is_empty() { String::new() } else { format!(" {}", self.kind) };
-        let unit = if self.unit.is_empty() { String::new() } else { format!(", {}", self.unit) };
-        format!("{}{kind}{unit}", self.of)
+    pub(crate) fn title(&self) -> Text {
+        let told = [&self.of, &self.kind].into_iter().filter(|text| !text.is_empty()).cloned();
+        list([joined(" ", told), unit(self.unit.clone())].into_iter().filter(|text| !text.is_empty()))
     }
 }
 
@@ -88,7 +89,7 @@ impl Series {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Transfer {
     /// `point D x`.
-    pub(crate) name: String,
+    pub(crate) name: Text,
     /// The link, point or slide to which it belongs.
     pub(crate) owner: Owner,
     /// PF0, PF1, PF2.

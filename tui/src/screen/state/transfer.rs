@@ -115,7 +115,7 @@ impl Gather<'_> {
             let course = Course::from_nodes(nodes, end);
             self.series.push(Series::of(&self.schema, column, course, ROUNDING * size));
         }
-        let name = catalogue::subject(&self.schema, column).to_string();
+        let name = catalogue::subject(&self.schema, column);
         self.transfers.push(Transfer { name, owner: column.owner, orders: [first, first + 1, first + 2] });
     }
 }

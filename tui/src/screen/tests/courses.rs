@@ -109,7 +109,7 @@ fn drawn(state: &mut State) -> Vec<(String, Points)> {
             let Some(figure) = view::figure(state, shown) else { continue };
             for panel in figure.panels {
                 let Frame::Axes { x, .. } = &panel.frame else { continue };
-                if !(x.label.starts_with("coordinate") || x.label.starts_with("time")) {
+                if !(["coordinate", "time"].iter().any(|axis| x.label.to_string().starts_with(axis))) {
                     continue;
                 }
                 for item in &panel.items {
@@ -171,7 +171,8 @@ fn energies_of_a_cycle_end_with_the_works_of_the_cycle() {
         let last = json["trajectory"].as_array().unwrap().last().unwrap();
         state.parts.insert(View::Motion, Part::Course);
         let figure = view::figure(&state, View::Motion).unwrap();
-        let energies = figure.panels.iter().find(|panel| panel.title.starts_with("energies")).unwrap();
+        let energies =
+            figure.panels.iter().find(|panel| panel.title.to_string().starts_with("energies")).unwrap();
         let lines: Vec<Points> = energies
             .items
             .iter()

@@ -1,5 +1,6 @@
 //! Every key in every view, and what the important ones do.
 
+use assur_words::{LANGUAGES, Language, name};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use strum::VariantArray;
@@ -8,7 +9,6 @@ use super::random::NAMED;
 use super::{View, opened, press, settle, text, write};
 use crate::screen::command::{self, COMMANDS};
 use crate::screen::state::{Key, Keymap, Measured, Probe, State, Theme, Wish};
-use crate::words::{LANGUAGES, Words};
 
 /// Everything that the state's frame and next steps depend on, for comparison.
 fn fingerprint(state: &State) -> String {
@@ -101,8 +101,8 @@ fn other_keys_are_what_counts_and_what_is_shown() {
 fn a_configuration_that_is_wrong_is_told_until_the_next_key() {
     let mut state = opened("shaper");
     state.fault = Some((
-        "The configuration could not be used",
-        "error: two\n  config.toml, line 2, column 1".to_owned(),
+        name("The configuration could not be used"),
+        name("error: two\n  config.toml, line 2, column 1"),
     ));
     let frame = text(&state, 80, 24);
     assert!(
@@ -118,7 +118,7 @@ fn a_configuration_that_is_wrong_is_told_until_the_next_key() {
 fn every_command_has_its_help_and_keys_that_are_read() {
     for command in COMMANDS {
         for language in LANGUAGES {
-            let help = command.help(Words::of(language));
+            let help = command.help(Language::find(language).unwrap());
             assert!(!help.is_empty() && !help.starts_with("do-"), "{language}: {}", command.name);
         }
         assert_eq!(command.default_keys().len(), command.keys.split_whitespace().count(), "{}", command.name);
@@ -169,7 +169,7 @@ fn the_line_understands_positions_points_views_and_settings() {
     assert_eq!(state.position, 12);
     write(&mut state, ":42");
     write(&mut state, ":point D");
-    assert_eq!(state.scene.as_ref().unwrap().transfers[state.chosen.transfer].name, "point D x");
+    assert_eq!(state.scene.as_ref().unwrap().transfers[state.chosen.transfer].name.to_string(), "point D x");
     write(&mut state, ":view checks");
     assert_eq!(state.view, View::Checks);
     write(&mut state, ":set theme mono");
@@ -212,7 +212,7 @@ fn search_finds_rows_and_columns() {
     assert_eq!(state.position, 31);
     write(&mut state, "/ram");
     let scene = state.scene.as_ref().unwrap();
-    assert!(scene.column(state.chosen.column).unwrap().of.contains("ram"));
+    assert!(scene.column(state.chosen.column).unwrap().of.to_string().contains("ram"));
 }
 
 #[test]

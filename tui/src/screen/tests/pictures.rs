@@ -14,7 +14,7 @@ fn request(view: &str) -> Request {
 
 fn analyzed(name: &str, request: &Request) -> State {
     let scene = still::open(assur_fixtures::path(&format!("{name}.toml"))).unwrap();
-    still::analyzed(scene, [None, None], request.shows_checks())
+    still::analyzed(scene, [None, None], request.shows_checks(), assur_words::Language::english())
 }
 
 fn picture(request: &Request, output: &str) -> Result<String, StillError> {
@@ -33,7 +33,7 @@ fn every_view_with_a_figure_has_a_picture() {
 #[test]
 fn a_request_without_a_meaning_is_refused_in_words() {
     let refused = |request: Request, output: &str| match picture(&request, output) {
-        Err(StillError::Request(text)) => text,
+        Err(StillError::Request(text)) => text.to_string(),
         other => panic!("{other:?}"),
     };
     assert!(refused(Request { position: 48, ..request("curves") }, "x.svg").contains("0 to 47"));
@@ -52,7 +52,7 @@ fn a_view_without_a_figure_says_what_the_scene_lacks() {
     {
         let request = request(view);
         match still::draw(analyzed(name, &request), &request, Path::new("x.svg")) {
-            Err(StillError::Nothing(text)) => assert!(text.contains(why), "{text}"),
+            Err(StillError::Nothing(text)) => assert!(text.to_string().contains(why), "{text}"),
             other => panic!("{other:?}"),
         }
     }
@@ -75,7 +75,7 @@ fn the_screen_and_the_file_show_the_same_signs_of_a_curve() {
     let figure = view::figure(&state, View::Curves).unwrap();
     let spots = assur_figure::cells::draw(&figure, [200, 60], cells(&state, Zoom::WHOLE));
     let on_screen = |text: &str| spots.iter().filter(|spot| spot.text == text).count();
-    let svg = assur_figure::svg::write(&figure, [160.0, 120.0]);
+    let svg = assur_figure::svg::write(&figure, [160.0, 120.0], assur_words::Language::english());
     // A ring is the only circle of a curve; one stands in the legend.
     assert_eq!(on_screen("o"), svg.matches("<circle").count() - 1);
 }

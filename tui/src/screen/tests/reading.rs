@@ -1,5 +1,7 @@
 //! What a reader looks for: the nearest singular position, a long report, warnings, ways between scenes and views.
 
+use assur_words::name;
+
 use super::words::TURNS;
 use super::{opened, press, scene, settle, text, write};
 use crate::screen::draw::folded;
@@ -217,9 +219,9 @@ fn every_fault_is_told_where_there_is_room_for_its_line_alone() {
     let fault = |number: usize| {
         format!("error: fault {number}\n  file, line {number}\n  |\n{number} | a = 1\n  | ^\n\n")
     };
-    state.fault = Some(("title", (1..9).map(fault).collect::<Vec<_>>().concat()));
+    state.fault = Some((name("title"), name((1..9).map(fault).collect::<Vec<_>>().concat())));
     let frame = text(&state, 80, 24);
     assert!((1..9).all(|number| frame.contains(&format!("file, line {number}"))), "{frame}");
-    state.fault = Some(("title", (1..30).map(fault).collect::<Vec<_>>().concat()));
+    state.fault = Some((name("title"), name((1..30).map(fault).collect::<Vec<_>>().concat())));
     assert!(text(&state, 80, 24).contains(".. 41 more lines"), "{}", text(&state, 80, 24));
 }

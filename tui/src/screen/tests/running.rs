@@ -27,9 +27,15 @@ fn a_count_is_shown_with_the_key_that_stops() {
     command::ask(&mut state, Purpose::Main);
     assert!(text(&state, 80, 24).contains("calculating ...  (Esc stops)"));
     let number = number(&state);
-    assert!(command::take(&mut state, Report::Counted { number, count: "position 3 of 48".into() }));
+    assert!(command::take(
+        &mut state,
+        Report::Counted { number, count: assur_words::name("position 3 of 48") }
+    ));
     assert!(text(&state, 80, 24).contains("calculating: position 3 of 48  (Esc stops)"));
-    assert!(!command::take(&mut state, Report::Counted { number: number + 1, count: "late".into() }));
+    assert!(!command::take(
+        &mut state,
+        Report::Counted { number: number + 1, count: assur_words::name("late") }
+    ));
 }
 
 #[test]

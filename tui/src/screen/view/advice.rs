@@ -1,5 +1,6 @@
 //! The text where a view has nothing to show: why, and what to add to the scene.
 
+use assur_words::{Text, joined, name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -10,7 +11,7 @@ use crate::screen::state::{Role, Scene, State, View};
 /// Draws the advice.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width.max(12)) - 4;
-    for (row, line) in rows(&text(state, scene), width).iter().enumerate() {
+    for (row, line) in rows(&state.told(text(state, scene)), width).iter().enumerate() {
         put(buffer, area, 2, short(row) + 1, line, state.look.theme.style(Role::Plain));
     }
 }
@@ -23,9 +24,9 @@ pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
 }
 
 /// The advice as lines.
-pub(crate) fn text(state: &State, scene: &Scene) -> String {
+pub(crate) fn text(state: &State, scene: &Scene) -> Text {
     if let Some(fault) = &scene.fault {
-        return format!("no analysis: {fault}");
+        return text!("no-analysis", reason = fault);
     }
     if let Some(running) = state.analyzing() {
         return calculating(state, running);
@@ -33,20 +34,21 @@ pub(crate) fn text(state: &State, scene: &Scene) -> String {
     let motion = &scene.linkage.mechanism.motion;
     let is_transient = matches!(motion, Some(assur_mechanism::Motion::Transient { .. }));
     let reason = state.found().and_then(|found| found.analysis.no_motion.as_ref());
-    let words = state.words();
-    let add = |id: &str| words.with(id, &[("key", state.keys.first("reload"))]);
+    let key = || name(state.keys.first("reload"));
     match (state.view, reason) {
-        (View::Motion | View::Drive, Some(reason)) => not_found(state, reason),
-        (View::Forces | View::Plans, None) if is_transient => words.get("forces-over-time"),
-        (View::Forces | View::Plans, Some(reason)) => format!("{}\n{reason}", words.get("no-forces-found")),
-        (View::Motion, None) => add("add-motion"),
-        (View::Drive, None) => add("add-drive"),
-        (View::Forces | View::Plans, None) => add("add-loads"),
-        _ => words.get("nothing-here"),
+        (View::Motion | View::Drive, Some(reason)) => not_found(reason, "\n"),
+        (View::Forces | View::Plans, None) if is_transient => text!("forces-over-time"),
+        (View::Forces | View::Plans, Some(reason)) => {
+            joined("\n", [text!("no-forces-found"), name(reason.clone())])
+        }
+        (View::Motion, None) => text!("add-motion", key = key()),
+        (View::Drive, None) => text!("add-drive", key = key()),
+        (View::Forces | View::Plans, None) => text!("add-loads", key = key()),
+        _ => text!("nothing-here"),
     }
 }
 
 /// Why there is no motion.
-pub(super) fn not_found(state: &State, reason: &str) -> String {
-    format!("{}\n{reason}", state.words().get("no-motion-found"))
+pub(super) fn not_found(reason: &str, between: &'static str) -> Text {
+    joined(between, [text!("no-motion-found"), name(reason.to_owned())])
 }

@@ -4,6 +4,7 @@ use assur_analysis::results::Owner;
 use assur_figure::{Ink, Item, Key, Sample, Stroke, round_length};
 use assur_kinematics::Position;
 use assur_mechanism::GROUND;
+use assur_words::{Text, quantity, text};
 
 use crate::number::plain;
 use crate::screen::state::{Arrows, Scene, State};
@@ -86,21 +87,33 @@ fn length(scene: &Scene, order: usize) -> Option<f64> {
     (most > 0.0).then(|| LONGEST * size / most)
 }
 
+/// What the arrows of an order are, and their unit.
+fn told(scene: &Scene, order: usize) -> (Text, String) {
+    let coordinate = if scene.linkage.angular() { "rad" } else { "m" };
+    match (moves(scene).is_some(), order) {
+        (true, 1) => (text!("arrow-velocity"), "m/s".to_owned()),
+        (true, _) => (text!("arrow-acceleration"), "m/s2".to_owned()),
+        (false, 1) => (text!("arrow-first"), format!("m/{coordinate}")),
+        (false, _) => (text!("arrow-second"), format!("m/{coordinate}2")),
+    }
+}
+
+/// The arrows that are drawn: what they are, the size of a round one with its unit, its length, m, and its ink.
+pub(super) fn scales(state: &State, scene: &Scene) -> Vec<(Text, Text, f64, Ink)> {
+    let scale = |order: &usize| {
+        let round = round_length(TOLD * most(scene, *order));
+        let (what, unit) = told(scene, *order);
+        Some((what, quantity(plain(round), unit), round * length(scene, *order)?, look_of(*order).1))
+    };
+    orders(state).iter().filter_map(scale).collect()
+}
+
 /// What the arrows are, with the length of a round value.
 pub(super) fn legend(state: &State, scene: &Scene) -> Vec<Key> {
-    let coordinate = if scene.linkage.angular() { "rad" } else { "m" };
-    let keys = orders(state).iter().filter_map(|&order| {
-        let length = length(scene, order)?;
-        let (stroke, ink) = look_of(order);
-        let (name, unit) = match (moves(scene).is_some(), order) {
-            (true, 1) => ("velocity", "m/s".to_owned()),
-            (true, _) => ("acceleration", "m/s2".to_owned()),
-            (false, 1) => ("PF1: for unit speed", format!("m/{coordinate}")),
-            (false, _) => ("PF2: for unit speed", format!("m/{coordinate}2")),
-        };
-        let round = round_length(TOLD * most(scene, order));
-        let text = format!("{name}: {} {unit}", plain(round));
-        Some(Key { sample: Sample::Arrow(round * length, stroke, ink), text })
-    });
-    keys.collect()
+    let stroke = |ink| if ink == Ink::Velocity { Stroke::Solid } else { Stroke::Dashed };
+    let key = |(what, size, length, ink)| Key {
+        sample: Sample::Arrow(length, stroke(ink), ink),
+        text: text!("arrow-told", what = what, size = size),
+    };
+    scales(state, scene).into_iter().map(key).collect()
 }

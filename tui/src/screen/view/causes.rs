@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use assur_diagram::{JointForce, Share, Split};
 use assur_figure::{Figure, Ink, Panel};
+use assur_words::{self as words, Text, list, name, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -19,7 +20,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// The share of one cause in the chosen reaction.
 struct Part {
-    cause: String,
+    cause: Text,
     /// Projections, N; `None` for the balancing load.
     force: Option<[f64; 2]>,
     /// Moment of a slide, or the balancing load.
@@ -33,12 +34,11 @@ pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buff
     let plans = found.plans.at(state.position);
     let split = plans.sheet.as_ref().ok().and_then(|sheet| sheet.by_cause.as_ref());
     let Some(split) = split.filter(|_| plans::has_forces(state, found)) else {
-        let text = state.words().shown("no forces are determined in this position");
-        put(buffer, area, 1, 0, &text, theme.style(Role::Plain));
+        put(buffer, area, 1, 0, &state.told(text!("forces-not-determined")), theme.style(Role::Plain));
         return;
     };
-    let title = format!("by cause: {} (Up/Down: another pair)", reaction.name());
-    put(buffer, area, 1, 0, &state.words().shown(&title), theme.style(Role::Header));
+    let title = text!("forces-by-cause", reaction = &reaction.name);
+    put(buffer, area, 1, 0, &state.told(title), theme.style(Role::Header));
     let parts = parts(split, reaction);
     let rows = short(parts.len()) + 4;
     let below = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
@@ -90,29 +90,36 @@ fn draw_table(
 ) {
     let theme = state.look.theme;
     let scalar = if reaction.pair.is_empty() { found.series[reaction.series[0]].unit.as_str() } else { "" };
-    let last = if scalar.is_empty() { "M, N m".to_owned() } else { scalar.to_owned() };
-    let header =
-        ["cause", "Fx, N", "Fy, N", "F, N", "direction", &last].map(|text| state.words().shown(text));
-    put(buffer, area, 0, 0, &table_row(' ', header), theme.style(Role::Dim));
-    let sum = sum(parts, "sum");
+    let last = if scalar.is_empty() { symbol("M", "N m") } else { unit(scalar.to_owned()) };
+    put(
+        buffer,
+        area,
+        0,
+        0,
+        &table_row(' ', head(state, text!("forces-cause"), last)),
+        theme.style(Role::Dim),
+    );
+    let sum = sum(parts, text!("forces-sum"));
     let whole = part(&split.whole, reaction);
-    let whole = Part { cause: format!("whole, by `{}`", found.analyzer), ..whole };
+    let whole = Part { cause: text!("forces-whole", method = name(found.analyzer.clone())), ..whole };
     let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
     // Header, sum and total are always shown; causes without room are summarized.
     let room = usize::from(area.height).saturating_sub(3);
     let single = if parts.len() > room { room.saturating_sub(1) } else { parts.len() };
     for (number, part) in parts.iter().enumerate().take(single) {
-        let text = row_of(&format!("{} {}", number + 1, part.cause), part, least);
+        let text = row_of(state, &format!("{} {}", number + 1, state.told(&part.cause)), part, least);
         put(buffer, area, 0, short(number) + 1, &text, theme.style(Role::Plain));
     }
     let mut below = short(single) + 1;
     if single < parts.len() {
-        let rest = self::sum(&parts[single..], &format!(".. {} more together", parts.len() - single));
-        put(buffer, area, 0, below, &row_of(&rest.cause, &rest, least), theme.style(Role::Plain));
+        let rest = self::sum(&parts[single..], text!("forces-more-causes", count = parts.len() - single));
+        let text = row_of(state, &state.told(&rest.cause), &rest, least);
+        put(buffer, area, 0, below, &text, theme.style(Role::Plain));
         below += 1;
     }
-    put(buffer, area, 0, below, &row_of(&sum.cause, &sum, least), theme.style(Role::Header));
-    put(buffer, area, 0, below + 1, &row_of(&whole.cause, &whole, least), theme.style(Role::Plain));
+    let [sum, whole] = [sum, whole].map(|part| row_of(state, &state.told(&part.cause), &part, least));
+    put(buffer, area, 0, below, &sum, theme.style(Role::Header));
+    put(buffer, area, 0, below + 1, &whole, theme.style(Role::Plain));
 }
 
 /// The greatest number of a share.
@@ -120,8 +127,8 @@ fn size(part: &Part) -> f64 {
     part.force.map_or_else(|| part.scalar.map_or(0.0, f64::abs), |[x, y]| x.hypot(y))
 }
 
-fn sum(parts: &[Part], name: &str) -> Part {
-    let mut sum = Part { cause: name.to_owned(), force: None, scalar: None };
+fn sum(parts: &[Part], cause: Text) -> Part {
+    let mut sum = Part { cause, force: None, scalar: None };
     for part in parts {
         if let Some([x, y]) = part.force {
             let [sx, sy] = sum.force.unwrap_or_default();
@@ -134,15 +141,17 @@ fn sum(parts: &[Part], name: &str) -> Part {
     sum
 }
 
-fn row_of(name: &str, part: &Part, least: f64) -> String {
-    let shown = |value: f64| if value.abs() <= least { "0".to_owned() } else { number(value) };
+fn row_of(state: &State, cause: &str, part: &Part, least: f64) -> String {
+    let shown = |value: f64| {
+        if value.abs() <= least { "0".to_owned() } else { state.told(words::number(number(value))) }
+    };
     let force = part.force.map(|[x, y]| {
         let [x, y] = [x, y].map(|v| if v.abs() <= least { 0.0 } else { v });
-        [shown(x), shown(y), shown(x.hypot(y)), direction_text(x, y)]
+        [shown(x), shown(y), shown(x.hypot(y)), state.told(direction_text(x, y))]
     });
     let [fx, fy, f, direction] = force.unwrap_or_default();
     let scalar = part.scalar.map(shown).unwrap_or_default();
-    table_row(' ', [name.to_owned(), fx, fy, f, direction, scalar])
+    table_row(' ', [cause.to_owned(), fx, fy, f, direction, scalar])
 }
 
 /// The shares head to tail, and the total from the first corner to the last one.
@@ -152,11 +161,11 @@ fn sum_of(parts: &[Part]) -> Option<Panel> {
     for (number, part) in parts.iter().enumerate() {
         let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
         let to = [at[0] + x, at[1] + y];
-        vectors.push(Vector { from: at, to, name: (number + 1).to_string(), ink: Ink::Second });
+        vectors.push(Vector { from: at, to, name: name((number + 1).to_string()), ink: Ink::Second });
         at = to;
     }
-    vectors.push(Vector { from: [0.0; 2], to: at, name: "sum".to_owned(), ink: Ink::First });
-    (vectors.len() > 1).then(|| plots::vectors(String::new(), &vectors, ("N", "F"), None))
+    vectors.push(Vector { from: [0.0; 2], to: at, name: text!("forces-sum"), ink: Ink::First });
+    (vectors.len() > 1).then(|| plots::vectors(Text::default(), &vectors, ("N", "F"), None))
 }
 
 /// Columns of the table: where each ends.
@@ -173,8 +182,19 @@ pub(super) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
 }
 
 /// Direction of a force in words; a dash where there is none.
-pub(super) fn direction_text(fx: f64, fy: f64) -> String {
-    if fx == 0.0 && fy == 0.0 { "-".to_owned() } else { format!("{:.2} deg", direction(fx, fy)) }
+pub(super) fn direction_text(fx: f64, fy: f64) -> Text {
+    if fx == 0.0 && fy == 0.0 { name("-") } else { quantity(format_args!("{:.2}", direction(fx, fy)), "deg") }
+}
+
+/// A symbol with its unit: `F, N`.
+fn symbol(letters: &'static str, of: &'static str) -> Text {
+    list([name(letters), unit(of)])
+}
+
+/// The heads of a table of forces.
+pub(super) fn head(state: &State, first: Text, last: Text) -> [String; 6] {
+    let [x, y, size] = ["Fx", "Fy", "F"].map(|letters| symbol(letters, "N"));
+    [first, x, y, size, text!("forces-direction"), last].map(|text| state.told(text))
 }
 
 /// Direction of a force in (-180, 180], degrees; components that are rounding compared with the modulus do not change

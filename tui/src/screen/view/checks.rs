@@ -2,6 +2,7 @@
 
 use assur_analysis::results::{Check, Quantity};
 use assur_figure::{Figure, Ink, Stroke};
+use assur_words::{self as words, name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -10,7 +11,13 @@ use crate::number::number;
 use crate::screen::draw::{cut, first_shown, paint, put, short};
 use crate::screen::state::{Role, Scene, State};
 
-const TITLES: [&str; 6] = ["check", "residual", "limit", "where", "pos.", ""];
+const TITLES: [&str; 5] = [
+    "check-column-name",
+    "check-column-residual",
+    "check-column-limit",
+    "check-column-where",
+    "check-column-position",
+];
 /// Columns of the texts in 80 columns; more room goes to the place.
 const WIDTHS: [u16; 6] = [30, 10, 10, 14, 7, 7];
 /// Rows that the curve of a residual below the table needs.
@@ -24,7 +31,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let [area, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(area);
     let titles = columns(area.width).into_iter().zip(TITLES);
     for ((column, _), title) in titles {
-        put(buffer, area, column, 0, &state.words().shown(title), state.look.theme.style(Role::Dim));
+        put(buffer, area, column, 0, &state.told(text!(title)), state.look.theme.style(Role::Dim));
     }
     let height = usize::from(area.height.saturating_sub(1));
     let skip = first_shown(state.chosen.check, height);
@@ -36,8 +43,14 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let residuals =
         found.series.iter().filter(|series| matches!(series.column.quantity, Quantity::Residual(_)));
     let panels = residuals.take(usize::from(below.height / CURVE)).map(|series| {
-        let title = format!("{}  {}", series.of, number(series.at(state.position)));
-        over_positions(state, scene, title, &[(series, Stroke::Solid, Ink::First)], Vec::new())
+        let value = words::number(number(series.at(state.position)));
+        over_positions(
+            state,
+            scene,
+            [series.of.clone(), value],
+            &[(series, Stroke::Solid, Ink::First)],
+            Vec::new(),
+        )
     });
     let figure = Figure { panels: panels.collect(), columns: 1, ..Figure::default() };
     paint(state, &figure, below, buffer);
@@ -61,18 +74,18 @@ fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut
         put(buffer, area, 0, 0, ">", style);
     }
     let at = check.at.map_or_else(|| "-".to_owned(), |at| at.to_string());
-    let residual = format!("{:.2e}", check.residual);
-    let limit = format!("{:.2e}", check.limit);
-    let [name, place] = [check.name, check.place.as_str()].map(|text| state.words().shown(text));
+    let [residual, limit] =
+        [check.residual, check.limit].map(|size| state.told(words::number(format_args!("{size:.2e}"))));
+    let [name, place] = [name(check.name), name(check.place.clone())].map(|text| state.told(text));
     let cells = [&name, &residual, &limit, &place, &at];
     let columns = columns(area.width);
     for (text, (column, width)) in cells.into_iter().zip(columns) {
         put(buffer, area, column, 0, &cut(text, usize::from(width - 1)), style);
     }
     let (word, role) = match check.verdict() {
-        Some(false) => ("FAILED", Role::Bad),
-        Some(true) => ("ok", Role::Good),
-        None => ("unknown", Role::Dim),
+        Some(false) => (text!("check-fails"), Role::Bad),
+        Some(true) => (text!("check-holds"), Role::Good),
+        None => (text!("check-unknown"), Role::Dim),
     };
-    put(buffer, area, columns[5].0, 0, word, theme.style(role));
+    put(buffer, area, columns[5].0, 0, &state.told(word), theme.style(role));
 }

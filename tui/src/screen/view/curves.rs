@@ -1,11 +1,11 @@
 //! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked, those of one unit over each other,
 //! with their extremes and means.
 
-use std::fmt::Write;
-
 use assur_figure::{Figure, Ink, Item, Key, Panel, Sample, Sign, Stroke};
+use assur_words::{self as words, Text, joined, list, name, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
+use unicode_width::UnicodeWidthStr;
 
 use super::plots::over_positions;
 use crate::number::{digits, number};
@@ -13,7 +13,8 @@ use crate::screen::draw::{cut, paint, put, put_lines, short};
 use crate::screen::state::{Compared, Found, Role, Scene, Series, State, coordinate_unit};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
-const SIGNS: [(Sign, &str); 3] = [(Sign::Cross, "zero"), (Sign::Ring, "extreme"), (Sign::Plus, "inflection")];
+const SIGNS: [(Sign, &str); 3] =
+    [(Sign::Cross, "curve-zero"), (Sign::Ring, "curve-extreme"), (Sign::Plus, "curve-inflection")];
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
@@ -22,11 +23,10 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     }
     let [title, charts] = parts(area);
     let figure = figure(state, scene);
-    let words = state.words();
-    let legend = if state.compared.is_some() { "" } else { "o extreme  x zero  + inflection" };
-    let legend = words.shown(legend);
+    let legend = if state.compared.is_some() { Text::default() } else { text!("curve-signs") };
+    let legend = state.told(legend);
     let column = title.width.saturating_sub(short(legend.chars().count()) + 1);
-    let header = cut(&words.shown(&figure.title), usize::from(column.saturating_sub(2)));
+    let header = cut(&state.told(&figure.title), usize::from(column.saturating_sub(2)));
     put(buffer, title, 1, 0, &header, state.look.theme.style(Role::Header));
     put(buffer, title, column, 0, &legend, state.look.theme.style(Role::Dim));
     paint(state, &figure, charts, buffer);
@@ -46,12 +46,15 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let mut title = transfer.name.clone();
     let mut legend: Vec<Key> = Vec::new();
     if let Some(compared) = &state.compared {
-        let (now, stroke) =
-            if compared.before { ("now".to_owned(), "dots") } else { (scene.source.short_name(), "stars") };
-        let _ = write!(title, "   1 {now} (line)  2 {} ({stroke})", compared.name);
+        title = if compared.before {
+            text!("curve-before", quantity = title)
+        } else {
+            let one = name(scene.source.short_name());
+            text!("curve-compared", quantity = title, one = one, other = &compared.name)
+        };
     } else {
         legend.extend(
-            SIGNS.map(|(sign, text)| Key { sample: Sample::Sign(sign, Ink::Text), text: text.into() }),
+            SIGNS.map(|(sign, told)| Key { sample: Sample::Sign(sign, Ink::Text), text: text!(told) }),
         );
     }
     let inks = [Ink::First, Ink::Second, Ink::Third];
@@ -62,14 +65,15 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 
 fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
     let series = &scene.series[orders[order]];
-    let mut title = format!("PF{order}  {} {}", number(series.at(state.position)), series.unit);
+    let mut value = quantity(number(series.at(state.position)), series.unit.clone());
     let mut curves = vec![(series, Stroke::Solid, ink)];
     if let Some(compared) = &state.compared
         && let Some(other) = compared.series(series)
     {
         curves.push((other, stroke_of(compared), Ink::Text));
         let difference = compared.difference(series, state.position).unwrap_or(f64::NAN);
-        let _ = write!(title, "   1 - 2: {} {}", number(difference), series.unit);
+        let difference = quantity(number(difference), series.unit.clone());
+        value = joined("", [value, name("   1 - 2: "), difference]);
     }
     let (_, factor) = coordinate_unit(&scene.linkage);
     let mut signs = Vec::new();
@@ -80,7 +84,7 @@ fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: In
             signs.extend(value.map(sign));
         }
     }
-    over_positions(state, scene, title, &curves, signs)
+    over_positions(state, scene, [name(["PF0", "PF1", "PF2"][order]), value], &curves, signs)
 }
 
 /// The stroke of the curve of a second scene.
@@ -105,8 +109,8 @@ pub(super) fn stack(
             curves.extend(compared.series(series).map(|same| (same, stroke_of(compared), Ink::Text)));
         }
         curves.extend(same.map(|same| (same, Stroke::Stars, Ink::Third)));
-        let title = format!("{}  {}", series.of, series.show(state.position));
-        over_positions(state, scene, title, &curves, Vec::new())
+        let heading = [series.of.clone(), series.show(state.position)];
+        over_positions(state, scene, heading, &curves, Vec::new())
     };
     wanted.iter().map(panel).collect()
 }
@@ -128,6 +132,9 @@ const STYLES: [(Stroke, Ink); 4] = [
     (Stroke::Chain, Ink::Second),
     (Stroke::Dashed, Ink::Velocity),
 ];
+/// The heads of the numbers of the table.
+const HEADS: [&str; 7] =
+    ["curve-now", "curve-greatest", "curve-at", "curve-least", "curve-at", "curve-mean", "curve-rms"];
 /// Columns for the name of a quantity with its unit.
 const NAME: usize = 27;
 
@@ -138,20 +145,28 @@ fn picked<'a>(state: &State, scene: &'a Scene) -> Vec<&'a Series> {
 
 /// Draws the table of extremes and means, then the curves.
 fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
-    let mut lines = vec![(
-        Role::Dim,
-        row("", ["now", "greatest", "at", "least", "at", "mean", "rms"].map(str::to_owned)),
-    )];
+    let mut lines = vec![(Role::Dim, row("", HEADS.map(|head| state.told(text!(head)))))];
     for (number, series) in picked(state, scene).into_iter().enumerate() {
-        let unit = if series.unit.is_empty() { String::new() } else { format!(", {}", series.unit) };
-        let name = format!("{} {}", number + 1, cut(&series.of, NAME.saturating_sub(unit.len() + 3)));
+        let unit = state.told(unit(series.unit.clone()));
+        let unit = if unit.is_empty() { unit } else { format!(", {unit}") };
+        let of = cut(&state.told(&series.of), NAME.saturating_sub(unit.width() + 3));
+        let name = format!("{} {of}", number + 1);
         let cells = series.summary().map_or_else(Default::default, |summary| {
             let [high, low] = [summary.greatest, summary.least].map(|extreme| extreme.number);
             let shown =
                 |value: f64| if value.abs() <= series.least() { "0".to_owned() } else { digits(value, 5) };
+            let shown = |value: f64| state.told(words::number(shown(value)));
             let [greatest, least, mean, rms] =
                 [summary.greatest.value, summary.least.value, summary.mean, summary.rms].map(shown);
-            [series.bare(state.position), greatest, high.to_string(), least, low.to_string(), mean, rms]
+            [
+                state.told(words::number(series.bare(state.position))),
+                greatest,
+                high.to_string(),
+                least,
+                low.to_string(),
+                mean,
+                rms,
+            ]
         });
         lines.push((Role::Plain, row(&format!("{name}{unit}"), cells)));
     }
@@ -180,8 +195,8 @@ fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
         }
     }
     let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, &all, unit)).collect();
-    let names: Vec<&str> = all.iter().map(|series| series.of.as_str()).collect();
-    Figure { title: names.join(", "), panels, columns: 1, legend: Vec::new() }
+    let title = list(all.iter().map(|series| series.of.clone()));
+    Figure { title, panels, columns: 1, legend: Vec::new() }
 }
 
 /// The quantities of one unit; each has its number in the list of all.
@@ -202,15 +217,15 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
                 let nodes = series.course.nodes();
                 let node = nodes[(2 * number + 1) * nodes.len() / (2 * all.len())];
                 let place = [scene.coordinate_at(node.number as f64), series.factor * node.value];
-                signs.push(Item::name(place, (number + 1).to_string(), Ink::Title));
+                signs.push(Item::name(place, name((number + 1).to_string()), Ink::Title));
             }
         }
-        names.push(format!("{} {}", number + 1, series.of));
+        names.push(joined(" ", [name((number + 1).to_string()), series.of.clone()]));
     }
     let title = if all.len() > 1 {
-        names.join("  ")
+        joined("  ", names)
     } else {
-        all.first().map_or_else(String::new, |series| series.of.clone())
+        all.first().map_or_else(Text::default, |series| series.of.clone())
     };
-    over_positions(state, scene, title, &curves, signs)
+    over_positions(state, scene, [title, Text::default()], &curves, signs)
 }

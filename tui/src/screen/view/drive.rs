@@ -4,15 +4,16 @@
 use assur_analysis::results::{Dynamics, MotorReport, RunnerUp};
 use assur_figure::Figure;
 use assur_motor::FlywheelSize;
+use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
+use unicode_width::UnicodeWidthStr;
 
 use super::motion::{numbers, unevenness};
 use super::regime;
 use crate::number::digits;
 use crate::screen::draw::{cut, paint, put, put_lines, short, table, wrapped};
 use crate::screen::state::{Part, Role, Scene, State, View};
-use crate::words::Words;
 
 /// Second column of the view.
 const RIGHT: u16 = 46;
@@ -27,20 +28,23 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let Some(dynamics) = &found.analysis.dynamics else { return };
     let [title, area] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     let angular = found.analysis.input.angular;
-    let flywheel = dynamics.flywheel.map(|flywheel| format!(", flywheel {} kg m2", digits(flywheel, 5)));
-    let heading = unevenness(dynamics, angular) + flywheel.as_deref().unwrap_or_default();
-    put(buffer, title, 1, 0, &state.words().shown(&heading), state.look.theme.style(Role::Header));
+    let regime = unevenness(dynamics, angular);
+    let heading = match dynamics.flywheel {
+        Some(inertia) => text!("drive-heading", regime = regime, flywheel = told(inertia, 5, "kg m2")),
+        None => regime,
+    };
+    put(buffer, title, 1, 0, &state.told(heading), state.look.theme.style(Role::Header));
     match state.part(View::Drive) {
         Part::Curves | Part::EnergyMass | Part::Inertia | Part::Reduction => {
             paint(state, &figure(state, scene, 1), area, buffer);
         }
-        Part::Places => put_lines(buffer, area, 1, state, &places_and_motors(dynamics)),
+        Part::Places => put_lines(buffer, area, 1, state, &places_and_motors(state, dynamics)),
         _ => {
             let area = warned(state, dynamics, area, buffer);
-            let left = motor_and_flywheel(dynamics, state.words());
+            let left = motor_and_flywheel(state, dynamics);
             let rows = short(left.len().max(12)) + 1;
             put_lines(buffer, area, 1, state, &left);
-            put_lines(buffer, area, RIGHT, state, &numbers(dynamics, angular));
+            put_lines(buffer, area, RIGHT, state, &numbers(state, dynamics, angular));
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
                 paint(state, &figure(state, scene, 2), below, buffer);
@@ -54,10 +58,10 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     let warnings = dynamics.motor.as_ref().map_or(&[][..], |motor| &motor.warnings);
     let Some(first) = warnings.first() else { return area };
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    let part = state.keys.first("part");
-    let more = format!("  ({part} {part}: whole)");
-    let room = usize::from(area.width.saturating_sub(4)).saturating_sub(more.chars().count());
-    put(buffer, line, 1, 0, &format!("! {}{more}", cut(first, room)), state.look.theme.style(Role::Bad));
+    let more = state.told(text!("drive-warning-more", key = name(state.keys.first("part"))));
+    let room = usize::from(area.width.saturating_sub(6)).saturating_sub(more.width());
+    let first = state.told(name(first.clone()));
+    put(buffer, line, 1, 0, &format!("! {}  {more}", cut(&first, room)), state.look.theme.style(Role::Bad));
     rest
 }
 
@@ -74,100 +78,119 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
             regime::characteristic(dynamics).into_iter().chain([moments]).collect()
         }
     };
-    Figure { title: "drive".to_owned(), panels, columns, legend: Vec::new() }
+    Figure { title: text!("drive-title"), panels, columns, legend: Vec::new() }
 }
 
-/// Rows of a name in the words of the screen, and what follows it, one below the other.
-fn aligned(rows: &[(String, String)], words: &Words) -> Vec<Line> {
-    let names: Vec<String> = rows.iter().map(|(name, _)| words.shown(name)).collect();
-    let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
-    let lines = names.iter().zip(rows);
-    lines.map(|(name, (_, value))| (Role::Plain, format!("  {name:<width$} {value}"))).collect()
+/// A number with its unit.
+fn told(value: f64, many: usize, unit: &'static str) -> Text {
+    quantity(digits(value, many), unit)
 }
 
-fn motor_and_flywheel(dynamics: &Dynamics, words: &Words) -> Vec<Line> {
-    let mut lines = dynamics.motor.as_ref().map(|motor| motor_rows(motor, words)).unwrap_or_default();
-    lines.extend(dynamics.figures.ratio.map(|x| (Role::Header, format!("ratio {}", digits(x, 6)))));
-    lines.extend(dynamics.flywheel.map(|x| (Role::Header, format!("flywheel {} kg m2", digits(x, 6)))));
+/// Rows of a name and what follows it, one below the other.
+fn aligned(state: &State, rows: Vec<(Text, Text)>) -> Vec<Line> {
+    let rows: Vec<[String; 2]> =
+        rows.into_iter().map(|(name, value)| [name, value].map(|text| state.told(text))).collect();
+    let width = rows.iter().map(|[name, _]| name.width()).max().unwrap_or(0);
+    rows.into_iter().map(|[name, value]| (Role::Plain, format!("  {name:<width$} {value}"))).collect()
+}
+
+fn motor_and_flywheel(state: &State, dynamics: &Dynamics) -> Vec<Line> {
+    let mut lines = dynamics.motor.as_ref().map(|motor| motor_rows(state, motor)).unwrap_or_default();
+    let ratio = dynamics.figures.ratio.map(|ratio| text!("drive-ratio", ratio = told(ratio, 6, "")));
+    let flywheel =
+        dynamics.flywheel.map(|inertia| text!("drive-flywheel", flywheel = told(inertia, 6, "kg m2")));
+    lines.extend(ratio.into_iter().chain(flywheel).map(|text| (Role::Header, state.told(text))));
     let sizes = dynamics.flywheel_methods.iter().map(|row| {
-        let off = row.difference.map_or_else(String::new, |part| format!("{:+.2} %", 1e2 * part));
-        (row.method.to_string(), format!("{:>9} {off:>8}", digits(row.flywheel, 5)))
+        let off = row.difference.map_or_else(Text::default, |part| {
+            joined(" ", [number(format_args!("{:+.2}", 1e2 * part)), name("%")])
+        });
+        (name(row.method.to_string()), joined("  ", [told(row.flywheel, 5, ""), off]))
     });
-    lines.extend(aligned(&sizes.collect::<Vec<_>>(), words));
+    lines.extend(aligned(state, sizes.collect()));
     if lines.is_empty() {
-        lines.push((Role::Dim, "this regime has no motor of a catalogue".to_owned()));
+        lines.push((Role::Dim, state.told(text!("drive-no-motor"))));
     }
     lines
 }
 
 /// Rated data, and the motor's operation in the regime.
-fn motor_rows(motor: &MotorReport, words: &Words) -> Vec<Line> {
+fn motor_rows(state: &State, motor: &MotorReport) -> Vec<Line> {
     let title = match &motor.catalogue {
-        Some(catalogue) => format!("motor {} ({catalogue})", motor.designation),
-        None => "motor (rated data of the scene)".to_owned(),
+        Some(catalogue) => {
+            let [motor, catalogue] = [&motor.designation, catalogue].map(|text| name(text.clone()));
+            text!("drive-motor", motor = motor, catalogue = catalogue)
+        }
+        None => text!("drive-motor-of-scene"),
     };
-    let mut rows = Vec::new();
-    let mut add = |name: &str, value: String| rows.push((name.to_owned(), value));
-    add("rated power", format!("{} W", digits(motor.rated.power, 5)));
-    add("synchronous speed", format!("{} rad/s", digits(motor.rated.synchronous_speed, 5)));
-    add("rated speed", format!("{} rad/s", digits(motor.rated.rated_speed, 5)));
-    if let Some(ratio) = motor.rated.max_torque_ratio {
-        add("breakdown / rated", digits(ratio, 4));
-    }
-    if let Some(inertia) = motor.rated.inertia {
-        add("rotor inertia", format!("{} kg m2", digits(inertia, 5)));
-    }
-    let work = &motor.work;
-    let [low, high] = work.speed.map(|speed| digits(speed, 5));
-    add("works at", format!("{low} .. {high} rad/s"));
-    let [low, high] = work.torque.map(|torque| digits(torque, 4));
-    add("torque", format!("{low} .. {high} N m"));
-    add("rms torque", format!("{} N m", digits(work.rms_torque, 4)));
-    std::iter::once((Role::Header, title)).chain(aligned(&rows, words)).collect()
+    let range = |[low, high]: [f64; 2], many, unit| {
+        joined(" .. ", [number(digits(low, many)), told(high, many, unit)])
+    };
+    let (rated, work) = (&motor.rated, &motor.work);
+    let rows = [
+        Some((text!("drive-rated-power"), told(rated.power, 5, "W"))),
+        Some((text!("drive-synchronous-speed"), told(rated.synchronous_speed, 5, "rad/s"))),
+        Some((text!("drive-rated-speed"), told(rated.rated_speed, 5, "rad/s"))),
+        rated.max_torque_ratio.map(|ratio| (text!("drive-breakdown"), told(ratio, 4, ""))),
+        rated.inertia.map(|inertia| (text!("drive-rotor"), told(inertia, 5, "kg m2"))),
+        Some((text!("drive-works-at"), range(work.speed, 5, "rad/s"))),
+        Some((text!("drive-torque"), range(work.torque, 4, "N m"))),
+        Some((text!("drive-rms-torque"), told(work.rms_torque, 4, "N m"))),
+    ];
+    let rows = aligned(state, rows.into_iter().flatten().collect());
+    std::iter::once((Role::Header, state.told(title))).chain(rows).collect()
 }
 
 /// The two places of the flywheel, warnings, and other suitable motors of the catalogue.
-fn places_and_motors(dynamics: &Dynamics) -> Vec<Line> {
-    let title = "flywheel on the input or on the motor shaft: a steel disc, width 1/10";
-    let mut lines = vec![(Role::Header, title.to_owned())];
+fn places_and_motors(state: &State, dynamics: &Dynamics) -> Vec<Line> {
+    let mut lines = vec![(Role::Header, state.told(text!("drive-places")))];
     let wheel = |wheel: &FlywheelSize| {
-        let numbers =
-            [wheel.inertia, 1e3 * wheel.diameter, 1e3 * wheel.width, wheel.mass].map(|x| digits(x, 5));
-        let speeds = [wheel.rim_speed, wheel.admissible_rim_speed].map(|x| digits(x, 4));
-        let word = if wheel.ok { "ok" } else { "FAILED" };
-        std::iter::once(wheel.shaft.to_owned())
-            .chain(numbers)
-            .chain(speeds)
-            .chain([word.to_owned()])
-            .collect()
+        let [inertia, diameter, width, mass] =
+            [wheel.inertia, 1e3 * wheel.diameter, 1e3 * wheel.width, wheel.mass].map(|x| told(x, 5, ""));
+        let [rim, most] = [wheel.rim_speed, wheel.admissible_rim_speed].map(|x| told(x, 4, ""));
+        let verdict = if wheel.ok { text!("check-holds") } else { text!("check-fails") };
+        [name(wheel.shaft), inertia, diameter, width, mass, rim, most, verdict]
     };
-    let wheels: Vec<Vec<String>> = dynamics.flywheel_places.iter().map(wheel).collect();
-    lines.extend(table(&["shaft", "kg m2", "D, mm", "b, mm", "kg", "rim, m/s", "at most", ""], &wheels));
-    if let Some(motor) = &dynamics.motor {
-        if let (Some(length), Some(diameter)) = (motor.length, motor.diameter) {
-            let size = [1e3 * length, 1e3 * diameter].map(|x| digits(x, 4));
-            let mass = motor.mass.map_or_else(|| "-".to_owned(), |mass| digits(mass, 4));
-            let name = &motor.designation;
-            let text = format!("motor {name}: {} x {} mm, {mass} kg", size[0], size[1]);
-            lines.push((Role::Plain, text));
-        }
-        lines.push((Role::Plain, String::new()));
-        let other = |other: &RunnerUp| {
-            let mass = other.mass.map_or_else(|| "-".to_owned(), |mass| digits(mass, 4));
-            let numbers = [other.power, other.rated_speed, other.ratio].map(|x| digits(x, 5));
-            let name = format!("{} ({})", other.designation, other.catalogue);
-            std::iter::once(name).chain(numbers).chain([mass]).collect()
-        };
-        if !motor.runners_up.is_empty() {
-            lines.push((Role::Header, "other motors that would do, the best first".to_owned()));
-            let others: Vec<Vec<String>> = motor.runners_up.iter().map(other).collect();
-            lines.extend(table(&["motor", "power, W", "rad/s", "ratio", "kg"], &others));
-        }
-        lines.push((Role::Plain, String::new()));
-        for warning in &motor.warnings {
-            let rows = wrapped(warning, 75);
-            lines.extend(rows.into_iter().map(|row| (Role::Plain, format!("! {row}"))));
-        }
+    let of = |letter, symbol| list([name(letter), unit(symbol)]);
+    let head = [
+        text!("drive-shaft"),
+        unit("kg m2"),
+        of("D", "mm"),
+        of("b", "mm"),
+        unit("kg"),
+        text!("drive-rim"),
+        text!("drive-at-most"),
+        Text::default(),
+    ];
+    lines.extend(table(state, head, dynamics.flywheel_places.iter().map(wheel)));
+    let Some(motor) = &dynamics.motor else { return lines };
+    let mass_of = |mass: Option<f64>, unit| mass.map_or_else(|| name("-"), |mass| told(mass, 4, unit));
+    if let (Some(length), Some(diameter)) = (motor.length, motor.diameter) {
+        let [length, diameter] = [told(1e3 * length, 4, ""), told(1e3 * diameter, 4, "mm")];
+        let (own, mass) = (name(motor.designation.clone()), mass_of(motor.mass, "kg"));
+        let size = text!("drive-motor-size", motor = own, length = length, diameter = diameter, mass = mass);
+        lines.push((Role::Plain, state.told(size)));
+    }
+    lines.push((Role::Plain, String::new()));
+    let other = |other: &RunnerUp| {
+        let [power, speed, ratio] = [other.power, other.rated_speed, other.ratio].map(|x| told(x, 5, ""));
+        let own = name(format!("{} ({})", other.designation, other.catalogue));
+        [own, power, speed, ratio, mass_of(other.mass, "")]
+    };
+    if !motor.runners_up.is_empty() {
+        lines.push((Role::Header, state.told(text!("drive-other-motors"))));
+        let head = [
+            text!("drive-column-motor"),
+            text!("drive-column-power"),
+            unit("rad/s"),
+            text!("drive-column-ratio"),
+            unit("kg"),
+        ];
+        lines.extend(table(state, head, motor.runners_up.iter().map(other)));
+    }
+    lines.push((Role::Plain, String::new()));
+    for warning in &motor.warnings {
+        let rows = wrapped(&state.told(name(warning.clone())), 75);
+        lines.extend(rows.into_iter().map(|row| (Role::Plain, format!("! {row}"))));
     }
     lines
 }

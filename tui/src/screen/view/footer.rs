@@ -1,5 +1,6 @@
 //! The last two rows: the keys of this view, and in the last row a message or typed text if there is one.
 
+use assur_words::{Text, name, text};
 use crossterm::event::KeyCode;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -14,7 +15,7 @@ const OWN: usize = 4;
 
 /// Draws the footer.
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
-    let (theme, words) = (state.look.theme, state.words());
+    let theme = state.look.theme;
     if let Some(prompt) = &state.prompt {
         let sign = if prompt.kind == PromptKind::Command { ':' } else { '/' };
         let text = format!("{sign}{}", prompt.text);
@@ -24,27 +25,27 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, 0, 1, &text, theme.style(Role::Plain));
         put(buffer, area, short(text.width()), 1, " ", theme.style(Role::Cursor));
     } else if let Some(file) = &state.question {
-        let text = words.with("overwrite", &[("file", file.path.display().to_string())]);
-        put(buffer, area, 1, 1, &text, theme.style(Role::Bad));
+        let file = name(file.path.display().to_string());
+        put(buffer, area, 1, 1, &state.told(text!("overwrite", file = file)), theme.style(Role::Bad));
     } else if let Some((role, text)) = &state.message {
-        put(buffer, area, 1, 1, text, theme.style(*role));
+        put(buffer, area, 1, 1, &state.told(text), theme.style(*role));
     } else if let Some(failure) = failure(state) {
-        put(buffer, area, 1, 0, &failure, theme.style(Role::Bad));
+        put(buffer, area, 1, 0, &state.told(failure), theme.style(Role::Bad));
     } else if let Some(running) = state.analyzing() {
         let text = calculating(state, running);
-        put(buffer, area, 1, 0, &text, theme.style(Role::Dim));
+        put(buffer, area, 1, 0, &state.told(text), theme.style(Role::Dim));
     }
     match (&state.help, &state.picker, &state.message) {
         // The line that is written stands below.
         (.., Some((role, text))) if state.prompt.is_some() => {
-            put(buffer, area, 1, 0, text, theme.style(*role));
+            put(buffer, area, 1, 0, &state.told(text), theme.style(*role));
         }
         (None, Some(picker), _) => {
             let mark =
-                if picker.kind == PickerKind::Quantities { words.get("list-mark") } else { String::new() };
+                if picker.kind == PickerKind::Quantities { text!("list-mark") } else { Text::default() };
             let limits = if picker.kind == PickerKind::Motors { "  :motors 1.5 kW, 1500 rpm" } else { "" };
-            let values = [("mark", mark), ("close", state.keys.first("close"))];
-            let text = words.with("list-keys", &values) + limits;
+            let close = name(state.keys.first("close"));
+            let text = state.told(text!("list-keys", mark = mark, close = close)) + limits;
             put(buffer, area, 1, 0, &text, theme.style(Role::Plain));
         }
         _ => draw_hints(state, area, buffer),
@@ -52,26 +53,32 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The notice of an analysis in progress: its progress, and the key that stops it.
-pub(super) fn calculating(state: &State, running: &Running) -> String {
-    let values = [("key", state.keys.first("close")), ("count", running.count.clone())];
-    let id = if running.count.is_empty() { "calculating" } else { "calculating-at" };
-    state.words().with(id, &values)
+pub(super) fn calculating(state: &State, running: &Running) -> Text {
+    let key = name(state.keys.first("close"));
+    if running.count.is_empty() {
+        text!("calculating", key = key)
+    } else {
+        text!("calculating-at", key = key, count = &running.count)
+    }
 }
 
 /// Why this position, or else another one, can't be assembled.
-fn failure(state: &State) -> Option<String> {
+fn failure(state: &State) -> Option<&Text> {
     let scene = state.scene.as_ref()?;
     let here = scene.broken.get(state.position)?.as_ref();
-    here.or_else(|| scene.broken.iter().flatten().next()).map(|broken| broken.why.clone())
+    here.or_else(|| scene.broken.iter().flatten().next()).map(|broken| &broken.why)
 }
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.
 fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
-    let (theme, words) = (state.look.theme, state.words());
+    let (theme, language) = (state.look.theme, state.language());
     let below = state.prompt.is_some() || state.question.is_some() || state.message.is_some();
     let above = !below && (failure(state).is_some() || state.analyzing().is_some());
     let fixed = ["command", "quit", "help"]
-        .map(|name| format!("{} {}", state.keys.first(name), words.attribute(&format!("do-{name}"), "end")))
+        .map(|name| {
+            let told = state.named(name).map(|command| command.text(language, "end"));
+            format!("{} {}", state.keys.first(name), told.unwrap_or_default())
+        })
         .join("  ");
     let rows: &[u16] = match (below, above) {
         (true, _) => &[0],
@@ -80,7 +87,7 @@ fn draw_hints(state: &State, area: Rect, buffer: &mut Buffer) {
     };
     let hints = hinted(state).into_iter().map(|command| {
         let name = if command.name == "search" && state.view == View::Forces { "pair" } else { "hint" };
-        (command, command.text(words, name))
+        (command, command.text(language, name))
     });
     let mut hints = hints.filter(|(_, hint)| !hint.is_empty()).peekable();
     for row in rows {
@@ -154,7 +161,8 @@ fn keys_of_hint(state: &State, command: &'static Command) -> String {
 }
 
 /// The errors of a file that could not be used.
-pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, buffer: &mut Buffer) {
+pub(crate) fn draw_fault(state: &State, [title, fault]: [&Text; 2], area: Rect, buffer: &mut Buffer) {
+    let (title, fault) = (state.told(title), state.told(fault));
     let width = usize::from(area.width.saturating_sub(2));
     // A line of the file stays one row, because the next row marks a place in it.
     let quoted = |line: &str| {
@@ -171,7 +179,7 @@ pub(crate) fn draw_fault(state: &State, title: &str, fault: &str, area: Rect, bu
     if shown.len() > room {
         let more = shown.len() - room.saturating_sub(1);
         shown.truncate(room.saturating_sub(1));
-        shown.push(format!(".. {more} more lines"));
+        shown.push(state.told(text!("fault-more-lines", count = more)));
     }
     let fault = shown;
     let lines = short(fault.len());

@@ -1,6 +1,7 @@
 //! Reactions: a table of the position, the curves of one pair, its hodograph, the difference of two analyzers.
 
 use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_words::{Text, list, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -19,7 +20,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let Some(found) = &scene.found else { return };
     let theme = state.look.theme;
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &state.words().shown(&heading(scene, found)), theme.style(Role::Header));
+    put(buffer, title, 1, 0, &state.told(heading(scene, found)), theme.style(Role::Header));
     match state.part(View::Forces) {
         Part::Overview => {
             let rows = short(found.reactions.len()) + 1;
@@ -52,17 +53,19 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
             (panels, columns)
         }
     };
-    let name = chosen(state, found).map(Reaction::name).unwrap_or_default();
-    Figure { title: format!("{name}, {}", heading(scene, found)), panels, columns, legend: Vec::new() }
+    let name = chosen(state, found).map(|reaction| reaction.name.clone()).unwrap_or_default();
+    Figure { title: list([name, heading(scene, found)]), panels, columns, legend: Vec::new() }
 }
 
-fn heading(scene: &Scene, found: &Found) -> String {
+fn heading(scene: &Scene, found: &Found) -> Text {
+    let own = name(found.analyzer.clone());
     match &scene.other {
         Some(other) => {
-            let names = format!("1 {} (line)  2 {} (stars)", found.analyzer, other.analyzer);
-            format!("{names}   largest difference {:.1e} N", largest_difference(scene, found, other))
+            let difference = format!("{:.1e}", largest_difference(scene, found, other));
+            let (theirs, difference) = (name(other.analyzer.clone()), quantity(difference, "N"));
+            text!("forces-two-analyzers", one = own, other = theirs, difference = difference)
         }
-        None => format!("force analyzer: {}", found.analyzer),
+        None => text!("forces-analyzer", method = own),
     }
 }
 
@@ -73,16 +76,9 @@ fn chosen<'a>(state: &State, found: &'a Found) -> Option<&'a Reaction> {
 
 fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
-    let moment = if scene.other.is_some() { "|dF|, N" } else { "M, N m" };
-    let header = ["force of the pair", "Fx, N", "Fy, N", "F, N", "direction", moment];
-    put(
-        buffer,
-        area,
-        0,
-        0,
-        &table_row(' ', header.map(|text| state.words().shown(text))),
-        theme.style(Role::Dim),
-    );
+    let (letter, of) = if scene.other.is_some() { ("|dF|", "N") } else { ("M", "N m") };
+    let head = causes::head(state, text!("forces-pair"), list([name(letter), unit(of)]));
+    put(buffer, area, 0, 0, &table_row(' ', head), theme.style(Role::Dim));
     let height = usize::from(area.height.saturating_sub(1));
     // The balancing load, the last one, stays in sight below the reactions.
     let last = found.reactions.len().saturating_sub(1);
@@ -94,29 +90,29 @@ fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &
         let chosen = index == state.chosen.reaction;
         let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
         let [fx, fy, modulus, direction, last] = cells(state, scene, found, reaction);
-        let row_cells = [reaction.name(), fx, fy, modulus, direction, last];
-        let row_cells = row_cells.map(|text| state.words().shown(&text));
+        let row_cells = [reaction.name.clone(), fx, fy, modulus, direction, last];
+        let row_cells = row_cells.map(|text| state.told(text));
         let text = table_row(if chosen { '>' } else { ' ' }, row_cells);
         put(buffer, area, 0, short(row) + 1, &text, style);
     }
 }
 
-fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [String; 5] {
+fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [Text; 5] {
     let value = |index: usize| found.series[index].at(state.position);
-    let bare = |index: usize| found.series[index].bare(state.position);
+    let bare = |index: usize| number(found.series[index].bare(state.position));
     let apart = scene.other.as_ref().map(|other| {
         let apart = difference(found, other, reaction, state.position);
-        apart.map_or_else(|| "-".to_owned(), |apart| format!("{apart:.1e}"))
+        apart.map_or_else(|| name("-"), |apart| number(format_args!("{apart:.1e}")))
     });
     if reaction.pair.is_empty() {
         let series = &found.series[reaction.series[0]];
         let unit = series.show(state.position);
-        let none = String::new;
+        let none = Text::default;
         return [none(), none(), unit, none(), apart.unwrap_or_default()];
     }
     let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
-    let direction = if modulus > 0.0 { direction_text(fx, fy) } else { "-".into() };
-    let last = apart.unwrap_or_else(|| reaction.moment.map_or_else(String::new, bare));
+    let direction = if modulus > 0.0 { direction_text(fx, fy) } else { name("-") };
+    let last = apart.unwrap_or_else(|| reaction.moment.map_or_else(Text::default, bare));
     [bare(reaction.series[0]), bare(reaction.series[1]), bare(reaction.series[2]), direction, last]
 }
 
@@ -151,5 +147,5 @@ fn hodograph(state: &State, found: &Found) -> Option<Panel> {
     items.extend(tip.map(|to| Item::Arrow { from: [0.0; 2], to, stroke: Stroke::Solid, ink: Ink::First }));
     items.push(Item::sign([0.0; 2], Sign::Plus, Ink::Title));
     let frame = Frame::Plane { bounds, unit: "N".into(), factor: 1.0, scale: ("F", "N".into()) };
-    Some(Panel { title: format!("hodograph: {}", reaction.name()), frame, items })
+    Some(Panel { title: text!("forces-hodograph", reaction = &reaction.name), frame, items })
 }

@@ -1,5 +1,6 @@
 //! The first two rows: scene and position, and the views.
 
+use assur_words::{number, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
@@ -35,9 +36,10 @@ fn changed(state: &State, room: usize) -> Option<String> {
     let last = what.last()?;
     let more = match what.changes() - 1 {
         0 => String::new(),
-        others => format!(" (+{others} more)"),
+        others => " ".to_owned() + &state.told(text!("header-more-changes", others = number(others))),
     };
-    let refused = if what.refused() { " (not taken)" } else { "" };
+    let refused =
+        if what.refused() { " ".to_owned() + &state.told(text!("header-not-taken")) } else { String::new() };
     let value = format!(" {}{more}{refused}", what.shown(last));
     let key = values::tail(&what.values[last].key, room.saturating_sub(value.width() + 2).max(6));
     Some(format!("* {key}{value}"))
@@ -48,16 +50,17 @@ fn position(state: &State, scene: &Scene) -> String {
     let (unit, factor) = coordinate_unit(&scene.linkage);
     let coordinate = digits(factor * scene.linkage.mechanism.input.coordinate(state.position), 6);
     let playing = if state.playing { " >" } else { "" };
-    let values = [("number", state.position.to_string()), ("count", scene.positions().to_string())];
-    let position = state.words().with("header-position", &values);
-    format!("{position}  {coordinate} {}{playing}", state.words().unit(unit))
+    let [position, count] = [state.position, scene.positions()].map(number);
+    let position = state.told(text!("header-position", number = position, count = count));
+    format!("{position}  {}{playing}", state.told(quantity(coordinate, unit)))
 }
 
 fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
-    let words = state.words();
+    let language = state.language();
     let tabs = View::TABS.map(|view| (state.keys.first(view.command()), view));
-    let whole: usize = tabs.iter().map(|(key, view)| key.width() + view.name(words).width() + 2).sum();
+    let whole: usize =
+        tabs.iter().map(|(key, view)| key.width() + view.name().render(language).width() + 2).sum();
     // If not all fit, the names are short and there is no space between key and name.
     let fit = whole <= usize::from(area.width) + 1;
     let mut column = 0;
@@ -66,7 +69,7 @@ fn draw_tabs(state: &State, area: Rect, buffer: &mut Buffer) {
         let key = format!("{key}{}", if fit || key.width() > 1 { " " } else { "" });
         put(buffer, area, column, 1, &key, theme.style(key_role));
         column += short(key.width());
-        let name = if fit { view.name(words) } else { view.short_name(words) };
+        let name = if fit { view.name().render(language) } else { view.short_name(language) };
         put(buffer, area, column, 1, &name, theme.style(role));
         column += short(name.width()) + 1;
     }

@@ -1,5 +1,6 @@
 //! The help: every command by group, with its keys, and the words of the field; typing searches.
 
+use assur_words::{Text, joined, name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
@@ -12,6 +13,28 @@ const KEYS_AT: u16 = 2;
 const NAME_AT: u16 = 17;
 const HELP_AT: u16 = 36;
 
+/// The words of the field, each with its meaning.
+const GLOSSARY: [&str; 18] = [
+    "word-pf0",
+    "word-pf1",
+    "word-coordinate",
+    "word-inertia",
+    "word-moment",
+    "word-balance",
+    "word-group",
+    "word-class",
+    "word-dyad",
+    "word-formula",
+    "word-mobility",
+    "word-determinant",
+    "word-way",
+    "word-residual",
+    "word-unevenness",
+    "word-hodograph",
+    "word-plan",
+    "word-condition",
+];
+
 /// The pieces of one row: column, style and text of each.
 type Pieces = Vec<(u16, Role, String)>;
 
@@ -20,9 +43,9 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let Some(help) = &state.help else { return };
     let theme = state.look.theme;
     Clear.render(area, buffer);
-    let words = state.words();
-    let search = if help.filter.typing { format!("/{}", help.filter.text) } else { words.get("help-search") };
-    let block = Block::bordered().title(words.get("help-title")).title_bottom(search);
+    let search =
+        if help.filter.typing { format!("/{}", help.filter.text) } else { state.told(text!("help-search")) };
+    let block = Block::bordered().title(state.told(text!("help-title"))).title_bottom(search);
     let inner = block.inner(area);
     block.render(area, buffer);
     let rows = rows(state, help);
@@ -42,44 +65,45 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     let wanted = help.filter.text.to_lowercase();
     let mut rows = Vec::new();
-    let words = state.words();
     for (group, id) in Group::ALL {
         let of_group = state.commands.iter().filter(|command| command.group == group);
         let commands: Vec<Pieces> = of_group.flat_map(|command| rows_of(state, command, &wanted)).collect();
         if !commands.is_empty() {
-            rows.push(vec![(0, Role::Header, words.get(id))]);
+            rows.push(vec![(0, Role::Header, state.told(text!(id)))]);
             rows.extend(commands);
             rows.push(Vec::new());
         }
     }
-    let words_of = |(word, meaning): &(String, String)| rows_of_word(state, word, meaning, &wanted);
-    let glossary: Vec<Pieces> = words.glossary.iter().flat_map(words_of).collect();
+    let words_of = |word: &&'static str| rows_of_word(state, word, &wanted);
+    let glossary: Vec<Pieces> = GLOSSARY.iter().flat_map(words_of).collect();
     if !glossary.is_empty() {
-        rows.push(vec![(0, Role::Header, words.get("group-words"))]);
+        rows.push(vec![(0, Role::Header, state.told(text!("group-words")))]);
         rows.extend(glossary);
         rows.push(Vec::new());
     }
-    rows.push(vec![(0, Role::Plain, words.get("help-linear"))]);
+    rows.push(vec![(0, Role::Plain, state.told(text!("help-linear")))]);
     rows
 }
 
 /// A word and its meaning; none if they do not match the search.
-fn rows_of_word(state: &State, word: &str, meaning: &str, wanted: &str) -> Vec<Pieces> {
-    let found = [word, meaning].iter().any(|text| text.to_lowercase().contains(wanted));
-    let words = vec![(KEYS_AT, Role::Key, word.to_owned())];
-    if found { folded(state, words, NAME_AT, meaning) } else { Vec::new() }
+fn rows_of_word(state: &State, id: &'static str, wanted: &str) -> Vec<Pieces> {
+    let (word, meaning) = (state.told(text!(id)), state.language().own(&format!("{id}.meaning")));
+    let meaning = meaning.unwrap_or_default();
+    let found = [&word, &meaning].into_iter().any(|text| text.to_lowercase().contains(wanted));
+    let words = vec![(KEYS_AT, Role::Key, word)];
+    if found { folded(state, words, NAME_AT, &meaning) } else { Vec::new() }
 }
 
 /// A command and what it does; none if it does not match the search.
 fn rows_of(state: &State, command: &Command, wanted: &str) -> Vec<Pieces> {
     let keys = state.keys.keys(command.name).iter().map(|key| key.name()).collect::<Vec<_>>().join(" ");
-    let words = state.words();
-    let (help, also) = (command.help(words), command.text(words, "also"));
+    let language = state.language();
+    let (help, also) = (command.help(language), command.text(language, "also"));
     if ![command.name, &help, &keys, &also].iter().any(|text| text.to_lowercase().contains(wanted)) {
         return Vec::new();
     }
     let names = vec![(KEYS_AT, Role::Key, keys), (NAME_AT, Role::Plain, command.name.to_owned())];
-    folded(state, names, HELP_AT, &format!("{help}{}", where_it_works(state, command)))
+    folded(state, names, HELP_AT, &(help + &state.told(where_it_works(state, command))))
 }
 
 /// A text from a column on, in as many rows as it needs, behind other pieces in the first row.
@@ -91,20 +115,19 @@ fn folded(state: &State, mut first: Pieces, column: u16, text: &str) -> Vec<Piec
 }
 
 /// The views in which the keys of a command apply, if not every view with a scene: ` (view 3)`.
-pub(crate) fn where_it_works(state: &State, command: &Command) -> String {
-    let words = state.words();
-    let told = |id: &str, views: &[View]| {
-        let keys: Vec<String> = views.iter().map(|view| state.keys.first(view.command())).collect();
-        words.with(id, &[("views", keys.join(" "))])
+pub(crate) fn where_it_works(state: &State, command: &Command) -> Text {
+    let told = |id: &'static str, views: &[View]| {
+        let keys = views.iter().map(|view| name(state.keys.first(view.command())));
+        text!(id, views = joined(" ", keys))
     };
     match command.views {
-        [] => String::new(),
-        [one @ (View::Values | View::Probe)] => words.with("works-in-view", &[("views", one.name(words))]),
+        [] => Text::default(),
+        [one @ (View::Values | View::Probe)] => text!("works-in-view", views = one.name()),
         [_] => told("works-in-view", command.views),
         several if 2 * several.len() <= View::TABS.len() => told("works-in-views", several),
         most => {
             let missing: Vec<View> = View::TABS.into_iter().filter(|view| !most.contains(view)).collect();
-            if missing.is_empty() { String::new() } else { told("works-not-in", &missing) }
+            if missing.is_empty() { Text::default() } else { told("works-not-in", &missing) }
         }
     }
 }

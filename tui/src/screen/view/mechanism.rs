@@ -4,11 +4,11 @@ use assur_analysis::results::Owner;
 use assur_figure::mechanism::Drawing;
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
 use assur_kinematics::Position;
+use assur_words::{Text, joined, name};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{arrows, panel};
-use crate::number::plain;
 use crate::screen::draw::{cells, paint_zoomed};
 use crate::screen::state::{Probe, Scene, State, Traces, View};
 
@@ -57,11 +57,10 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
         }
         None => items.extend(broken(scene, marked, position)),
     }
-    let coordinate = &scene.series[0];
-    let at = format!("position {position}, {} {}", plain(coordinate.at(position)), coordinate.unit);
+    let at = scene.place(position);
     let title = match scene.linkage.mechanism.title.as_str() {
         "" => at,
-        title => format!("{title}: {at}"),
+        title => joined(": ", [name(title.to_owned()), at]),
     };
     let mut legend = arrows::legend(state, scene);
     legend.extend(links(scene));
@@ -84,7 +83,7 @@ pub(crate) fn plane(scene: &Scene, items: Vec<Item>) -> Panel {
         factor: 1e3,
         scale: ("l", "m".into()),
     };
-    Panel { title: String::new(), frame, items }
+    Panel { title: Text::default(), frame, items }
 }
 
 pub(crate) fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> {
@@ -136,7 +135,7 @@ fn of_probe(scene: &Scene, probe: &Probe, pose: &Position) -> [Item; 3] {
     [
         Item::line(probe.path(scene), Stroke::Solid, Ink::Marked),
         Item::sign(at, Sign::Cross, Ink::Marked),
-        Item::name(at, "P", Ink::Marked),
+        Item::name(at, name("P"), Ink::Marked),
     ]
 }
 
@@ -145,7 +144,7 @@ fn links(scene: &Scene) -> impl Iterator<Item = Key> {
     let links = scene.linkage.mechanism.links.iter().enumerate().skip(1);
     links.filter(|_| scene.linkage.mechanism.links.len() <= MOST_LINKS + 1).map(|(number, link)| Key {
         sample: Sample::Line(Stroke::Thick, Ink::Link(number)),
-        text: format!("{number} {}", link.name),
+        text: joined(" ", [name(number.to_string()), (&link.name).into()]),
     })
 }
 

@@ -24,6 +24,7 @@ mod table;
 pub(crate) mod values;
 
 use assur_figure::Figure;
+use assur_words::{number, text};
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -50,8 +51,10 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     let area = frame.area();
     let buffer = frame.buffer_mut();
     if area.width < LEAST.0 || area.height < LEAST.1 {
-        let text = format!("needs {} x {}, has {} x {}", LEAST.0, LEAST.1, area.width, area.height);
-        put(buffer, area, 0, 0, &text, Style::new());
+        let [width, height] = [LEAST.0, LEAST.1].map(number);
+        let [columns, rows] = [area.width, area.height].map(number);
+        let text = text!("screen-too-small", width = width, height = height, columns = columns, rows = rows);
+        put(buffer, area, 0, 0, &state.told(text), Style::new());
     } else {
         let [header, body, footer] = parts(area);
         header::draw(state, header, buffer);
@@ -60,7 +63,7 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
         if state.help.is_some() {
             help::draw(state, body, buffer);
         } else if let Some((title, fault)) = &state.fault {
-            footer::draw_fault(state, title, fault, body, buffer);
+            footer::draw_fault(state, [title, fault], body, buffer);
         }
     }
     if state.look.ascii {
@@ -173,8 +176,8 @@ fn draw_panel(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, 0, row, "│", theme.style(Role::Dim));
     }
     let figure = figure(state, view);
-    let heading = figure.as_ref().map_or("", |figure| figure.title.as_str());
-    let heading = format!("{} {}  {heading}", state.keys.first(view.command()), view.name(state.words()));
+    let heading = figure.as_ref().map_or_else(String::new, |figure| state.told(&figure.title));
+    let heading = format!("{} {}  {heading}", state.keys.first(view.command()), state.told(view.name()));
     put(buffer, title, 0, 0, &cut(heading.trim_end(), usize::from(title.width)), theme.style(Role::Header));
     match figure {
         Some(figure) => paint(state, &figure, inside, buffer),

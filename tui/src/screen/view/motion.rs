@@ -1,7 +1,8 @@
 //! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
 
 use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
-use assur_figure::{Axis, Figure, Panel};
+use assur_figure::{Axis, Cursor, Figure, Panel};
+use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -19,11 +20,11 @@ const NUMBERS: u16 = 30;
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
     let dynamics = found.analysis.dynamics.as_ref();
-    let lines = dynamics.map(|d| numbers(d, found.analysis.input.angular)).unwrap_or_default();
-    let (role, text) = heading(state, scene, found);
+    let lines = dynamics.map(|d| numbers(state, d, found.analysis.input.angular)).unwrap_or_default();
+    let (role, text) = heading(scene, found);
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &state.words().shown(&text), state.look.theme.style(role));
+    put(buffer, title, 1, 0, &state.told(text), state.look.theme.style(role));
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
     let regime = dynamics.map(|dynamics| &dynamics.regime);
@@ -51,28 +52,25 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
             curves::stack(state, scene, found, None, &wanted)
         }
     };
-    Figure { title: heading(state, scene, found).1, panels, columns: 1, legend: Vec::new() }
+    Figure { title: heading(scene, found).1, panels, columns: 1, legend: Vec::new() }
 }
 
 /// The most important line: the unevenness of a regime, or why there is no speed.
-fn heading(state: &State, scene: &Scene, found: &Found) -> (Role, String) {
+fn heading(scene: &Scene, found: &Found) -> (Role, Text) {
     if let Some(dynamics) = &found.analysis.dynamics {
         return (Role::Header, unevenness(dynamics, found.analysis.input.angular));
     }
     match (&found.analysis.no_motion, &scene.linkage.mechanism.motion) {
-        (Some(reason), _) => (Role::Bad, advice::not_found(state, reason).replace('\n', " ")),
-        (None, None) => (
-            Role::Dim,
-            "no [motion] in the scene, so J and Q alone; add it, with speed = \"60 rpm\"".to_owned(),
-        ),
-        (None, Some(_)) => (Role::Plain, String::new()),
+        (Some(reason), _) => (Role::Bad, advice::not_found(reason, " ")),
+        (None, None) => (Role::Dim, text!("motion-none")),
+        (None, Some(_)) => (Role::Plain, Text::default()),
     }
 }
 
 /// `unevenness 0.05, mean speed 6.2832 rad/s`.
-pub(super) fn unevenness(dynamics: &Dynamics, angular: bool) -> String {
-    let [unevenness, mean] = [dynamics.figures.unevenness, dynamics.figures.mean_speed].map(|x| digits(x, 5));
-    format!("unevenness {unevenness}, mean speed {mean} {}", speed_unit(angular))
+pub(super) fn unevenness(dynamics: &Dynamics, angular: bool) -> Text {
+    let mean = quantity(digits(dynamics.figures.mean_speed, 5), speed_unit(angular));
+    text!("regime-heading", unevenness = words::number(digits(dynamics.figures.unevenness, 5)), mean = mean)
 }
 
 /// Unit of the speed of the input.
@@ -84,44 +82,46 @@ fn speed_unit(angular: bool) -> &'static str {
 fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
     let q = if analysis.input.angular { "rad" } else { "m" };
     let all = [
-        ("coordinate", q.to_owned(), Quantity::Transfer(0)),
-        ("speed", format!("{q}/s"), Quantity::Velocity),
-        ("acceleration", format!("{q}/s2"), Quantity::Acceleration),
+        ("motion-coordinate", q.to_owned(), Quantity::Transfer(0)),
+        ("motion-speed", format!("{q}/s"), Quantity::Velocity),
+        ("motion-acceleration", format!("{q}/s2"), Quantity::Acceleration),
     ];
     let time = Column::of(Quantity::Time, Owner::Input);
     let Some(last) = analysis.trajectory.len().checked_sub(1) else { return Vec::new() };
     let row = state.position.min(last);
     let Some(now) = analysis.trajectory.get(row, time) else { return Vec::new() };
     let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
-    let x = Axis::around("time, s", times, 0.0);
-    let panel = |(name, unit, quantity): (&str, String, Quantity)| {
-        let course = regime::sampled(analysis, time, quantity);
+    let x = Axis::around(text!("motion-time"), times, 0.0);
+    let panel = |(told, unit, of): (&'static str, String, Quantity)| {
+        let course = regime::sampled(analysis, time, of);
         let value = course.between(now).unwrap_or(f64::NAN);
-        let title = format!("{name}  {} {unit}", number(value));
-        plots::curves(&title, vec![(name, course)], (x.clone(), 1.0), Some(now))
+        let cursor = Cursor { at: now, value: quantity(number(value), unit) };
+        plots::curves(text!(told), vec![(text!(told), course)], (x.clone(), 1.0), Some(cursor))
     };
     let energies = regime::energies(analysis, time, (x.clone(), 1.0), now);
     all.map(panel).into_iter().chain(energies).collect()
 }
 
 /// The numbers of the regime, one a line.
-pub(super) fn numbers(dynamics: &Dynamics, angular: bool) -> Vec<(Role, String)> {
+pub(super) fn numbers(state: &State, dynamics: &Dynamics, angular: bool) -> Vec<(Role, String)> {
     let speed = speed_unit(angular);
     let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
     let place = if angular { "deg" } else { "mm" };
-    let all: [(&str, Option<f64>, &str); 10] = [
-        ("mean speed", Some(dynamics.figures.mean_speed), speed),
-        ("unevenness", Some(dynamics.figures.unevenness), ""),
-        ("least speed", Some(dynamics.figures.speed_min), speed),
-        ("  at", Some(degrees(dynamics.figures.coordinate_at_min)), place),
-        ("greatest speed", Some(dynamics.figures.speed_max), speed),
-        ("  at", Some(degrees(dynamics.figures.coordinate_at_max)), place),
-        ("excess work", Some(dynamics.figures.excess_work), "J"),
-        ("dynamic unevenness", dynamics.figures.dynamic_unevenness, ""),
-        ("torque", dynamics.figures.torque, "N m"),
-        ("required power", Some(dynamics.figures.required_power), "W"),
+    let all: [(&'static str, Option<f64>, &'static str); 10] = [
+        ("regime-mean-speed", Some(dynamics.figures.mean_speed), speed),
+        ("regime-unevenness", Some(dynamics.figures.unevenness), ""),
+        ("regime-least-speed", Some(dynamics.figures.speed_min), speed),
+        ("regime-at", Some(degrees(dynamics.figures.coordinate_at_min)), place),
+        ("regime-greatest-speed", Some(dynamics.figures.speed_max), speed),
+        ("regime-at", Some(degrees(dynamics.figures.coordinate_at_max)), place),
+        ("regime-excess-work", Some(dynamics.figures.excess_work), "J"),
+        ("regime-dynamic-unevenness", dynamics.figures.dynamic_unevenness, ""),
+        ("regime-torque", dynamics.figures.torque, "N m"),
+        ("regime-required-power", Some(dynamics.figures.required_power), "W"),
     ];
-    all.into_iter()
-        .filter_map(|(name, value, unit)| Some((Role::Plain, format!("{name} {} {unit}", digits(value?, 5)))))
-        .collect()
+    let line = |(id, value, unit): (&'static str, Option<f64>, &'static str)| {
+        let told = state.told(joined(" ", [text!(id), quantity(digits(value?, 5), unit)]));
+        Some((Role::Plain, if id == "regime-at" { format!("  {told}") } else { told }))
+    };
+    all.into_iter().filter_map(line).collect()
 }

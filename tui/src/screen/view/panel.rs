@@ -2,12 +2,14 @@
 
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::cells::cell_width;
-use assur_figure::{Figure, Ink, Sample};
+use assur_figure::{Figure, Ink};
 use assur_geometry::Curvature;
 use assur_mechanism::{Motion, Place};
+use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::arrows;
 use crate::number::digits;
 use crate::screen::draw::{cells, put_lines, wrapped};
 use crate::screen::state::{Bounds, Probe, Role, Scene, State};
@@ -25,10 +27,10 @@ pub(super) fn draw(
     buffer: &mut Buffer,
 ) {
     let plain = |text: String| (Role::Plain, text);
-    let mut lines: Vec<_> = input(state, scene).into_iter().map(plain).collect();
+    let mut lines: Vec<_> = input(state, scene).into_iter().map(|text| plain(state.told(text))).collect();
     lines.push(plain(String::new()));
     if let Some(Some(broken)) = scene.broken.get(state.position) {
-        let rows = wrapped(&broken.why, usize::from(area.width.max(8)) - 2);
+        let rows = wrapped(&state.told(&broken.why), usize::from(area.width.max(8)) - 2);
         lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
     } else {
         match &state.probe {
@@ -36,7 +38,7 @@ pub(super) fn draw(
             None => lines.extend(quantities(state, scene)),
         }
         // The legend and the scale of the arrows, at the foot of the panel.
-        let legend = legend(state, figure, drawing);
+        let legend = legend(state, scene, figure, drawing);
         lines.resize(usize::from(area.height).saturating_sub(legend.len() + 1), plain(String::new()));
         lines.extend(legend);
     }
@@ -44,40 +46,38 @@ pub(super) fn draw(
 }
 
 /// The legend of the arrows: what they are, then the length of a round value.
-fn legend(state: &State, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {
+fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {
     let Some(panel) = figure.panels.first() else { return Vec::new() };
     let Some(width) = cell_width(panel, [drawing.width, drawing.height], cells(state, state.zoom)) else {
         return Vec::new();
     };
     let mut lines = Vec::new();
-    for key in &figure.legend {
-        let Sample::Arrow(length, _, ink) = key.sample else { continue };
+    for (what, size, length, ink) in arrows::scales(state, scene) {
         let (role, dash) =
             if ink == Ink::Velocity { (Role::Velocity, '-') } else { (Role::Acceleration, '.') };
         let shaft = (0..).take_while(|dash| f64::from(*dash) < (length / width).clamp(1.0, SHAFT));
         let shaft: String = shaft.map(|_| dash).collect();
-        let (name, value) = key.text.rsplit_once(": ").unwrap_or(("", &key.text));
-        lines.extend([(role, name.to_owned()), (role, format!(" {shaft}> {value}"))]);
+        lines.extend([(role, state.told(what)), (role, format!(" {shaft}> {}", state.told(size)))]);
     }
     lines
 }
 
 /// Coordinate and speed of the input, and the balancing load.
-fn input(state: &State, scene: &Scene) -> Vec<String> {
+fn input(state: &State, scene: &Scene) -> Vec<Text> {
     let at = state.position;
-    let mut lines = vec![format!("coordinate {}", scene.series[0].show(at))];
+    let mut lines = vec![text!("panel-coordinate", value = scene.series[0].show(at))];
     let unit = if scene.linkage.angular() { "rad/s" } else { "m/s" };
     let found = scene.found.as_ref();
     // In a steady regime the speed is a result, one for each position.
     let of_input = Column::of(Quantity::Velocity, Owner::Input);
     let own = found.and_then(|found| found.series.iter().find(|series| series.column == of_input));
     let speed = match scene.linkage.mechanism.motion {
-        Some(Motion::Prescribed { speed, .. }) => Some(format!("{} {unit}", digits(speed, 5))),
+        Some(Motion::Prescribed { speed, .. }) => Some(quantity(digits(speed, 5), unit)),
         _ => own.map(|series| series.show(at)),
     };
-    lines.extend(speed.map(|speed| format!("speed {speed}")));
+    lines.extend(speed.map(|speed| text!("panel-speed", value = speed)));
     let balancing = found.and_then(|found| found.balancing());
-    lines.extend(balancing.map(|series| format!("balance {}", series.show(at))));
+    lines.extend(balancing.map(|series| text!("panel-balance", value = series.show(at))));
     lines
 }
 
@@ -90,39 +90,40 @@ fn of_probe(state: &State, scene: &Scene, probe: &Probe) -> Vec<(Role, String)> 
     let [width, height] = Bounds::around(path.iter().copied()).size();
     let pieces = path.windows(2).map(|two| (two[1][0] - two[0][0]).hypot(two[1][1] - two[0][1]));
     let length: f64 = pieces.filter(|piece| piece.is_finite()).sum();
-    let mm = |value: f64| digits(1e3 * value, 5);
+    let mm = |value: f64, unit| quantity(digits(1e3 * value, 5), unit);
     let curvature = Curvature::of(&motion, motion.pf1[0].hypot(motion.pf1[1]));
     let radius = curvature.map(|found| found.curvature.abs()).filter(|curvature| *curvature > 0.0);
-    let radius =
-        radius.map_or_else(|| "infinite".to_owned(), |curvature| format!("{} mm", mm(1.0 / curvature)));
-    let [own, here] = [probe.at, motion.pf0].map(|[x, y]| format!("{}, {}", mm(x), mm(y)));
-    let name = &linkage.mechanism.links[probe.link].name;
+    let radius = radius.map_or_else(|| text!("panel-infinite"), |curvature| mm(1.0 / curvature, "mm"));
+    let separator = if state.language().code == "en" { ", " } else { "; " };
+    let [own, here] = [probe.at, motion.pf0].map(|[x, y]| joined(separator, [mm(x, ""), mm(y, "")]));
+    let (number, link) = (words::number(probe.link), &linkage.mechanism.links[probe.link].name);
     let rows = [
-        (Role::Header, format!("P on {} {name}", probe.link)),
-        (Role::Plain, " in its frame, mm:".to_owned()),
-        (Role::Plain, format!("  {own}")),
-        (Role::Plain, " in the plane, mm:".to_owned()),
-        (Role::Plain, format!("  {here}")),
-        (Role::Plain, format!(" path {} x {} mm", mm(width), mm(height))),
-        (Role::Plain, format!(" about {} mm long", mm(length))),
-        (Role::Plain, " radius of curvature".to_owned()),
-        (Role::Plain, format!("  {radius}")),
+        (1, text!("panel-in-frame")),
+        (2, own),
+        (1, text!("panel-in-plane")),
+        (2, here),
+        (1, text!("panel-path", width = mm(width, ""), height = mm(height, "mm"))),
+        (1, text!("panel-path-length", length = mm(length, "mm"))),
+        (1, text!("panel-radius")),
+        (2, radius),
     ];
-    rows.into()
+    let rows = rows.map(|(indent, text)| (Role::Plain, " ".repeat(indent) + &state.told(text)));
+    let title = state.told(text!("panel-point-on", number = number, link = link));
+    std::iter::once((Role::Header, title)).chain(rows).collect()
 }
 
 /// PF0, PF1, PF2 of the chosen quantity, then PF0 of the others.
 fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
     let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Vec::new() };
-    let show = |index: usize| scene.series[index].show(state.position);
-    let mut lines = vec![(Role::Header, transfer.name.clone())];
+    let show = |index: usize| state.told(scene.series[index].show(state.position));
+    let mut lines = vec![(Role::Header, state.told(&transfer.name))];
     let orders = transfer.orders.iter().enumerate();
     lines.extend(orders.map(|(order, index)| (Role::Plain, format!(" PF{order} {}", show(*index)))));
     lines.push((Role::Plain, String::new()));
     let others = scene.transfers.iter().filter(|other| other.name != transfer.name);
     lines.extend(others.map(|other| {
         let first = other.orders[0];
-        let text = format!("{} {}", scene.series[first].short, show(first));
+        let text = format!("{} {}", state.told(&scene.series[first].head), show(first));
         // A link has its number in the drawing.
         match other.owner {
             Owner::Link(number) => (Role::Link(number), format!("{number} {text}")),

@@ -2,6 +2,7 @@
 
 use assur_figure::{Figure, Ink, Stroke};
 use assur_fixtures::SCENES;
+use assur_words::{Text, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Clear, Widget};
@@ -26,9 +27,10 @@ pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buff
     };
     let [list, picture] = Layout::horizontal([Constraint::Length(width), Constraint::Min(0)]).areas(rest);
     let theme = state.look.theme;
-    put(buffer, title, 1, 0, &picker.heading, theme.style(Role::Header));
+    put(buffer, title, 1, 0, &state.told(&picker.heading), theme.style(Role::Header));
     let left = picker.left();
-    let count = format!("{} of {}", left.len(), picker.rows.len());
+    let [some, all] = [left.len(), picker.rows.len()].map(number);
+    let count = state.told(text!("picker-count", left = some, all = all));
     put(buffer, title, 1, 1, &format!("/{}  ({count})", picker.filter.text), theme.style(Role::Key));
     let height = usize::from(list.height);
     let shown = left.iter().enumerate().skip(first_shown(picker.chosen, height)).take(height);
@@ -51,15 +53,19 @@ fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     let index = SCENES.iter().position(|(name, _)| *name == choice.name);
     match index.and_then(|index| state.previews.get(&index)) {
         Some(Ok(scene)) => {
-            let [name, drawing] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
-            put(buffer, name, 1, 0, &scene.linkage.mechanism.title, theme.style(Role::Header));
+            let [head, drawing] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
+            put(buffer, head, 1, 0, &scene.linkage.mechanism.title, theme.style(Role::Header));
             paint(state, &mechanism::still(scene), drawing, buffer);
         }
         Some(Err(text)) => {
+            let text = state.told(text);
             let lines: Vec<_> = text.lines().map(|line| (Role::Plain, line.to_owned())).collect();
             put_lines(buffer, area, 1, state, &lines);
         }
-        None => put(buffer, area, 1, 0, &format!("reading {} ...", choice.text), theme.style(Role::Dim)),
+        None => {
+            let text = state.told(text!("picker-reading", scene = name(choice.text.clone())));
+            put(buffer, area, 1, 0, &text, theme.style(Role::Dim));
+        }
     }
 }
 
@@ -67,7 +73,8 @@ fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
 fn curve(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     let Some(scene) = &state.scene else { return };
     let Some(series) = scene.named(&choice.name) else { return };
-    let curves = [(series, Stroke::Solid, Ink::First)];
-    let panel = plots::over_positions(state, scene, series.show(state.position), &curves, Vec::new());
+    let (curves, heading) =
+        ([(series, Stroke::Solid, Ink::First)], [Text::default(), series.show(state.position)]);
+    let panel = plots::over_positions(state, scene, heading, &curves, Vec::new());
     paint(state, &Figure::of(panel), area, buffer);
 }

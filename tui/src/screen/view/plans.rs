@@ -3,6 +3,7 @@
 use assur_diagram::{Plan, PlanVector, construction_plan};
 use assur_figure::{Bounds, Figure, Frame, Ink, Panel};
 use assur_force::{Construction, Drawing, Step, VectorKind};
+use assur_words::{Text, joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -30,7 +31,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         Shown::Construction(construction, last) => list_of_steps(state, construction, last, list, buffer),
         Shown::Nothing(text) => {
             let text = text.unwrap_or_else(|| advice::text(state, scene));
-            let rows = advice::rows(&text, usize::from(list.width.max(12)) - 2).into_iter();
+            let rows = advice::rows(&state.told(text), usize::from(list.width.max(12)) - 2).into_iter();
             let rows: Vec<_> = rows.map(|line| (Role::Plain, line)).collect();
             return lines(state, &rows, list, buffer);
         }
@@ -48,19 +49,19 @@ enum Shown<'a> {
     /// A construction up to a step.
     Construction(&'a Construction, usize),
     /// Why there is nothing; `None`: the advice on the scene.
-    Nothing(Option<String>),
+    Nothing(Option<Text>),
 }
 
 fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
-    let nothing = |text: &str| Shown::Nothing(Some(text.to_owned()));
+    let nothing = |text: Text| Shown::Nothing(Some(text));
     let sheet = match (&plans.sheet, state.part(View::Plans)) {
         (_, Part::Construction) => {
             return match chosen_step(plans, state.chosen.step) {
                 Some((construction, last)) => Shown::Construction(construction, last),
-                None => nothing("no method with a construction fits here"),
+                None => nothing(text!("plans-no-construction")),
             };
         }
-        (Err(error), _) => return nothing(&error.to_string()),
+        (Err(error), _) => return nothing(name(error.to_string())),
         (Ok(sheet), _) => sheet,
     };
     let plan = match state.part(View::Plans) {
@@ -72,7 +73,7 @@ fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
     match plan {
         Some(plan) => Shown::Plan(plan),
         None if found.reactions.is_empty() => Shown::Nothing(None),
-        None => nothing("no forces are determined in this position"),
+        None => nothing(text!("forces-not-determined")),
     }
 }
 
@@ -89,13 +90,13 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
             {
                 panels.insert(0, panel_of_plan(state, plan));
                 one_scale(&mut panels);
-                let name = |number: usize| scene.place(state.words(), number);
-                (panels[0].title, panels[1].title) = (name(*position), name(state.position));
+                (panels[0].title, panels[1].title) = (scene.place(*position), scene.place(state.position));
             }
             Figure { title: plan.title.clone(), columns: panels.len(), panels, legend: Vec::new() }
         }
         Shown::Construction(construction, last) => {
-            let title = format!("{}, step {}", construction.title, last + 1);
+            let (method, step) = (name(construction.title.clone()), number(last + 1));
+            let title = text!("plans-step", construction = method, step = step);
             let panel = panel_of_steps(construction, last);
             Figure { title, columns: 1, panels: panel.into_iter().collect(), legend: Vec::new() }
         }
@@ -138,12 +139,10 @@ pub(crate) fn labelled(part: Part, plan: &Plan) -> Vec<(String, &PlanVector)> {
 /// The vectors of a plan, and its closure error.
 fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
-    let mut rows: Vec<(Role, String)> = wrapped(&state.words().shown(&plan.title), width)
-        .into_iter()
-        .map(|line| (Role::Header, line))
-        .collect();
+    let mut rows: Vec<(Role, String)> =
+        wrapped(&state.told(&plan.title), width).into_iter().map(|line| (Role::Header, line)).collect();
     if state.part(View::Plans) == Part::Forces {
-        rows.push((Role::Dim, "F load  R reaction  .. inside the group".to_owned()));
+        rows.push((Role::Dim, state.told(text!("plans-key"))));
     }
     let shown = labelled(state.part(View::Plans), plan);
     // The last rows show the closure error; a long list must not push them out.
@@ -153,11 +152,13 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
         _ => state.chosen.vector.min(shown.len().saturating_sub(room)),
     };
     for (label, item) in shown.iter().skip(skip).take(room) {
-        let name = cut(&state.words().shown(&item.name), 19);
-        let text = format!("{label:<4}{name:<20}{:>9} {}", digits(item.size, 5), item.unit);
+        let name = cut(&state.told(&item.name), 19);
+        let size = state.told(number(digits(item.size, 5)));
+        let text = format!("{label:<4}{name:<20}{size:>9} {}", state.told(unit(item.unit.clone())));
         rows.push((Role::Plain, text));
     }
-    rows.push((Role::Header, format!("left open: {:.1e} of the greatest", plan.residual)));
+    let open = number(format_args!("{:.1e}", plan.residual));
+    rows.push((Role::Header, state.told(text!("plans-open", open = open))));
     lines(state, &rows, list, buffer);
 }
 
@@ -165,7 +166,7 @@ fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
     let vectors = labelled(state.part(View::Plans), plan).into_iter().map(|(label, item)| {
         let absolute = state.part(View::Plans) == Part::Accelerations && item.kind == VectorKind::Absolute;
         let ink = if absolute { Ink::Acceleration } else { ink(item.kind) };
-        let name = if ink == Ink::Trace { String::new() } else { label };
+        let name = if ink == Ink::Trace { Text::default() } else { name(label) };
         Vector { from: item.start, to: item.end, name, ink }
     });
     let (unit, symbol, pole) = match state.part(View::Plans) {
@@ -173,7 +174,7 @@ fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
         Part::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
         _ => (plan.unit.as_str(), "F", None),
     };
-    plots::vectors(String::new(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
+    plots::vectors(Text::default(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
@@ -182,17 +183,8 @@ fn label(part: Part, item: &PlanVector, number: usize) -> String {
         (Part::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
         (Part::Forces, VectorKind::Inner) => "..".to_owned(),
         (Part::Forces, _) => format!("F{}", number + 1),
-        (_, VectorKind::Absolute) => image(&item.name),
+        (_, VectorKind::Absolute) => item.image.clone(),
         _ => "..".to_owned(),
-    }
-}
-
-/// The image of a point in a plan: `a` of `v(A)`, `a'` of `v(A on rocker)`.
-fn image(name: &str) -> String {
-    let point = name.split_once('(').map_or(name, |(_, point)| point.trim_end_matches(')'));
-    match point.split_once(' ') {
-        Some((point, _)) => format!("{}'", point.to_lowercase()),
-        None => point.to_lowercase(),
     }
 }
 
@@ -220,17 +212,21 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
 /// The chosen step of a construction, with the sentence that explains it.
 fn list_of_steps(state: &State, construction: &Construction, last: usize, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
-    let mut rows: Vec<(Role, String)> =
-        wrapped(&construction.title, width).into_iter().map(|line| (Role::Header, line)).collect();
+    let mut rows: Vec<(Role, String)> = wrapped(&state.told(name(construction.title.clone())), width)
+        .into_iter()
+        .map(|line| (Role::Header, line))
+        .collect();
     let next = state.keys.first("next-step");
-    rows.push((
-        Role::Plain,
-        format!("step {} of {} ({next} draws the next)", last + 1, construction.steps.len()),
-    ));
+    let [now, count] = [last + 1, construction.steps.len()].map(number);
+    let told = text!("plans-step-of", step = now, count = count, key = name(next));
+    rows.push((Role::Plain, state.told(told)));
     let Some(step) = construction.steps.get(last) else { return };
-    let size = digits(step.vector[0].hypot(step.vector[1]), 5);
-    rows.push((Role::Key, format!("{} ({}) {size} {}", step.name, step.kind, step.unit)));
-    rows.extend(wrapped(&step.note, width).into_iter().map(|line| (Role::Plain, line)));
+    let size = quantity(digits(step.vector[0].hypot(step.vector[1]), 5), step.unit.to_owned());
+    let kind = name(format!("({})", step.kind));
+    rows.push((Role::Key, state.told(joined(" ", [name(step.name.clone()), kind, size]))));
+    rows.extend(
+        wrapped(&state.told(name(step.note.clone())), width).into_iter().map(|line| (Role::Plain, line)),
+    );
     lines(state, &rows, list, buffer);
 }
 
@@ -245,7 +241,7 @@ fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
             VectorKind::Point => (step.start, step.start, Ink::Trace),
             _ => items.next().map(|item| (item.start, item.end, ink(item.kind)))?,
         };
-        Some(Vector { from, to, name: step.name.clone(), ink })
+        Some(Vector { from, to, name: name(step.name.clone()), ink })
     };
     let vectors: Vec<Vector> = steps.filter_map(vector).collect();
     let symbol = match drawing {
@@ -253,5 +249,5 @@ fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
         Drawing::Polygon => "F",
         Drawing::Lever => "v",
     };
-    Some(plots::vectors(String::new(), &vectors, (&plan.unit, symbol), None))
+    Some(plots::vectors(Text::default(), &vectors, (&plan.unit, symbol), None))
 }

@@ -1,7 +1,8 @@
 //! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
 use assur_book::Course;
-use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
+use assur_figure::{Axis, Bounds, Cursor, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
+use assur_words::{Text, joined, name, text, unit};
 
 use crate::screen::state::{Scene, Series, State, coordinate_unit};
 
@@ -15,14 +16,14 @@ pub(super) fn coordinate_axis(scene: &Scene) -> Axis {
     let last = scene.positions() - usize::from(!scene.is_cycle());
     let ends = [0.0, last as f64].map(|at| scene.coordinate_at(at));
     let kind = if series.unit == "deg" { Kind::Degrees } else { Kind::Linear };
-    Axis { kind, ..Axis::around(format!("coordinate, {}", series.unit), ends, 0.0) }
+    Axis { kind, ..Axis::around(text!("chart-coordinate", unit = unit(series.unit.clone())), ends, 0.0) }
 }
 
-/// The curve of a quantity over the positions, with the cursor at the present one.
+/// The curve of a quantity over the positions, with the cursor at the present one, at which it has a value.
 pub(crate) fn over_positions(
     state: &State,
     scene: &Scene,
-    title: String,
+    [title, value]: [Text; 2],
     curves: &[(&Series, Stroke, Ink)],
     signs: Vec<Item>,
 ) -> Panel {
@@ -32,13 +33,14 @@ pub(crate) fn over_positions(
     };
     let mut items: Vec<Item> = curves.iter().map(line).collect();
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
-    let (floor, unit) =
-        curves.first().map_or((0.0, ""), |(series, ..)| (series.factor * series.floor, &series.unit));
+    let (floor, unit) = curves.first().map_or((0.0, Text::default()), |(series, ..)| {
+        (series.factor * series.floor, unit(series.unit.clone()))
+    });
     items.extend(signs);
     let frame = Frame::Axes {
         x: coordinate_axis(scene),
         y: Axis::around(unit, values, floor),
-        cursor: Some(scene.coordinate_at(state.at())),
+        cursor: Some(Cursor { at: scene.coordinate_at(state.at()), value }),
     };
     Panel { title, frame, items }
 }
@@ -46,27 +48,32 @@ pub(crate) fn over_positions(
 /// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
 /// the horizontal axis.
 pub(super) fn curves(
-    title: &str,
-    curves: Vec<(&str, Course)>,
+    title: Text,
+    curves: Vec<(Text, Course)>,
     (x, factor): (Axis, f64),
-    cursor: Option<f64>,
+    cursor: Option<Cursor>,
 ) -> Panel {
     let count = curves.len();
-    let names: Vec<String> =
-        curves.iter().enumerate().map(|(at, curve)| format!("{} {}", at + 1, curve.0)).collect();
-    let title = if count > 1 { format!("{title}: {}", names.join("  ")) } else { title.to_owned() };
+    let names = curves.iter().enumerate().map(|(at, curve)| numbered(at, curve.0.clone()));
+    let title = if count > 1 { joined(": ", [title, joined("  ", names)]) } else { title };
     let mut items = Vec::new();
     for (number, ((_, course), (stroke, ink))) in curves.into_iter().zip(STYLES).enumerate() {
         let points = course.points([factor, 1.0]);
         // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
         let at = points.get((2 * number + 1) * points.len() / (2 * count)).copied();
         items.push(Item::line(points, stroke, ink));
-        let name = at.filter(|_| count > 1).map(|at| Item::name(at, (number + 1).to_string(), Ink::Title));
-        items.extend(name);
+        let sign =
+            at.filter(|_| count > 1).map(|at| Item::name(at, name((number + 1).to_string()), Ink::Title));
+        items.extend(sign);
     }
     let points = || items.iter().flat_map(Item::points);
-    let y = Axis::around("", points().map(|at| at[1]), 0.0);
+    let y = Axis::around(Text::default(), points().map(|at| at[1]), 0.0);
     Panel { title, frame: Frame::Axes { x, y, cursor }, items }
+}
+
+/// A name behind its number: `2 resistance`.
+pub(super) fn numbered(at: usize, told: Text) -> Text {
+    joined(" ", [name((at + 1).to_string()), told])
 }
 
 /// A vector from one point to another.
@@ -75,27 +82,27 @@ pub(crate) struct Vector {
     pub(crate) from: Point,
     pub(crate) to: Point,
     /// May be empty: then it is a thin line.
-    pub(crate) name: String,
+    pub(crate) name: Text,
     pub(crate) ink: Ink,
 }
 
 /// Vectors that are drawn together, in a unit, with the index of its scale factor. With a pole, it is marked and names
 /// are at the tips, as in textbooks.
 pub(crate) fn vectors(
-    title: String,
+    title: Text,
     vectors: &[Vector],
     (unit, symbol): (&str, &'static str),
-    pole: Option<&str>,
+    pole: Option<&'static str>,
 ) -> Panel {
     let mut items: Vec<Item> = vectors.iter().map(arrow).collect();
     let part = if pole.is_some() { 1.0 } else { 0.6 };
     items.extend(vectors.iter().filter(|vector| !vector.name.is_empty()).map(|vector| {
         let at = [0, 1].map(|axis| (1.0 - part) * vector.from[axis] + part * vector.to[axis]);
-        Item::name(at, &vector.name, Ink::Title)
+        Item::name(at, vector.name.clone(), Ink::Title)
     }));
     if let Some(pole) = pole {
         items.push(Item::sign([0.0; 2], Sign::Ring, Ink::Title));
-        items.push(Item::name([0.0; 2], pole, Ink::Title));
+        items.push(Item::name([0.0; 2], name(pole), Ink::Title));
     }
     let bounds = Bounds::around(items.iter().flat_map(Item::points));
     let frame = Frame::Plane { bounds, unit: unit.into(), factor: 1.0, scale: (symbol, unit.into()) };

@@ -8,6 +8,7 @@ use assur_analysis::results::{
 use assur_book::{Course, Node};
 use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
 use assur_mechanism::InputPair;
+use assur_words::{joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -31,12 +32,13 @@ fn cursor(state: &State, scene: &Scene) -> f64 {
 
 /// Speed in the regime and in the first turn, then the moments and the energies.
 pub(super) fn course(state: &State, scene: &Scene, analysis: &Analysis, regime: &RegimeReport) -> Vec<Panel> {
-    let mut lines = vec![("regime", over(regime, |row| Some(row.speed)))];
+    let mut lines = vec![(text!("regime-course"), over(regime, |row| Some(row.speed)))];
     let first_turn = over(regime, |row| row.first_turn);
     if !first_turn.is_empty() {
-        lines.push(("first turn", first_turn));
+        lines.push((text!("regime-first-turn"), first_turn));
     }
-    let speed = plots::curves("input speed, rad/s", lines, axis(scene), Some(cursor(state, scene)));
+    let speed =
+        plots::curves(text!("regime-input-speed"), lines, axis(scene), Some(cursor(state, scene).into()));
     let energies = energies(analysis, Column::COORDINATE, axis(scene), cursor(state, scene));
     [speed, moments(state, scene, regime)].into_iter().chain(energies).collect()
 }
@@ -51,63 +53,82 @@ pub(super) fn moments(state: &State, scene: &Scene, regime: &RegimeReport) -> Pa
     // The resistance is shown against the motion, as its mean is.
     let sense = scene.linkage.mechanism.input.sign();
     let lines = vec![
-        ("motor", over(regime, |row| Some(sense * row.drive))),
-        ("resistance", over(regime, |row| Some(-sense * row.load))),
-        ("mean", over(regime, |_| Some(regime.mean_resistance))),
+        (text!("regime-motor"), over(regime, |row| Some(sense * row.drive))),
+        (text!("regime-resistance"), over(regime, |row| Some(-sense * row.load))),
+        (text!("regime-mean"), over(regime, |_| Some(regime.mean_resistance))),
     ];
-    plots::curves("moments on the input, N m", lines, axis(scene), Some(cursor(state, scene)))
+    plots::curves(text!("regime-moments"), lines, axis(scene), Some(cursor(state, scene).into()))
 }
 
 /// The motor's characteristic, with its working section; `None` without a motor of a catalogue.
 pub(super) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
     let work = &dynamics.motor.as_ref()?.work;
     let course = |points: &[[f64; 2]]| Course::from_points(points.iter().copied());
-    let lines = vec![("whole", course(&work.curve)), ("working section", course(&work.working_section))];
-    let x = Axis::around("speed of the motor, rad/s", work.curve.iter().map(|at| at[0]), 0.0);
-    let cursor = Some(0.5 * (work.speed[0] + work.speed[1]));
-    Some(plots::curves("motor characteristic, N m", lines, (x, 1.0), cursor))
+    let lines = vec![
+        (text!("regime-whole"), course(&work.curve)),
+        (text!("regime-working-section"), course(&work.working_section)),
+    ];
+    let x = Axis::around(text!("regime-motor-speed"), work.curve.iter().map(|at| at[0]), 0.0);
+    let cursor = Some((0.5 * (work.speed[0] + work.speed[1])).into());
+    Some(plots::curves(text!("regime-characteristic"), lines, (x, 1.0), cursor))
 }
 
 /// The iterations to the regime: a row for each turn, then a row for each trial of ratio and flywheel.
 pub(crate) fn draw_iteration(state: &State, regime: &RegimeReport, area: Rect, buffer: &mut Buffer) {
     let turn = |turn: &Iteration| {
-        let [start, end] = [turn.speed_start, turn.speed_end].map(|value| digits(value, 8));
-        vec![turn.number.to_string(), start, end, format!("{:.2e}", turn.residual)]
+        let [start, end] = [turn.speed_start, turn.speed_end].map(|value| number(digits(value, 8)));
+        [number(turn.number), start, end, number(format_args!("{:.2e}", turn.residual))]
     };
-    let mut lines = vec![(Role::Header, "iteration to the periodic regime, from the mean speed".to_owned())];
-    let turns: Vec<_> = regime.iteration.iter().map(turn).collect();
-    lines.extend(table(&["turn", "start, rad/s", "end, rad/s", "difference"], &turns));
+    let mut lines = vec![(Role::Header, state.told(text!("regime-iteration")))];
+    let head = [
+        text!("regime-column-turn"),
+        text!("regime-column-start"),
+        text!("regime-column-end"),
+        text!("regime-column-difference"),
+    ];
+    lines.extend(table(state, head, regime.iteration.iter().map(turn)));
     let trial = |trial: &Trial| {
-        let ratio = trial.ratio.map_or_else(|| "-".to_owned(), |ratio| digits(ratio, 6));
-        let numbers = [trial.flywheel, trial.mean_speed, trial.unevenness].map(|value| digits(value, 6));
-        [trial.number.to_string(), ratio].into_iter().chain(numbers).collect()
+        let six = |value| number(digits(value, 6));
+        let ratio = trial.ratio.map_or_else(|| name("-"), six);
+        let [flywheel, mean, unevenness] = [trial.flywheel, trial.mean_speed, trial.unevenness].map(six);
+        [number(trial.number), ratio, flywheel, mean, unevenness]
     };
     if !regime.trials.is_empty() {
         lines.push((Role::Plain, String::new()));
-        lines.push((Role::Header, "trials of ratio and flywheel".to_owned()));
-        let trials: Vec<Vec<String>> = regime.trials.iter().map(trial).collect();
-        lines.extend(table(&["No", "ratio", "kg m2", "mean, rad/s", "unevenness"], &trials));
+        lines.push((Role::Header, state.told(text!("regime-trials"))));
+        let head = [
+            text!("regime-column-number"),
+            text!("regime-column-ratio"),
+            unit("kg m2"),
+            text!("regime-column-mean"),
+            text!("regime-column-unevenness"),
+        ];
+        lines.extend(table(state, head, regime.trials.iter().map(trial)));
     }
     let [numbers, below] =
         Layout::vertical([Constraint::Length(short(lines.len()) + 1), Constraint::Min(0)]).areas(area);
     put_lines(buffer, numbers, 1, state, &lines);
     if below.height >= PLOTS {
         let panels = iteration(regime);
-        paint(state, &Figure { title: String::new(), panels, columns: 2, legend: Vec::new() }, below, buffer);
+        paint(state, &Figure { panels, columns: 2, ..Figure::default() }, below, buffer);
     }
 }
 
 /// The energy-mass diagram with its two tangents.
 pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
-    let x = Axis::around("reduced inertia of the links, kg m2", inertias(), 0.0);
+    let x = Axis::around(text!("regime-links-inertia"), inertias(), 0.0);
     let [x0, y0] = diagram.origin;
     let line =
         |slope: f64| Course::from_points(x.range.map(|inertia| [inertia, y0 + slope * (inertia - x0)]));
     let [fast, slow] = diagram.tangents.map(|tangent| line(tangent.slope));
     let curve = Course::from_points(diagram.curve.iter().copied());
-    let lines = vec![("work", curve), ("greatest speed", fast), ("least speed", slow)];
-    let mut panel = plots::curves("energy-mass diagram, J", lines, (x, 1.0), None);
+    let lines = vec![
+        (text!("regime-work"), curve),
+        (text!("regime-greatest-speed"), fast),
+        (text!("regime-least-speed"), slow),
+    ];
+    let mut panel = plots::curves(text!("regime-energy-mass"), lines, (x, 1.0), None);
     panel.items.extend(diagram.tangents.map(|tangent| Item::sign(tangent.touches, Sign::Plus, Ink::Title)));
     panel
 }
@@ -134,23 +155,25 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         let stroke = if count == links.len() { Stroke::Solid } else { Stroke::Dashed };
         let at = points.get((2 * count + 1) * points.len() / (2 * (links.len() + 1))).copied();
         items.push(Item::line(points, stroke, Ink::First));
-        items.extend(at.map(|at| Item::name(at, (count + 1).to_string(), Ink::Title)));
+        items.extend(at.map(|at| Item::name(at, name((count + 1).to_string()), Ink::Title)));
     }
     let values = items.iter().flat_map(Item::points).map(|at| at[1]).collect::<Vec<_>>();
-    let names = links.iter().map(|owner| format!("+ {}", positions.schema().name(*owner)));
-    let names = std::iter::once("drive".to_owned()).chain(names);
-    let names: Vec<_> = names.enumerate().map(|(at, name)| format!("{} {name}", at + 1)).collect();
-    let y = Axis::around("kg m2", values, 0.0);
-    let frame = Frame::Axes { x: plots::coordinate_axis(scene), y, cursor: Some(cursor(state, scene)) };
-    Panel { title: format!("reduced inertia: {}", names.join("  ")), frame, items }
+    let names = links.iter().map(|owner| name(format!("+ {}", positions.schema().name(*owner))));
+    let names = std::iter::once(text!("regime-drive")).chain(names);
+    let names = names.enumerate().map(|(at, told)| plots::numbered(at, told));
+    let title = text!("regime-shares", names = joined("  ", names));
+    let y = Axis::around(unit("kg m2"), values, 0.0);
+    let frame =
+        Frame::Axes { x: plots::coordinate_axis(scene), y, cursor: Some(cursor(state, scene).into()) };
+    Panel { title, frame, items }
 }
 
 /// The link of reduction (E fig. 1c): the input link with the reduced force and mass at its point.
 pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Option<Panel> {
     let (mechanism, table) = (&scene.linkage.mechanism, &found.analysis.positions);
     let (point, row) = (dynamics.reduction_point.as_ref()?, table.row_of(state.position)?);
-    let at = |name: &str, order| {
-        let column = Column::vector(Quantity::Transfer(order), Owner::Point(mechanism.point(name)?));
+    let at = |point: &str, order| {
+        let column = Column::vector(Quantity::Transfer(order), Owner::Point(mechanism.point(point)?));
         let [x, y] = column.map(|column| table.get(row, column));
         Some([x?, y?])
     };
@@ -174,43 +197,44 @@ pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &
         Item::line(vec![pin, tip], Stroke::Solid, Ink::First),
         Item::sign(pin, Sign::Plus, Ink::Title),
         Item::Arrow { from: tip, to, stroke: Stroke::Solid, ink: Ink::Second },
-        Item::name(tip, point.name.clone(), Ink::Title),
+        Item::name(tip, name(point.name.clone()), Ink::Title),
     ];
-    let title = format!("reduced to {}: F {} N, m {} kg", point.name, digits(force, 5), digits(mass, 5));
+    let (force, mass) = (quantity(digits(force, 5), "N"), quantity(digits(mass, 5), "kg"));
+    let title = text!("regime-reduced", point = name(point.name.clone()), force = force, mass = mass);
     let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
     Some(Panel { title, frame, items })
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
 pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
-    let curve = |name: &'static str, values: Vec<f64>| {
+    let curve = |told: &'static str, values: Vec<f64>| {
         let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
-        (name, Course::from_points(points))
+        (text!(told), Course::from_points(points))
     };
-    let panel = |title: &str, label: &str, count: usize, curves| {
-        let x = Axis { kind: Kind::Whole, ..Axis::around(label, [1.0, count.max(2) as f64], 0.0) };
-        plots::curves(title, curves, (x, 1.0), None)
+    let panel = |title: &'static str, label: &'static str, count: usize, curves| {
+        let x = Axis { kind: Kind::Whole, ..Axis::around(text!(label), [1.0, count.max(2) as f64], 0.0) };
+        plots::curves(text!(title), curves, (x, 1.0), None)
     };
     let (turns, trials) = (&regime.iteration, &regime.trials);
     let mut panels = Vec::new();
     if !turns.is_empty() {
         let ends = vec![
-            curve("start", turns.iter().map(|turn| turn.speed_start).collect()),
-            curve("end", turns.iter().map(|turn| turn.speed_end).collect()),
+            curve("regime-start", turns.iter().map(|turn| turn.speed_start).collect()),
+            curve("regime-end", turns.iter().map(|turn| turn.speed_end).collect()),
         ];
-        panels.push(panel("input speed at the ends of each cycle, rad/s", "cycle", turns.len(), ends));
+        panels.push(panel("regime-ends", "regime-cycle", turns.len(), ends));
     }
     let Some(last) = trials.last() else { return panels };
     let part = |read: &dyn Fn(&Trial) -> f64| trials.iter().map(|trial| read(trial) / read(last)).collect();
     let mut curves = Vec::new();
     if last.ratio.is_some() {
-        curves.push(curve("ratio", part(&|trial| trial.ratio.unwrap_or(f64::NAN))));
+        curves.push(curve("regime-ratio", part(&|trial| trial.ratio.unwrap_or(f64::NAN))));
     }
     if last.flywheel > 0.0 {
-        curves.push(curve("flywheel", part(&|trial| trial.flywheel)));
+        curves.push(curve("regime-flywheel", part(&|trial| trial.flywheel)));
     }
-    curves.push(curve("unevenness", part(&|trial| trial.unevenness)));
-    panels.push(panel("trials, as parts of the values found", "trial", trials.len(), curves));
+    curves.push(curve("regime-unevenness", part(&|trial| trial.unevenness)));
+    panels.push(panel("regime-parts", "regime-trial", trials.len(), curves));
     panels
 }
 
@@ -223,11 +247,11 @@ pub(super) fn sampled(analysis: &Analysis, over: Column, quantity: Quantity) -> 
 /// not known.
 pub(super) fn energies(analysis: &Analysis, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
     let all = [
-        ("driving work", Quantity::DrivingWork),
-        ("resisting work", Quantity::ResistingWork),
-        ("kinetic energy", Quantity::KineticEnergy),
+        ("regime-driving-work", Quantity::DrivingWork),
+        ("regime-resisting-work", Quantity::ResistingWork),
+        ("regime-kinetic-energy", Quantity::KineticEnergy),
     ];
-    let curves = all.map(|(name, quantity)| (name, sampled(analysis, over, quantity)));
+    let curves = all.map(|(told, of)| (text!(told), sampled(analysis, over, of)));
     let known = curves.iter().all(|(_, course)| !course.is_empty());
-    known.then(|| plots::curves("energies, J", curves.into(), x, Some(cursor)))
+    known.then(|| plots::curves(text!("regime-energies"), curves.into(), x, Some(cursor.into())))
 }

@@ -1,9 +1,10 @@
 //! Long texts that are scrolled: the report on the methods, and the working of the position.
 
+use assur_words::{name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use assur_words::{Describe, Language};
+use assur_words::Describe;
 
 use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Role, State, View};
@@ -28,13 +29,13 @@ pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
 fn progress(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     if let Some(running) = state.measuring() {
-        let count = if running.count.is_empty() { "measuring ..." } else { &running.count };
-        let text = format!("{count}   ({} stops)", state.keys.first("close"));
-        put(buffer, area, 1, 0, &text, theme.style(Role::Header));
+        let measuring = text!("accuracy-measuring");
+        let count = if running.count.is_empty() { &measuring } else { &running.count };
+        let text = text!("accuracy-stops", count = count, key = name(state.keys.first("close")));
+        put(buffer, area, 1, 0, &state.told(text), theme.style(Role::Header));
     } else if state.measured.is_none() {
-        let measure = state.keys.first("measure");
-        let text = format!("{measure} measures every method here: speed, accuracy, stability (some seconds)");
-        put(buffer, area, 1, 1, &text, theme.style(Role::Plain));
+        let text = text!("accuracy-starts", key = name(state.keys.first("measure")));
+        put(buffer, area, 1, 1, &state.told(text), theme.style(Role::Plain));
     }
 }
 
@@ -58,7 +59,7 @@ pub(crate) fn last_line(state: &State) -> usize {
 pub(crate) fn lines(state: &State, view: View, width: u16) -> Vec<String> {
     // A column stays free at each side.
     let width = width.max(40) - 2;
-    let language = Language::find(state.words().language).unwrap_or_else(Language::english);
+    let language = state.language();
     let text = match (view, &state.measured, state.found()) {
         (View::Accuracy, Some(measured), _) => measured.text(state.look.ascii, width),
         (View::Working, _, Some(found)) => match found.plans.at(state.position).working() {

@@ -1,6 +1,7 @@
 //! Formula, groups as a tree, and the chosen group marked in the drawing.
 
 use assur_figure::Figure;
+use assur_words::{self as words, Text, list, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -30,15 +31,22 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let structure = &scene.linkage.structure;
     put(buffer, top, 1, 0, &structure.formula, theme.style(Role::Header));
     let w = &structure.mobility;
-    let mobility = format!("mobility W = 3 n - 2 p = 3 * {} - 2 * {} = {}", w.moving_links, w.pairs, w.value);
-    let class = format!("mechanism of class {}", assur_structure::roman(structure.class()));
-    let words = state.words();
-    put(buffer, top, 1, 1, &words.shown(&format!("{mobility};  {class}")), theme.style(Role::Plain));
+    let mobility = text!(
+        "structure-mobility",
+        links = number(w.moving_links),
+        pairs = number(w.pairs),
+        mobility = number(w.value),
+        class = name(assur_structure::roman(structure.class())),
+    );
+    put(buffer, top, 1, 1, &state.told(mobility), theme.style(Role::Plain));
     if let Some((group, health, at)) = scene.nearest_group() {
-        let name = structure.group_name(&scene.linkage.mechanism, group);
-        let nearest =
-            words.shown(&format!("nearest to singular: {} at position {at}, {name}", digits(health, LEAST)));
-        let nearest = cut(&nearest, usize::from(top.width.saturating_sub(2)));
+        let nearest = text!(
+            "structure-nearest",
+            determinant = number(digits(health, LEAST)),
+            position = number(at),
+            group = name(structure.group_name(&scene.linkage.mechanism, group)),
+        );
+        let nearest = cut(&state.told(nearest), usize::from(top.width.saturating_sub(2)));
         put(buffer, top, 1, 2, &nearest, theme.style(Role::Plain));
     }
     let lines = lines(state, scene, tree.width.saturating_sub(2));
@@ -69,61 +77,61 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         assur_mechanism::InputPair::Pin(point) => &mechanism.points[point].name,
         assur_mechanism::InputPair::Slide(slide) => &mechanism.slides[slide].name,
     };
-    let words = state.words();
-    let mut lines = vec![(false, words.shown(&format!("input link {input} on {pair}")))];
+    let mut lines = vec![(false, state.told(text!("structure-input", link = input, ground = pair)))];
     if let Some(joined) = state.joined {
-        let with = (1..=joined).map(|group| format!(", with group {group}")).collect::<Vec<_>>().concat();
-        let next = state.keys.first("join");
-        lines.push((false, format!("drawn: input link{with} ({next}: next)")));
+        let with = (1..=joined).map(|group| text!("structure-with-group", group = number(group)));
+        let (with, next) = (words::joined("", with), name(state.keys.first("join")));
+        lines.push((false, state.told(text!("structure-drawn", groups = with, key = next))));
     }
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
-        let name = words.shown(&linkage.structure.group_name(mechanism, index));
-        lines.push((chosen, format!("{sign}{name}")));
+        let named = state.told(name(linkage.structure.group_name(mechanism, index)));
+        lines.push((chosen, format!("{sign}{named}")));
         if let Some((health, at)) = scene.least_health(index) {
-            let least = words.shown(&format!("least determinant {} at position {at}", digits(health, LEAST)));
+            let (least, at) = (number(digits(health, LEAST)), number(at));
+            let least = state.told(text!("structure-least", determinant = least, position = at));
             lines.push((false, format!("{:INDENT$}{least}", "")));
         }
         if chosen {
             let rows = details(state, scene, group, index).into_iter();
-            let rows =
-                rows.flat_map(|line| wrapped(&words.shown(&line), usize::from(width).saturating_sub(INDENT)));
+            let room = usize::from(width).saturating_sub(INDENT);
+            let rows = rows.flat_map(|line| wrapped(&state.told(line), room));
             lines.extend(rows.map(|line| (false, format!("{:INDENT$}{line}", ""))));
         }
     }
     lines
 }
 
-fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: usize) -> Vec<String> {
-    let linkage = &scene.linkage;
-    let links: Vec<&str> =
-        group.frame.links.iter().map(|&link| linkage.mechanism.links[link].name.as_str()).collect();
-    let names = |pairs: &[assur_group::Pair]| {
-        let names: Vec<&str> = pairs
-            .iter()
-            .map(|pair| linkage.structure.pair_name(&linkage.mechanism, pair.id).as_str())
-            .collect();
-        names.join(", ")
+fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: usize) -> Vec<Text> {
+    let (linkage, mechanism) = (&scene.linkage, &scene.linkage.mechanism);
+    let links = list(group.frame.links.iter().map(|&link| (&mechanism.links[link].name).into()));
+    let pairs = |pairs: &[assur_group::Pair]| {
+        list(pairs.iter().map(|pair| Text::from(linkage.structure.pair_name(mechanism, pair.id))))
     };
+    let kind = text!(
+        "structure-kind",
+        class = name(assur_structure::roman(group.class)),
+        kind = number(group.plugin.number),
+        order = number(group.order),
+    );
     let mut lines = vec![
-        format!(
-            "class {}, type {}, order {}",
-            assur_structure::roman(group.class),
-            group.plugin.number,
-            group.order
-        ),
-        format!("links: {}", links.join(", ")),
-        format!("inner pairs: {}", names(&group.frame.inner)),
-        format!("outer pairs: {}", names(&group.frame.outer)),
+        kind,
+        text!("structure-links", links = links),
+        text!("structure-inner", pairs = pairs(&group.frame.inner)),
+        text!("structure-outer", pairs = pairs(&group.frame.outer)),
     ];
     if let Some(Some(pose)) = scene.poses.get(state.position) {
-        let way = linkage.ways.at(pose.coordinate)[index];
-        lines.push(format!("assembly: way {way} of {}", linkage.groups()[index].ways()));
-        lines.push(format!("determinant here: {}", plain(pose.health[index].abs())));
+        let way = number(linkage.ways.at(pose.coordinate)[index]);
+        let count = number(linkage.groups()[index].ways());
+        lines.push(text!("structure-way", way = way, count = count));
+        let determinant = number(plain(pose.health[index].abs()));
+        lines.push(text!("structure-determinant", determinant = determinant));
     }
-    lines.push(format!("plugin: {} ({})", group.plugin.name, group.plugin.crate_name));
-    lines.push(format!("source: {}", group.plugin.source));
-    lines.push(format!("singular: {}", group.plugin.singular));
+    let plugin = group.plugin;
+    let (own, home) = (name(plugin.name), name(plugin.crate_name));
+    lines.push(text!("structure-plugin", name = own, crate_name = home));
+    lines.push(text!("structure-source", source = name(plugin.source)));
+    lines.push(text!("structure-singular", places = name(plugin.singular)));
     lines
 }

@@ -1,9 +1,11 @@
 //! Positions and quantities as a table: first column and header are fixed, the rest scrolls both ways.
 
+use assur_words::{self as words, Text, name, text, unit};
 use std::fmt::Write;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use unicode_width::UnicodeWidthStr;
 
 use crate::number::{digits, number};
 use crate::screen::draw::{cut, put, short};
@@ -22,12 +24,14 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let theme = state.look.theme;
     let order = state.order();
     let columns = visible_columns(state, scene, area.width.saturating_sub(FIRST + 2));
-    put(buffer, area, 1, 0, "No", theme.style(Role::Header));
+    put(buffer, area, 1, 0, &state.told(text!("table-number")), theme.style(Role::Header));
     let mut left = FIRST;
     for &(column, width) in &columns {
         let Some(series) = scene.column(column) else { continue };
         let role = if column == state.chosen.column { Role::Chosen } else { Role::Header };
-        for (row, text, role) in [(0, &series.short, role), (1, &series.unit, Role::Dim)] {
+        let texts = [(0, series.head.clone(), role), (1, unit(series.unit.clone()), Role::Dim)];
+        for (row, text, role) in texts {
+            let text = state.told(text);
             put(buffer, area, left, row, &format!("{text:>0$}", usize::from(width) - 1), theme.style(role));
         }
         left += width;
@@ -57,8 +61,8 @@ fn draw_row(
     let mut text = format!("{}{position:>4} ", if here { '>' } else { ' ' });
     for &(column, width) in columns {
         let value = scene.column(column).map_or_else(String::new, |series| {
-            let text = value(state, column, series, position);
-            fitted(text, usize::from(width) - 1)
+            let text = fitted(value(state, column, series, position), usize::from(width) - 1);
+            state.told(words::number(text))
         });
         let _ = write!(text, "{value:>0$} ", usize::from(width) - 1);
     }
@@ -91,7 +95,7 @@ fn value(state: &State, column: usize, series: &Series, position: usize) -> Stri
 fn visible_columns(state: &State, scene: &Scene, room: u16) -> Vec<(usize, u16)> {
     let width = |column: usize| {
         let Some(series) = scene.column(column) else { return COLUMN };
-        COLUMN.max(short(series.short.chars().count().max(series.unit.len()) + 1))
+        COLUMN.max(short(state.told(&series.head).width().max(series.unit.len() + 1) + 1))
     };
     let mut first = 0;
     loop {
@@ -113,15 +117,16 @@ fn visible_columns(state: &State, scene: &Scene, room: u16) -> Vec<(usize, u16)>
 }
 
 fn status(state: &State, scene: &Scene, columns: &[(usize, u16)], area: Rect, buffer: &mut Buffer) {
-    let of = scene.column(state.chosen.column).map_or("", |series| series.of.as_str());
+    let of = scene.column(state.chosen.column).map_or_else(String::new, |series| state.told(&series.of));
     let (first, last) = (columns.first().map_or(0, |c| c.0 + 1), columns.last().map_or(0, |c| c.0 + 1));
     let mut text = format!("{of}   {first}-{last} / {}", scene.column_count());
     if let Some((column, up)) = state.sorted {
-        let name = scene.column(column).map_or("", |series| series.short.as_str());
-        let _ = write!(text, "   sorted by {name}{}", if up { '↑' } else { '↓' });
+        let column = scene.column(column).map_or_else(Text::default, |series| series.head.clone());
+        let sense = name(if up { "↑" } else { "↓" });
+        let _ = write!(text, "   {}", state.told(text!("table-sorted", column = column, sense = sense)));
     }
     if let Some(compared) = state.compared.as_ref().filter(|compared| !compared.before) {
-        let _ = write!(text, "   differences to {} (:compare off)", compared.name);
+        let _ = write!(text, "   {}", state.told(text!("table-differences", scene = &compared.name)));
     }
     let text = cut(&text, usize::from(area.width.saturating_sub(2)));
     put(buffer, area, 1, 0, &text, state.look.theme.style(Role::Dim));

@@ -1,6 +1,7 @@
 //! The list of the scene's numbers, below the view, which follows their changes; beside it the most important results before and
 //! after them.
 
+use assur_words::{Text, list, number, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Block, Borders, Widget};
@@ -35,7 +36,9 @@ pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
     let (what, theme) = (&state.what_if, state.look.theme);
     let place = format!(" {} / {} ", (what.chosen + 1).min(what.values.len()), what.values.len());
-    let title = format!(" What if: step {} %, changed: {} ", plain(what.per_cent()), what.changes());
+    let step = number(plain(what.per_cent()));
+    let title = state.told(text!("values-title", step = step, changed = number(what.changes())));
+    let title = format!(" {title} ");
     let block = Block::new().borders(Borders::TOP).title(title).title_bottom("");
     let inner = block.inner(area);
     block.render(area, buffer);
@@ -78,31 +81,34 @@ const NAME: usize = 13;
 const DIGITS: usize = 4;
 
 /// One result: its name with its unit, and its value in a scene.
-type Finding = (String, f64);
+type Finding = (Text, f64);
 
 /// The results of a scene, of which those with the same name belong together.
 fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
     let mut results = Vec::new();
-    let named = |what: &str, series: &Series| format!("{what} {}, {}", series.short, series.unit);
+    let named = |id: &'static str, series: &Series| {
+        list([text!(id, quantity = &series.head), unit(series.unit.clone())])
+    };
+    let of = |id: &'static str, symbol: &str| list([text!(id), unit(symbol.to_owned())]);
     if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short))
         && let Some(summary) = series.summary()
     {
-        results.push((named("most", series), summary.greatest.value));
-        results.push((named("least", series), summary.least.value));
+        results.push((named("values-most", series), summary.greatest.value));
+        results.push((named("values-least", series), summary.least.value));
     }
     let Some(found) = &scene.found else { return results };
     if let Some(series) = found.balancing() {
-        results.push((format!("balance, {}", series.unit), series.size()));
+        results.push((of("values-balance", &series.unit), series.size()));
     }
     let forces = found.reactions.iter().filter(|reaction| reaction.series.len() == 3);
     let force = forces.map(|reaction| found.series[reaction.series[2]].size()).reduce(f64::max);
-    results.extend(force.map(|force| ("reaction, N".to_owned(), force)));
+    results.extend(force.map(|force| (of("values-reaction", "N"), force)));
     if let Some(dynamics) = &found.analysis.dynamics {
-        results.push(("unevenness".to_owned(), dynamics.figures.unevenness));
-        results.extend(dynamics.flywheel.map(|flywheel| ("flywheel, kg m2".to_owned(), flywheel)));
-        results.push(("power, W".to_owned(), dynamics.figures.required_power));
+        results.push((text!("values-unevenness"), dynamics.figures.unevenness));
+        results.extend(dynamics.flywheel.map(|flywheel| (of("values-flywheel", "kg m2"), flywheel)));
+        results.push((of("values-power", "W"), dynamics.figures.required_power));
     }
-    results.extend(scene.nearest_group().map(|(_, least, _)| ("determinant".to_owned(), least)));
+    results.extend(scene.nearest_group().map(|(_, least, _)| (text!("values-determinant"), least)));
     results
 }
 
@@ -111,12 +117,13 @@ fn results(state: &State) -> Vec<String> {
     let before = state.compared.as_ref().filter(|compared| compared.before);
     let (Some(scene), Some(before)) = (&state.scene, before) else { return Vec::new() };
     let old = results_of(state, &before.scene);
-    let row = |(name, new): Finding| {
-        let (_, old) = old.iter().find(|(known, _)| *known == name)?;
+    let row = |(what, new): Finding| {
+        let (_, old) = old.iter().find(|(known, _)| *known == what)?;
         let change =
-            if *old == 0.0 { String::new() } else { format!("{:+.1} %", 1e2 * (new - old) / old.abs()) };
-        let [old, new] = [*old, new].map(|value| digits(value, DIGITS));
-        Some(format!("{:<NAME$}{old:>8} -> {new:<8}{change:>7}", cut(&name, NAME)))
+            if *old == 0.0 { String::new() } else { format!("{:+.1}", 1e2 * (new - old) / old.abs()) };
+        let change = state.told(number(change)) + if *old == 0.0 { "" } else { " %" };
+        let [old, new] = [*old, new].map(|value| state.told(number(digits(value, DIGITS))));
+        Some(format!("{:<NAME$}{old:>8} -> {new:<8}{change:>7}", cut(&state.told(what), NAME)))
     };
     results_of(state, scene).into_iter().filter_map(row).collect()
 }
@@ -126,7 +133,9 @@ fn draw_results(state: &State, area: Rect, buffer: &mut Buffer) {
     if area.width == 0 {
         return;
     }
-    let block = Block::new().borders(Borders::TOP | Borders::LEFT).title(" greatest values, before -> now ");
+    let block = Block::new()
+        .borders(Borders::TOP | Borders::LEFT)
+        .title(format!(" {} ", state.told(text!("values-results"))));
     let inner = block.inner(area);
     block.render(area, buffer);
     let lines: Vec<_> = results(state).into_iter().map(|row| (Role::Plain, row)).collect();

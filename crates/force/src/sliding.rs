@@ -1,0 +1,99 @@
+//! The sense in which the arc of a contact slides along its line.
+
+use assur_group::Body;
+use assur_group::plane::dot;
+use assur_number::search::try_newton_root;
+
+use crate::breaks::{Breaks, Interval};
+use crate::grid::Span;
+
+/// PF1 of the sliding below this part of its greatest size is rounding.
+const STILL: f64 = 1e-12;
+
+/// The intervals of the coordinate in which an arc slides in one sense.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Sliding {
+    breaks: Breaks,
+    /// Sign of PF1 of the sliding in each interval; 0 where the arc rolls throughout.
+    signs: Vec<f64>,
+}
+
+/// How an arc slides at a coordinate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rate {
+    /// PF1 of the arc's point K along the line, m/rad.
+    pub(crate) first: f64,
+    /// Its derivative by the coordinate.
+    pub(crate) slope: f64,
+    /// Sum of the sizes of the terms of PF1.
+    pub(crate) size: f64,
+}
+
+impl Rate {
+    /// Of an arc about the point `center` of a body, with K at an angle that changes with the coordinate as its second number says.
+    pub(crate) fn of(body: &Body<f64>, center: [f64; 2], radius: f64, [angle, turning]: [f64; 2]) -> Self {
+        let (s, c) = angle.sin_cos();
+        let [first, second] = body.motion(body.arm(center));
+        let [own, turned] = [dot(first, [c, -s]), radius * body.w1];
+        let slope = dot(second, [c, -s]) + radius * body.w2 - turning * dot(first, [s, c]);
+        Self { first: own + turned, slope, size: own.abs() + turned.abs() }
+    }
+}
+
+impl Sliding {
+    /// Finds where the sliding turns; coordinates without a position of the mechanism are skipped.
+    pub(crate) fn find(rate: &mut dyn FnMut(f64) -> Result<Rate, String>, span: &Span) -> Self {
+        let rates: Vec<_> = (0..=span.cells).map(|cell| (span.at(cell), rate(span.at(cell)).ok())).collect();
+        let greatest =
+            rates.iter().filter_map(|(_, rate)| *rate).fold(0.0, |most: f64, rate| most.max(rate.size));
+        let sign = |first: f64| if first.abs() <= STILL * greatest { 0.0 } else { first.signum() };
+        let mut turns = Vec::new();
+        for cell in rates.windows(2) {
+            let [(low, Some(a)), (high, Some(b))] = [cell[0], cell[1]] else { continue };
+            let [before, after] = [sign(a.first), sign(b.first)];
+            if before * after < 0.0 {
+                turns.extend(root([low, high], rate, |rate| rate.first));
+            } else if before * a.slope < 0.0 && after * b.slope > 0.0 {
+                // It falls towards zero and grows again: it may turn twice.
+                let Some(least) = root([low, high], rate, |rate| rate.slope) else { continue };
+                if rate(least).is_ok_and(|rate| rate.first * before < 0.0) {
+                    turns.extend(
+                        [[low, least], [least, high]]
+                            .into_iter()
+                            .filter_map(|ends| root(ends, rate, |rate| rate.first)),
+                    );
+                }
+            } else if after == 0.0 {
+                turns.push(high);
+            }
+        }
+        let breaks = Breaks::new(turns, span.period());
+        let mut signs = vec![0.0; breaks.count()];
+        let inside = (0..breaks.count()).map(|index| breaks.inside(index));
+        let inside: Vec<_> = inside.map(|q| (q, rate(q).ok())).collect();
+        for (q, found) in inside.into_iter().chain(rates) {
+            let known = &mut signs[breaks.interval(q).index];
+            if let (Some(rate), true) = (found, *known == 0.0) {
+                *known = sign(rate.first);
+            }
+        }
+        Self { breaks, signs }
+    }
+
+    /// The interval that holds a coordinate, and the sign of PF1 of the sliding in it.
+    #[inline(always)]
+    pub(crate) fn at(&self, coordinate: f64) -> (Interval, f64) {
+        let interval = self.breaks.interval(coordinate);
+        (interval, self.signs[interval.index])
+    }
+}
+
+/// Where a part of the rate changes its sign between two coordinates.
+fn root(
+    [low, high]: [f64; 2],
+    rate: &mut dyn FnMut(f64) -> Result<Rate, String>,
+    part: fn(Rate) -> f64,
+) -> Option<f64> {
+    // A table of the angle may jump: with a slope of 0 the root finder bisects.
+    try_newton_root(low, high, |q| rate(q).map(|rate| (part(rate), 0.0))).ok()
+}
