@@ -3,7 +3,7 @@
 use assur_analysis::plan::Plan;
 use assur_analysis::{method_of_motion, methods};
 use assur_structure::Structure;
-use assur_words::{Describe, Language, name, number, text};
+use assur_words::{Describe, name, number, text};
 use assur_working::WorkingError;
 
 use super::args::ExplainArgs;
@@ -48,7 +48,7 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
     };
     match worked {
         Ok(working) => {
-            output::print(&style.text(&working.text(Language::english())))?;
+            output::print(&style.text(&working.text(style.language)))?;
             Ok(verdict.status())
         }
         Err(error @ WorkingError::Position(_)) => {
@@ -57,7 +57,7 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
         }
         Err(error @ WorkingError::Load { .. }) => {
             let key = error.key(&study.linkage.mechanism);
-            let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string()));
+            let located = key.and_then(|key| scene::at_key(path, &key, error.describe()));
             style.tell(located.unwrap_or_else(|| fault(&error)).describe());
             Ok(Status::Failed)
         }

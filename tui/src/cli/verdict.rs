@@ -86,7 +86,7 @@ fn failures(failures: &[Failure], count: usize, path: &Path) -> Vec<Text> {
     let mut located = BTreeSet::new();
     let message = |Failure { message, key, .. }: &Failure| {
         let first = key.as_ref().filter(|key| located.insert((*key).clone()));
-        let place = first.and_then(|key| scene::at_key(path, key, message));
+        let place = first.and_then(|key| scene::at_key(path, key, name(message.clone())));
         place.map_or_else(|| text!("cli-error", problem = name(message.clone())), |fault| fault.describe())
     };
     let mut told: Vec<Text> = failures.iter().take(MOST).map(message).collect();
