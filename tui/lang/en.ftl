@@ -610,3 +610,20 @@ word-plan = plan
     .meaning = vectors of all velocities or accelerations, or of the forces on a group, drawn from one pole
 word-condition = condition
     .meaning = 1 / |determinant| of a group: how much errors grow
+
+# Faults of the configuration.
+config-file = the configuration
+config-number = wants a number from { $least } to { $most }, got { $got }
+config-name-of-view = the name of a view
+config-table = a table
+config-write-keys = write [keys] and a line for each command
+config-command = command
+config-all-commands = `assur config` prints all commands with their keys
+config-no-way-out = `{ $command }` needs a key
+config-name-of-key = the name of a key
+config-no-such-key = `{ $command }`: there is no key `{ $key }`
+config-what-is-a-key = a key is a character, C- and a character, or one of: { $keys }
+config-two-meanings = `{ $key }` means both `{ $one }` and `{ $two }` in { $view }
+config-also-a-key = also a key of `{ $command }`
+config-default-key = a default key of `{ $command }`
+config-another-key = give one of them another key, or none at all: { $command } = []

@@ -606,3 +606,20 @@ config-mouse = следить за мышью: щелчок на кривой в
 config-language = язык: { $values }; auto: язык [note] сцены, иначе английский
 config-pixels = рисунки пикселями: в начале терминал спрашивают, умеет ли он это (kitty, iTerm2)
 config-panels = виды рядом с выбранным от 120 столбцов, сколько есть места; {"[]"} — ни одного
+
+# Ошибки конфигурации.
+config-file = конфигурация
+config-number = нужно: число от { $least } до { $most }; задано: { $got }
+config-name-of-view = название вида
+config-table = таблица
+config-write-keys = напишите [keys] и строку на каждую команду
+config-command = команда
+config-all-commands = `assur config` печатает все команды с их клавишами
+config-no-way-out = `{ $command }` требует клавиши
+config-name-of-key = название клавиши
+config-no-such-key = `{ $command }`: нет клавиши `{ $key }`
+config-what-is-a-key = клавиша — это знак, C- со знаком или одно из: { $keys }
+config-two-meanings = `{ $key }` означает и `{ $one }`, и `{ $two }`: { $view }
+config-also-a-key = также клавиша `{ $command }`
+config-default-key = клавиша по умолчанию для `{ $command }`
+config-another-key = дайте одной из них другую клавишу или ни одной: { $command } = []

@@ -605,3 +605,20 @@ config-mouse = стежити за мишею: клацання на криві�
 config-language = мова: { $values }; auto: мова [note] сцени, інакше англійська
 config-pixels = рисунки пікселями: на початку термінал запитують, чи він це вміє (kitty, iTerm2)
 config-panels = вигляди поруч із вибраним від 120 стовпців, скільки є місця; {"[]"} — жодного
+
+# Помилки конфігурації.
+config-file = конфігурація
+config-number = потрібно: число від { $least } до { $most }; задано: { $got }
+config-name-of-view = назва вигляду
+config-table = таблиця
+config-write-keys = напишіть [keys] і рядок на кожну команду
+config-command = команда
+config-all-commands = `assur config` друкує всі команди з їхніми клавішами
+config-no-way-out = `{ $command }` потребує клавіші
+config-name-of-key = назва клавіші
+config-no-such-key = `{ $command }`: немає клавіші `{ $key }`
+config-what-is-a-key = клавіша — це знак, C- зі знаком або одне з: { $keys }
+config-two-meanings = `{ $key }` означає і `{ $one }`, і `{ $two }`: { $view }
+config-also-a-key = також клавіша `{ $command }`
+config-default-key = клавіша за умовчанням для `{ $command }`
+config-another-key = дайте одній з них іншу клавішу або жодної: { $command } = []

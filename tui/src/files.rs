@@ -102,13 +102,13 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
 }
 
 /// An error of compiling at its line of the scene, if it concerns a link.
-pub(crate) fn located(name: &str, text: &str, error: &CompileError) -> Option<SceneErrors> {
-    assur_scene::fault_at(name, text, &error.key()?, &error.to_string())
+pub(crate) fn located(file: &str, text: &str, error: &CompileError) -> Option<SceneErrors> {
+    assur_scene::fault_at(file, text, &error.key()?, name(error.to_string()))
 }
 
 /// An integrator of a scene that is not registered, at its line.
-pub(crate) fn integrator_fault(name: &str, text: &str, mechanism: &Mechanism) -> Option<SceneErrors> {
+pub(crate) fn integrator_fault(file: &str, text: &str, mechanism: &Mechanism) -> Option<SceneErrors> {
     let Some(Motion::Transient { integrator, .. }) = &mechanism.motion else { return None };
     let error = assur_integrator::find(integrator).err().filter(|_| integrator != "auto")?;
-    assur_scene::fault_at(name, text, &["motion", "integrator"], &error.to_string())
+    assur_scene::fault_at(file, text, &["motion", "integrator"], name(error.to_string()))
 }

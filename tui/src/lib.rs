@@ -11,7 +11,6 @@ mod locale;
 mod note;
 mod progress;
 mod verdict;
-mod words;
 mod working;
 
 use assur_figure::number;

@@ -17,7 +17,7 @@ const MOST_NUMBERS: usize = 100;
 /// Where a fault is told to be.
 pub(crate) trait Place {
     /// A fault at a key of the scene; `None` where the place is not known.
-    fn at_key(&self, key: &[String], message: &str) -> Option<Text>;
+    fn at_key(&self, key: &[String], message: &Text) -> Option<Text>;
     /// An error of the calculation.
     fn error(&self, error: &AnalysisError) -> Text;
 }
@@ -26,7 +26,7 @@ pub(crate) trait Place {
 pub(crate) struct Nowhere;
 
 impl Place for Nowhere {
-    fn at_key(&self, _: &[String], _: &str) -> Option<Text> {
+    fn at_key(&self, _: &[String], _: &Text) -> Option<Text> {
         None
     }
 
@@ -102,7 +102,7 @@ fn failures(failures: &[Failure], count: usize, place: &dyn Place) -> Vec<Text> 
     let mut located = BTreeSet::new();
     let message = |Failure { message, key, .. }: &Failure| {
         let first = key.as_ref().filter(|key| located.insert((*key).clone()));
-        let placed = first.and_then(|key| place.at_key(key, &message.to_string()));
+        let placed = first.and_then(|key| place.at_key(key, message));
         placed.unwrap_or_else(|| text!("cli-error", problem = message))
     };
     let mut told: Vec<Text> = failures.iter().take(MOST).map(message).collect();

@@ -50,7 +50,7 @@ pub enum Block {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Term {
     /// A quantity: letters with primes, and its subscript, which may be empty.
-    Name(String, Text),
+    Name(Text, Text),
     /// A function: `sin`.
     Function(&'static str),
     /// A number.
@@ -58,7 +58,7 @@ pub enum Term {
     /// The exponent of what stands before it.
     Power(String),
     /// Operators, parentheses and spaces.
-    Sign(String),
+    Sign(Text),
     /// A unit.
     Unit(Text),
 }

@@ -22,5 +22,7 @@ pub use formula::{Formula, Switch, Used, Variable, Variables};
 pub use number::Sign;
 pub use parse::{FUNCTIONS, FormulaError};
 
+assur_words::resources!();
+
 #[cfg(test)]
 mod tests;

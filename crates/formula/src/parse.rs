@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use assur_words::{Describe, Text, name as words, text};
 use winnow::ascii::{float, space0};
 use winnow::combinator::{
     Infix, Prefix, alt, cut_err, delimited, dispatch, expression, fail, opt, separated,
@@ -26,13 +27,20 @@ const MOST_BYTES: usize = 2000;
 const MOST_NESTED: usize = 200;
 
 /// Why a text is no formula.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{what}")]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FormulaError {
     /// Bytes of the text that are wrong.
     pub span: Range<usize>,
     /// What is wrong there.
-    pub what: String,
+    pub what: Text,
+}
+
+assur_words::errors!(FormulaError);
+
+impl Describe for FormulaError {
+    fn describe(&self) -> Text {
+        self.what.clone()
+    }
 }
 
 /// A formula as operations, with its switches.
@@ -53,26 +61,25 @@ enum Tree {
     Two(Operation, Box<[Self; 2]>),
 }
 
+/// Letters of the formula, which no language changes.
+fn letters(of: impl ToString) -> Text {
+    words(of.to_string())
+}
+
 pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {
-    let fault = |span: Range<usize>, what: String| Err(FormulaError { span, what });
+    let fault = |span: Range<usize>, what: Text| Err(FormulaError { span, what });
     if text.len() > MOST_BYTES {
-        return fault(
-            0..text.len(),
-            format!("a formula has at most {MOST_BYTES} characters, this one {}", text.len()),
-        );
+        return fault(0..text.len(), text!("formula-too-long", most = MOST_BYTES, count = text.len()));
     }
     if text.bytes().filter(|byte| b"(^-+".contains(byte)).count() > MOST_NESTED {
-        return fault(
-            0..text.len(),
-            format!("a formula has at most {MOST_NESTED} signs, powers and parentheses"),
-        );
+        return fault(0..text.len(), text!("formula-many-signs", most = MOST_NESTED));
     }
     match delimited(space0, whole, space0).parse(LocatingSlice::new(text)) {
         Ok(tree) => {
             let mut writer = Writer { text, operations: Vec::new(), switches: Vec::new() };
             let depth = writer.write(&tree)?;
             if depth > DEPTH {
-                return fault(0..text.len(), format!("the formula is nested deeper than {DEPTH} levels"));
+                return fault(0..text.len(), text!("formula-too-deep", most = DEPTH));
             }
             Ok(Program { operations: writer.operations, switches: writer.switches })
         }
@@ -80,8 +87,10 @@ pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {
             let at = error.offset();
             let end = text[at..].chars().next().map_or(at, |c| at + c.len_utf8());
             let what = match text[at..].chars().next() {
-                None => "the formula ends too early: an operand or `)` is missing".to_owned(),
-                Some(c) => format!("`{c}` does not fit here in the formula; it knows {FUNCTIONS}"),
+                None => text!("formula-ends-early"),
+                Some(sign) => {
+                    text!("formula-misplaced-sign", sign = letters(sign), known = letters(FUNCTIONS))
+                }
             };
             fault(at..end.max(at), what)
         }
@@ -183,10 +192,7 @@ impl Writer<'_> {
         match tree {
             Tree::Number(span, value) if !value.is_finite() => Err(FormulaError {
                 span: span.clone(),
-                what: format!(
-                    "the number {} is beyond all that can be calculated with",
-                    &self.text[span.clone()]
-                ),
+                what: text!("formula-great-number", number = letters(&self.text[span.clone()])),
             }),
             Tree::Number(_, value) => {
                 self.operations.push(Operation::Number(*value));
@@ -212,11 +218,11 @@ impl Writer<'_> {
         let name = &self.text[span.clone()];
         let fault = |what| Err(FormulaError { span: span.clone(), what });
         let Some((count, operation)) = operation(name) else {
-            return fault(format!("`{name}` is unknown in a formula; it knows {FUNCTIONS}"));
+            return fault(text!("formula-unknown-name", name = letters(name), known = letters(FUNCTIONS)));
         };
         if arguments.len() != count {
-            let plural = if count == 1 { "" } else { "s" };
-            return fault(format!("`{name}` takes {count} argument{plural}, got {}", arguments.len()));
+            let got = arguments.len();
+            return fault(text!("formula-arguments", name = letters(name), count = count, got = got));
         }
         let start = self.operations.len();
         let mut depth = 1;
@@ -226,8 +232,7 @@ impl Writer<'_> {
         let operations = start..self.operations.len();
         let operation = match operation {
             Operation::Switch(..) if self.switches.len() == Formula::MOST_SWITCHES => {
-                let most = Formula::MOST_SWITCHES;
-                return fault(format!("a formula has at most {most} of sign, step, abs, min, max and atan2"));
+                return fault(text!("formula-many-switches", most = Formula::MOST_SWITCHES));
             }
             Operation::Switch(kind, _) => {
                 self.switches.push(Switch { used: Used::default(), operations, kind, span: span.clone() });

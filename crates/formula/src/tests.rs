@@ -75,7 +75,7 @@ fn faults_point_into_the_text() {
         ("1 · 2", 2..4, "`·` does not fit"),
     ] {
         let error = Formula::read(text).unwrap_err();
-        assert!(error.what.contains(part), "{text}: {error:?}");
+        assert!(error.to_string().contains(part), "{text}: {error:?}");
         assert_eq!(error.span, span, "{text}: {error:?}");
     }
     for text in [

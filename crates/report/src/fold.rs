@@ -37,6 +37,11 @@ const TWINS: &[(char, &str)] = &[
     ('β', "beta"),
     ('γ', "gamma"),
     ('ε', "epsilon"),
+    ('θ', "theta"),
+    ('π', "pi"),
+    ('σ', "sigma"),
+    ('′', "'"),
+    ('″', "''"),
 ];
 
 /// Latin for the Cyrillic letters from а to я, in their order.

@@ -4,3 +4,277 @@ scene-unnamed-moment = moment { $number } on { $link }
 scene-unnamed-brake = brake { $number } on { $link }
 scene-unnamed-spring = spring { $number }
 scene-unnamed-contact = contact { $number } on { $link }
+
+# Faults of a scene: what is wrong, the correction beside it, and what is allowed.
+scene-more-faults = ... and { $more } more
+scene-fault = error: { $message }
+scene-place = { $file }, line { $line }, column { $column }
+scene-did-you-mean = did you mean `{ $name }`?
+scene-such-as = such as { $example }
+scene-and-more = { $names } and { $more } more
+scene-key = key
+scene-knows = { $what } knows: { $keys }
+scene-add-key = add `{ $key } = ...`
+scene-needs-key = { $what } needs `{ $key }`
+scene-problem-of-key = `{ $key }` { $problem }
+scene-wants = wants { $wanted }, got { $got }
+scene-unknown = unknown { $what } `{ $name }`
+scene-write-once = write [{ $key }] once
+scene-one-table = one table
+scene-list-of-tables = a list of tables
+scene-write-list = write [[{ $key }]]
+scene-list-of-so-many = a list of { $count }
+scene-in-quotes = in quotes
+scene-an-empty-text = an empty text
+scene-an-invisible-text = a text with invisible characters
+scene-a-text = a text
+scene-one-of = one of: { $words }
+scene-true-or-false = true or false
+scene-an-integer = an integer
+scene-a-number = a number
+scene-a-boolean = a boolean
+scene-a-date = a date
+scene-a-list = a list
+scene-a-table = a table
+scene-negative = must not be negative, got { $got }
+scene-not-positive = must be greater than 0, got { $got }
+scene-many-turns = is a direction and at most 1000 turns, got { $got }
+scene-without-quotes = for { $unit } write it without quotes
+scene-no-unit = has no unit: { $got }
+scene-no-digits = results would have no digits: is the unit right?
+scene-a-finite-number = a finite number
+scene-refused-numbers = nan, inf and numbers beyond 1.8e308 are refused
+scene-a-whole-number = a whole number from { $least } to { $most }
+scene-such-as-or-in = such as { $example }, or a number in { $unit }
+scene-got-no-number = `{ $text }`, which does not begin with a number
+scene-comma = has a comma in the number `{ $number }`: the decimal sign is a point
+scene-too-large = is too large: `{ $text }`, at most { $most }
+scene-too-small = is too small: `{ $text }`, at least { $least } or 0
+scene-got-unknown-unit = the unknown unit `{ $unit }`
+scene-got-unit = `{ $unit }`, { $measures }
+scene-no-quantity = no quantity of a scene
+scene-dimension-plain-number = a plain number
+scene-dimension-length = a length
+scene-dimension-angle = an angle
+scene-dimension-mass = a mass
+scene-dimension-time = a time
+scene-dimension-force = a force
+scene-dimension-moment = a moment
+scene-dimension-speed = a speed
+scene-dimension-rotation = a speed of rotation
+scene-dimension-acceleration = an acceleration
+scene-dimension-angular-acceleration = an angular acceleration
+scene-dimension-inertia = a moment of inertia
+scene-dimension-stiffness = a stiffness
+scene-dimension-damping = a damping
+scene-dimension-power = a power
+scene-with-units = { $quantity } ({ $units })
+scene-a-scene = a scene
+scene-file-too-large = { $what } has at most { $most } MiB, this one has { $size }
+scene-right-file = is it the right file?
+scene-unclosed = not TOML: this text has no closing quote
+scene-begins-here = it begins here
+scene-duplicate-key = not TOML: duplicate key `{ $key }`
+scene-unquoted-key = not TOML: { $message }; a name with other characters must be in quotes
+scene-no-toml = not TOML: { $message }
+scene-long-name = `{ $name }` has { $count } characters, at most { $most } are read
+scene-take-shorter = take a shorter one
+scene-many-points = a scene has at most { $most } points on its links, this one has { $count }
+scene-many-loads = a scene has at most { $most } loads, this one has { $count }
+scene-many-slides = a scene has at most { $most } slides, this one has { $count }
+scene-many-links = a scene has at most { $most } links, this one has { $count }
+scene-one-too-many = one too many
+scene-the-ground = the ground
+scene-tables-of-links = tables [link.NAME]
+scene-write-link = write [link.crank]
+scene-add-links = add the moving links: [link.crank], [link.rod] ...
+scene-no-length = link `{ $link }` has its pins { $pins } at one place: its length is zero
+scene-give-length = give them different coordinates, or join the neighbors in one pin
+scene-no-link-name = `{ $name }` is no name of a link
+scene-no-point-name = `{ $name }` is no name of a point
+scene-what-is-a-name = a name must not be empty or contain a dot or invisible characters
+scene-ground-as-link = the ground is no moving link
+scene-points-of-ground = its points belong in [ground]
+scene-link-moment = a link can't have the name `moment`
+scene-results-use-it = results use it: choose another name
+scene-a-link = a link
+scene-table-of-points = a table of points
+scene-why-a-center = a link with a mass or inertia and not just one point needs it
+scene-a-slide = a slide
+scene-swap-slide = let the moving link slide on "ground"
+scene-slide-on-itself = link `{ $link }` can't slide on itself
+scene-another-link = another link or "ground"
+scene-a-name = a name
+scene-pin-and-slide = a pin and a slide have the name `{ $name }`
+scene-two-slides = two slides have the name `{ $name }`
+scene-own-name = give this one a `name` of its own
+scene-name-of-a-link = the name of a link
+scene-a-moving-link = a moving link
+scene-name-of-a-point = the name of a point
+scene-none-of-them = the scene has no { $what ->
+    [link] links
+    [point] points
+    [slide] slides
+   *[pair] pins or slides
+ }
+scene-all-of-them = { $what ->
+    [link] links
+    [point] points
+    [slide] slides
+   *[pair] pins or slides
+ }: { $names }
+scene-no-such-part = `{ $key }`: there is no { $what ->
+    [link] link
+    [point] point
+    [slide] slide
+   *[pair] pin or slide
+ } `{ $name }`
+scene-point-or-place = a point or [x, y]
+scene-no-point-on-link = `{ $key }`: link `{ $link }` has no point `{ $point }`
+scene-point-elsewhere = `{ $key }`: point `{ $point }` is not on link `{ $link }`, it belongs to: { $holders }
+scene-link-without-points = it has none: give [x, y]
+scene-points-of-link = its points: { $points }
+scene-coordinates = [x, y] or one length on the x axis
+scene-such-coordinates = such as [0, "-400 mm"] or "120 mm"
+scene-needs-motion = { $what } needs a motion, and the scene has no [motion]
+scene-add-motion = add [motion] with `speed`
+scene-two-loads = two loads have the name `{ $name }`
+scene-gravity-upward = `gravity` as one number points down and must not be negative
+scene-or-both-components = or [gx, gy]
+scene-a-force = a force
+scene-a-moment = a moment
+scene-a-brake = a brake
+scene-ground-carries = the ground carries any load
+scene-exclude = `{ $one }` and `{ $other }` exclude each other
+scene-leave-one-out = leave one out
+scene-why-an-angle = the direction: `angle`, or `against_motion = true`
+scene-ground-does-not-turn = the ground does not turn
+scene-a-spring = a spring
+scene-a-contact = a contact
+scene-two-points = two points, such as ["C", "D"]
+scene-both-ends-on-link = both ends are on link `{ $link }`
+scene-such-a-spring = such a spring keeps its length; give points of two different links
+scene-point-of-link = a point, or "link.point"
+scene-not-on-link = point `{ $point }` is not on link `{ $link }`
+scene-belongs-to = it belongs to: { $holders }
+scene-arc-of-a-link = the line is the ground's, the arc a link's
+scene-during-backward = `during` ends before it begins
+scene-during-nothing = `during` has equal ends: the contact never acts
+scene-from-less-than-to = [from, to] with `from` less than `to`
+scene-add-input = add [input] with `link`, the link that drives the others
+scene-the-input = the input
+scene-link-joined-to-ground = a link joined to the ground
+scene-input-not-joined = the input link `{ $link }` is not joined to the ground
+scene-join-the-input = a point that is also in [ground], or a [[slide]] on "ground"
+scene-input-joined-often = the input link `{ $link }` is joined to the ground { $count } times: { $pairs }
+scene-one-pair-of-input = it must have exactly one pin or slide there
+scene-cycle-or-range = a whole cycle, or a range
+scene-no-range = `to` equals `from`, but `positions` is { $positions }
+scene-one-position-or-another-end = positions = 1, or another end
+scene-why-to = a sliding input has no cycle of its own: give `to` or `cycle`
+scene-the-motion = the motion
+scene-other-motion = `{ $key }` belongs to a motion of kind "{ $owner }", this one is "{ $kind }"
+scene-motion-knows = a { $kind } motion knows: { $keys }
+scene-name-of-integrator = the name of an integrator
+scene-large-tolerance = `tolerance` is relative and less than 1, got { $got }
+scene-time-or-travel = { $time } or { $travel }
+scene-end-of-motion = { $time }, { $travel }, "rest" or "turn"
+scene-many-samples = `samples` may be at most { $most } in a scene of { $parts } links, points, slides and loads
+scene-kept-in-memory = their numbers are kept in memory
+scene-steady-without-cycle = a steady motion needs a cycle, and the input slides over a range
+scene-give-a-cycle = give the input a `cycle`
+scene-large-unevenness = `unevenness` is (max - min) / mean and less than 2, got { $got }
+scene-point-on-ground = point `{ $point }` is on the ground: its place is known
+scene-leave-it-out = leave it out
+scene-the-balance = the balance
+scene-why-at-and-angle = a force has `at` and `angle`, a moment has neither
+scene-the-output = the output
+scene-list-of-names = a list of names
+scene-ground-does-not-move = the ground does not move
+scene-name-of-a-slide = the name of a slide
+scene-name-of-a-pair = the name of a pin or slide
+scene-pins = pins: { $pins }
+scene-point-is-no-pin = point `{ $point }` is no pin: it belongs to one link only
+scene-the-note = the note
+scene-list-of-positions = a list of numbers of positions
+scene-many-positions-of-note = a note has at most { $most } positions
+scene-here-are = here are { $count }
+scene-the-drive = the drive
+scene-large-efficiency = `efficiency` is greater than 0 and at most 1, got { $got }
+scene-drive-without-motion = [drive] needs a motion of kind "transient" or "steady", the scene has none
+scene-drive-of-prescribed = [drive] needs a motion of kind "transient" or "steady", this one is "prescribed"
+scene-kept-by-balance = a prescribed motion is kept by the balancing load
+scene-key-of-motor = `{ $key }` belongs to a motor, and the drive has none
+scene-add-motor = add `motor = ...` or leave it out
+scene-flywheel-on-no-motor = the flywheel is on the motor, and the drive has none
+scene-no-flywheel = `flywheel_on` without `flywheel`
+scene-add-flywheel = add `flywheel = "solve"` or a moment of inertia
+scene-input-slides = `{ $key }` needs an input that turns, this one slides
+scene-solve-needs-steady = `{ $key } = "solve"` needs a motion of kind "steady"
+scene-number-for-transient = give a number for a transient motion
+scene-flywheel-needs-unevenness = `flywheel = "solve"` needs `unevenness` in [motion]
+scene-unevenness-needs-motor = `unevenness = "motor"` needs a [drive] with a motor and `flywheel = "solve"`
+scene-word-or = "{ $word }" or { $quantity }
+scene-empty-drive = `motor`, `torque` or `flywheel`: an empty drive does nothing
+scene-name-of-catalogue = the name of a catalogue
+scene-kloss-needs-ratio = `characteristic = "kloss"` needs `max_torque_ratio`
+scene-or-linear = or characteristic = "linear"
+scene-key-of-catalogue = `{ $key }` belongs to a motor of a catalogue, this one is given by its data
+scene-designation = a designation, "auto" or rated data
+scene-a-motor = a motor
+scene-no-slip = `rated_speed` must be less than `synchronous_speed`
+scene-motor-slips = an asynchronous motor slips
+scene-small-torque-ratio = `max_torque_ratio` must be greater than 1, got { $got }
+scene-breakdown-by-rated = breakdown torque / rated torque
+scene-a-formula = a formula
+scene-table-over-angle = a table over angle
+scene-table-over-time-or-speed = a table over time or speed
+scene-table-over-stroke = a table over stroke
+scene-stroke-of-a-force = only a force has a point whose stroke can be followed
+scene-other-arguments = over = "angle", "time" or "speed"
+scene-scale-out-of-range = `scale` makes the size of the load { $size }, out of range
+scene-right-unit-and-factor = results would have no digits: are unit and factor right?
+scene-table-of-a-load = a table of a load
+scene-all-arguments = over = "angle", "time", "speed" or "stroke"
+scene-a-unit = a unit
+scene-formula-of-motion = a formula with `w` or `t`
+scene-axis-without-x = `axis` has no use: the formula has no `x`
+scene-x-along-axis = `x` is the place of the point along `axis`
+scene-x-of-a-force = only a force has a point whose place `x` can be followed
+scene-use-other-variables = use `q`, `w` or `t`
+scene-repeat-without-cycle = `repeat` needs a cycle, and the input slides over a range
+scene-long-table = the table spans { $span }, the cycle has { $cycle }
+scene-shorten-table = `repeat = false`, a longer `cycle` of the input, or fewer rows
+scene-forward-or-back = `forward`, `back` or both
+scene-row-outside-stroke = has a row at { $at }: a stroke runs from 0 to 1
+scene-list-of-rows = a list of rows
+scene-no-rows = has no rows
+scene-many-rows = has { $count } rows, at most { $most } are read
+scene-leave-rows-out = leave rows out: between them lines are drawn
+scene-rows-decrease = the first numbers of the rows must not decrease
+scene-smaller-than-before = smaller than in the row before
+scene-rows-of-two = rows of two numbers
+scene-no-list = `{ $key }` is no list
+scene-single-value = `{ $key }` is a single value without parts
+scene-table-is-no-list = { $owner } is no list; it has: { $names }
+scene-no-elements = { $owner } has 0 elements
+scene-elements = { $owner } has { $count } elements, from [0] to [{ $last }]
+scene-list-without-names = { $owner } is a list without names: name an element by its number, such as `{ $list }[0]`
+scene-or-by-number = { $problem }, or name an element by its number, such as `{ $list }[0]`
+scene-several-values = `{ $key }` names several values
+scene-is-a-table = `{ $key }` is a table; it has: { $names }
+scene-is-a-list = `{ $key }` is a list; it has: { $names }
+scene-is-a-boolean = `{ $key }` is true or false, not a number
+scene-is-a-date = `{ $key }` is a date, not a number
+scene-the-scene = the scene
+scene-default-not-written = a default must be written in the scene before it can be varied
+scene-owner-has-no = { $owner } has no `{ $name }`; { $hint }; it has: { $names }
+scene-nothing = nothing
+scene-bracket-not-closed = a `[` is not closed
+scene-key-continues = a key continues with `.` or `[`, not `{ $rest }`
+scene-no-index = `[{ $index }]` is no element: write a whole number from 0, two of them as in `[1..2]`, or `[*]` for all
+scene-quote-not-closed = a quote is not closed
+scene-what-is-a-key = a key consists of names joined by dots, such as link.crank.mass
+scene-angle-of-sliding = the friction is `against_sliding`, and `angle` depends on more than the input coordinate
+scene-law-over-coordinate = a number, or a table or formula over the input coordinate
+scene-friction-against-sliding = friction against the sliding

@@ -4,3 +4,284 @@ scene-unnamed-moment = момент { $number } на ланці { $link }
 scene-unnamed-brake = гальмо { $number } на ланці { $link }
 scene-unnamed-spring = пружина { $number }
 scene-unnamed-contact = контакт { $number } на ланці { $link }
+
+# Помилки сцени: що не так, виправлення поруч і що дозволено.
+scene-more-faults = ... і ще { $more }
+scene-fault = помилка: { $message }
+scene-place = { $file }, рядок { $line }, стовпець { $column }
+scene-did-you-mean = можливо, `{ $name }`?
+scene-such-as = наприклад { $example }
+scene-and-more = { $names } і ще { $more }
+scene-key = ключ
+scene-knows = { $what } — відомі ключі: { $keys }
+scene-add-key = додайте `{ $key } = ...`
+scene-needs-key = { $what } — потрібен ключ `{ $key }`
+scene-problem-of-key = `{ $key }`: { $problem }
+scene-wants = потрібно: { $wanted }; задано: { $got }
+scene-unknown = невідомо: { $what } `{ $name }`
+scene-write-once = напишіть [{ $key }] один раз
+scene-one-table = одна таблиця
+scene-list-of-tables = список таблиць
+scene-write-list = напишіть [[{ $key }]]
+scene-list-of-so-many = список з { $count ->
+    [one] { $count } елемента
+   *[other] { $count } елементів
+ }
+scene-in-quotes = у лапках
+scene-an-empty-text = порожній текст
+scene-an-invisible-text = текст із невидимими знаками
+scene-a-text = текст
+scene-one-of = одне з: { $words }
+scene-true-or-false = так чи ні (true, false)
+scene-an-integer = ціле число
+scene-a-number = число
+scene-a-boolean = логічне значення
+scene-a-date = дата
+scene-a-list = список
+scene-a-table = таблиця
+scene-negative = не може бути від'ємним; задано: { $got }
+scene-not-positive = має бути більше за 0; задано: { $got }
+scene-many-turns = напрям, щонайбільше 1000 обертів; задано: { $got }
+scene-without-quotes = для { $unit } пишіть без лапок
+scene-no-unit = немає одиниці: { $got }
+scene-no-digits = у результатах не лишилося б вірних цифр: чи правильна одиниця?
+scene-a-finite-number = скінченне число
+scene-refused-numbers = nan, inf і числа понад 1.8e308 не приймаються
+scene-a-whole-number = ціле число від { $least } до { $most }
+scene-such-as-or-in = наприклад { $example } або число в { $unit }
+scene-got-no-number = `{ $text }` — на початку немає числа
+scene-comma = кома в числі `{ $number }`: десятковий знак — крапка
+scene-too-large = завелике: `{ $text }`, щонайбільше { $most }
+scene-too-small = замале: `{ $text }`, щонайменше { $least } або 0
+scene-got-unknown-unit = невідома одиниця `{ $unit }`
+scene-got-unit = `{ $unit }`, { $measures }
+scene-no-quantity = такої величини в сцені немає
+scene-dimension-plain-number = число без одиниці
+scene-dimension-length = довжина
+scene-dimension-angle = кут
+scene-dimension-mass = маса
+scene-dimension-time = час
+scene-dimension-force = сила
+scene-dimension-moment = момент сили
+scene-dimension-speed = швидкість
+scene-dimension-rotation = кутова швидкість
+scene-dimension-acceleration = прискорення
+scene-dimension-angular-acceleration = кутове прискорення
+scene-dimension-inertia = момент інерції
+scene-dimension-stiffness = жорсткість
+scene-dimension-damping = коефіцієнт опору
+scene-dimension-power = потужність
+scene-with-units = { $quantity } ({ $units })
+scene-a-scene = сцена
+scene-file-too-large = { $what } — щонайбільше { $most } МіБ, тут { $size }
+scene-right-file = чи той це файл?
+scene-unclosed = не TOML: текст не закрито лапкою
+scene-begins-here = він починається тут
+scene-duplicate-key = не TOML: ключ `{ $key }` повторюється
+scene-unquoted-key = не TOML: { $message }; ім'я з іншими знаками має бути в лапках
+scene-no-toml = не TOML: { $message }
+scene-long-name = у `{ $name }` знаків { $count }, читається щонайбільше { $most }
+scene-take-shorter = візьміть коротше ім'я
+scene-many-points = точок на ланках у сцені може бути щонайбільше { $most }, а тут { $count }
+scene-many-loads = навантажень у сцені може бути щонайбільше { $most }, а тут { $count }
+scene-many-slides = поступальних пар у сцені може бути щонайбільше { $most }, а тут { $count }
+scene-many-links = ланок у сцені може бути щонайбільше { $most }, а тут { $count }
+scene-one-too-many = перше зайве
+scene-the-ground = стояк
+scene-tables-of-links = таблиці [link.ІМ'Я]
+scene-write-link = напишіть [link.crank]
+scene-add-links = додайте рухомі ланки: [link.crank], [link.rod] ...
+scene-no-length = у ланки `{ $link }` шарніри { $pins } в одній точці: її довжина нульова
+scene-give-length = дайте їм різні координати або з'єднайте сусідні ланки одним шарніром
+scene-no-link-name = `{ $name }` не може бути ім'ям ланки
+scene-no-point-name = `{ $name }` не може бути ім'ям точки
+scene-what-is-a-name = ім'я не може бути порожнім, містити крапку чи невидимі знаки
+scene-ground-as-link = стояк не є рухомою ланкою
+scene-points-of-ground = його точки пишуть у [ground]
+scene-link-moment = ланка не може мати ім'я `moment`
+scene-results-use-it = його вжито в результатах: виберіть інше
+scene-a-link = ланка
+scene-table-of-points = таблиця точок
+scene-why-a-center = потрібен ланці, що має масу чи момент інерції і не одну точку
+scene-a-slide = поступальна пара
+scene-swap-slide = хай рухома ланка ковзає по "ground"
+scene-slide-on-itself = ланка `{ $link }` не може ковзати сама по собі
+scene-another-link = інша ланка або "ground"
+scene-a-name = ім'я
+scene-pin-and-slide = шарнір і поступальна пара мають те саме ім'я `{ $name }`
+scene-two-slides = дві поступальні пари мають те саме ім'я `{ $name }`
+scene-own-name = дайте цій власне ім'я ключем `name`
+scene-name-of-a-link = ім'я ланки
+scene-a-moving-link = рухома ланка
+scene-name-of-a-point = ім'я точки
+scene-none-of-them = у сцені немає { $what ->
+    [link] ланок
+    [point] точок
+    [slide] поступальних пар
+   *[pair] шарнірів і поступальних пар
+ }
+scene-all-of-them = { $what ->
+    [link] ланки
+    [point] точки
+    [slide] поступальні пари
+   *[pair] шарніри й поступальні пари
+ }: { $names }
+scene-no-such-part = `{ $key }`: немає { $what ->
+    [link] ланки
+    [point] точки
+    [slide] поступальної пари
+   *[pair] шарніра чи поступальної пари
+ } `{ $name }`
+scene-point-or-place = точка або [x, y]
+scene-no-point-on-link = `{ $key }`: на ланці `{ $link }` немає точки `{ $point }`
+scene-point-elsewhere = `{ $key }`: точка `{ $point }` не на ланці `{ $link }`, вона належить: { $holders }
+scene-link-without-points = на ній немає точок: дайте [x, y]
+scene-points-of-link = її точки: { $points }
+scene-coordinates = [x, y] або довжина на осі x
+scene-such-coordinates = наприклад [0, "-400 mm"] або "120 mm"
+scene-needs-motion = { $what }: потрібен рух, а в сцені немає [motion]
+scene-add-motion = додайте [motion] зі `speed`
+scene-two-loads = два навантаження мають те саме ім'я `{ $name }`
+scene-gravity-upward = `gravity` одним числом напрямлена вниз і не може бути від'ємною
+scene-or-both-components = або [gx, gy]
+scene-a-force = сила
+scene-a-moment = момент
+scene-a-brake = гальмо
+scene-ground-carries = стояк несе будь-яке навантаження
+scene-exclude = `{ $one }` і `{ $other }` несумісні
+scene-leave-one-out = приберіть одне з них
+scene-why-an-angle = напрям: `angle` або `against_motion = true`
+scene-ground-does-not-turn = стояк не обертається
+scene-a-spring = пружина
+scene-a-contact = контакт
+scene-two-points = дві точки, наприклад ["C", "D"]
+scene-both-ends-on-link = обидва кінці на ланці `{ $link }`
+scene-such-a-spring = така пружина не змінює довжини; дайте точки двох різних ланок
+scene-point-of-link = точка або "ланка.точка"
+scene-not-on-link = точка `{ $point }` не на ланці `{ $link }`
+scene-belongs-to = вона належить: { $holders }
+scene-arc-of-a-link = пряма належить стояку, дуга — ланці
+scene-during-backward = `during` кінчається раніше, ніж починається
+scene-during-nothing = `during` має рівні кінці: контакт ніколи не діє
+scene-from-less-than-to = [from, to], де `from` менше за `to`
+scene-add-input = додайте [input] з `link` — ланкою, що рухає інші
+scene-the-input = вхідна ланка
+scene-link-joined-to-ground = ланка, з'єднана зі стояком
+scene-input-not-joined = вхідна ланка `{ $link }` не з'єднана зі стояком
+scene-join-the-input = точка, яка є і в [ground], або [[slide]] на "ground"
+scene-input-joined-often = вхідна ланка `{ $link }` з'єднана зі стояком { $count ->
+    [one] { $count } раз
+    [few] { $count } рази
+   *[other] { $count } разів
+ }: { $pairs }
+scene-one-pair-of-input = там має бути рівно один шарнір або одна поступальна пара
+scene-cycle-or-range = або цілий цикл, або проміжок
+scene-no-range = `to` дорівнює `from`, а `positions` = { $positions }
+scene-one-position-or-another-end = positions = 1 або інший кінець
+scene-why-to = поступальний вхід не має власного циклу: дайте `to` або `cycle`
+scene-the-motion = рух
+scene-other-motion = `{ $key }` належить до руху виду "{ $owner }", а цей — "{ $kind }"
+scene-motion-knows = рух виду "{ $kind }" — відомі ключі: { $keys }
+scene-name-of-integrator = назва методу інтегрування
+scene-large-tolerance = `tolerance` — відносна похибка, менша за 1; задано: { $got }
+scene-time-or-travel = { $time } або { $travel }
+scene-end-of-motion = { $time }, { $travel }, "rest" або "turn"
+scene-many-samples = `samples` може бути щонайбільше { $most }: у сцені ланок, точок, поступальних пар і навантажень разом { $parts }
+scene-kept-in-memory = їхні числа зберігаються в пам'яті
+scene-steady-without-cycle = усталеному руху потрібен цикл, а вхідна ланка рухається в проміжку
+scene-give-a-cycle = дайте вхідній ланці `cycle`
+scene-large-unevenness = `unevenness` — це (найбільша − найменша) / середня швидкість, менше за 2; задано: { $got }
+scene-point-on-ground = точка `{ $point }` на стояку: її місце відоме
+scene-leave-it-out = приберіть
+scene-the-balance = зрівноваження
+scene-why-at-and-angle = сила має `at` і `angle`, момент — жодного з них
+scene-the-output = вивід
+scene-list-of-names = список імен
+scene-ground-does-not-move = стояк нерухомий
+scene-name-of-a-slide = ім'я поступальної пари
+scene-name-of-a-pair = ім'я шарніра чи поступальної пари
+scene-pins = шарніри: { $pins }
+scene-point-is-no-pin = точка `{ $point }` не шарнір: вона належить лише одній ланці
+scene-the-note = записка
+scene-list-of-positions = список номерів положень
+scene-many-positions-of-note = у записці щонайбільше { $most } положень
+scene-here-are = тут { $count }
+scene-the-drive = привод
+scene-large-efficiency = `efficiency` більший за 0 і щонайбільше 1; задано: { $got }
+scene-drive-without-motion = [drive] потребує руху виду "transient" або "steady", а в сцені руху немає
+scene-drive-of-prescribed = [drive] потребує руху виду "transient" або "steady", а цей — "prescribed"
+scene-kept-by-balance = заданий рух підтримує зрівноважувальне навантаження
+scene-key-of-motor = `{ $key }` стосується двигуна, а в привода його немає
+scene-add-motor = додайте `motor = ...` або приберіть
+scene-flywheel-on-no-motor = маховик на двигуні, а в привода двигуна немає
+scene-no-flywheel = `flywheel_on` без `flywheel`
+scene-add-flywheel = додайте `flywheel = "solve"` або момент інерції
+scene-input-slides = `{ $key }` потребує обертальної вхідної ланки, а ця поступальна
+scene-solve-needs-steady = `{ $key } = "solve"` потребує руху виду "steady"
+scene-number-for-transient = для неусталеного руху дайте число
+scene-flywheel-needs-unevenness = `flywheel = "solve"` потребує `unevenness` у [motion]
+scene-unevenness-needs-motor = `unevenness = "motor"` потребує [drive] із двигуном і `flywheel = "solve"`
+scene-word-or = "{ $word }" або { $quantity }
+scene-empty-drive = `motor`, `torque` або `flywheel`: порожній привод нічого не робить
+scene-name-of-catalogue = назва каталогу
+scene-kloss-needs-ratio = `characteristic = "kloss"` потребує `max_torque_ratio`
+scene-or-linear = або characteristic = "linear"
+scene-key-of-catalogue = `{ $key }` стосується двигуна з каталогу, а цей задано його даними
+scene-designation = позначення, "auto" або номінальні дані
+scene-a-motor = двигун
+scene-no-slip = `rated_speed` має бути менша за `synchronous_speed`
+scene-motor-slips = асинхронний двигун має ковзання
+scene-small-torque-ratio = `max_torque_ratio` має бути більше за 1; задано: { $got }
+scene-breakdown-by-rated = критичний момент / номінальний момент
+scene-a-formula = формула
+scene-table-over-angle = таблиця за кутом
+scene-table-over-time-or-speed = таблиця за часом або швидкістю
+scene-table-over-stroke = таблиця за ходом
+scene-stroke-of-a-force = хід має лише точка прикладання сили
+scene-other-arguments = over = "angle", "time" або "speed"
+scene-scale-out-of-range = через `scale` величина навантаження { $size } поза межами
+scene-right-unit-and-factor = у результатах не лишилося б вірних цифр: чи правильні одиниця та множник?
+scene-table-of-a-load = таблиця навантаження
+scene-all-arguments = over = "angle", "time", "speed" або "stroke"
+scene-a-unit = одиниця
+scene-formula-of-motion = формула з `w` чи `t`
+scene-axis-without-x = `axis` ні до чого: у формулі немає `x`
+scene-x-along-axis = `x` — положення точки вздовж `axis`
+scene-x-of-a-force = положення `x` має лише точка прикладання сили
+scene-use-other-variables = вживайте `q`, `w` або `t`
+scene-repeat-without-cycle = `repeat` потребує циклу, а вхідна ланка рухається в проміжку
+scene-long-table = таблиця охоплює { $span }, а цикл має { $cycle }
+scene-shorten-table = `repeat = false`, довший `cycle` вхідної ланки або менше рядків
+scene-forward-or-back = `forward`, `back` або обидва
+scene-row-outside-stroke = є рядок за { $at }, а хід триває від 0 до 1
+scene-list-of-rows = список рядків
+scene-no-rows = немає рядків
+scene-many-rows = рядків { $count }, читається щонайбільше { $most }
+scene-leave-rows-out = приберіть частину рядків: між ними проводяться прямі
+scene-rows-decrease = перші числа рядків не можуть спадати
+scene-smaller-than-before = менше, ніж у попередньому рядку
+scene-rows-of-two = рядки з двох чисел
+scene-no-list = `{ $key }` — не список
+scene-single-value = `{ $key }` — одне значення без частин
+scene-table-is-no-list = { $owner } — не список; там є: { $names }
+scene-no-elements = { $owner } — елементів немає
+scene-elements = { $owner } — елементів { $count }, від [0] до [{ $last }]
+scene-list-without-names = { $owner } — список без імен: назвіть елемент номером, наприклад `{ $list }[0]`
+scene-or-by-number = { $problem }, або назвіть елемент номером, наприклад `{ $list }[0]`
+scene-several-values = `{ $key }` — кілька значень
+scene-is-a-table = `{ $key }` — таблиця; там є: { $names }
+scene-is-a-list = `{ $key }` — список; там є: { $names }
+scene-is-a-boolean = `{ $key }` — логічне значення, а не число
+scene-is-a-date = `{ $key }` — дата, а не число
+scene-the-scene = сцена
+scene-default-not-written = значення за умовчанням треба записати в сцені, щоб його змінювати
+scene-owner-has-no = { $owner }: немає `{ $name }`; { $hint }; там є: { $names }
+scene-nothing = нічого
+scene-bracket-not-closed = `[` не закрито
+scene-key-continues = ключ продовжується через `.` або `[`, а не `{ $rest }`
+scene-no-index = `[{ $index }]` не є елементом: пишіть ціле число від 0, два числа як у `[1..2]` або `[*]` для всіх
+scene-quote-not-closed = лапку не закрито
+scene-what-is-a-key = ключ складається з імен через крапку, наприклад link.crank.mass
+scene-angle-of-sliding = тертя задано як `against_sliding`, а `angle` залежить не лише від координати вхідної ланки
+scene-law-over-coordinate = число або таблиця чи формула за координатою вхідної ланки
+scene-friction-against-sliding = тертя проти ковзання

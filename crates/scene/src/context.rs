@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use assur_mechanism::{Input, Name};
-use assur_words::Text;
+use assur_words::{Text, text};
 
 use crate::error::Fault;
 use crate::input::coordinate_of;
@@ -52,12 +52,9 @@ impl Context<'_> {
     }
 
     /// Notes that a part of a load needs a motion, if the scene has none.
-    pub(crate) fn need_motion(&self, entry: &Entry<'_>, what: &str) {
+    pub(crate) fn need_motion(&self, entry: &Entry<'_>, what: Text) {
         if !self.moves {
-            entry.fault(
-                format!("{what} needs a motion, and the scene has no [motion]"),
-                "add [motion] with `speed`",
-            );
+            entry.fault(text!("scene-needs-motion", what = what), text!("scene-add-motion"));
         }
     }
 }
@@ -73,7 +70,7 @@ type ReadLoad<T> = fn(&Section<'_>, usize, &Context<'_>, &mut LoadNames) -> Opti
 pub(crate) struct Sort<T> {
     /// Name of the list.
     pub(crate) key: &'static str,
-    /// One of them, for messages: `a force`.
+    /// The identity of one of them, for messages: `a force`.
     pub(crate) what: &'static str,
     pub(crate) keys: &'static [&'static str],
     pub(crate) one: ReadLoad<T>,
@@ -82,7 +79,7 @@ pub(crate) struct Sort<T> {
 impl<T> Sort<T> {
     /// All loads of this sort.
     pub(crate) fn read(&self, root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<T> {
-        let sections = root.get(self.key).map(|entry| entry.sections(self.what, self.keys));
+        let sections = root.get(self.key).map(|entry| entry.sections(&text!(self.what), self.keys));
         let each = sections.iter().flatten().enumerate();
         each.filter_map(|(index, section)| (self.one)(section, index, context, names)).collect()
     }
@@ -92,15 +89,15 @@ impl LoadNames {
     /// The `name` of a load, or its default name.
     pub(crate) fn read(&mut self, section: &Section<'_>, default: impl FnOnce() -> Text) -> Name {
         let entry = section.get("name");
-        let given = entry.as_ref().and_then(|entry| entry.text("a name"));
+        let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
         let name = given.map_or_else(|| default().into(), Name::from);
         if let Some(entry) = &entry {
             limits::check_name(entry, &entry.span, &name);
         }
         if !self.0.insert(name.to_string()) {
             let span = entry.map_or(section.span.clone(), |entry| entry.span);
-            let fault = Fault::new(span, format!("two loads have the name `{}`", shown(&name)));
-            section.faults.push(fault.label("give this one a `name` of its own"));
+            let fault = Fault::new(span, text!("scene-two-loads", name = shown(&name)));
+            section.faults.push(fault.label(text!("scene-own-name")));
         }
         name
     }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use assur_words::{Text, name, text};
 use toml::Spanned;
 use toml::de::DeTable;
 
@@ -34,27 +35,28 @@ const SYNTAX_FAULTS: usize = 3;
 ///
 /// ```
 /// use assur_scene::document;
+/// use assur_words::name;
 ///
 /// let count = |text| {
-///     document::read("a.toml", text, "a file", &["count"], |root| root.get("count").and_then(|entry| entry.count(1, 9)))
+///     document::read("a.toml", text, name("count.toml"), &["count"], |root| root.get("count").and_then(|entry| entry.count(1, 9)))
 /// };
 /// assert_eq!(count("count = 3"), Ok(Some(3)));
 /// let errors = count("coutn = 3").unwrap_err();
-/// assert_eq!(errors.errors[0].message, "unknown key `coutn`");
-/// assert_eq!(errors.errors[0].label, "did you mean `count`?");
+/// assert_eq!(errors.errors[0].message.to_string(), "unknown key `coutn`");
+/// assert_eq!(errors.errors[0].label.to_string(), "did you mean `count`?");
 /// ```
 pub fn read<T>(
     file_name: &str,
     text: &str,
-    what: &'static str,
+    what: Text,
     known: &'static [&'static str],
     make: impl FnOnce(&Section<'_>) -> T,
 ) -> Result<T, SceneErrors> {
     let faults = Faults::default();
     if text.len() > MOST_BYTES {
         let size = text.len().div_ceil(1 << 20);
-        let message = format!("{what} has at most {} MiB, this one has {size}", MOST_BYTES >> 20);
-        faults.push(Fault::new(0..0, message).label("is it the right file?"));
+        let message = text!("scene-file-too-large", what = what, most = MOST_BYTES >> 20, size = size);
+        faults.push(Fault::new(0..0, message).label(text!("scene-right-file")));
         return Err(faults.into_errors(file_name, ""));
     }
     let (document, syntax) = parsed(text);
@@ -94,8 +96,8 @@ fn syntax_faults<'m>(text: &str, errors: impl Iterator<Item = (Range<usize>, &'m
     let mut faults = Vec::new();
     for (span, message) in errors.into_iter().take(SYNTAX_FAULTS) {
         if let Some(start) = unclosed(text, span.start, message) {
-            let message = "not TOML: this text has no closing quote";
-            faults.push(Fault::new(start..start + 1, message).label("it begins here"));
+            let fault = Fault::new(start..start + 1, text!("scene-unclosed"));
+            faults.push(fault.label(text!("scene-begins-here")));
             break;
         }
         faults.push(Fault::new(span.clone(), syntax_words(message, text.get(span))));
@@ -123,12 +125,11 @@ fn unclosed(text: &str, at: usize, message: &str) -> Option<usize> {
 }
 
 /// The parser's message, with the duplicate key that it does not name.
-fn syntax_words(message: &str, piece: Option<&str>) -> String {
+fn syntax_words(message: &str, piece: Option<&str>) -> Text {
+    let said = name(message.to_owned());
     match piece.filter(|piece| message == "duplicate key" && !piece.is_empty()) {
-        Some(key) => format!("not TOML: duplicate key `{}`", shown(key)),
-        None if message.starts_with("invalid unquoted key") => {
-            format!("not TOML: {message}; a name with other characters must be in quotes")
-        }
-        None => format!("not TOML: {message}"),
+        Some(key) => text!("scene-duplicate-key", key = shown(key)),
+        None if message.starts_with("invalid unquoted key") => text!("scene-unquoted-key", message = said),
+        None => text!("scene-no-toml", message = said),
     }
 }

@@ -2,10 +2,13 @@
 
 use assur_mechanism::{Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, Torque};
 
+use assur_words::{Describe, name, text};
+
 use crate::context::Context;
 use crate::error::Fault;
-use crate::numbers::Bound;
-use crate::text::{brief, did_you_mean, nearest, shown};
+use crate::loads::exclude;
+use crate::numbers::{Bound, in_quotes};
+use crate::text::{brief, did_you_mean, nearest, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -29,7 +32,7 @@ const PLACES: &[(&str, FlywheelPlace)] = &[("crank", FlywheelPlace::Crank), ("mo
 
 /// Reads the drive; `motion` is the motion of the scene, if it could be read.
 pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) -> Option<Drive> {
-    let section = root.get("drive").and_then(|entry| entry.section("the drive", KEYS));
+    let section = root.get("drive").and_then(|entry| entry.section(text!("scene-the-drive"), KEYS));
     check_unevenness(root, section.as_ref(), motion);
     let section = section?;
     check_motion(&section, motion, context);
@@ -39,10 +42,7 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
     let flywheel = solved(&section, "flywheel", Dimension::Inertia, Bound::NotNegative);
     let efficiency = section.quantity_or("efficiency", Dimension::Number, Bound::Positive, 1.0);
     if let Some(entry) = section.get("efficiency").filter(|_| efficiency > 1.0) {
-        entry.fault(
-            format!("`efficiency` is greater than 0 and at most 1, got {}", brief(efficiency)),
-            "such as 0.95",
-        );
+        entry.fault(text!("scene-large-efficiency", got = brief(efficiency)), such_as("0.95"));
     }
     check_solved(&section, motion);
     let place = section.get("flywheel_on").and_then(|entry| entry.choice(PLACES));
@@ -58,9 +58,9 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
 fn check_motion(section: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) {
     let absent = motion.is_none() && !context.moves;
     if absent || matches!(motion, Some(Motion::Prescribed { .. })) {
-        let got = if absent { "the scene has none" } else { "this one is \"prescribed\"" };
-        let message = format!("[drive] needs a motion of kind \"transient\" or \"steady\", {got}");
-        let label = "a prescribed motion is kept by the balancing load";
+        let message =
+            if absent { text!("scene-drive-without-motion") } else { text!("scene-drive-of-prescribed") };
+        let label = text!("scene-kept-by-balance");
         section.faults.push(Fault::new(section.span.clone(), message).label(label));
     }
 }
@@ -70,21 +70,21 @@ fn check_motor_keys(section: &Section<'_>, context: &Context<'_>) {
     let motor = section.get("motor");
     if motor.is_none() {
         for entry in OF_THE_MOTOR.iter().filter_map(|key| section.get(key)) {
-            let message = format!("`{}` belongs to a motor, and the drive has none", entry.name);
-            section.faults.push(Fault::new(entry.key, message).label("add `motor = ...` or leave it out"));
+            let message = text!("scene-key-of-motor", key = shown(&entry.name));
+            section.faults.push(Fault::new(entry.key, message).label(text!("scene-add-motor")));
         }
         let on_motor = section.get("flywheel_on").filter(|entry| entry.value.as_str() == Some("motor"));
         if let Some(entry) = on_motor {
-            entry.fault("the flywheel is on the motor, and the drive has none", "flywheel_on = \"crank\"");
+            entry.fault(text!("scene-flywheel-on-no-motor"), name("flywheel_on = \"crank\""));
         }
     }
     if let (None, Some(entry)) = (section.get("flywheel"), section.get("flywheel_on")) {
-        let fault = Fault::new(entry.key, "`flywheel_on` without `flywheel`");
-        section.faults.push(fault.label("add `flywheel = \"solve\"` or a moment of inertia"));
+        let fault = Fault::new(entry.key, text!("scene-no-flywheel"));
+        section.faults.push(fault.label(text!("scene-add-flywheel")));
     }
     if context.coordinate() == Some(Dimension::Length) {
         for entry in ["motor", "flywheel"].iter().filter_map(|key| section.get(key)) {
-            let message = format!("`{}` needs an input that turns, this one slides", entry.name);
+            let message = text!("scene-input-slides", key = shown(&entry.name));
             section.faults.push(Fault::new(entry.key, message));
         }
     }
@@ -95,12 +95,12 @@ fn check_solved(section: &Section<'_>, motion: Option<&Motion>) {
     let wanted = |key: &str| section.get(key).filter(|entry| entry.value.as_str() == Some("solve"));
     if matches!(motion, Some(Motion::Transient { .. })) {
         for entry in ["ratio", "flywheel"].into_iter().filter_map(wanted) {
-            let message = format!("`{} = \"solve\"` needs a motion of kind \"steady\"", entry.name);
-            entry.fault(message, "give a number for a transient motion");
+            let message = text!("scene-solve-needs-steady", key = shown(&entry.name));
+            entry.fault(message, text!("scene-number-for-transient"));
         }
     }
     if let (Some(Motion::Steady { unevenness: None, .. }), Some(entry)) = (motion, wanted("flywheel")) {
-        entry.fault("`flywheel = \"solve\"` needs `unevenness` in [motion]", "such as unevenness = 0.05");
+        entry.fault(text!("scene-flywheel-needs-unevenness"), such_as("unevenness = 0.05"));
     }
 }
 
@@ -115,7 +115,7 @@ fn check_unevenness(root: &Section<'_>, drive: Option<&Section<'_>>, motion: Opt
     if drive.filter(finds_flywheel).is_none_or(|drive| drive.get("motor").is_none())
         && let Some(entry) = root.get("motion")
     {
-        let message = "`unevenness = \"motor\"` needs a [drive] with a motor and `flywheel = \"solve\"`";
+        let message = text!("scene-unevenness-needs-motor");
         root.faults.push(Fault::new(entry.key, message));
     }
 }
@@ -127,8 +127,8 @@ fn solved(section: &Section<'_>, key: &str, dimension: Dimension, bound: Bound) 
         return Some(Solve::Wanted);
     }
     if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
-        let message = format!("`{key}` wants \"solve\" or {}, got \"{}\"", dimension.name(), shown(text));
-        entry.fault(message, did_you_mean(nearest(text, ["solve"])));
+        let wanted = text!("scene-word-or", word = name("solve"), quantity = dimension.describe());
+        entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["solve"])));
         return None;
     }
     entry.bounded(dimension, bound).map(Solve::Given)
@@ -137,14 +137,14 @@ fn solved(section: &Section<'_>, key: &str, dimension: Dimension, bound: Bound) 
 fn torque(section: &Section<'_>, context: &Context<'_>) -> Option<Torque> {
     match (section.get("motor"), section.get("torque")) {
         (Some(_), Some(torque)) => {
-            torque.fault("`torque` and `motor` exclude each other", "leave one out");
+            torque.fault(exclude(["torque", "motor"].map(name)), text!("scene-leave-one-out"));
             None
         }
         (Some(motor), None) => with_motor(section, &motor),
         (None, Some(torque)) => constant(&torque, context),
         (None, None) => {
             if section.get("flywheel").is_none() {
-                section.missing("motor", "`motor`, `torque` or `flywheel`: an empty drive does nothing");
+                section.missing("motor", text!("scene-empty-drive"));
             }
             Some(Torque::None)
         }
@@ -156,9 +156,9 @@ fn constant(entry: &Entry<'_>, context: &Context<'_>) -> Option<Torque> {
     match entry.value.as_str() {
         Some("balance") => Some(Torque::Balance),
         Some(text) if text.starts_with(char::is_alphabetic) => {
-            let wanted = dimension.unwrap_or(Dimension::Moment).full();
-            let message = format!("`torque` wants \"balance\" or {wanted}, got \"{}\"", shown(text));
-            entry.fault(message, did_you_mean(nearest(text, ["balance"])));
+            let moment = dimension.unwrap_or(Dimension::Moment).with_units();
+            let wanted = text!("scene-word-or", word = name("balance"), quantity = moment);
+            entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["balance"])));
             None
         }
         _ => entry.quantity(dimension).map(Torque::Constant),
@@ -167,7 +167,7 @@ fn constant(entry: &Entry<'_>, context: &Context<'_>) -> Option<Torque> {
 
 fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
     let motor = motor(entry);
-    let catalogue = section.get("catalogue").and_then(|entry| entry.text("the name of a catalogue"));
+    let catalogue = section.get("catalogue").and_then(|entry| entry.text(text!("scene-name-of-catalogue")));
     let max_speed = section
         .get("max_motor_speed")
         .and_then(|entry| entry.bounded(Dimension::AngularSpeed, Bound::Positive));
@@ -177,10 +177,7 @@ fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
         refuse_with_rated(section);
         if rated.max_torque_ratio.is_none() {
             if given == Some(Characteristic::Kloss) {
-                entry.fault(
-                    "`characteristic = \"kloss\"` needs `max_torque_ratio`",
-                    "or characteristic = \"linear\"",
-                );
+                entry.fault(text!("scene-kloss-needs-ratio"), text!("scene-or-linear"));
             }
             characteristic = Characteristic::Linear;
         }
@@ -192,9 +189,8 @@ fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
 /// Notes keys of a catalogue motor where the motor is given by its rated data.
 fn refuse_with_rated(section: &Section<'_>) {
     for entry in ["catalogue", "max_motor_speed"].iter().filter_map(|key| section.get(key)) {
-        let message =
-            format!("`{}` belongs to a motor of a catalogue, this one is given by its data", entry.name);
-        section.faults.push(Fault::new(entry.key, message).label("leave it out"));
+        let message = text!("scene-key-of-catalogue", key = shown(&entry.name));
+        section.faults.push(Fault::new(entry.key, message).label(text!("scene-leave-it-out")));
     }
 }
 
@@ -202,14 +198,14 @@ fn motor(entry: &Entry<'_>) -> Option<Motor> {
     if entry.value.is_table() {
         return rated(entry).map(Motor::Rated);
     }
-    match entry.text("a designation, \"auto\" or rated data")? {
+    match entry.text(text!("scene-designation"))? {
         "auto" => Some(Motor::Auto),
         designation => Some(Motor::Designation(designation.to_owned())),
     }
 }
 
 fn rated(entry: &Entry<'_>) -> Option<RatedMotor> {
-    let section = entry.section("a motor", MOTOR_KEYS)?;
+    let section = entry.section(text!("scene-a-motor"), MOTOR_KEYS)?;
     let need = |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::Positive));
     let power = need("power", Dimension::Power);
     let synchronous = need("synchronous_speed", Dimension::AngularSpeed);
@@ -217,15 +213,13 @@ fn rated(entry: &Entry<'_>) -> Option<RatedMotor> {
     if let (Some(synchronous), Some(rated), Some(entry)) = (synchronous, rated, section.get("rated_speed"))
         && rated >= synchronous
     {
-        entry.fault("`rated_speed` must be less than `synchronous_speed`", "an asynchronous motor slips");
+        entry.fault(text!("scene-no-slip"), text!("scene-motor-slips"));
     }
     let breakdown = section.get("max_torque_ratio").and_then(|entry| {
         let value = entry.bounded(Dimension::Number, Bound::Any)?;
         if value <= 1.0 {
-            entry.fault(
-                format!("`max_torque_ratio` must be greater than 1, got {}", brief(value)),
-                "breakdown torque / rated torque",
-            );
+            let label = text!("scene-breakdown-by-rated");
+            entry.fault(text!("scene-small-torque-ratio", got = brief(value)), label);
         }
         Some(value)
     });

@@ -9,6 +9,7 @@ mod values;
 
 use std::ops::Range;
 
+use assur_words::Text;
 use toml::de::DeTable;
 
 pub use key::Key;
@@ -42,7 +43,7 @@ impl<'a> Document<'a> {
     /// # Errors
     ///
     /// A message about the key, with the keys that exist instead.
-    pub fn find(&self, key: &Key) -> Result<Vec<Place>, String> {
+    pub fn find(&self, key: &Key) -> Result<Vec<Place>, Text> {
         find::find(self.table.get_ref(), &key.0)
     }
 

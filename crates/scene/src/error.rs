@@ -3,6 +3,8 @@
 use std::cell::{Cell, RefCell};
 use std::ops::Range;
 
+use assur_words::Text;
+
 /// One fault of a scene file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneError {
@@ -13,11 +15,11 @@ pub struct SceneError {
     /// Bytes of the file that are wrong.
     pub span: Range<usize>,
     /// What is wrong, one line.
-    pub message: String,
+    pub message: Text,
     /// A correction, shown beside the place; may be empty.
-    pub label: String,
+    pub label: Text,
     /// What is allowed there.
-    pub help: Option<String>,
+    pub help: Option<Text>,
     /// Bytes of the line of the file.
     pub(crate) source: Range<usize>,
 }
@@ -39,33 +41,31 @@ pub struct SceneErrors {
 /// word.
 const MOST_FAULTS: usize = 1000;
 
-impl std::error::Error for SceneErrors {}
-
 /// A fault while reading.
 #[derive(Debug, Clone)]
 pub struct Fault {
     span: Range<usize>,
-    message: String,
-    label: String,
-    help: Option<String>,
+    message: Text,
+    label: Text,
+    help: Option<Text>,
 }
 
 impl Fault {
     /// What is wrong in these bytes of the file, one line.
-    pub fn new(span: Range<usize>, message: impl Into<String>) -> Self {
-        Self { span, message: message.into(), label: String::new(), help: None }
+    pub fn new(span: Range<usize>, message: impl Into<Text>) -> Self {
+        Self { span, message: message.into(), label: Text::default(), help: None }
     }
 
     /// A correction, shown beside the place.
     #[must_use]
-    pub fn label(mut self, label: impl Into<String>) -> Self {
+    pub fn label(mut self, label: impl Into<Text>) -> Self {
         self.label = label.into();
         self
     }
 
     /// What is allowed there.
     #[must_use]
-    pub fn help(mut self, help: impl Into<String>) -> Self {
+    pub fn help(mut self, help: impl Into<Text>) -> Self {
         self.help = Some(help.into());
         self
     }

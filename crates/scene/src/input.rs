@@ -4,8 +4,11 @@ use std::f64::consts::TAU;
 
 use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
 
+use assur_words::{name, number, text};
+
 use crate::linkage::Linkage;
 use crate::links::on_ground;
+use crate::loads::exclude;
 use crate::numbers::Bound;
 use crate::text::{row, shown};
 use crate::units::Dimension;
@@ -18,13 +21,13 @@ const MOST: usize = 1_000_000_000;
 /// Reads the input; `None` if its link or pair is not known.
 pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {
     let Some(entry) = root.get("input") else {
-        root.missing("input", "add [input] with `link`, the link that drives the others");
+        root.missing("input", text!("scene-add-input"));
         return None;
     };
-    let section = entry.section("the input", KEYS)?;
+    let section = entry.section(text!("scene-the-input"), KEYS)?;
     let link = section
         .need("link")
-        .and_then(|entry| Some((linkage.moving(&entry, "a link joined to the ground")?, entry)));
+        .and_then(|entry| Some((linkage.moving(&entry, text!("scene-link-joined-to-ground"))?, entry)));
     let pair = link.as_ref().and_then(|(link, entry)| pair(linkage, *link, entry));
     let dimension = pair.map(coordinate_of);
     let from = section.quantity_or("from", dimension, Bound::Any, 0.0);
@@ -54,18 +57,16 @@ fn pair(linkage: &Linkage, link: LinkId, entry: &Entry<'_>) -> Option<InputPair>
     if let [pair] = pairs[..] {
         return Some(pair);
     }
-    let name = shown(&linkage.links[link].name);
+    let of = shown(&linkage.links[link].name);
     if pairs.is_empty() {
-        let label = "a point that is also in [ground], or a [[slide]] on \"ground\"";
-        entry.fault(format!("the input link `{name}` is not joined to the ground"), label);
+        entry.fault(text!("scene-input-not-joined", link = of), text!("scene-join-the-input"));
     } else {
         let names = pairs.iter().map(|pair| match *pair {
             InputPair::Pin(id) => linkage.points[id].name.as_str(),
             InputPair::Slide(id) => linkage.slides[id].name.as_str(),
         });
-        let message =
-            format!("the input link `{name}` is joined to the ground {} times: {}", pairs.len(), row(names));
-        entry.fault(message, "it must have exactly one pin or slide there");
+        let message = text!("scene-input-joined-often", link = of, count = pairs.len(), pairs = row(names));
+        entry.fault(message, text!("scene-one-pair-of-input"));
     }
     None
 }
@@ -73,21 +74,21 @@ fn pair(linkage: &Linkage, link: LinkId, entry: &Entry<'_>) -> Option<InputPair>
 fn range(section: &Section<'_>, dimension: Option<Dimension>, from: f64, positions: usize) -> Range {
     if let Some(entry) = section.get("to") {
         if let Some(cycle) = section.get("cycle") {
-            cycle.fault("`cycle` and `to` exclude each other", "a whole cycle, or a range");
+            cycle.fault(exclude(["cycle", "to"].map(name)), text!("scene-cycle-or-range"));
         }
         let Some(to) = entry.quantity(dimension) else {
             return Range::To(from);
         };
         if positions > 1 && dimension.is_some() && to.total_cmp(&from).is_eq() {
             entry.fault(
-                format!("`to` equals `from`, but `positions` is {positions}"),
-                "positions = 1, or another end",
+                text!("scene-no-range", positions = number(positions)),
+                text!("scene-one-position-or-another-end"),
             );
         }
         return Range::To(to);
     }
     if section.get("cycle").is_none() && dimension == Some(Dimension::Length) {
-        section.missing("to", "a sliding input has no cycle of its own: give `to` or `cycle`");
+        section.missing("to", text!("scene-why-to"));
     }
     Range::Cycle(section.quantity_or("cycle", dimension, Bound::Positive, TAU))
 }

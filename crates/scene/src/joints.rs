@@ -2,7 +2,7 @@
 
 use assur_mechanism::{Contact, GROUND, LinkId, Over, Place, PointId, Spring, Value};
 
-use assur_words::text;
+use assur_words::{name, text};
 
 use crate::context::{Context, LoadNames, Sort};
 use crate::linkage::{Linkage, pair};
@@ -10,12 +10,12 @@ use crate::numbers::Bound;
 use crate::text::{row, shown};
 use crate::units::Dimension;
 use crate::value;
-use crate::walk::{Entry, Section};
+use crate::walk::{Entry, Section, quoted};
 
 /// Reads a `[[spring]]`.
 pub(crate) const SPRINGS: Sort<Spring> = Sort {
     key: "spring",
-    what: "a spring",
+    what: "scene-a-spring",
     keys: &["name", "between", "stiffness", "length", "damping"],
     one: spring,
 };
@@ -30,22 +30,22 @@ fn spring(
     let length = section.quantity_or("length", Dimension::Length, Bound::NotNegative, 0.0);
     let damping = section.quantity_or("damping", Dimension::Damping, Bound::NotNegative, 0.0);
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
-        context.need_motion(&entry, "`damping`");
+        context.need_motion(&entry, quoted("damping"));
     }
-    let name = names.read(section, || text!("scene-unnamed-spring", number = index + 1));
+    let own = names.read(section, || text!("scene-unnamed-spring", number = index + 1));
     let ends = section.need("between").and_then(|entry| ends(&entry, context))?;
-    Some(Spring { name, ends, stiffness, length, damping })
+    Some(Spring { name: own, ends, stiffness, length, damping })
 }
 
 fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
-    let [a, b] = entry.pair("two points, such as [\"C\", \"D\"]")?;
+    let [a, b] = entry.pair(&text!("scene-two-points"))?;
     let (first, second) = (end(&a, context), end(&b, context));
     let ((p, first), (q, second)) = (first?, second?);
     let linkage = context.linkage;
     let both = (0..linkage.links.len()).find(|&link| stands(context, p, link) && stands(context, q, link));
     if let Some(link) = both {
-        let message = format!("both ends are on link `{}`", shown(&linkage.links[link].name));
-        entry.fault(message, "such a spring keeps its length; give points of two different links");
+        let message = text!("scene-both-ends-on-link", link = shown(&linkage.links[link].name));
+        entry.fault(message, text!("scene-such-a-spring"));
         return None;
     }
     Some([first, second])
@@ -57,7 +57,7 @@ fn stands(context: &Context<'_>, point: PointId, link: LinkId) -> bool {
 
 /// A point, alone or as "link.point". Any link of a pin may be taken, since a pin is at one place in all its links.
 fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
-    let text = entry.text("a point, or \"link.point\"")?;
+    let text = entry.text(text!("scene-point-of-link"))?;
     let linkage = context.linkage;
     let Some((link, point)) = text.split_once('.') else {
         let id = linkage.point(entry)?;
@@ -77,8 +77,8 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
         let holders = places.iter().map(|place| linkage.links[place.link].name.as_str());
         let on = shown(&linkage.links[link].name);
         entry.fault(
-            format!("point `{}` is not on link `{on}`", shown(point)),
-            format!("it belongs to: {}", row(holders)),
+            text!("scene-not-on-link", point = shown(point), link = on),
+            text!("scene-belongs-to", holders = row(holders)),
         );
     }
     place.map(|place| (id, *place))
@@ -87,7 +87,7 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 /// Reads a `[[contact]]`.
 pub(crate) const CONTACTS: Sort<Contact> = Sort {
     key: "contact",
-    what: "a contact",
+    what: "scene-a-contact",
     keys: &["name", "link", "center", "radius", "angle", "force", "scale", "friction", "during"],
     one: contact,
 };
@@ -110,21 +110,16 @@ fn contact(
     if let Some(entry) =
         section.get("angle").filter(|_| against_sliding && angle.as_ref().is_some_and(follows_time))
     {
-        entry.fault(
-            "the friction is `against_sliding`, and `angle` depends on more than the input coordinate",
-            "a number, or a table or formula over the input coordinate",
-        );
+        entry.fault(text!("scene-angle-of-sliding"), text!("scene-law-over-coordinate"));
     }
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
-    let link = section
-        .need("link")
-        .and_then(|entry| linkage.moving(&entry, "the line is the ground's, the arc a link's"));
+    let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-arc-of-a-link")));
     let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
     let on = &linkage.links[link.unwrap_or(GROUND)].name;
-    let name = names.read(section, || text!("scene-unnamed-contact", number = index + 1, link = on));
+    let own = names.read(section, || text!("scene-unnamed-contact", number = index + 1, link = on));
     let (center, radius, angle, force) = (center?, radius?, angle?, force?);
-    Some(Contact { name, center, radius, angle, force, friction, against_sliding, during })
+    Some(Contact { name: own, center, radius, angle, force, friction, against_sliding, during })
 }
 
 /// The coefficient of friction, and whether its sign is found from the sliding: a number with its sign, or
@@ -134,7 +129,7 @@ fn friction(section: &Section<'_>) -> (f64, bool) {
     let Some(entry) = table else {
         return (section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0), false);
     };
-    let Some(section) = entry.section("friction against the sliding", &["against_sliding"]) else {
+    let Some(section) = entry.section(text!("scene-friction-against-sliding"), &["against_sliding"]) else {
         return (0.0, true);
     };
     let coefficient = section.need("against_sliding");
@@ -151,14 +146,11 @@ fn follows_time(value: &Value) -> bool {
 }
 
 fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {
-    let [from, to] = pair(entry, "[from, to]", context.coordinate())?;
+    let [from, to] = pair(entry, &name("[from, to]"), context.coordinate())?;
     if from > to {
-        entry.fault("`during` ends before it begins", "[from, to] with `from` less than `to`");
+        entry.fault(text!("scene-during-backward"), text!("scene-from-less-than-to"));
     } else if from.total_cmp(&to).is_eq() && context.coordinate().is_some() {
-        entry.fault(
-            "`during` has equal ends: the contact never acts",
-            "[from, to] with `from` less than `to`",
-        );
+        entry.fault(text!("scene-during-nothing"), text!("scene-from-less-than-to"));
     }
     Some([from, to])
 }

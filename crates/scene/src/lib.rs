@@ -26,6 +26,7 @@ mod walk;
 mod wishes;
 
 use assur_mechanism::{Input, InputPair, Mechanism, Range, Sense};
+use assur_words::{Text, text};
 use toml::de::{DeTable, DeValue};
 
 use context::Context;
@@ -60,11 +61,11 @@ const KEYS: &[&str] = &[
 /// let scene = "[ground]\npoints = { O = 0 }\n[link.arm]\npoints = { O = 0 }\nmass = '4 mm'\n[input]\nlink = 'arm'";
 /// let errors = assur_scene::read("arm.toml", scene).unwrap_err();
 /// assert_eq!((errors.errors[0].line, errors.errors[0].column), (5, 8));
-/// assert_eq!(errors.errors[0].message, "`mass` wants a mass (kg, g, t), got `mm`, a length");
+/// assert_eq!(errors.errors[0].message.to_string(), "`mass` wants a mass (kg, g, t), got `mm`, a length");
 /// assert!(assur_scene::read("arm.toml", &scene.replace("mm", "kg")).is_ok());
 /// ```
 pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
-    document::read(file_name, text, "a scene", KEYS, scene)
+    document::read(file_name, text, text!("scene-a-scene"), KEYS, scene)
 }
 
 /// What a scene says about its explanatory note. `file_name` appears only in errors.
@@ -73,13 +74,13 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
 ///
 /// [`SceneErrors`] with the faults of the TOML syntax and of `[note]`.
 pub fn note(file_name: &str, text: &str) -> Result<Note, SceneErrors> {
-    document::read(file_name, text, "a scene", KEYS, |root| wishes::read(root, None))
+    document::read(file_name, text, text!("scene-a-scene"), KEYS, |root| wishes::read(root, None))
 }
 
 /// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an
 /// element of a list is given by its number, from 0. Where the scene leaves a key out, the fault is at the table that would
 /// have it; `None` if there is none either. `file_name` appears only in the error.
-pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: &str) -> Option<SceneErrors> {
+pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: Text) -> Option<SceneErrors> {
     let (document, _) = DeTable::parse_recoverable(text);
     let (first, rest) = path.split_first()?;
     let (key, mut value) = document.get_ref().get_key_value(*first)?;

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use assur_mechanism::{LONGEST_NAME, MOST_LINKS, MOST_LOADS, MOST_PLACES, MOST_SLIDES};
+use assur_words::text;
 use toml::de::DeValue;
 
 use crate::error::Fault;
@@ -20,10 +21,10 @@ pub(crate) fn exceeded(root: &Section<'_>) -> bool {
     let points = tables.filter(|table| table.name == "points").flat_map(|table| parts(table.value));
     let loads = LOADS.iter().flat_map(|key| list(key));
     let too_many = [
-        refuse(root, points.collect(), MOST_PLACES, "points on its links"),
-        refuse(root, loads.collect(), MOST_LOADS, "loads"),
-        refuse(root, list("slide"), MOST_SLIDES, "slides"),
-        refuse(root, links, MOST_LINKS, "links"),
+        refuse(root, points.collect(), MOST_PLACES, "scene-many-points"),
+        refuse(root, loads.collect(), MOST_LOADS, "scene-many-loads"),
+        refuse(root, list("slide"), MOST_SLIDES, "scene-many-slides"),
+        refuse(root, links, MOST_LINKS, "scene-many-links"),
     ];
     too_many.contains(&true)
 }
@@ -37,8 +38,8 @@ pub(crate) fn loads(root: &Section<'_>) -> usize {
 pub(crate) fn check_name(entry: &Entry<'_>, span: &Range<usize>, name: &str) {
     let count = name.chars().count();
     if count > LONGEST_NAME {
-        let message = format!("`{}` has {count} characters, at most {LONGEST_NAME} are read", shown(name));
-        entry.note(Fault::new(span.clone(), message).label("take a shorter one"));
+        let message = text!("scene-long-name", name = shown(name), count = count, most = LONGEST_NAME);
+        entry.note(Fault::new(span.clone(), message).label(text!("scene-take-shorter")));
     }
 }
 
@@ -64,12 +65,12 @@ fn parts<'a>(value: &'a DeValue<'a>) -> Vec<Part<'a>> {
     }
 }
 
-fn refuse(root: &Section<'_>, mut all: Vec<Part<'_>>, most: usize, what: &str) -> bool {
+fn refuse(root: &Section<'_>, mut all: Vec<Part<'_>>, most: usize, message: &'static str) -> bool {
     if all.len() <= most {
         return false;
     }
     all.sort_unstable_by_key(|part| part.span.start);
-    let message = format!("a scene has at most {most} {what}, this one has {}", all.len());
-    root.faults.push(Fault::new(all[most].span.clone(), message).label("one too many"));
+    let message = text!(message, most = most, count = all.len());
+    root.faults.push(Fault::new(all[most].span.clone(), message).label(text!("scene-one-too-many")));
     true
 }

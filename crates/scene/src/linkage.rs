@@ -4,6 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide};
 
+use assur_words::{Text, name as words, text};
+
 use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
@@ -27,7 +29,7 @@ pub(crate) struct Linkage {
 impl Linkage {
     /// The link named by an entry.
     pub(crate) fn link(&self, entry: &Entry<'_>) -> Option<LinkId> {
-        let name = entry.text("the name of a link")?;
+        let name = entry.text(text!("scene-name-of-a-link"))?;
         let found = self.links_by_name.get(name).copied();
         if found.is_none() {
             Self::unknown(entry, "link", name, self.links.iter().map(|link| link.name.as_str()));
@@ -49,10 +51,10 @@ impl Linkage {
     }
 
     /// The moving link named by an entry.
-    pub(crate) fn moving(&self, entry: &Entry<'_>, why: &str) -> Option<LinkId> {
+    pub(crate) fn moving(&self, entry: &Entry<'_>, why: Text) -> Option<LinkId> {
         let link = self.link(entry)?;
         if link == GROUND {
-            entry.fault(format!("`{}` wants a moving link, got the ground", entry.name), why);
+            entry.wants(text!("scene-a-moving-link"), text!("scene-the-ground"), why);
             return None;
         }
         Some(link)
@@ -60,7 +62,7 @@ impl Linkage {
 
     /// The point named by an entry.
     pub(crate) fn point(&self, entry: &Entry<'_>) -> Option<PointId> {
-        let name = entry.text("the name of a point")?;
+        let name = entry.text(text!("scene-name-of-a-point"))?;
         let found = self.point_named(name);
         if found.is_none() {
             Self::unknown(entry, "point", name, self.points.iter().map(|point| point.name.as_str()));
@@ -86,7 +88,7 @@ impl Linkage {
     /// Notes an unknown name, with the nearest known one.
     pub(crate) fn unknown<'n>(
         entry: &Entry<'_>,
-        what: &str,
+        what: &'static str,
         name: &str,
         known: impl Iterator<Item = &'n str> + Clone,
     ) {
@@ -95,10 +97,11 @@ impl Linkage {
             let near = nearest(name, known.clone());
             let label = match (near, known.clone().next()) {
                 (Some(_), _) => did_you_mean(near),
-                (None, None) => format!("the scene has no {what}s"),
-                (None, Some(_)) => format!("{what}s: {}", row(known)),
+                (None, None) => text!("scene-none-of-them", what = words(what)),
+                (None, Some(_)) => text!("scene-all-of-them", what = words(what), names = row(known)),
             };
-            let message = format!("`{}`: there is no {what} `{}`", shown(&entry.name), shown(name));
+            let key = shown(&entry.name);
+            let message = text!("scene-no-such-part", key = key, what = words(what), name = shown(name));
             Fault::new(entry.span.clone(), message).label(label)
         });
     }
@@ -129,7 +132,7 @@ impl Linkage {
         if name.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | '\u{2212}')) {
             return coordinates(entry);
         }
-        entry.text("a point or [x, y]")?;
+        entry.text(text!("scene-point-or-place"))?;
         entry.faults.note(|| {
             let (message, label) = self.not_on(entry, name, link);
             Fault::new(entry.span.clone(), message).label(label)
@@ -138,33 +141,33 @@ impl Linkage {
     }
 
     /// What is said where a link has no point of a name: message and correction.
-    fn not_on(&self, entry: &Entry<'_>, name: &str, link: LinkId) -> (String, String) {
+    fn not_on(&self, entry: &Entry<'_>, name: &str, link: LinkId) -> (Text, Text) {
         let on = &self.links[link].name;
         let Some(point) = self.point_named(name) else {
             let known = self.points_of(link).map(|point| point.0);
             let near = nearest(name, known.clone());
             let label = if near.is_some() { did_you_mean(near) } else { self.listed(link) };
-            let message =
-                format!("`{}`: link `{}` has no point `{}`", shown(&entry.name), shown(on), shown(name));
+            let key = shown(&entry.name);
+            let message = text!("scene-no-point-on-link", key = key, link = shown(on), point = shown(name));
             return (message, label);
         };
         let holders = self.points[point].places.iter().map(|place| self.links[place.link].name.as_str());
-        let message = format!(
-            "`{}`: point `{}` is not on link `{}`, it belongs to: {}",
-            shown(&entry.name),
-            shown(name),
-            shown(on),
-            row(holders)
+        let message = text!(
+            "scene-point-elsewhere",
+            key = shown(&entry.name),
+            point = shown(name),
+            link = shown(on),
+            holders = row(holders)
         );
         (message, self.listed(link))
     }
 
-    fn listed(&self, link: LinkId) -> String {
+    fn listed(&self, link: LinkId) -> Text {
         let mut names = self.points_of(link).map(|point| point.0).peekable();
         if names.peek().is_none() {
-            "it has none: give [x, y]".to_owned()
+            text!("scene-link-without-points")
         } else {
-            format!("its points: {}", row(names))
+            text!("scene-points-of-link", points = row(names))
         }
     }
 }
@@ -172,10 +175,10 @@ impl Linkage {
 /// Coordinates [x, y] in m, or one number on the x axis.
 pub(crate) fn coordinates(entry: &Entry<'_>) -> Option<[f64; 2]> {
     if entry.value.is_array() {
-        return pair(entry, "[x, y]", Dimension::Length);
+        return pair(entry, &words("[x, y]"), Dimension::Length);
     }
     if entry.value.is_table() || entry.value.is_bool() || entry.value.is_datetime() {
-        entry.wrong("[x, y] or one length on the x axis", "such as [0, \"-400 mm\"] or \"120 mm\"");
+        entry.wrong(text!("scene-coordinates"), text!("scene-such-coordinates"));
         return None;
     }
     entry.bounded(Dimension::Length, Bound::Any).map(|x| [x, 0.0])
@@ -184,7 +187,7 @@ pub(crate) fn coordinates(entry: &Entry<'_>) -> Option<[f64; 2]> {
 /// Two quantities of one dimension.
 pub(crate) fn pair(
     entry: &Entry<'_>,
-    wanted: &str,
+    wanted: &Text,
     dimension: impl Into<Option<Dimension>>,
 ) -> Option<[f64; 2]> {
     let dimension = dimension.into();

@@ -1,13 +1,13 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
 use assur_mechanism::{GROUND, Link, LinkId, Name, Place, Point, Slide, links_of_length_zero};
-use assur_words::{Text, joined};
+use assur_words::{Text, joined, text};
 
 use crate::error::Fault;
 use crate::limits;
 use crate::linkage::{Linkage, coordinates};
 use crate::numbers::Bound;
-use crate::text::{is_unprintable, row, shown};
+use crate::text::{is_unprintable, row, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -19,15 +19,16 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let mut linkage = Linkage::default();
     linkage.add_link(massless(Name::ground()));
     let mut firsts = vec![[0.0; 2]];
-    let ground = root.get("ground").and_then(|entry| entry.section("the ground", GROUND_KEYS));
+    let ground = root.get("ground").and_then(|entry| entry.section(text!("scene-the-ground"), GROUND_KEYS));
     if let Some(points) = ground.and_then(|ground| ground.get("points")) {
         firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
     }
     let entry = root.get("link");
-    let links = entry.as_ref().map(|entry| entry.named("tables [link.NAME]", "write [link.crank]"));
+    let links =
+        entry.as_ref().map(|entry| entry.named(text!("scene-tables-of-links"), text!("scene-write-link")));
     let links = links.unwrap_or_default();
     if links.is_empty() && entry.is_none_or(|entry| entry.value.is_table()) {
-        root.missing("link", "add the moving links: [link.crank], [link.rod] ...");
+        root.missing("link", text!("scene-add-links"));
     }
     // All points are read before the masses, because a center of mass may be given by a point.
     let sections: Vec<_> = links.iter().map(|entry| add_link(&mut linkage, &mut firsts, entry)).collect();
@@ -42,15 +43,14 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
 /// Refuses links without a slide whose pins all coincide: they rotate freely about them, so their angle is not
 /// determined.
 pub(crate) fn refuse_points(root: &Section<'_>, linkage: &Linkage) {
-    let entries = root.get("link").map(|entry| entry.named("tables [link.NAME]", "")).unwrap_or_default();
+    let entries = root.get("link").map(|entry| entry.named(text!("scene-tables-of-links"), Text::default()));
+    let entries = entries.unwrap_or_default();
     for id in links_of_length_zero(linkage.links.len(), &linkage.points, &linkage.slides) {
         let Some(entry) = entries.get(id - 1) else { continue };
         let on_link = |point: &&Point| point.is_pin() && point.places.iter().any(|place| place.link == id);
         let pins = row(linkage.points.iter().filter(on_link).map(|pin| pin.name.as_str()));
-        let link = shown(&entry.name);
-        let message = format!("link `{link}` has its pins {pins} at one place: its length is zero");
-        let label = "give them different coordinates, or join the neighbors in one pin";
-        entry.faults.push(Fault::new(entry.key.clone(), message).label(label));
+        let message = text!("scene-no-length", link = shown(&entry.name), pins = pins);
+        entry.faults.push(Fault::new(entry.key.clone(), message).label(text!("scene-give-length")));
     }
 }
 
@@ -60,18 +60,18 @@ fn massless(name: Name) -> Link {
 
 /// A faulty link is added too: its name is then known to the rest of the scene.
 fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry<'a>) -> Option<Section<'a>> {
-    check_name(entry, "link");
+    check_name(entry, "scene-no-link-name");
     if entry.name == "ground" {
-        entry.fault("the ground is no moving link", "its points belong in [ground]");
+        entry.fault(text!("scene-ground-as-link"), text!("scene-points-of-ground"));
     }
     if entry.name == "moment" {
         // In results the moment of a slide is listed beside the forces on its links, under this name.
-        let fault = Fault::new(entry.key.clone(), "a link can't have the name `moment`");
-        entry.faults.push(fault.label("results use it: choose another name"));
+        let fault = Fault::new(entry.key.clone(), text!("scene-link-moment"));
+        entry.faults.push(fault.label(text!("scene-results-use-it")));
     }
     let id = linkage.add_link(massless(entry.name.as_str().into()));
     firsts.push([0.0; 2]);
-    let section = entry.section("a link", LINK_KEYS)?;
+    let section = entry.section(text!("scene-a-link"), LINK_KEYS)?;
     if let Some(points) = section.need("points") {
         firsts[id] = add_points(linkage, &points, id);
     }
@@ -81,8 +81,8 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
 /// Adds the points of a link; returns the first of them.
 fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2] {
     let mut first = None;
-    for point in entry.named("a table of points", "such as { A = 0, B = \"120 mm\" }") {
-        check_name(&point, "point");
+    for point in entry.named(text!("scene-table-of-points"), such_as("{ A = 0, B = \"120 mm\" }")) {
+        check_name(&point, "scene-no-point-name");
         let at = coordinates(&point).unwrap_or_default();
         first = first.or(Some(at));
         linkage.add_place(&point.name, Place { link, at });
@@ -91,11 +91,11 @@ fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2
 }
 
 /// Names are printed in tables and used in "link.point".
-fn check_name(entry: &Entry<'_>, what: &str) {
+fn check_name(entry: &Entry<'_>, message: &'static str) {
     let name = &entry.name;
     if name.trim().is_empty() || name.contains('.') || name.chars().any(is_unprintable) {
-        let fault = Fault::new(entry.key.clone(), format!("`{}` is no name of a {what}", shown(name)));
-        entry.faults.push(fault.label("a name must not be empty or contain a dot or invisible characters"));
+        let fault = Fault::new(entry.key.clone(), text!(message, name = shown(name)));
+        entry.faults.push(fault.label(text!("scene-what-is-a-name")));
     }
     limits::check_name(entry, &entry.key, name);
 }
@@ -118,7 +118,7 @@ fn default_center(section: &Section<'_>, first: [f64; 2], heavy: bool) -> Option
         return Some(first);
     }
     if heavy {
-        section.missing("center", "a link with a mass or inertia and not just one point needs it");
+        section.missing("center", text!("scene-why-a-center"));
     }
     None
 }
@@ -127,7 +127,7 @@ const KEYS: &[&str] = &["link", "on", "through", "angle", "point", "tilt", "name
 
 /// Reads the slides into the linkage.
 pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) {
-    for section in root.get("slide").iter().flat_map(|entry| entry.sections("a slide", KEYS)) {
+    for section in root.get("slide").iter().flat_map(|entry| entry.sections(&text!("scene-a-slide"), KEYS)) {
         if let Some(slide) = one(&section, linkage, firsts) {
             linkage.slides.push(slide);
         }
@@ -138,8 +138,8 @@ fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Opt
     let angle = section.quantity_or("angle", Dimension::Angle, Bound::Direction, 0.0);
     let tilt = section.quantity_or("tilt", Dimension::Angle, Bound::Direction, 0.0);
     let (link, on) = (section.need("link"), section.need("on"));
-    let swap = "let the moving link slide on \"ground\"";
-    let link_id = link.as_ref().and_then(|entry| linkage.moving(entry, swap));
+    let swap = || text!("scene-swap-slide");
+    let link_id = link.as_ref().and_then(|entry| linkage.moving(entry, swap()));
     let on_id = on.as_ref().and_then(|entry| linkage.link(entry));
     let through =
         section.get("through").and_then(|entry| linkage.location(&entry, on_id?)).unwrap_or_default();
@@ -147,10 +147,8 @@ fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Opt
     let point = section.get("point").map_or(Some(firsts[link]), |entry| linkage.location(&entry, link));
     if link == on {
         let entry = section.get("on")?;
-        entry.fault(
-            format!("link `{}` can't slide on itself", shown(&linkage.links[link].name)),
-            "another link or \"ground\"",
-        );
+        let message = text!("scene-slide-on-itself", link = shown(&linkage.links[link].name));
+        entry.fault(message, text!("scene-another-link"));
     }
     let default = joined("/", [link, on].map(|link| Text::from(&linkage.links[link].name)));
     let name = name(section, linkage, default.into());
@@ -158,17 +156,17 @@ fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Opt
 }
 
 fn name(section: &Section<'_>, linkage: &mut Linkage, default: Name) -> Name {
-    let given = section.get("name").and_then(|entry| Some((entry.text("a name")?, entry)));
+    let given = section.get("name").and_then(|entry| Some((entry.text(text!("scene-a-name"))?, entry)));
     let name = given.as_ref().map_or(default, |given| given.0.into());
     if let Some((name, entry)) = &given {
         limits::check_name(entry, &entry.span, name);
     }
     let is_pin = linkage.point_named(&name).is_some_and(|point| linkage.points[point].is_pin());
     if !linkage.add_slide_name(&name) || is_pin {
-        let what = if is_pin { "a pin and a slide" } else { "two slides" };
         let span = given.map_or(section.span.clone(), |(_, entry)| entry.span);
-        let fault = Fault::new(span, format!("{what} have the name `{}`", shown(&name)));
-        section.faults.push(fault.label("give this one a `name` of its own"));
+        let message = if is_pin { "scene-pin-and-slide" } else { "scene-two-slides" };
+        let fault = Fault::new(span, text!(message, name = shown(&name)));
+        section.faults.push(fault.label(text!("scene-own-name")));
     }
     name
 }

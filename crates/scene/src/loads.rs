@@ -1,7 +1,7 @@
 //! `gravity`, `[[force]]`, `[[moment]]`, `[[brake]]`: loads on single links.
 
 use assur_mechanism::{Brake, Direction, Force, GROUND, Moment};
-use assur_words::text;
+use assur_words::{Text, name, text};
 
 use crate::context::{Context, LoadNames, Sort};
 use crate::linkage::pair;
@@ -9,25 +9,30 @@ use crate::numbers::Bound;
 use crate::text::shown;
 use crate::units::Dimension;
 use crate::value;
-use crate::walk::Section;
+use crate::walk::{Section, quoted};
 
 /// Reads `gravity`: a magnitude, straight down, or [gx, gy].
 pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
     let entry = root.get("gravity")?;
     if entry.value.is_array() {
-        return pair(&entry, "[gx, gy]", Dimension::Acceleration);
+        return pair(&entry, &name("[gx, gy]"), Dimension::Acceleration);
     }
     let size = entry.quantity(Dimension::Acceleration)?;
     if size < 0.0 {
-        entry.fault("`gravity` as one number points down and must not be negative", "or [gx, gy]");
+        entry.fault(text!("scene-gravity-upward"), text!("scene-or-both-components"));
     }
     Some([0.0, -size])
+}
+
+/// That two keys exclude each other.
+pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
+    text!("scene-exclude", one = one, other = other)
 }
 
 /// Reads a `[[force]]`.
 pub(crate) const FORCES: Sort<Force> = Sort {
     key: "force",
-    what: "a force",
+    what: "scene-a-force",
     keys: &["name", "link", "at", "angle", "frame", "value", "scale", "against_motion"],
     one: force,
 };
@@ -35,12 +40,12 @@ pub(crate) const FORCES: Sort<Force> = Sort {
 fn force(section: &Section<'_>, index: usize, context: &Context<'_>, names: &mut LoadNames) -> Option<Force> {
     let direction = direction(section, context);
     let value = value::sized(section, "value", Dimension::Force, true, context);
-    let weight = "the ground carries any load";
+    let weight = text!("scene-ground-carries");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
     let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
-    let name = names.read(section, || text!("scene-unnamed-force", number = index + 1, link = on));
-    Some(Force { name, at: at?, direction: direction?, value: value? })
+    let own = names.read(section, || text!("scene-unnamed-force", number = index + 1, link = on));
+    Some(Force { name: own, at: at?, direction: direction?, value: value? })
 }
 
 fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> {
@@ -48,17 +53,15 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
     let (angle, frame) = (section.get("angle"), section.get("frame"));
     if let Some(against) = against.filter(|entry| entry.flag() != Some(false)) {
         for entry in [&angle, &frame].into_iter().flatten() {
-            entry.fault(
-                format!("`{}` and `against_motion` exclude each other", shown(&entry.name)),
-                "leave one out",
-            );
+            let keys = [shown(&entry.name), name("against_motion")];
+            entry.fault(exclude(keys), text!("scene-leave-one-out"));
         }
-        context.need_motion(&against, "`against_motion`");
+        context.need_motion(&against, quoted("against_motion"));
         return Some(Direction::AgainstMotion);
     }
     let in_link = frame.and_then(|entry| entry.choice(&[("ground", false), ("link", true)])).unwrap_or(false);
     let Some(angle) = angle else {
-        section.missing("angle", "the direction: `angle`, or `against_motion = true`");
+        section.missing("angle", text!("scene-why-an-angle"));
         return None;
     };
     let angle = angle.bounded(Dimension::Angle, Bound::Direction)?;
@@ -67,7 +70,7 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
 
 /// Reads a `[[moment]]`.
 pub(crate) const MOMENTS: Sort<Moment> =
-    Sort { key: "moment", what: "a moment", keys: &["name", "link", "value", "scale"], one: moment };
+    Sort { key: "moment", what: "scene-a-moment", keys: &["name", "link", "value", "scale"], one: moment };
 
 fn moment(
     section: &Section<'_>,
@@ -76,17 +79,17 @@ fn moment(
     names: &mut LoadNames,
 ) -> Option<Moment> {
     let value = value::sized(section, "value", Dimension::Moment, false, context);
-    let weight = "the ground carries any load";
+    let weight = text!("scene-ground-carries");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
-    let name = names.read(section, || text!("scene-unnamed-moment", number = index + 1, link = on));
-    Some(Moment { name, link: link?, value: value?, brake: None })
+    let own = names.read(section, || text!("scene-unnamed-moment", number = index + 1, link = on));
+    Some(Moment { name: own, link: link?, value: value?, brake: None })
 }
 
 /// Reads a `[[brake]]`: a moment against the motion.
 pub(crate) const BRAKES: Sort<Moment> = Sort {
     key: "brake",
-    what: "a brake",
+    what: "scene-a-brake",
     keys: &["name", "link", "radius", "force", "scale", "friction"],
     one: brake,
 };
@@ -102,13 +105,13 @@ fn brake(
     let radius = bounded("radius", Dimension::Length);
     let friction = bounded("friction", Dimension::Number);
     if let Some(entry) = section.get("force") {
-        context.need_motion(&entry, "a brake");
+        context.need_motion(&entry, text!("scene-a-brake"));
     }
     let force = value::sized(section, "force", Dimension::Force, false, context);
-    let ground = "the ground does not turn";
+    let ground = text!("scene-ground-does-not-turn");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, ground));
     let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
-    let name = names.read(section, || text!("scene-unnamed-brake", number = index + 1, link = on));
+    let own = names.read(section, || text!("scene-unnamed-brake", number = index + 1, link = on));
     let brake = Brake { radius: radius?, friction: friction? };
-    Some(Moment { name, link: link?, value: force?, brake: Some(brake) })
+    Some(Moment { name: own, link: link?, value: force?, brake: Some(brake) })
 }

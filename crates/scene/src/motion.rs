@@ -2,10 +2,13 @@
 
 use assur_mechanism::{MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Motion, Solve, StepLength, Until};
 
+use assur_words::{Text, name as words, number, text};
+
 use crate::context::Context;
+use crate::error::Fault;
 use crate::numbers::Bound;
-use crate::text::{brief, shown};
-use crate::units::{Dimension, UnitError, is_bare, quantity};
+use crate::text::{brief, shown, such_as};
+use crate::units::{Dimension, UnitError, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
 
 /// Steps of a motion that a scene may allow: hours of work.
@@ -51,7 +54,7 @@ impl Kind {
 
 /// Reads the motion.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
-    let section = root.get("motion")?.section("the motion", ALL_KEYS)?;
+    let section = root.get("motion")?.section(text!("scene-the-motion"), ALL_KEYS)?;
     let kind = match section.get("kind") {
         Some(entry) => entry.choice(KINDS)?,
         None => Kind::Prescribed,
@@ -72,10 +75,12 @@ fn refuse_other_kinds(section: &Section<'_>, kind: Kind) {
             continue;
         }
         let owner = KINDS.iter().find(|other| other.1.keys().contains(&name)).map_or("", |other| other.0);
+        let own = words(kind.name());
         let message =
-            format!("`{name}` belongs to a motion of kind \"{owner}\", this one is \"{}\"", kind.name());
-        let help = format!("a {} motion knows: {}", kind.name(), kind.keys().join(", "));
-        section.faults.push(crate::error::Fault::new(entry.key, message).help(help));
+            text!("scene-other-motion", key = shown(name), owner = words(owner), kind = own.clone());
+        let keys = words(kind.keys().join(", "));
+        let help = text!("scene-motion-knows", kind = own, keys = keys);
+        section.faults.push(Fault::new(entry.key, message).help(help));
     }
 }
 
@@ -90,17 +95,15 @@ fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
 fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let speed = section.quantity_or("speed", context.speed(), Bound::Any, 0.0);
     let samples = samples(section, context).unwrap_or(100);
-    let integrator = section.get("integrator").and_then(|entry| entry.text("the name of an integrator"));
+    let integrator =
+        section.get("integrator").and_then(|entry| entry.text(text!("scene-name-of-integrator")));
     let tolerance = section.quantity_or("tolerance", Dimension::Number, Bound::Positive, 1e-9);
     if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {
-        entry.fault(
-            format!("`tolerance` is relative and less than 1, got {}", brief(tolerance)),
-            "such as 1e-9",
-        );
+        entry.fault(text!("scene-large-tolerance", got = brief(tolerance)), such_as("1e-9"));
     }
     let until = section.need("until").and_then(|entry| until(&entry, context))?;
     let integrator = integrator.unwrap_or("auto").to_owned();
-    let step = section.get("step").and_then(|entry| time_or_way(&entry, context, ""));
+    let step = section.get("step").and_then(|entry| time_or_way(&entry, context, "scene-time-or-travel"));
     let step = step.map(|found| found.map_or_else(StepLength::Time, StepLength::Way));
     // Steps that no sample needs are dropped where the instants of the samples are known.
     let most_steps = if matches!(until, Until::Time(_)) { MOST_STEPS } else { MOST_STEPS_KEPT };
@@ -117,9 +120,8 @@ fn samples(section: &Section<'_>, context: &Context<'_>) -> Option<usize> {
     let samples = entry.count(1, MOST_SAMPLES)?;
     let most = (MOST_PARTS_SAMPLED / parts.max(1)).max(1);
     if samples > most {
-        let message =
-            format!("`samples` may be at most {most} in a scene of {parts} links, points, slides and loads");
-        entry.fault(message, "their numbers are kept in memory");
+        let message = text!("scene-many-samples", most = number(most), parts = parts);
+        entry.fault(message, text!("scene-kept-in-memory"));
     }
     Some(samples)
 }
@@ -129,14 +131,14 @@ fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
     match entry.value.as_str() {
         Some("rest") => Some(Until::Rest),
         Some("turn") => Some(Until::Turn),
-        _ => time_or_way(entry, context, ", \"rest\" or \"turn\"")
+        _ => time_or_way(entry, context, "scene-end-of-motion")
             .map(|found| found.map_or_else(Until::Time, Until::Way)),
     }
 }
 
-/// Reads a time (`Err`) or a displacement of the input (`Ok`), told apart by their units; a bare number is a time. `or`: what
-/// else the key allows, for messages.
-fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, or: &str) -> Option<Result<f64, f64>> {
+/// Reads a time (`Err`) or a displacement of the input (`Ok`), told apart by their units; a bare number is a time. `wanted`:
+/// the identity of what the key allows, for messages.
+fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, wanted: &'static str) -> Option<Result<f64, f64>> {
     let Some(text) = entry.value.as_str() else {
         return entry.bounded(Dimension::Time, Bound::Positive).map(Err);
     };
@@ -148,16 +150,14 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, or: &str) -> Option<Res
     if is_way {
         return entry.bounded(way, Bound::Positive).map(Ok);
     }
-    let comma = if or.is_empty() { " or" } else { "," };
-    let wanted = format!("a time ({}){comma} {} ({}){or}", Dimension::Time.units(), way.name(), way.units());
+    let wanted = text!(wanted, time = Dimension::Time.with_units(), travel = way.with_units());
     match quantity(text, Dimension::Time) {
         Err(UnitError::WrongDimension { unit, found, .. }) => {
-            let found = found.map_or("no quantity of a scene", Dimension::name);
-            entry.fault(format!("`{}` wants {wanted}, got `{}`, {found}", entry.name, shown(&unit)), "");
+            entry.wants(wanted, measures(&unit, found), Text::default());
             None
         }
         Err(UnitError::NotANumber { .. }) => {
-            entry.fault(format!("`{}` wants {wanted}, got {}", entry.name, entry.written()), "");
+            entry.wants(wanted, entry.written(), Text::default());
             None
         }
         _ => entry.bounded(Dimension::Time, Bound::Positive).map(Err),
@@ -166,11 +166,8 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, or: &str) -> Option<Res
 
 fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     if context.has_no_cycle() {
-        let fault = crate::error::Fault::new(
-            section.span.clone(),
-            "a steady motion needs a cycle, and the input slides over a range",
-        );
-        section.faults.push(fault.label("give the input a `cycle`"));
+        let fault = Fault::new(section.span.clone(), text!("scene-steady-without-cycle"));
+        section.faults.push(fault.label(text!("scene-give-a-cycle")));
     }
     let unevenness = section.get("unevenness").and_then(|entry| {
         if entry.value.as_str() == Some("motor") {
@@ -178,10 +175,7 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
         }
         let value = entry.bounded(Dimension::Number, Bound::Positive)?;
         if value >= 2.0 {
-            entry.fault(
-                format!("`unevenness` is (max - min) / mean and less than 2, got {}", brief(value)),
-                "such as 0.05",
-            );
+            entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
         }
         Some(Solve::Given(value))
     });

@@ -1,8 +1,9 @@
 //! Numbers and quantities in the file.
 
+use assur_words::{Describe, Text, joined, name, number, text};
 use toml::de::DeValue;
 
-use crate::text::{did_you_mean, shown};
+use crate::text::{did_you_mean, shown, such_as};
 use crate::units::{Dimension, UnitError, is_bare, quantity, within};
 use crate::walk::{Entry, Section};
 
@@ -22,9 +23,6 @@ pub(crate) enum Bound {
 /// The greatest angle of a direction, rad, 1000 turns: a greater one would lose more than four of its 16 digits.
 const MOST_DIRECTION: f64 = 1000.0 * std::f64::consts::TAU;
 
-/// Hint for a number out of range.
-const OUT_OF_RANGE: &str = "results would have no digits: is the unit right?";
-
 impl Entry<'_> {
     /// Reads a bare number (SI) or a text with a unit. Without a dimension (which another fault has hidden) any unit
     /// is accepted.
@@ -38,7 +36,7 @@ impl Entry<'_> {
             DeValue::Integer(_) | DeValue::Float(_) => self.number(wanted),
             _ => {
                 let wanted = wanted.unwrap_or(Dimension::Number);
-                self.wrong(wanted.name(), such_as(wanted));
+                self.wrong(wanted.describe(), example(wanted));
                 None
             }
         }
@@ -50,32 +48,31 @@ impl Entry<'_> {
         let value = self.quantity(wanted)?;
         let wanted = wanted.unwrap_or(Dimension::Number);
         let (holds, limit) = match bound {
-            Bound::Any => (true, ""),
-            Bound::NotNegative => (value >= 0.0, "must not be negative"),
-            Bound::Positive => (value > 0.0, "must be greater than 0"),
-            Bound::Direction => (value.abs() <= MOST_DIRECTION, "is a direction and at most 1000 turns"),
+            Bound::Any => return Some(value),
+            Bound::NotNegative => (value >= 0.0, "scene-negative"),
+            Bound::Positive => (value > 0.0, "scene-not-positive"),
+            Bound::Direction => (value.abs() <= MOST_DIRECTION, "scene-many-turns"),
         };
         if !holds {
-            self.fault(format!("`{}` {limit}, got {}", shown(&self.name), self.written()), such_as(wanted));
+            self.problem(text!(limit, got = self.written()), example(wanted));
         }
         holds.then_some(value)
     }
 
     /// The value as it is written in the file.
-    pub(crate) fn written(&self) -> String {
+    pub(crate) fn written(&self) -> Text {
         match self.value {
-            DeValue::String(text) => format!("\"{}\"", shown(text)),
+            DeValue::String(text) => in_quotes(text),
             DeValue::Integer(number) => shown(&number.to_string()),
             DeValue::Float(number) => shown(&number.to_string()),
-            other => crate::walk::kind(other).to_owned(),
+            other => crate::walk::kind(other),
         }
     }
 
     fn with_unit(&self, text: &str, wanted: Dimension) -> Option<f64> {
-        let name = shown(&self.name);
         if wanted != Dimension::Number && is_bare(text, wanted) {
-            let label = format!("for {} write it without quotes", wanted.si());
-            self.fault(format!("`{name}` has no unit: \"{}\"", shown(text)), label);
+            let label = text!("scene-without-quotes", unit = name(wanted.si()));
+            self.problem(text!("scene-no-unit", got = in_quotes(text)), label);
             return None;
         }
         let error = match quantity(text, wanted) {
@@ -84,10 +81,10 @@ impl Entry<'_> {
         };
         let label = match &error {
             UnitError::UnknownUnit { near: Some(near), .. } => did_you_mean(Some(near)),
-            UnitError::TooLarge { .. } | UnitError::TooSmall { .. } => OUT_OF_RANGE.to_owned(),
-            _ => such_as(wanted),
+            UnitError::TooLarge { .. } | UnitError::TooSmall { .. } => text!("scene-no-digits"),
+            _ => example(wanted),
         };
-        self.fault(format!("`{name}` {error}"), label);
+        self.problem(error.describe(), label);
         None
     }
 
@@ -99,36 +96,31 @@ impl Entry<'_> {
         };
         let finite = value.filter(|value: &f64| value.is_finite());
         if let (Some(value), Some(wanted)) = (finite, wanted)
-            && let Err(error) = within(value, &self.written(), wanted)
+            && let Err(error) = within(value, &self.written().to_string(), wanted)
         {
-            self.fault(format!("`{}` {error}", shown(&self.name)), OUT_OF_RANGE);
+            self.problem(error.describe(), text!("scene-no-digits"));
             return None;
         }
         if finite.is_none() {
-            let message = format!("`{}` wants a finite number, got {}", shown(&self.name), self.written());
-            self.fault(message, "nan, inf and numbers beyond 1.8e308 are refused");
+            self.wants(text!("scene-a-finite-number"), self.written(), text!("scene-refused-numbers"));
         }
         finite
     }
 
     /// A whole number between two limits.
     pub fn count(&self, least: usize, most: usize) -> Option<usize> {
-        let wanted = format!("a whole number from {least} to {most}");
-        let number = match self.value {
-            DeValue::Integer(number) => number,
-            DeValue::Float(_) => {
-                self.fault(format!("`{}` wants {wanted}, got {}", shown(&self.name), self.written()), "");
-                return None;
-            }
+        let wanted = || text!("scene-a-whole-number", least = number(least), most = number(most));
+        let value = match self.value {
+            DeValue::Integer(digits) => usize::from_str_radix(digits.as_str(), digits.radix()).ok(),
+            DeValue::Float(_) => None,
             _ => {
-                self.wrong(&wanted, "");
+                self.wrong(wanted(), Text::default());
                 return None;
             }
         };
-        let value = usize::from_str_radix(number.as_str(), number.radix()).ok();
         let value = value.filter(|value| (least..=most).contains(value));
         if value.is_none() {
-            self.fault(format!("`{}` wants {wanted}, got {}", shown(&self.name), self.written()), "");
+            self.wants(wanted(), self.written(), Text::default());
         }
         value
     }
@@ -146,11 +138,16 @@ fn integer(digits: &str, radix: u32) -> Option<f64> {
     }
 }
 
-fn such_as(wanted: Dimension) -> String {
+fn example(wanted: Dimension) -> Text {
     match wanted {
-        Dimension::Number => "such as 0.5".to_owned(),
-        _ => format!("such as \"{}\", or a number in {}", wanted.example(), wanted.si()),
+        Dimension::Number => such_as("0.5"),
+        _ => text!("scene-such-as-or-in", example = in_quotes(wanted.example()), unit = name(wanted.si())),
     }
+}
+
+/// A text of the scene with the quotes of TOML.
+pub(crate) fn in_quotes(text: &str) -> Text {
+    joined("", [name("\""), shown(text), name("\"")])
 }
 
 impl Section<'_> {

@@ -1,7 +1,6 @@
 //! Faults as text.
 
-use std::fmt;
-
+use assur_words::{Describe, Text, joined, name, text};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::error::{SceneError, SceneErrors};
@@ -14,34 +13,39 @@ const WIDEST: usize = 100;
 /// Columns that are kept before the place where a long line is cut.
 const BEFORE: usize = 40;
 
-impl fmt::Display for SceneErrors {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (index, error) in self.errors.iter().take(MOST).enumerate() {
-            if index > 0 {
-                writeln!(f)?;
-            }
-            render(f, self, error)?;
-        }
-        match (self.errors.len() + self.more).saturating_sub(MOST) {
-            0 => Ok(()),
-            more => writeln!(f, "\n... and {more} more"),
-        }
+assur_words::errors!(SceneErrors);
+
+impl Describe for SceneErrors {
+    /// The faults, each with its line of the file.
+    fn describe(&self) -> Text {
+        let shown = self.errors.iter().take(MOST).map(|error| one(self, error));
+        let more = (self.errors.len() + self.more).saturating_sub(MOST);
+        let more = (more > 0).then(|| lines([text!("scene-more-faults", more = more)]));
+        joined("\n", shown.chain(more))
     }
 }
 
-fn render(f: &mut fmt::Formatter<'_>, errors: &SceneErrors, error: &SceneError) -> fmt::Result {
+fn one(errors: &SceneErrors, error: &SceneError) -> Text {
     let gutter = error.line.to_string().len();
     let (line, before, marked) = excerpt(&errors.text, error);
-    writeln!(f, "error: {}", error.message)?;
-    writeln!(f, "  {}, line {}, column {}", printable(&errors.file), error.line, error.column)?;
-    writeln!(f, "{:gutter$} |", "")?;
-    writeln!(f, "{}", format!("{} | {line}", error.line).trim_end())?;
-    let carets = "^".repeat(marked.max(1));
-    writeln!(f, "{}", format!("{:gutter$} | {:before$}{carets} {}", "", "", error.label).trim_end())?;
-    if let Some(help) = &error.help {
-        writeln!(f, "{:gutter$} = {help}", "")?;
-    }
-    Ok(())
+    let (file, row, column) = (name(printable(&errors.file)), error.line, error.column);
+    let place = text!("scene-place", file = file, line = row, column = column);
+    let carets = name(format!("{:gutter$} | {:before$}{}", "", "", "^".repeat(marked.max(1))));
+    let marked = [carets, error.label.clone()].into_iter().filter(|part| !part.is_empty());
+    let help = error.help.iter().map(|help| joined(" ", [name(format!("{:gutter$} =", "")), help.clone()]));
+    let rows = [
+        text!("scene-fault", message = &error.message),
+        joined("", [name("  "), place]),
+        name(format!("{:gutter$} |", "")),
+        name(format!("{row} | {line}").trim_end().to_owned()),
+        joined(" ", marked),
+    ];
+    lines(rows.into_iter().chain(help))
+}
+
+/// Texts each on a line of its own.
+fn lines(rows: impl IntoIterator<Item = Text>) -> Text {
+    joined("\n", rows.into_iter().chain([Text::default()]))
 }
 
 /// The source line as it is printed, the columns before the marked part, and the columns of the marked part.

@@ -1,5 +1,9 @@
 //! Text for messages.
 
+use std::borrow::Cow;
+
+use assur_words::{Text, name, number, text};
+
 /// The longest piece of a scene that a message quotes, in characters.
 const LONGEST: usize = 40;
 
@@ -13,13 +17,17 @@ pub(crate) fn is_unprintable(c: char) -> bool {
 }
 
 /// A number for a message: in full where it is short.
-pub(crate) fn brief(value: f64) -> String {
+pub(crate) fn brief(value: f64) -> Text {
     let plain = value.to_string();
-    if plain.len() <= 12 { plain } else { format!("{value:.4e}") }
+    number(if plain.len() <= 12 { plain } else { format!("{value:.4e}") })
 }
 
 /// A piece of the scene as a message quotes it: one line, without control characters, of limited length.
-pub(crate) fn shown(piece: &str) -> String {
+pub(crate) fn shown(piece: &str) -> Text {
+    name(cut(piece))
+}
+
+fn cut(piece: &str) -> String {
     let mut out: String =
         piece.chars().take(LONGEST).map(|c| if is_unprintable(c) { '?' } else { c }).collect();
     if piece.chars().nth(LONGEST).is_some() {
@@ -45,14 +53,24 @@ pub(crate) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) 
 }
 
 /// "did you mean `x`?", or an empty text.
-pub(crate) fn did_you_mean(near: Option<&str>) -> String {
-    near.map(|near| format!("did you mean `{}`?", shown(near))).unwrap_or_default()
+pub(crate) fn did_you_mean(near: Option<&str>) -> Text {
+    near.map(|near| text!("scene-did-you-mean", name = shown(near))).unwrap_or_default()
+}
+
+/// An example of what may be written, as it is written.
+pub(crate) fn such_as(example: impl Into<Cow<'static, str>>) -> Text {
+    text!("scene-such-as", example = name(example))
 }
 
 /// A list of names, at most a dozen: "A, B, C".
-pub(crate) fn row<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
-    let names: Vec<String> = names.into_iter().map(shown).collect();
-    let more = names.len().saturating_sub(12);
-    let listed = names[..names.len() - more].join(", ");
-    if more == 0 { listed } else { format!("{listed} and {more} more") }
+pub(crate) fn row<'n>(names: impl IntoIterator<Item = &'n str>) -> Text {
+    listed(names.into_iter().map(cut).collect(), 12)
+}
+
+/// A list of names, at most so many.
+pub(crate) fn listed(mut names: Vec<String>, most: usize) -> Text {
+    let more = names.len().saturating_sub(most);
+    names.truncate(most);
+    let shown = name(names.join(", "));
+    if more == 0 { shown } else { text!("scene-and-more", names = shown, more = more) }
 }

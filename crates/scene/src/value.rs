@@ -3,10 +3,12 @@
 use assur_formula::{Formula, FormulaError};
 use assur_mechanism::{Over, Shape, Table, Value};
 
+use assur_words::{Describe, Text, joined, number, text, unit};
+
 use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::Bound;
-use crate::text::brief;
+use crate::text::{brief, such_as};
 use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Section};
 
@@ -42,26 +44,23 @@ pub(crate) fn read(
     if !entry.value.is_table() {
         return entry.quantity(dimension).map(Value::Constant);
     }
-    if entry.named("a table", "").iter().any(|key| key.name == "formula") {
-        return formula(&entry.section("a formula", FORMULA_KEYS)?, dimension, stroke, context);
+    if entry.named(text!("scene-a-table"), Text::default()).iter().any(|key| key.name == "formula") {
+        return formula(&entry.section(text!("scene-a-formula"), FORMULA_KEYS)?, dimension, stroke, context);
     }
     let kind = kind(entry)?;
     let (what, keys) = match kind {
-        Kind::Plain(Over::Coordinate) => ("a table over angle", ANGLE_KEYS),
-        Kind::Plain(_) => ("a table over time or speed", TABLE_KEYS),
-        Kind::Stroke => ("a table over stroke", STROKE_KEYS),
+        Kind::Plain(Over::Coordinate) => ("scene-table-over-angle", ANGLE_KEYS),
+        Kind::Plain(_) => ("scene-table-over-time-or-speed", TABLE_KEYS),
+        Kind::Stroke => ("scene-table-over-stroke", STROKE_KEYS),
     };
-    let section = entry.section(what, keys)?;
+    let section = entry.section(text!(what), keys)?;
     let shape = section.get("shape").and_then(|shape| shape.choice(SHAPES)).unwrap_or(Shape::Linear);
     match kind {
         Kind::Plain(over) => plain(&section, over, shape, dimension, context),
         Kind::Stroke => {
             let over = section.get("over")?;
             if !stroke {
-                over.fault(
-                    "only a force has a point whose stroke can be followed",
-                    "over = \"angle\", \"time\" or \"speed\"",
-                );
+                over.fault(text!("scene-stroke-of-a-force"), text!("scene-other-arguments"));
             }
             strokes(&section, shape, dimension)
         }
@@ -80,8 +79,8 @@ pub(crate) fn sized(
     let Some(scale) = section.get("scale") else { return Some(value) };
     let value = value.scaled(scale.bounded(Dimension::Number, Bound::Any)?);
     if let Some(size) = value.sizes().find(|size| within(*size, "", dimension).is_err()) {
-        let message = format!("`scale` makes the size of the load {}, out of range", brief(size));
-        scale.fault(message, "results would have no digits: are unit and factor right?");
+        let message = text!("scene-scale-out-of-range", size = brief(size));
+        scale.fault(message, text!("scene-right-unit-and-factor"));
         return None;
     }
     Some(value)
@@ -89,12 +88,13 @@ pub(crate) fn sized(
 
 /// The argument of the table; if `over` is missing, the keys are checked against those of all tables.
 fn kind(entry: &Entry<'_>) -> Option<Kind> {
-    let mut over = entry.named("a table", "").into_iter().filter(|key| key.name == "over");
+    let mut over =
+        entry.named(text!("scene-a-table"), Text::default()).into_iter().filter(|key| key.name == "over");
     if let Some(over) = over.next() {
         return over.choice(OVER);
     }
-    let section = entry.section("a table of a load", ALL_KEYS)?;
-    section.missing("over", "over = \"angle\", \"time\", \"speed\" or \"stroke\"");
+    let section = entry.section(text!("scene-table-of-a-load"), ALL_KEYS)?;
+    section.missing("over", text!("scene-all-arguments"));
     None
 }
 
@@ -105,14 +105,14 @@ fn formula(
     context: &Context<'_>,
 ) -> Option<Value> {
     let entry = section.get("formula")?;
-    let text = entry.text("a formula")?;
+    let text = entry.text(text!("scene-a-formula"))?;
     let factor = match section.get("unit") {
         None => 1.0,
-        Some(unit) => {
-            let name = unit.text("a unit")?;
+        Some(entry) => {
+            let name = entry.text(text!("scene-a-unit"))?;
             quantity(&format!("1 {name}"), dimension)
                 .map_err(|error| {
-                    unit.fault(format!("`unit` {error}"), format!("such as \"{}\"", dimension.si()));
+                    entry.problem(error.describe(), such_as(format!("\"{}\"", dimension.si())));
                 })
                 .ok()?
         }
@@ -122,14 +122,16 @@ fn formula(
     let formula = if context.sign() < 0.0 { formula.mirrored() } else { formula };
     let used = formula.used();
     if used.speed || used.time {
-        context.need_motion(&entry, "a formula with `w` or `t`");
+        context.need_motion(&entry, text!("scene-formula-of-motion"));
     }
     let axis = section.get("axis");
     match (&axis, used.place) {
-        (Some(axis), false) => axis.fault("`axis` has no use: the formula has no `x`", "leave it out"),
-        (None, true) if stroke => section.missing("axis", "`x` is the place of the point along `axis`"),
+        (Some(axis), false) => {
+            axis.fault(text!("scene-axis-without-x"), text!("scene-leave-it-out"));
+        }
+        (None, true) if stroke => section.missing("axis", text!("scene-x-along-axis")),
         (_, true) if !stroke => {
-            entry.fault("only a force has a point whose place `x` can be followed", "use `q`, `w` or `t`");
+            entry.fault(text!("scene-x-of-a-force"), text!("scene-use-other-variables"));
         }
         _ => {}
     }
@@ -149,7 +151,7 @@ fn misread(entry: &Entry<'_>, text: &str, error: &FormulaError) {
     } else {
         entry.span.clone()
     };
-    entry.note(Fault::new(span, &error.what));
+    entry.note(Fault::new(span, error.describe()));
 }
 
 fn plain(
@@ -165,12 +167,12 @@ fn plain(
         Over::Speed => context.speed(),
     };
     if over != Over::Coordinate {
-        context.need_motion(&section.get("over")?, "a table over time or speed");
+        context.need_motion(&section.get("over")?, text!("scene-table-over-time-or-speed"));
     }
     let flag = section.get("repeat");
     let given = flag.as_ref().and_then(Entry::flag);
     if let Some(entry) = flag.filter(|_| given == Some(true) && context.has_no_cycle()) {
-        entry.fault("`repeat` needs a cycle, and the input slides over a range", "give the input a `cycle`");
+        entry.fault(text!("scene-repeat-without-cycle"), text!("scene-give-a-cycle"));
     }
     let repeat = over == Over::Coordinate && given.unwrap_or(!context.has_no_cycle());
     let entry = section.need("table")?;
@@ -195,14 +197,13 @@ fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
     let span = last[0] - first[0];
     // The limit allows for the rounding of angles.
     if span > cycle * (1.0 + 1e-9) {
-        let (unit, scale) = match context.coordinate() {
+        let (symbol, scale) = match context.coordinate() {
             Some(Dimension::Angle) => ("deg", 180.0 / std::f64::consts::PI),
             _ => ("m", 1.0),
         };
-        let rounded = |value: f64| brief((value * scale * 1e6).round() / 1e6);
-        let message =
-            format!("the table spans {} {unit}, the cycle has {} {unit}", rounded(span), rounded(cycle));
-        entry.fault(message, "`repeat = false`, a longer `cycle` of the input, or fewer rows");
+        let rounded = |value: f64| joined(" ", [brief((value * scale * 1e6).round() / 1e6), unit(symbol)]);
+        let message = text!("scene-long-table", span = rounded(span), cycle = rounded(cycle));
+        entry.fault(message, text!("scene-shorten-table"));
     }
 }
 
@@ -213,7 +214,7 @@ fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<
         Some(entry) => one_way(&entry, shape, dimension),
     };
     if section.get("forward").is_none() && section.get("back").is_none() {
-        section.missing("forward", "`forward`, `back` or both");
+        section.missing("forward", text!("scene-forward-or-back"));
     }
     let (forward, back) = (side("forward"), side("back"));
     Some(Value::Stroke { axis: axis?, forward: forward?, back: back? })
@@ -227,7 +228,7 @@ fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Tabl
     let rows = rows(entry, Dimension::Number, dimension)?;
     let ends = [rows.first(), rows.last()];
     if let Some([at, _]) = ends.into_iter().flatten().find(|row| !(0.0..=1.0).contains(&row[0])) {
-        entry.fault(format!("`{}` has a row at {}: a stroke runs from 0 to 1", entry.name, brief(*at)), "");
+        entry.problem(text!("scene-row-outside-stroke", at = brief(*at)), Text::default());
         return None;
     }
     Some(Table { rows, shape })
@@ -241,17 +242,17 @@ fn rows(
 ) -> Option<Vec<[f64; 2]>> {
     let argument = argument.into();
     if !entry.value.is_array() {
-        entry.wrong("a list of rows", "such as [[0, 10], [1, 20]]");
+        entry.wrong(text!("scene-list-of-rows"), such_as("[[0, 10], [1, 20]]"));
         return None;
     }
-    let items = entry.list("a list of rows");
+    let items = entry.list(text!("scene-list-of-rows"));
     if items.is_empty() {
-        entry.fault(format!("`{}` has no rows", entry.name), "such as [[0, 10], [1, 20]]");
+        entry.problem(text!("scene-no-rows"), such_as("[[0, 10], [1, 20]]"));
         return None;
     }
     if items.len() > MOST_ROWS {
-        let message = format!("`{}` has {} rows, at most {MOST_ROWS} are read", entry.name, items.len());
-        entry.fault(message, "leave rows out: between them lines are drawn");
+        let problem = text!("scene-many-rows", count = items.len(), most = number(MOST_ROWS));
+        entry.problem(problem, text!("scene-leave-rows-out"));
         return None;
     }
     let mut rows: Vec<[f64; 2]> = Vec::with_capacity(items.len());
@@ -262,7 +263,7 @@ fn rows(
             continue;
         };
         if argument.is_some() && rows.last().is_some_and(|last| row[0] < last[0]) {
-            item.fault("the first numbers of the rows must not decrease", "smaller than in the row before");
+            item.fault(text!("scene-rows-decrease"), text!("scene-smaller-than-before"));
             whole = false;
         }
         rows.push(row);
@@ -271,7 +272,7 @@ fn rows(
 }
 
 fn row(item: &Entry<'_>, argument: Option<Dimension>, dimension: Dimension) -> Option<[f64; 2]> {
-    let [x, y] = item.pair("rows of two numbers")?;
+    let [x, y] = item.pair(&text!("scene-rows-of-two"))?;
     let (x, y) = (x.bounded(argument, Bound::Any), y.bounded(dimension, Bound::Any));
     Some([x?, y?])
 }

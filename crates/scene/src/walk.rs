@@ -6,6 +6,7 @@
 
 use std::ops::Range;
 
+use assur_words::{Text, joined, name, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -17,7 +18,7 @@ use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
 pub struct Section<'a> {
     table: &'a DeTable<'a>,
     /// Its kind with an article: "a spring".
-    pub(crate) what: &'static str,
+    pub(crate) what: Text,
     /// Its header; for an inline table the whole table.
     pub(crate) span: Range<usize>,
     known: &'static [&'static str],
@@ -41,7 +42,7 @@ impl<'a> Section<'a> {
     /// The whole file.
     pub(crate) fn root(
         table: &'a DeTable<'a>,
-        what: &'static str,
+        what: Text,
         known: &'static [&'static str],
         faults: &'a Faults,
     ) -> Self {
@@ -53,13 +54,13 @@ impl<'a> Section<'a> {
     fn refuse_unknown(&self) {
         for entry in self.entries() {
             if !self.known.contains(&entry.name.as_str()) {
-                entry.unknown("key", self.known.iter().copied(), || self.knows());
+                entry.unknown(text!("scene-key"), self.known.iter().copied(), || self.knows());
             }
         }
     }
 
-    fn knows(&self) -> String {
-        format!("{} knows: {}", self.what, self.known.join(", "))
+    fn knows(&self) -> Text {
+        text!("scene-knows", what = &self.what, keys = name(self.known.join(", ")))
     }
 
     /// The value of a key, if it is present.
@@ -72,15 +73,15 @@ impl<'a> Section<'a> {
     pub(crate) fn need(&self, key: &str) -> Option<Entry<'a>> {
         let entry = self.get(key);
         if entry.is_none() {
-            self.missing(key, "");
+            self.missing(key, Text::default());
         }
         entry
     }
 
     /// Notes a missing key, and why it is needed.
-    pub(crate) fn missing(&self, key: &str, why: &str) {
-        let label = if why.is_empty() { format!("add `{key} = ...`") } else { why.to_owned() };
-        let message = format!("{} needs `{key}`", self.what);
+    pub(crate) fn missing(&self, key: &str, why: Text) {
+        let label = if why.is_empty() { text!("scene-add-key", key = shown(key)) } else { why };
+        let message = text!("scene-needs-key", what = &self.what, key = shown(key));
         self.faults.push(Fault::new(self.span.clone(), message).label(label).help(self.knows()));
     }
 
@@ -106,8 +107,18 @@ impl<'a> Entry<'a> {
     }
 
     /// Notes a fault of the value.
-    pub fn fault(&self, message: impl Into<String>, label: impl Into<String>) {
+    pub fn fault(&self, message: impl Into<Text>, label: impl Into<Text>) {
         self.faults.push(Fault::new(self.span.clone(), message).label(label));
+    }
+
+    /// Notes a fault of the value that is said behind the name of its key.
+    pub fn problem(&self, problem: impl Into<Text>, label: impl Into<Text>) {
+        self.fault(text!("scene-problem-of-key", key = shown(&self.name), problem = problem.into()), label);
+    }
+
+    /// Notes what is wanted, and what is there.
+    pub(crate) fn wants(&self, wanted: Text, got: Text, label: impl Into<Text>) {
+        self.problem(text!("scene-wants", wanted = wanted, got = got), label);
     }
 
     /// Notes a fault.
@@ -118,13 +129,13 @@ impl<'a> Entry<'a> {
     /// Notes an unknown key, described as a `what`, with the known key of nearly the same spelling.
     pub fn unknown<'k>(
         &self,
-        what: &str,
+        what: Text,
         known: impl IntoIterator<Item = &'k str>,
-        help: impl FnOnce() -> String,
+        help: impl FnOnce() -> Text,
     ) {
         self.faults.note(|| {
             let near = nearest(&self.name, known);
-            let message = format!("unknown {what} `{}`", shown(&self.name));
+            let message = text!("scene-unknown", what = what, name = shown(&self.name));
             Fault::new(self.key.clone(), message).label(did_you_mean(near)).help(help())
         });
     }
@@ -135,13 +146,12 @@ impl<'a> Entry<'a> {
     }
 
     /// Notes that the value is of the wrong kind.
-    pub(crate) fn wrong(&self, wanted: &str, label: impl Into<String>) {
-        let message = format!("`{}` wants {wanted}, got {}", shown(&self.name), kind(self.value));
-        self.fault(message, label);
+    pub(crate) fn wrong(&self, wanted: Text, label: impl Into<Text>) {
+        self.wants(wanted, kind(self.value), label);
     }
 
     /// A table whose keys are names chosen by the user.
-    pub fn named(&self, wanted: &str, label: &str) -> Vec<Self> {
+    pub fn named(&self, wanted: Text, label: Text) -> Vec<Self> {
         if let DeValue::Table(table) = self.value {
             return entries(table, self.faults);
         }
@@ -150,11 +160,11 @@ impl<'a> Entry<'a> {
     }
 
     /// A table with these keys.
-    pub(crate) fn section(&self, what: &'static str, known: &'static [&'static str]) -> Option<Section<'a>> {
+    pub(crate) fn section(&self, what: Text, known: &'static [&'static str]) -> Option<Section<'a>> {
         let DeValue::Table(table) = self.value else {
-            let hint =
-                if self.value.is_array() { format!("write [{}] once", self.name) } else { String::new() };
-            self.wrong("one table", hint);
+            let hint = text!("scene-write-once", key = shown(&self.name));
+            let hint = if self.value.is_array() { hint } else { Text::default() };
+            self.wrong(text!("scene-one-table"), hint);
             return None;
         };
         let section = Section { table, what, span: self.span.clone(), known, faults: self.faults };
@@ -163,50 +173,48 @@ impl<'a> Entry<'a> {
     }
 
     /// A list of tables, `[[name]]`, each with these keys.
-    pub(crate) fn sections(&self, what: &'static str, known: &'static [&'static str]) -> Vec<Section<'a>> {
+    pub(crate) fn sections(&self, what: &Text, known: &'static [&'static str]) -> Vec<Section<'a>> {
         if self.value.is_table() {
-            self.wrong("a list of tables", format!("write [[{}]]", self.name));
+            self.wrong(text!("scene-list-of-tables"), text!("scene-write-list", key = shown(&self.name)));
             return Vec::new();
         }
-        self.list("a list of tables").iter().filter_map(|item| item.section(what, known)).collect()
+        let items = self.list(text!("scene-list-of-tables"));
+        items.iter().filter_map(|item| item.section(what.clone(), known)).collect()
     }
 
     /// The elements of a list; messages name each by the list.
-    pub fn list(&self, wanted: &str) -> Vec<Self> {
+    pub fn list(&self, wanted: Text) -> Vec<Self> {
         let DeValue::Array(array) = self.value else {
-            self.wrong(wanted, "");
+            self.wrong(wanted, Text::default());
             return Vec::new();
         };
         array.iter().map(|item| Self::new(self.name.clone(), item.span(), item, self.faults)).collect()
     }
 
     /// The two elements of a list of two.
-    pub(crate) fn pair(&self, wanted: &str) -> Option<[Self; 2]> {
-        let list = if self.value.is_array() { self.list(wanted) } else { Vec::new() };
+    pub(crate) fn pair(&self, wanted: &Text) -> Option<[Self; 2]> {
+        let list = if self.value.is_array() { self.list(wanted.clone()) } else { Vec::new() };
         let count = list.len();
         let pair: Result<[Self; 2], _> = list.try_into();
         if pair.is_err() {
-            let got = if self.value.is_array() {
-                format!("a list of {count}")
-            } else {
-                kind(self.value).to_owned()
-            };
-            self.fault(format!("`{}` wants {wanted}, got {got}", shown(&self.name)), "");
+            let many = text!("scene-list-of-so-many", count = count);
+            let got = if self.value.is_array() { many } else { kind(self.value) };
+            self.wants(wanted.clone(), got, Text::default());
         }
         pair.ok()
     }
 
     /// A text on one line that is not empty.
-    pub fn text(&self, wanted: &str) -> Option<&'a str> {
+    pub fn text(&self, wanted: Text) -> Option<&'a str> {
         let DeValue::String(text) = self.value else {
-            self.wrong(wanted, "in quotes");
+            self.wrong(wanted, text!("scene-in-quotes"));
             return None;
         };
         let text = text.as_ref();
         if text.trim().is_empty() || text.chars().any(is_unprintable) {
-            let got =
-                if text.trim().is_empty() { "an empty text" } else { "a text with invisible characters" };
-            self.fault(format!("`{}` wants {wanted}, got {got}", shown(&self.name)), "");
+            let empty = text.trim().is_empty();
+            let got = if empty { text!("scene-an-empty-text") } else { text!("scene-an-invisible-text") };
+            self.wants(wanted, got, Text::default());
             return None;
         }
         Some(text)
@@ -216,20 +224,19 @@ impl<'a> Entry<'a> {
     pub(crate) fn line(&self) -> Option<String> {
         let text = self.value.as_str();
         if text.is_none() {
-            self.wrong("a text", "in quotes");
+            self.wrong(text!("scene-a-text"), text!("scene-in-quotes"));
         }
         text.map(|text| text.chars().map(|c| if is_unprintable(c) { ' ' } else { c }).collect())
     }
 
     /// One of several given words.
     pub fn choice<T: Copy>(&self, words: &[(&str, T)]) -> Option<T> {
-        let list = row(words.iter().map(|word| word.0));
-        let text = self.text(&format!("one of: {list}"))?;
+        let wanted = || text!("scene-one-of", words = row(words.iter().map(|word| word.0)));
+        let text = self.text(wanted())?;
         let found = words.iter().find(|word| word.0 == text);
         if found.is_none() {
             let near = nearest(text, words.iter().map(|word| word.0));
-            let message = format!("`{}` wants one of: {list}, got `{}`", self.name, shown(text));
-            self.fault(message, did_you_mean(near));
+            self.wants(wanted(), quoted(text), did_you_mean(near));
         }
         found.map(|word| word.1)
     }
@@ -238,21 +245,26 @@ impl<'a> Entry<'a> {
     pub fn flag(&self) -> Option<bool> {
         let flag = self.value.as_bool();
         if flag.is_none() {
-            self.wrong("true or false", "");
+            self.wrong(text!("scene-true-or-false"), Text::default());
         }
         flag
     }
 }
 
 /// The kind of a value, with an article.
-pub(crate) fn kind(value: &DeValue<'_>) -> &'static str {
+pub(crate) fn kind(value: &DeValue<'_>) -> Text {
     match value {
-        DeValue::String(_) => "a text",
-        DeValue::Integer(_) => "an integer",
-        DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "a boolean",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
+        DeValue::String(_) => text!("scene-a-text"),
+        DeValue::Integer(_) => text!("scene-an-integer"),
+        DeValue::Float(_) => text!("scene-a-number"),
+        DeValue::Boolean(_) => text!("scene-a-boolean"),
+        DeValue::Datetime(_) => text!("scene-a-date"),
+        DeValue::Array(_) => text!("scene-a-list"),
+        DeValue::Table(_) => text!("scene-a-table"),
     }
+}
+
+/// A piece of the scene between the signs of a quotation.
+pub(crate) fn quoted(piece: &str) -> Text {
+    joined("", [name("`"), shown(piece), name("`")])
 }

@@ -2,9 +2,11 @@
 
 use assur_mechanism::{Balance, GROUND, LinkId, Output, PairId, PointId, SlideId};
 
+use assur_words::{name, text};
+
 use crate::linkage::{Linkage, pair};
 use crate::numbers::Bound;
-use crate::text::shown;
+use crate::text::{row, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -16,10 +18,10 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [
     let Some(entry) = root.get("assembly") else {
         return Vec::new();
     };
-    let hints = entry.named("a table of points", "such as D = [0.17, 0.28]");
+    let hints = entry.named(text!("scene-table-of-points"), such_as("D = [0.17, 0.28]"));
     hints
         .iter()
-        .filter_map(|hint| Some((hinted(hint, linkage)?, pair(hint, "[x, y]", Dimension::Length)?)))
+        .filter_map(|hint| Some((hinted(hint, linkage)?, pair(hint, &name("[x, y]"), Dimension::Length)?)))
         .collect()
 }
 
@@ -35,18 +37,16 @@ fn hinted(hint: &Entry<'_>, linkage: &Linkage) -> Option<PointId> {
         return None;
     };
     if linkage.points[id].places.iter().any(|place| place.link == GROUND) {
-        hint.fault(
-            format!("point `{}` is on the ground: its place is known", shown(&hint.name)),
-            "leave it out",
-        );
+        let message = text!("scene-point-on-ground", point = shown(&hint.name));
+        hint.fault(message, text!("scene-leave-it-out"));
     }
     Some(id)
 }
 
 /// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
 pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> {
-    let section = root.get("balance")?.section("the balance", BALANCE_KEYS)?;
-    let link = section.need("link").and_then(|entry| linkage.moving(&entry, "the ground carries any load"));
+    let section = root.get("balance")?.section(text!("scene-the-balance"), BALANCE_KEYS)?;
+    let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-ground-carries")));
     match (section.get("at"), section.get("angle")) {
         (None, None) => Some(Balance::Moment(link?)),
         (Some(at), Some(angle)) => {
@@ -55,7 +55,7 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> 
         }
         (at, _) => {
             let absent = if at.is_none() { "at" } else { "angle" };
-            section.missing(absent, "a force has `at` and `angle`, a moment has neither");
+            section.missing(absent, text!("scene-why-at-and-angle"));
             None
         }
     }
@@ -63,7 +63,7 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> 
 
 /// Reads `[output]`: the wanted results.
 pub(crate) fn output(root: &Section<'_>, linkage: &Linkage) -> Option<Output> {
-    let section = root.get("output")?.section("the output", OUTPUT_KEYS)?;
+    let section = root.get("output")?.section(text!("scene-the-output"), OUTPUT_KEYS)?;
     Some(Output {
         points: each(&section, "points", |entry| linkage.point(entry)),
         links: each(&section, "links", |entry| link(entry, linkage)),
@@ -73,16 +73,16 @@ pub(crate) fn output(root: &Section<'_>, linkage: &Linkage) -> Option<Output> {
 }
 
 fn each<T>(section: &Section<'_>, key: &str, read: impl Fn(&Entry<'_>) -> Option<T>) -> Vec<T> {
-    let items = section.get(key).map(|entry| entry.list("a list of names")).unwrap_or_default();
+    let items = section.get(key).map(|entry| entry.list(text!("scene-list-of-names"))).unwrap_or_default();
     items.iter().filter_map(read).collect()
 }
 
 fn link(entry: &Entry<'_>, linkage: &Linkage) -> Option<LinkId> {
-    linkage.moving(entry, "the ground does not move")
+    linkage.moving(entry, text!("scene-ground-does-not-move"))
 }
 
 fn slide(entry: &Entry<'_>, linkage: &Linkage) -> Option<SlideId> {
-    let name = entry.text("the name of a slide")?;
+    let name = entry.text(text!("scene-name-of-a-slide"))?;
     let found = linkage.slides.iter().position(|slide| slide.name == name);
     if found.is_none() {
         Linkage::unknown(entry, "slide", name, linkage.slides.iter().map(|slide| slide.name.as_str()));
@@ -91,7 +91,7 @@ fn slide(entry: &Entry<'_>, linkage: &Linkage) -> Option<SlideId> {
 }
 
 fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
-    let name = entry.text("the name of a pin or slide")?;
+    let name = entry.text(text!("scene-name-of-a-pair"))?;
     if let Some(id) = linkage.slides.iter().position(|slide| slide.name == name) {
         return Some(PairId::Slide(id));
     }
@@ -99,13 +99,13 @@ fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
     match linkage.point_named(name) {
         Some(id) if linkage.points[id].is_pin() => Some(PairId::Pin(id)),
         Some(_) => {
-            let label = format!("pins: {}", crate::text::row(pins));
-            entry.fault(format!("point `{}` is no pin: it belongs to one link only", shown(name)), label);
+            let label = text!("scene-pins", pins = row(pins));
+            entry.fault(text!("scene-point-is-no-pin", point = shown(name)), label);
             None
         }
         None => {
             let slides = linkage.slides.iter().map(|slide| slide.name.as_str());
-            Linkage::unknown(entry, "pin or slide", name, pins.chain(slides));
+            Linkage::unknown(entry, "pair", name, pins.chain(slides));
             None
         }
     }
@@ -137,7 +137,8 @@ pub struct Note {
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
     let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new() };
-    let Some(section) = root.get("note").and_then(|entry| entry.section("the note", KEYS)) else {
+    let Some(section) = root.get("note").and_then(|entry| entry.section(text!("scene-the-note"), KEYS))
+    else {
         return note;
     };
     let line = |key: &str| section.get(key).and_then(|entry| entry.line());
@@ -146,11 +147,11 @@ pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
         note.language = language;
     }
     if let Some(entry) = section.get("positions") {
-        let listed = entry.list("a list of numbers of positions");
+        let listed = entry.list(text!("scene-list-of-positions"));
         if listed.len() > MOST_POSITIONS {
             entry.fault(
-                format!("a note has at most {MOST_POSITIONS} positions"),
-                format!("here are {}", listed.len()),
+                text!("scene-many-positions-of-note", most = MOST_POSITIONS),
+                text!("scene-here-are", count = listed.len()),
             );
         }
         let most = positions.unwrap_or(usize::MAX).saturating_sub(1);

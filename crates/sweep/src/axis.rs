@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use assur_scene::edit::{Document, Place, replaced, split};
 use assur_scene::{Dimension, Unit, quantity};
+use assur_words::{Describe, Text, name, text};
 use strum::VariantArray;
 
 use crate::{SweepError, Vary};
@@ -45,7 +46,7 @@ impl Axis {
         scene: &str,
     ) -> Result<Self, SweepError> {
         let key = vary.key();
-        let fault = |problem: String| SweepError::vary(&key, problem);
+        let fault = |problem: Text| SweepError::vary(&key, problem);
         let found = document.find(&vary.key).map_err(fault)?;
         let (from, to) = ends(vary).map_err(fault)?;
         let dimension = dimension(vary, &found, [&from, &to], file, scene).map_err(fault)?;
@@ -53,7 +54,7 @@ impl Axis {
         let suffix = dimension.map(suffix).filter(|unit| !unit.is_empty());
         let column = suffix.map_or(key.clone(), |unit| format!("{key}_{unit}"));
         let unit = dimension.map(|dimension| Unit::of(&from.unit, dimension)).transpose();
-        let unit = unit.map_err(|error| fault(error.to_string()))?;
+        let unit = unit.map_err(|error| fault(error.describe()))?;
         let count = vary.range.count;
         Ok(Self {
             key,
@@ -89,10 +90,10 @@ impl Axis {
 }
 
 /// Both ends; if only one has a unit, it applies to both.
-fn ends(vary: &Vary) -> Result<(End, End), String> {
-    let end = |text: &str| match split(text) {
+fn ends(vary: &Vary) -> Result<(End, End), Text> {
+    let end = |end: &str| match split(end) {
         Some((number, unit)) => Ok(End { number, unit }),
-        None => Err(format!("`{text}` does not begin with a finite number")),
+        None => Err(text!("sweep-no-number", text = name(end.to_owned()))),
     };
     let (mut from, mut to) = (end(&vary.range.from)?, end(&vary.range.to)?);
     if from.unit.is_empty() {
@@ -117,7 +118,7 @@ fn dimension(
     ends: [&End; 2],
     file: &str,
     scene: &str,
-) -> Result<Option<Dimension>, String> {
+) -> Result<Option<Dimension>, Text> {
     let written = |place: &Place| scene.get(place.span.clone()).map(|text| text.replace('_', ""));
     let own = found.first().and_then(|place| place.text.clone().or_else(|| written(place)));
     let own = own.filter(|text| split(text).is_some());
@@ -127,36 +128,35 @@ fn dimension(
     match takes(&texts, |value| assur_scene::read(file, &with(value)).is_ok()) {
         Takes::Quantity(kinds) => chosen(&kinds, ends).map(Some),
         Takes::Bare if ends.iter().all(|end| end.unit.is_empty()) => Ok(None),
-        Takes::Bare => Err(format!("`{}` is a count, it has no unit", vary.key())),
-        Takes::Text => Err(format!("`{}` is a text, not a number", vary.key())),
+        Takes::Bare => Err(text!("sweep-count", key = name(vary.key()))),
+        Takes::Text => Err(text!("sweep-text", key = name(vary.key()))),
         Takes::Nothing => {
             Err(match assur_scene::read(file, &with(&toml(ends[0].number, &ends[0].unit, true))) {
                 Err(errors) if !errors.errors.is_empty() => errors.errors[0].message.clone(),
-                _ => format!("`{}` takes no number", vary.key()),
+                _ => text!("sweep-takes-no-number", key = name(vary.key())),
             })
         }
     }
 }
 
 /// The kind of quantity of the ends, among those that the scene accepts there.
-fn chosen(kinds: &[Dimension], ends: [&End; 2]) -> Result<Dimension, String> {
+fn chosen(kinds: &[Dimension], ends: [&End; 2]) -> Result<Dimension, Text> {
     let fits = |kind: Dimension, end: &End| end.unit.is_empty() || quantity(&end.text(), kind).is_ok();
     let fitting: Vec<_> = kinds.iter().filter(|kind| ends.iter().all(|end| fits(**kind, end))).collect();
     match (fitting.as_slice(), kinds) {
         ([kind], _) => Ok(**kind),
         ([], [kind, ..]) => {
             let wrong = ends.iter().find_map(|end| quantity(&end.text(), *kind).err());
-            Err(wrong
-                .map_or_else(|| "FROM and TO measure different things".to_owned(), |error| error.to_string()))
+            Err(wrong.map_or_else(|| text!("sweep-different-ends"), |error| error.describe()))
         }
-        _ => Err("it can measure several things: write FROM and TO with a unit".to_owned()),
+        _ => Err(text!("sweep-several-quantities")),
     }
 }
 
 /// The ends in the unit of both, so that decimal steps stay decimal; in SI if they have different units.
-fn in_one_unit(from: End, to: End, dimension: Option<Dimension>) -> Result<(End, End), String> {
+fn in_one_unit(from: End, to: End, dimension: Option<Dimension>) -> Result<(End, End), Text> {
     let si = |end: &End| match dimension.filter(|_| !end.unit.is_empty()) {
-        Some(dimension) => quantity(&end.text(), dimension).map_err(|error| error.to_string()),
+        Some(dimension) => quantity(&end.text(), dimension).map_err(|error| error.describe()),
         None => Ok(end.number),
     };
     let numbers = (si(&from)?, si(&to)?);

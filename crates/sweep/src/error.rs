@@ -1,29 +1,26 @@
 //! Why a sweep can't begin.
 
 use assur_scene::SceneErrors;
+use assur_words::{Describe, Text, list, name, number, text};
 
 use crate::MEASURES;
 
 /// Why a sweep can't begin, or has no row to write. What is wrong at one point is part of the table.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum SweepError {
     /// The scene itself is faulty.
-    #[error(transparent)]
-    Scene(#[from] SceneErrors),
+    Scene(SceneErrors),
     /// A parameter is not written as it should be, or names nothing.
-    #[error("`{vary}`: {problem}")]
     Vary {
         /// The parameter as it was given, or its key.
         vary: String,
         /// What is wrong, and what to write.
-        problem: String,
+        problem: Text,
     },
     /// No parameter.
-    #[error("nothing is varied: name a parameter, such as \"link.crank.mass=1 kg..5 kg:9\"")]
     Nothing,
     /// Two parameters are the same value of the scene.
-    #[error("`{first}` and `{second}` are the same value of the scene: vary it once")]
     Twice {
         /// One key.
         first: String,
@@ -31,15 +28,13 @@ pub enum SweepError {
         second: String,
     },
     /// Too many points.
-    #[error("the sweep has {points} points, at most {most} are calculated: fewer values of each parameter")]
     TooMany {
-        /// How many; `too many` where they can't be counted.
-        points: String,
+        /// How many; `None` where they can't be counted.
+        points: Option<usize>,
         /// How many there may be.
         most: usize,
     },
     /// Too many parameters of a sample.
-    #[error("the sample has {count} parameters, at most {most}: keep those that matter")]
     TooManyParameters {
         /// How many.
         count: usize,
@@ -47,18 +42,15 @@ pub enum SweepError {
         most: usize,
     },
     /// There is no such measure (the name).
-    #[error("there is no measure `{0}`: name some of {measures}, or `default` or `all`", measures = measures())]
     Measure(String),
     /// No point makes a scene that can be calculated.
-    #[error("no point of the sweep can be calculated; the first, {point}:\n{problem}")]
     AllRefused {
         /// Keys and values of the first point.
         point: String,
         /// What is wrong with it.
-        problem: String,
+        problem: Refusal,
     },
     /// The threads could not be started.
-    #[error("can't start {threads} threads: {problem}")]
     Threads {
         /// How many.
         threads: usize,
@@ -67,12 +59,61 @@ pub enum SweepError {
     },
 }
 
-impl SweepError {
-    pub(crate) fn vary(vary: impl Into<String>, problem: impl Into<String>) -> Self {
-        Self::Vary { vary: vary.into(), problem: problem.into() }
+/// Why the first point of a sweep can't be calculated.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Refusal {
+    /// Its scene is faulty.
+    Scene(SceneErrors),
+    /// The message of its row.
+    Row(String),
+}
+
+assur_words::errors!(SweepError);
+
+impl Describe for SweepError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Scene(errors) => errors.describe(),
+            Self::Vary { vary, problem } => {
+                text!("sweep-vary", vary = name(vary.clone()), problem = problem)
+            }
+            Self::Nothing => text!("sweep-nothing-varied"),
+            Self::Twice { first, second } => {
+                text!("sweep-twice", first = name(first.clone()), second = name(second.clone()))
+            }
+            Self::TooMany { points: Some(points), most } => {
+                text!("sweep-many-points", points = number(points), most = number(most))
+            }
+            Self::TooMany { points: None, most } => text!("sweep-uncounted-points", most = number(most)),
+            Self::TooManyParameters { count, most } => {
+                text!("sweep-many-parameters", count = *count, most = *most)
+            }
+            Self::Measure(unknown) => {
+                let measures = list(MEASURES.iter().map(|measure| name(measure.name)));
+                text!("sweep-no-measure", name = name(unknown.clone()), measures = measures)
+            }
+            Self::AllRefused { point, problem } => {
+                let problem = match problem {
+                    Refusal::Scene(errors) => errors.describe(),
+                    Refusal::Row(message) => name(message.clone()),
+                };
+                text!("sweep-all-refused", point = name(point.clone()), problem = problem)
+            }
+            Self::Threads { threads, problem } => {
+                text!("sweep-no-threads", threads = *threads, problem = name(problem.clone()))
+            }
+        }
     }
 }
 
-fn measures() -> String {
-    MEASURES.iter().map(|measure| measure.name).collect::<Vec<_>>().join(", ")
+impl From<SceneErrors> for SweepError {
+    fn from(errors: SceneErrors) -> Self {
+        Self::Scene(errors)
+    }
+}
+
+impl SweepError {
+    pub(crate) fn vary(vary: impl Into<String>, problem: Text) -> Self {
+        Self::Vary { vary: vary.into(), problem }
+    }
 }

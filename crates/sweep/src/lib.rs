@@ -37,12 +37,14 @@ mod sweep;
 mod variants;
 mod vary;
 
-pub use error::SweepError;
+pub use error::{Refusal, SweepError};
 pub use measure::{MEASURES, Measure};
 pub use points::Points;
 pub use rows::{Columns, Rows, Status, Tally};
 pub use sweep::{MOST_POINTS, Request, Sweep};
 pub use vary::Vary;
+
+assur_words::resources!();
 
 #[cfg(test)]
 mod tests;

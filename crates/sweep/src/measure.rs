@@ -2,6 +2,7 @@
 
 use assur_dynamics::{Instant, Steady};
 use assur_mechanism::{Input, PairId, Range};
+use assur_words::{Describe, Text, text};
 
 use crate::SweepError;
 use crate::layout::{Layout, Sought};
@@ -12,8 +13,8 @@ use crate::statistics::Statistics;
 pub struct Measure {
     /// Its name on the command line.
     pub name: &'static str,
-    /// What its columns hold.
-    pub summary: &'static str,
+    /// The identity of what its columns hold.
+    summary: &'static str,
     /// Whether it is written where no measures are named.
     pub by_default: bool,
     /// Whether it needs the angles of the links.
@@ -25,46 +26,28 @@ pub struct Measure {
 
 /// All measures, in the order of their columns.
 pub const MEASURES: &[Measure] = &[
-    Measure::new("health", "least dimensionless determinant of all groups, and where", health),
+    Measure::new("health", "sweep-measure-health", health),
     Measure {
         by_default: false,
         transmission: true,
-        ..Measure::new("transmission", "least transmission angle of all groups, and where", transmission)
+        ..Measure::new("transmission", "sweep-measure-transmission", transmission)
     },
-    Measure::new(
-        "balancing",
-        "balancing load: greatest modulus and where, mean, mean of the modulus",
-        balancing,
-    ),
+    Measure::new("balancing", "sweep-measure-balancing", balancing),
     Measure {
         by_default: false,
-        ..Measure::new("balancing-rms", "root of the mean square of the balancing load", balancing_rms)
+        ..Measure::new("balancing-rms", "sweep-measure-balancing-rms", balancing_rms)
     },
-    Measure::new("reactions", "greatest force and moment of each pair", reactions),
-    Measure {
-        by_default: false,
-        ..Measure::new(
-            "reaction-rms",
-            "root of the mean square of force and moment of each pair",
-            reaction_rms,
-        )
-    },
-    Measure {
-        angles: true,
-        ..Measure::new("extremes", "extremes of points, slides and angles of links", extremes)
-    },
+    Measure::new("reactions", "sweep-measure-reactions", reactions),
+    Measure { by_default: false, ..Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms) },
+    Measure { angles: true, ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
+    Measure { by_default: false, angles: true, ..Measure::new("stroke", "sweep-measure-stroke", stroke) },
     Measure {
         by_default: false,
         angles: true,
-        ..Measure::new("stroke", "greatest less least displacement of slides and angle of links", stroke)
+        ..Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio)
     },
-    Measure {
-        by_default: false,
-        angles: true,
-        ..Measure::new("time-ratio", "time ratio of each slide and each link that swings", time_ratio)
-    },
-    Measure::new("regime", "periodic regime and drive", regime),
-    Measure::new("end", "the last state of a transient motion", end),
+    Measure::new("regime", "sweep-measure-regime", regime),
+    Measure::new("end", "sweep-measure-end", end),
 ];
 
 /// What was found at a point of a sweep.
@@ -142,6 +125,13 @@ impl Found {
     }
 }
 
+impl Describe for Measure {
+    /// What its columns hold.
+    fn describe(&self) -> Text {
+        text!(self.summary)
+    }
+}
+
 impl Measure {
     const fn new(
         name: &'static str,
@@ -160,7 +150,7 @@ impl Measure {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Measure`] for a name that there is not.
+    /// [`SweepError::Measure`] for an unknown name.
     pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
         let known =
             |name: &str| name == "all" || name == "default" || MEASURES.iter().any(|m| m.name == name);

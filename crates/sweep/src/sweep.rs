@@ -15,7 +15,7 @@ use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
 use crate::rows::{Columns, Rows};
 use crate::variants::Variants;
-use crate::{Points, SweepError, Vary};
+use crate::{Points, Refusal, SweepError, Vary};
 
 /// Most points of a sweep: at a million points a second they would take eleven days.
 pub const MOST_POINTS: usize = 1_000_000_000_000;
@@ -199,8 +199,11 @@ impl Sweep {
     /// The error of a sweep without a point that can be calculated: then the call is at fault, and there is no table.
     pub fn all_refused(&self, first: usize) -> SweepError {
         let problem = match self.variants.read(&self.axes, &self.numbers(first)) {
-            Err(errors) => errors.to_string(),
-            Ok(_) => self.row(first).status(0).map(|(_, message)| message.to_owned()).unwrap_or_default(),
+            Err(errors) => Refusal::Scene(errors),
+            Ok(_) => {
+                let message = self.row(first).status(0).map(|(_, message)| message.to_owned());
+                Refusal::Row(message.unwrap_or_default())
+            }
         };
         SweepError::AllRefused { point: self.describe(first), problem }
     }
@@ -219,9 +222,6 @@ fn count(points: Points, vary: &[Vary]) -> Result<usize, SweepError> {
     }
     match points.count(vary.iter().map(|vary| vary.range.count)) {
         Some(points) if points <= MOST_POINTS => Ok(points),
-        other => {
-            let points = other.map_or_else(|| "too many".to_owned(), |points| points.to_string());
-            Err(SweepError::TooMany { points, most: MOST_POINTS })
-        }
+        points => Err(SweepError::TooMany { points, most: MOST_POINTS }),
     }
 }

@@ -1,6 +1,7 @@
 //! A parameter as a user writes it.
 
 use assur_scene::edit::{Key, decimal};
+use assur_words::{Text, name, text};
 
 use crate::{Points, SweepError};
 
@@ -32,7 +33,7 @@ impl Vary {
     ///
     /// [`SweepError::Vary`] where it is written otherwise.
     pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
-        let fault = |problem: String| SweepError::vary(text, problem);
+        let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
         let range = parse_range(range, points).map_err(fault)?;
         Ok(Self { key: Key::parse(key).map_err(fault)?, range })
@@ -55,16 +56,14 @@ pub(crate) struct Range {
     pub(crate) count: usize,
 }
 
-pub(crate) fn parse_range(text: &str, points: Points) -> Result<Range, String> {
+pub(crate) fn parse_range(range: &str, points: Points) -> Result<Range, Text> {
     let wrong = || match points {
-        Points::Grid => "write it as KEY=FROM..TO:N, such as \"link.crank.mass=1 kg..5 kg:9\"".to_owned(),
-        Points::Sample { .. } => {
-            "of a sample write it as KEY=FROM..TO, such as \"link.crank.mass=1 kg..5 kg\"".to_owned()
-        }
+        Points::Grid => text!("sweep-write-grid"),
+        Points::Sample { .. } => text!("sweep-write-sample"),
     };
     let (ends, count) = match points {
-        Points::Grid => text.rsplit_once(':').ok_or_else(wrong)?,
-        Points::Sample { .. } => (text, "1"),
+        Points::Grid => range.rsplit_once(':').ok_or_else(wrong)?,
+        Points::Sample { .. } => (range, "1"),
     };
     let (from, to) = ends.split_once("..").ok_or_else(wrong)?;
     let (from, to) = (from.trim(), to.trim());
@@ -72,7 +71,7 @@ pub(crate) fn parse_range(text: &str, points: Points) -> Result<Range, String> {
         return Err(wrong());
     }
     let found: Option<usize> = count.trim().parse().ok().filter(|count| *count > 0);
-    let count = found.ok_or_else(|| format!("N is `{}`: write a whole number from 1", count.trim()))?;
+    let count = found.ok_or_else(|| text!("sweep-wrong-count", count = name(count.trim().to_owned())))?;
     Ok(Range { from: from.to_owned(), to: to.to_owned(), count })
 }
 

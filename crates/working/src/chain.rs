@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use assur_mechanism::PairId;
 use assur_structure::roman;
+use assur_words::{Text, list, name, text};
 use assur_worksheet::dyad::along;
-use assur_worksheet::plugin_for;
+use assur_worksheet::{Symbol, plugin_for};
 
 use crate::{Work, WorkingError};
 
@@ -17,17 +18,20 @@ impl Work<'_> {
     /// Writes positions, PF1 and PF2 of one group and of all points and slides on its links.
     pub(crate) fn group(&mut self, group: usize) -> Result<(), WorkingError> {
         let found = &self.linkage.structure.groups[group];
-        let links: Vec<_> = found.frame.links.iter().map(|&link| self.sheet.body_name(link)).collect();
-        let number =
-            if found.plugin.number > 0 { format!(", type {}", found.plugin.number) } else { String::new() };
-        let title = format!(
-            "Group {}, {} (class {}{number}), links {}: positions, PF1, PF2",
-            group + 1,
-            found.plugin.kind,
-            roman(found.class),
-            links.join(", ")
-        );
-        self.sheet.section(&title);
+        let class = name(roman(found.class));
+        let class = match found.plugin.number {
+            0 => text!("working-class", class = class),
+            number => text!("working-class-and-type", class = class, number = usize::from(number)),
+        };
+        let links: Vec<Text> = found.frame.links.iter().map(|&link| self.sheet.body_name(link)).collect();
+        let kind = name(found.plugin.kind);
+        self.sheet.section(text!(
+            "working-group",
+            group = group + 1,
+            kind = kind,
+            class = class,
+            links = list(links)
+        ));
         self.sheet.begin_group(group + 1);
         let before = self.sheet.clone();
         let own = plugin_for(found.plugin.name)?.filter(|_| self.own).filter(|plugin| {
@@ -87,17 +91,17 @@ impl Work<'_> {
         let point = self.sheet.point(slide.link, slide.point);
         let through = self.sheet.point(slide.on, slide.through);
         let t = self.sheet.guide(pair, slide.on, slide.angle).t;
-        let tag = self.sheet.pair_tag(pair);
+        let symbol = Symbol::from("s").of(self.sheet.pair_name(pair));
         let units = self.sheet.units.length;
         if point.name == through.name {
             return;
         }
-        self.sheet.note(format!("displacement of the slide {}", slide.name));
-        let s = self.sheet.work(&format!("s_{tag}"), &along(&t, &point.from(&through, 0)), units[0]);
+        self.sheet.note(text!("working-displacement", slide = &slide.name));
+        let s = self.sheet.work(&symbol, &along(&t, &point.from(&through, 0)), units[0]);
         let first = along(&t, &point.from(&through, 1));
-        self.sheet.work_unless_zero(&format!("s'_{tag}"), &first, units[1]);
+        self.sheet.work_unless_zero(symbol.clone().prime(1), &first, units[1]);
         let turning = self.sheet.angle(slide.on)[1].squared() * s;
         let second = along(&t, &point.from(&through, 2)) + turning;
-        self.sheet.work_unless_zero(&format!("s''_{tag}"), &second, units[2]);
+        self.sheet.work_unless_zero(symbol.prime(2), &second, units[2]);
     }
 }

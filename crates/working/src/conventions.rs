@@ -1,37 +1,80 @@
 //! The conventions of a working.
 
-use crate::{Place, Work};
+use assur_words::{Text, joined, name, number, text};
+use assur_worksheet::Symbol;
 
-/// One convention a line: of positions and transfer functions, and of forces.
-const CONVENTIONS: &str = include_str!("conventions.txt");
-const FORCES: &str = include_str!("conventions_of_forces.txt");
-/// Added if a joint has more than two links.
-const SHARES: &str = "In a joint B of more than two links, Rx_B_s_t_r is the share of links s and t alone; the reaction of B on r \
-                      is the sum of its shares.";
+use crate::{Place, Work};
 
 impl Work<'_> {
     /// Writes the first section: signs, symbols, assumptions.
     pub(crate) fn conventions(&mut self, place: Place, forces: bool) {
-        let mechanism = &self.linkage.mechanism;
-        let title = if mechanism.title.is_empty() { "Working" } else { mechanism.title.as_str() };
-        let what = match place {
-            Place::Position(index) => format!("position {index}"),
-            Place::Sample(number) => format!("sample {number}, time {} s", self.state.time),
-        };
-        self.sheet.section(&format!("{title}: working of {what}"));
-        self.sheet.note(format!("Structure: {}", self.linkage.structure.formula));
-        self.sheet.section("Conventions and assumptions");
-        for words in CONVENTIONS.lines() {
-            self.sheet.note(words);
-        }
-        if forces {
-            for words in FORCES.lines() {
-                self.sheet.note(words);
+        let title = &self.linkage.mechanism.title;
+        let title = if title.is_empty() { text!("worksheet-working") } else { name(title.clone()) };
+        let of = match place {
+            Place::Position(index) => text!("working-at-position", position = index),
+            Place::Sample(index) => {
+                text!("working-at-sample", sample = index, time = number(self.state.time))
             }
+        };
+        self.sheet.section(text!("working-title", title = title, of = of));
+        let formula = name(self.linkage.structure.formula.clone());
+        self.sheet.note(text!("working-structure", formula = formula));
+        self.sheet.section(text!("working-conventions"));
+        self.remarks([
+            text!("working-axes"),
+            text!("working-units"),
+            text!("working-pf"),
+            text!(
+                "working-symbols",
+                x = symbol("x", &["A"]),
+                y = symbol("y", &["A"]),
+                phi = symbol("φ", &["r"]),
+                u = symbol("u", &["A", "B"]),
+                v = symbol("v", &["A", "B"]),
+                l = symbol("l", &["A", "B"]),
+                beta = symbol("β", &["A", "B"]),
+                tx = symbol("t", &["x"]),
+                ty = symbol("t", &["y"]),
+            ),
+            text!("working-symbols-of-groups", d = symbol("D", &["2"])),
+            text!("working-order"),
+            text!("working-digits", zero = number("0.00000")),
+            text!(
+                "working-atan2",
+                arguments = joined("", [name("y"), text!("worksheet-between-arguments"), name("x")])
+            ),
+            text!("working-assumptions"),
+        ]);
+        if forces {
+            self.remarks([
+                text!(
+                    "working-symbols-of-reactions",
+                    rx = symbol("R", &["x", "B", "r"]),
+                    ry = symbol("R", &["y", "B", "r"]),
+                    mr = symbol("M", &["R"]),
+                ),
+                text!(
+                    "working-symbols-of-loads",
+                    x = symbol("X", &["r"]),
+                    y = symbol("Y", &["r"]),
+                    m = symbol("M", &["r", "A"]),
+                ),
+                text!("working-inertia"),
+                text!("working-assumptions-of-forces"),
+            ]);
             let structure = &self.linkage.structure;
             if (0..structure.pairs.len()).any(|pair| structure.is_share(pair)) {
-                self.sheet.note(SHARES);
+                let share = symbol("R", &["x", "B", "s", "t", "r"]);
+                self.sheet.note(text!("working-shares", share = share));
             }
         }
     }
+
+    fn remarks(&mut self, all: impl IntoIterator<Item = Text>) {
+        all.into_iter().for_each(|remark| self.sheet.note(remark));
+    }
+}
+
+fn symbol(letter: &'static str, below: &[&'static str]) -> Text {
+    Text::from(&below.iter().fold(Symbol::from(letter), |symbol, part| symbol.of(*part)))
 }

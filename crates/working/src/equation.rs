@@ -1,8 +1,9 @@
 //! Reduction to the input link, and the equation of motion term by term (E eqs. 4-6; D 3.10).
 
-use assur_worksheet::Expr;
+use assur_words::text;
+use assur_worksheet::{Expr, Symbol};
 
-use crate::{Drive, Work};
+use crate::{Drive, Work, balancing};
 
 /// Units of inertia, of its derivative, of a moment, and of speed and acceleration of the input.
 struct Units {
@@ -20,32 +21,25 @@ impl Work<'_> {
     /// Writes J, J', Q and the acceleration that follows from them, after the applied loads.
     pub(crate) fn equation_of_motion(&mut self, drive: Drive) {
         let units = if self.linkage.angular() { ANGULAR } else { LINEAR };
-        self.sheet.section("Reduction to the input link");
-        self.sheet
-            .note("J: twice the kinetic energy of the links for w = 1; J': its derivative with respect to q");
+        self.sheet.section(text!("working-reduction"));
+        self.sheet.note(text!("working-reduced-inertia"));
         let [inertia, slope] = self.reduced_inertia(&units);
-        self.sheet.note("Q: power of all loads but that of the drive for w = 1, link by link");
+        self.sheet.note(text!("working-reduced-moment"));
         let powers: Vec<_> =
             (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
         let sum = powers.into_iter().fold(Expr::zero(), |sum, power| sum + power);
         let moment = self.sheet.work("Q", &sum, units.moment);
-        self.sheet.section("Equation of motion");
-        self.sheet.note("(J + J_d)*e + J'*w^2/2 = Q + M_d");
-        let driving = self.sheet.given(
-            "M_d",
-            drive.moment,
-            units.moment,
-            "of the drive at this speed, on the input link",
-        );
-        let own = self.sheet.given(
-            "J_d",
-            drive.inertia,
-            units.inertia,
-            "flywheel and rotor, reduced to the input link",
-        );
-        let w = self.sheet.find("w").unwrap_or_else(Expr::zero);
-        let net = moment + driving - slope * w.squared() / Expr::number(2.0);
-        self.sheet.work("e", &(net / (inertia + own)), units.acceleration);
+        self.sheet.section(text!("working-equation"));
+        let what = text!("working-driving-moment");
+        let driving = self.sheet.given(of_drive("M"), drive.moment, units.moment, what);
+        let what = text!("working-inertia-of-drive");
+        let own = self.sheet.given(of_drive("J"), drive.inertia, units.inertia, what);
+        let w = self.sheet.find("ω").unwrap_or_else(Expr::zero);
+        let kinetic = slope * w.squared() / Expr::number(2.0);
+        let unknown = Expr::symbol("ε", f64::NAN);
+        self.sheet.equation((&inertia + &own) * unknown + &kinetic, &moment + &driving);
+        let net = moment + driving - kinetic;
+        self.sheet.work("ε", &(net / (inertia + own)), units.acceleration);
     }
 
     /// The sums of J and J' over the links.
@@ -55,7 +49,7 @@ impl Work<'_> {
             let found = &self.linkage.mechanism.links[link];
             let (center, own) = (found.center, found.inertia);
             let m = self.mass(link);
-            let tag = self.sheet.tag(link);
+            let tag = self.sheet.body_name(link);
             let (mut inertia, mut slope) = (Expr::zero(), Expr::zero());
             if !m.is_zero() {
                 let at = self.sheet.point(link, center);
@@ -65,31 +59,42 @@ impl Work<'_> {
             }
             let [_, first, second] = self.sheet.angle(link);
             if own != 0.0 {
-                let own = self.sheet.given(&format!("I_{tag}"), own, "kg·m²", "about the center of mass");
+                let own = self.own_inertia(link, own);
                 inertia = inertia + &own * first.squared();
                 slope = slope + &two * own * first * second;
             }
             let shares = [
-                self.sheet.work_unless_zero(&format!("J_{tag}"), &inertia, units.inertia),
-                self.sheet.work_unless_zero(&format!("J'_{tag}"), &slope, units.slope),
+                self.sheet.work_unless_zero(Symbol::from("J").of(&tag), &inertia, units.inertia),
+                self.sheet.work_unless_zero(Symbol::from("J").prime(1).of(&tag), &slope, units.slope),
             ];
             let [inertia, slope] = shares;
             sums = [&sums[0] + inertia, &sums[1] + slope];
         }
         let [inertia, slope] = sums;
-        [self.sheet.work("J", &inertia, units.inertia), self.sheet.work("J'", &slope, units.slope)]
+        let derivative = Symbol::from("J").prime(1);
+        [self.sheet.work("J", &inertia, units.inertia), self.sheet.work(derivative, &slope, units.slope)]
     }
 
     /// Writes what the drive exerts beyond accelerating flywheel and rotor, which must be the balancing load.
-    pub(crate) fn drive_check(&mut self, balancing: &str) {
-        let [Some(driving), Some(own), Some(e)] = ["M_d", "J_d", "e"].map(|name| self.sheet.find(name))
-        else {
+    pub(crate) fn drive_check(&mut self) {
+        let known = [of_drive("M"), of_drive("J"), "ε".into()];
+        let [Some(driving), Some(own), Some(e)] = known.map(|symbol| self.sheet.find(symbol)) else {
             return;
         };
-        self.sheet.section("Check by the drive");
-        let unit = if self.linkage.angular() { ANGULAR.moment } else { LINEAR.moment };
-        self.sheet.note("The drive gives the balancing load, and accelerates flywheel and rotor:");
-        self.sheet.work("M_drive", &(driving - own * e), unit);
-        self.sheet.note(format!("It must be {balancing} above."));
+        self.sheet.section(text!("working-check-by-drive"));
+        self.sheet.note(text!("working-what-the-drive-gives"));
+        let (letter, unit) = self.balancing_at_input();
+        let symbol = balancing(letter);
+        self.sheet.work(symbol.clone().of(text!("working-by-drive")), &(driving - own * e), unit);
+        self.sheet.note(text!("working-must-be", quantity = &symbol));
     }
+
+    /// Letter and unit of the balancing load of the input.
+    pub(crate) fn balancing_at_input(&self) -> (&'static str, &'static str) {
+        if self.linkage.angular() { ("M", "N·m") } else { ("F", "N") }
+    }
+}
+
+fn of_drive(letter: &'static str) -> Symbol {
+    Symbol::from(letter).of(text!("working-of-drive"))
 }

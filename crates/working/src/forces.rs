@@ -3,9 +3,10 @@
 use assur_force::Loads;
 use assur_group::PairGeometry;
 use assur_mechanism::{Balance, InputPair};
-use assur_worksheet::{Expr, Load, plugin_for};
+use assur_words::{name, text};
+use assur_worksheet::{Expr, Load, Symbol, plugin_for};
 
-use crate::{Work, WorkingError};
+use crate::{Work, WorkingError, balancing};
 
 impl Work<'_> {
     /// Writes all forces; the balancing load is returned if it is determined.
@@ -13,26 +14,27 @@ impl Work<'_> {
         self.loads(loads);
         let elsewhere = self.balance();
         if self.sheet.is_unfit() {
-            self.sheet.note("The balancing load does no work in this position: it is not determined.");
+            self.sheet.note(text!("working-no-balancing"));
             return Ok(None);
         }
         for group in (0..self.linkage.structure.groups.len()).rev() {
             if !self.group_reactions(group)? {
-                self.sheet.note("The reactions of this group are not determined: a singular position.");
+                self.sheet.note(text!("working-no-reactions"));
                 return Ok(None);
             }
         }
         let drive = self.input_reactions();
         if elsewhere.is_none() {
             self.virtual_power();
-            self.drive_check(if self.linkage.angular() { "M_bal" } else { "F_bal" });
+            self.drive_check();
         }
         Ok(Some(elsewhere.unwrap_or(drive).value()))
     }
 
     fn group_reactions(&mut self, group: usize) -> Result<bool, WorkingError> {
         let found = &self.linkage.structure.groups[group];
-        self.sheet.section(&format!("Reactions of group {}, {}", group + 1, found.plugin.kind));
+        let kind = name(found.plugin.kind);
+        self.sheet.section(text!("working-reactions", group = group + 1, kind = kind));
         self.sheet.begin_group(group + 1);
         let before = self.sheet.clone();
         if let Some(plugin) = plugin_for(found.plugin.name)?.filter(|_| !self.general.contains(&group)) {
@@ -54,26 +56,28 @@ impl Work<'_> {
         if matches!(balance, Balance::Moment(link) if pinned && link == mechanism.input.link) {
             return None;
         }
-        self.sheet.section("Balancing load, from powers");
+        self.sheet.section(text!("working-balancing-load"));
         let power = self.total_power();
-        self.sheet.note(
-            "p is the power of a balancing load of 1 for dq = 1; its size makes the sum of powers zero",
-        );
+        self.sheet.note(text!("working-unit-power"));
         match balance {
             Balance::Moment(link) => {
                 let p = self.sheet.work("p", &self.sheet.angle(link)[1].clone(), self.sheet.units.angle[1]);
-                let moment = self.sheet.work("M_bal", &-(power / p), "N·m");
+                let moment = self.sheet.work(balancing("M"), &-(power / p), "N·m");
                 self.sheet.load(link, Load { force: None, moment: moment.clone(), applied: true });
                 Some(moment)
             }
             Balance::Force { at, angle } => {
                 let point = self.sheet.point(at.link, at.at);
-                let angle = self.sheet.given("a_bal", angle, "rad", "direction of the balancing force");
+                let angle =
+                    self.sheet.given(balancing("α"), angle, "rad", text!("working-balancing-direction"));
                 let (c, s) = (angle.cos(), angle.sin());
                 let p = &c * &point.pf[1][0] + &s * &point.pf[1][1];
                 let p = self.sheet.work("p", &p, self.sheet.units.length[1]);
-                let size = self.sheet.work("F_bal", &-(power / p), "N");
-                let force = self.sheet.components("F", "bal", &[&size * &c, &size * &s], "N");
+                let size = self.sheet.work(balancing("F"), &-(power / p), "N");
+                let force = {
+                    let of = text!("working-balancing");
+                    self.sheet.components("F", of, &[&size * &c, &size * &s], "N")
+                };
                 self.sheet
                     .load(at.link, Load { force: Some((force, point)), moment: Expr::zero(), applied: true });
                 Some(size)
@@ -84,19 +88,18 @@ impl Work<'_> {
     fn total_power(&mut self) -> Expr {
         let each: Vec<_> = (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
         let sum = each.into_iter().fold(Expr::zero(), |sum, power| sum + power);
-        let unit = if self.linkage.angular() { "N·m" } else { "N" };
+        let (_, unit) = self.balancing_at_input();
         self.sheet.work("W", &sum, unit)
     }
 
     fn virtual_power(&mut self) {
-        self.sheet.section("Check by virtual power");
-        self.sheet
-            .note("W: power of all loads and inertia loads for dq = 1, link by link; no reaction does work");
+        self.sheet.section(text!("working-check-by-power"));
+        self.sheet.note(text!("working-whole-power"));
         let power = self.total_power();
-        let (name, unit) =
-            if self.linkage.angular() { ("M_bal_power", "N·m") } else { ("F_bal_power", "N") };
-        self.sheet.work(name, &-power, unit);
-        self.sheet.note(format!("It must be {} above.", name.trim_end_matches("_power")));
+        let (letter, unit) = self.balancing_at_input();
+        let symbol = balancing(letter);
+        self.sheet.work(symbol.clone().of(text!("working-by-power")), &-power, unit);
+        self.sheet.note(text!("working-must-be", quantity = &symbol));
     }
 }
 
@@ -105,16 +108,16 @@ impl Work<'_> {
     pub(crate) fn input_reactions(&mut self) -> Expr {
         let pair = self.linkage.structure.pairs[0].pair;
         let link = self.linkage.mechanism.input.link;
-        let name = self.sheet.body_name(link).to_owned();
-        self.sheet.section(&format!("Input link {name}: reaction and balancing load"));
+        let name = self.sheet.body_name(link);
+        self.sheet.section(text!("working-input-forces", link = name));
         match pair.geometry {
             PairGeometry::Pin { at_a, .. } => {
                 let at = self.sheet.point(pair.a, at_a);
                 let [x, y] = self.sheet.resultant(link);
                 self.sheet.pin_reaction(0, link, &at, &[-x, -y]);
-                self.sheet.note(format!("moments about {}:", at.name));
+                self.sheet.note(text!("working-moments-about", point = &at.name));
                 let moment = self.sheet.moment_about(link, &at);
-                self.sheet.work("M_bal", &-moment, "N·m")
+                self.sheet.work(balancing("M"), &-moment, "N·m")
             }
             PairGeometry::Slide { point, .. } => self.sliding_reaction(pair.a, point),
         }
@@ -130,10 +133,11 @@ impl Work<'_> {
         };
         let [x, y] = self.sheet.resultant(link);
         let [c, s] = direction;
-        let across = self.sheet.work_unless_zero("Fn_input", &(&c * &y - &s * &x), "N");
+        let symbol = Symbol::from("F").of("n").of(self.sheet.body_name(link));
+        let across = self.sheet.work_unless_zero(symbol, &(&c * &y - &s * &x), "N");
         let moment = -self.sheet.moment_about(link, &at);
         let force = [&across * &s, -(&across * &c)];
         self.sheet.slide_reaction(0, link, &at, &force, &moment);
-        self.sheet.work("F_bal", &-(&x * &c + &y * &s), "N")
+        self.sheet.work(balancing("F"), &-(&x * &c + &y * &s), "N")
     }
 }

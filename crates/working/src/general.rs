@@ -3,8 +3,9 @@
 //! The solution is given; each equation shows its two sides with the solution put in.
 
 use assur_group::{Pair, PairGeometry, Wrench};
+use assur_words::{Text, text};
 use assur_worksheet::dyad::{across, along};
-use assur_worksheet::{Expr, Load, Point, Pose};
+use assur_worksheet::{Expr, Load, Point, Pose, Symbol};
 
 use crate::Work;
 
@@ -13,16 +14,12 @@ impl Work<'_> {
     pub(crate) fn general_motion(&mut self, group: usize) {
         let frame = self.linkage.structure.groups[group].frame.clone();
         let places = 3 * frame.links.len();
-        self.sheet.note(format!(
-            "This group is solved by its linear system of {places} equations: J u' = b and J u'' = b, two equations \
-             for each pair. Its solution is given first; below, both sides of every equation agree with it."
-        ));
+        self.sheet.note(text!("working-linear-system", equations = places));
         for &link in &frame.links {
             self.given_pose(link);
         }
         for pair in frame.pairs() {
-            let named = format!("pair {}: the two bodies agree", self.sheet.pair_tag(pair.id));
-            self.sheet.note(named);
+            self.sheet.note(text!("working-pair-agrees", pair = self.sheet.pair_name(pair.id)));
             match pair.geometry {
                 PairGeometry::Pin { at_a, at_b } => self.pin_sides(pair, [at_a, at_b]),
                 PairGeometry::Slide { .. } => self.slide_sides(pair),
@@ -34,20 +31,20 @@ impl Work<'_> {
         let body = self.bodies[link];
         let named = crate::names::of(self.linkage).places;
         let at = named.iter().find(|(of, ..)| *of == link).map_or([0.0; 2], |(_, at, _)| *at);
-        let (name, tag) = (self.sheet.place_name(link, at), self.sheet.tag(link));
+        let (name, tag) = (self.sheet.place_name(link, at), self.sheet.body_name(link));
         let (units, angle) = (self.sheet.units.length, self.sheet.units.angle);
         let arm = body.arm(at);
         let values = [body.point(at), body.first(arm), body.second(arm)];
-        let primes = ["", "'", "''"];
         let pf = [0, 1, 2].map(|order| {
             [0, 1].map(|i| {
-                let symbol = format!("{}{}_{name}_{tag}", ["x", "y"][i], primes[order]);
-                self.sheet.given(&symbol, values[order][i], units[order], "solution")
+                let symbol = Symbol::from(["x", "y"][i]).prime(order).of(&name).of(&tag);
+                self.sheet.given(symbol, values[order][i], units[order], text!("working-solution"))
             })
         });
         let rates = [body.s.atan2(body.c), body.w1, body.w2];
         let phi = [0, 1, 2].map(|order| {
-            self.sheet.given(&format!("phi{}_{tag}", primes[order]), rates[order], angle[order], "solution")
+            let symbol = Symbol::from("φ").prime(order).of(&tag);
+            self.sheet.given(symbol, rates[order], angle[order], text!("working-solution"))
         });
         let base = Point { name, pf };
         self.sheet.set_pose(link, Pose { base, at, phi });
@@ -55,14 +52,13 @@ impl Work<'_> {
 
     /// Writes PF0, PF1, PF2 of a place as a point of a body.
     fn side(&mut self, body: usize, at: [f64; 2], place: [f64; 2]) -> [[Expr; 2]; 3] {
-        let name = format!("{}_{}", self.sheet.place_name(body, at), self.sheet.tag(body));
+        let name = self.sheet.place_name(body, at).of(self.sheet.body_name(body));
         if self.sheet.pose(body).is_none() {
             return self.sheet.point(body, at).pf;
         }
         let place = [0, 1].map(|i| {
-            let axis = ["x", "y"][i];
-            let symbol = format!("{axis}0_{name}");
-            self.sheet.given(&symbol, place[i], "m", "place in the solution")
+            let symbol = Symbol::from(["x", "y"][i]).of(0).of(&name);
+            self.sheet.given(symbol, place[i], "m", text!("working-place-in-solution"))
         });
         let pf = self.sheet.carried_by(body, at, &place);
         let mut order = 0;
@@ -87,11 +83,11 @@ impl Work<'_> {
         let on_a = self.side(pair.a, point, place);
         let on_b = self.side(pair.b, through, self.bodies[pair.b].point(through));
         let t = self.sheet.guide(pair.id, pair.b, angle).t;
-        let tag = self.sheet.pair_tag(pair.id);
+        let tag = self.sheet.pair_name(pair.id);
         let units = (self.sheet.units.length, self.sheet.units.angle);
         let carrier = self.sheet.angle(pair.b);
         for (of, pf) in [("a", &on_a), ("b", &on_b)] {
-            self.sheet.work(&format!("n{of}_{tag}"), &across(&t, &pf[0]), units.0[0]);
+            self.sheet.work(Symbol::from("n").of(of).of(&tag), &across(&t, &pf[0]), units.0[0]);
         }
         // n (A' - B') = w s and n (A'' - B'') = e s + 2 w t (A' - B') - w² n (A - B), where the last term is zero.
         let d = |order: usize| [0, 1].map(|i| &on_a[order][i] - &on_b[order][i]);
@@ -105,14 +101,17 @@ impl Work<'_> {
             }),
         ];
         for (order, left, right) in sides {
-            self.sheet.work(&format!("left{order}_{tag}"), &left, units.0[order]);
-            self.sheet.work(&format!("right{order}_{tag}"), &right, units.0[order]);
+            let side = |of: Text| Symbol::from("b").of(order).of(of).of(&tag);
+            self.sheet.work(side(text!("working-left")), &left, units.0[order]);
+            self.sheet.work(side(text!("working-right")), &right, units.0[order]);
         }
-        let tilt = self.sheet.fixed_angle(&format!("tilt_{tag}"), tilt, "of the sliding link from the guide");
-        let gamma = self.sheet.fixed_angle(&format!("gamma_{tag}"), angle, "of the guide in its link");
-        self.sheet.work(&format!("turn0_{tag}"), &(&carrier[0] + gamma + tilt), units.1[0]);
+        let tilt = self.sheet.tilt(pair.id, pair.a, tilt);
+        let what = text!("worksheet-guide-angle", link = self.sheet.body_name(pair.b));
+        let gamma = self.sheet.fixed_angle(Symbol::from("γ").of(&tag), angle, what);
+        let turn = Symbol::from("θ").of(&tag);
+        self.sheet.work(&turn, &(&carrier[0] + gamma + tilt), units.1[0]);
         for (order, rate) in carrier.iter().enumerate().skip(1) {
-            self.sheet.work(&format!("turn{order}_{tag}"), rate, units.1[order]);
+            self.sheet.work(turn.clone().prime(order), rate, units.1[order]);
         }
     }
 
@@ -125,10 +124,7 @@ impl Work<'_> {
         if self.linkage.groups()[group].reactions(self.bodies, &mut loads, &mut found).is_err() {
             return false;
         }
-        self.sheet.note(
-            "The reactions solve the equations of equilibrium of the links (J transposed). They are given first; below, \
-             for each link, their sum is the opposite of that of the loads.",
-        );
+        self.sheet.note(text!("working-linear-reactions"));
         let mut acting: Vec<(usize, Load)> = Vec::new();
         for pair in frame.pairs() {
             self.given_reaction(pair, &found[pair.id], &frame.links, &mut acting);
@@ -148,15 +144,13 @@ impl Work<'_> {
     ) {
         let [(link, at), _] = pair.places();
         let at = self.sheet.point(link, at);
-        let of = format!("{}_{}", self.sheet.pair_tag(pair.id), self.sheet.tag(pair.a));
-        let x = self.sheet.given(&format!("Rx_{of}"), found.fx, "N", "solution");
-        let y = self.sheet.given(&format!("Ry_{of}"), found.fy, "N", "solution");
-        let moment = if pair.is_slide() {
-            self.sheet.given(&format!("MR_{of}"), found.m, "N·m", "solution")
-        } else {
-            Expr::zero()
+        let of = self.sheet.acting(pair.id, pair.a);
+        let mut given = |letter: &'static str, part: &'static str, value: f64, unit: &'static str| {
+            let symbol = Symbol::from(letter).of(part).of(&of);
+            self.sheet.given(symbol, value, unit, text!("working-solution"))
         };
-        let force = [x, y];
+        let force = [("x", found.fx), ("y", found.fy)].map(|(axis, size)| given("R", axis, size, "N"));
+        let moment = if pair.is_slide() { given("M", "R", found.m, "N·m") } else { Expr::zero() };
         self.sheet.record(pair.id, pair.a, &force, &moment, &at);
         let on_b =
             Load { force: Some(([-&force[0], -&force[1]], at.clone())), moment: -&moment, applied: false };
@@ -174,7 +168,7 @@ impl Work<'_> {
         let Some(base) = self.sheet.pose(link).map(|pose| pose.base.clone()) else { return };
         self.sheet.resultant(link);
         self.sheet.moment_about(link, &base);
-        let tag = self.sheet.tag(link);
+        let tag = self.sheet.body_name(link);
         let mut sum = [Expr::zero(), Expr::zero(), Expr::zero()];
         for load in acting.iter().filter(|(body, _)| *body == link).map(|(_, load)| load) {
             let Some((force, at)) = &load.force else { continue };
@@ -182,9 +176,10 @@ impl Work<'_> {
             sum = [&sum[0] + &force[0], &sum[1] + &force[1], &sum[2] + moment];
         }
         let [x, y, m] = sum;
-        self.sheet.work(&format!("RX_{tag}"), &x, "N");
-        self.sheet.work(&format!("RY_{tag}"), &y, "N");
-        self.sheet.work(&format!("RM_{tag}_{}", base.name), &m, "N·m");
+        let reaction = |of: &'static str| Symbol::from("R").of(of).of(&tag);
+        self.sheet.work(reaction("X"), &x, "N");
+        self.sheet.work(reaction("Y"), &y, "N");
+        self.sheet.work(reaction("M").of(&base.name), &m, "N·m");
     }
 
     /// The loads on the sheet as wrenches about the origins of the bodies.

@@ -1,7 +1,8 @@
 //! The input link, whose position is given by the coordinate.
 
 use assur_mechanism::{GROUND, InputPair, Range};
-use assur_worksheet::{Expr, Pose};
+use assur_words::{Text, text, unit};
+use assur_worksheet::{Expr, Pose, Symbol};
 
 use crate::{Place, Work};
 
@@ -10,13 +11,14 @@ impl Work<'_> {
     pub(crate) fn input(&mut self, place: Place) {
         let input = &self.linkage.mechanism.input;
         let link = input.link;
-        let name = self.sheet.body_name(link).to_owned();
-        self.sheet.section(&format!("Input link {name}"));
+        let name = self.sheet.body_name(link);
+        self.sheet.section(text!("working-input", link = &name));
         let q = self.coordinate(place);
         match input.pair {
             InputPair::Pin(point) => {
-                self.sheet.work("q_deg", &(&q * Expr::number(180.0) / Expr::pi()), "deg");
-                self.sheet.note(format!("q is the angle of {name}: phi' is 1, phi'' is 0"));
+                let degrees = &q * Expr::number(180.0) / Expr::pi();
+                self.sheet.work(Symbol::from("q").of(unit("deg")), &degrees, "deg");
+                self.sheet.note(text!("working-input-angle", link = name));
                 let place = |body| self.linkage.mechanism.place_in(point, body).unwrap_or_default();
                 let (ground, at) = (place(GROUND), place(link));
                 let base = self.sheet.point(GROUND, ground);
@@ -31,12 +33,10 @@ impl Work<'_> {
         let input = &self.linkage.mechanism.input;
         let unit = if self.linkage.angular() { "rad" } else { "m" };
         let Place::Position(index) = place else {
-            return self.sheet.given("q", self.state.coordinate, unit, "coordinate of the sample");
+            return self.sheet.given("q", self.state.coordinate, unit, text!("working-coordinate-of-sample"));
         };
-        let from = self.sheet.given("q_0", input.from, unit, "coordinate of position 0");
-        let number = |sheet: &mut assur_worksheet::Sheet, name: &str, value: usize, what: &str| {
-            sheet.given(name, value as f64, "", what)
-        };
+        let from =
+            self.sheet.given(Symbol::from("q").of(0), input.from, unit, text!("working-first-coordinate"));
         let (way, steps) = match input.range {
             Range::Cycle(cycle) => (input.sign() * cycle, input.positions),
             Range::To(to) => (to - input.from, input.positions - 1),
@@ -44,9 +44,12 @@ impl Work<'_> {
         if steps == 0 || index == 0 {
             return self.sheet.work("q", &from, unit);
         }
-        let way = self.sheet.given("q_way", way, unit, "way of all steps, with its sign");
-        let at = number(&mut self.sheet, "i", index, "number of the position");
-        let steps = number(&mut self.sheet, "n", steps, "number of steps");
+        let symbol = Symbol::from("q").of(text!("working-travel"));
+        let way = self.sheet.given(symbol, way, unit, text!("working-whole-travel"));
+        let mut number =
+            |letter: &'static str, value: usize, what: Text| self.sheet.given(letter, value as f64, "", what);
+        let at = number("i", index, text!("working-number-of-position"));
+        let steps = number("n", steps, text!("working-number-of-steps"));
         self.sheet.work("q", &(from + way * at / steps), unit)
     }
 
@@ -63,14 +66,13 @@ impl Work<'_> {
         let guide = self.sheet.guide(0, GROUND, angle);
         let fixed = self.sheet.point(GROUND, fixed);
         let name = self.sheet.place_name(link, own);
-        self.sheet.note("q is the displacement along the guide: PF1 is its direction, PF2 is 0");
+        self.sheet.note(text!("working-input-displacement"));
         let unit = guide.t.each_ref().map(|t| if on_ground { t.clone() } else { -t });
         let place = [0, 1].map(|i| &fixed.pf[0][i] + q * &unit[i]);
         let pf0 = self.sheet.vector(&name, 0, &place);
         let pf1 = self.sheet.vector(&name, 1, &unit);
         let base = self.sheet.set_point(link, own, [pf0, pf1, [Expr::zero(), Expr::zero()]]);
-        let (name, turn) = if on_ground { ("tilt_input", found.tilt) } else { ("gamma_input", -found.angle) };
-        let turn = self.sheet.fixed_angle(name, turn, "of the link from the guide");
+        let turn = self.sheet.tilt(0, link, if on_ground { found.tilt } else { -found.angle });
         let phi = self.sheet.link_angle(link, &(&guide.alpha + turn));
         self.sheet.set_pose(link, Pose { base, at: own, phi: [phi, Expr::zero(), Expr::zero()] });
     }

@@ -18,7 +18,10 @@ use assur_force::{LoadError, Loads, State};
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::Mechanism;
-use assur_worksheet::{Reaction, RegistryError, Section, Sheet, Units};
+use assur_words::{Describe, Language, Text, name, text};
+use assur_worksheet::{Reaction, RegistryError, Section, Sheet, Symbol, Units};
+
+assur_words::resources!();
 
 /// The working of one position.
 #[derive(Debug, Clone)]
@@ -34,11 +37,10 @@ pub struct Working {
 }
 
 /// Why there is no working.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum WorkingError {
     /// There is no such position.
-    #[error("there is no position {index}: the scene has positions 0 to {last}")]
     Index {
         /// The number of the wanted position.
         index: usize,
@@ -46,10 +48,8 @@ pub enum WorkingError {
         last: usize,
     },
     /// The mechanism can't be assembled there.
-    #[error(transparent)]
-    Position(#[from] PositionError),
+    Position(PositionError),
     /// A load has no value there.
-    #[error("{place}: {error}")]
     Load {
         /// The position or the sample.
         place: Place,
@@ -57,8 +57,34 @@ pub enum WorkingError {
         error: LoadError,
     },
     /// Two plugins provide a working for one kind.
-    #[error(transparent)]
-    Registry(#[from] RegistryError),
+    Registry(RegistryError),
+}
+
+assur_words::errors!(WorkingError);
+
+impl Describe for WorkingError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Index { index, last } => text!("working-no-position", position = *index, last = *last),
+            Self::Position(error) => name(error.to_string()),
+            Self::Load { place, error } => {
+                text!("working-load", place = place.describe(), error = name(error.to_string()))
+            }
+            Self::Registry(error) => name(error.to_string()),
+        }
+    }
+}
+
+impl From<PositionError> for WorkingError {
+    fn from(error: PositionError) -> Self {
+        Self::Position(error)
+    }
+}
+
+impl From<RegistryError> for WorkingError {
+    fn from(error: RegistryError) -> Self {
+        Self::Registry(error)
+    }
 }
 
 /// What is worked.
@@ -92,11 +118,11 @@ impl WorkingError {
     }
 }
 
-impl std::fmt::Display for Place {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl Describe for Place {
+    fn describe(&self) -> Text {
         match self {
-            Self::Position(number) => write!(f, "position {number}"),
-            Self::Sample(number) => write!(f, "sample {number}"),
+            Self::Position(index) => text!("working-position", position = *index),
+            Self::Sample(index) => text!("working-sample", sample = *index),
         }
     }
 }
@@ -166,10 +192,15 @@ impl Working {
         Ok(Self { sections: work.sheet.sections, general: work.general, reactions, balancing })
     }
 
-    /// The working as plain text of at most [`assur_worksheet::WIDTH`] columns.
-    pub fn text(&self) -> String {
-        assur_worksheet::text(&self.sections, assur_worksheet::WIDTH)
+    /// The working in a language, as plain text of at most [`assur_worksheet::WIDTH`] columns.
+    pub fn text(&self, language: &Language) -> String {
+        assur_worksheet::text(&self.sections, assur_worksheet::WIDTH, language)
     }
+}
+
+/// The symbol of the balancing moment or force.
+pub(crate) fn balancing(letter: &'static str) -> Symbol {
+    Symbol::from(letter).of(text!("working-balancing"))
 }
 
 #[cfg(test)]

@@ -3,8 +3,9 @@
 use assur_force::{Cause, Loads};
 use assur_group::Wrench;
 use assur_group::plane::direction;
-use assur_mechanism::{Direction, LinkId, Place};
-use assur_worksheet::{Expr, Load, Point, symbol_of};
+use assur_mechanism::{Direction, LinkId, Name, Place};
+use assur_words::{Text, text};
+use assur_worksheet::{Expr, Load, Point, Symbol};
 
 use crate::Work;
 
@@ -22,12 +23,12 @@ impl Work<'_> {
                 sum.add_at([0.0; 2], wrench.force(), wrench.m);
             }
         });
-        self.sheet.section("Loads on the links");
+        self.sheet.section(text!("working-loads"));
         if (self.state.speed, self.state.acceleration) != (0.0, 0.0) {
             let (w, e) = self.rate_units();
-            self.sheet.given("w", self.state.speed, w, "speed of the input, dq/dt");
+            self.sheet.given("ω", self.state.speed, w, text!("working-speed"));
             if self.drive.is_none() {
-                self.sheet.given("e", self.state.acceleration, e, "its acceleration, dw/dt");
+                self.sheet.given("ε", self.state.acceleration, e, text!("working-acceleration"));
             }
         }
         let mut drive = self.drive;
@@ -35,10 +36,11 @@ impl Work<'_> {
             if let (Cause::Inertia(_), Some(found)) = (cause, drive) {
                 // Inertia loads come last and need the acceleration.
                 self.equation_of_motion(found);
-                self.sheet.section("Inertia loads");
+                self.sheet.section(text!("working-inertia-loads"));
                 drive = None;
             }
-            self.sheet.note(format!("{}:", cause.name(&self.linkage.mechanism)));
+            let name = Name::from(cause.name(&self.linkage.mechanism));
+            self.sheet.note(text!("working-load-of", load = name));
             match cause {
                 Cause::Weight(link) => self.weight(link),
                 Cause::Inertia(link) => self.inertia(link),
@@ -64,24 +66,35 @@ impl Work<'_> {
 
     pub(crate) fn mass(&mut self, link: LinkId) -> Expr {
         let found = &self.linkage.mechanism.links[link];
-        let name = format!("m_{}", self.sheet.tag(link));
-        if found.mass == 0.0 { Expr::zero() } else { self.sheet.given(&name, found.mass, "kg", "mass") }
+        let symbol = Symbol::from("m").of(self.sheet.body_name(link));
+        if found.mass == 0.0 {
+            return Expr::zero();
+        }
+        self.sheet.given(symbol, found.mass, "kg", text!("working-mass"))
+    }
+
+    pub(crate) fn own_inertia(&mut self, link: LinkId, inertia: f64) -> Expr {
+        let symbol = Symbol::from("I").of(self.sheet.body_name(link));
+        self.sheet.given(symbol, inertia, "kg·m²", text!("working-own-inertia"))
     }
 
     fn weight(&mut self, link: LinkId) {
         let m = self.mass(link);
         let gravity = self.linkage.mechanism.gravity.unwrap_or_default();
         let g = [0, 1].map(|i| {
-            let name = ["gx", "gy"][i];
             if gravity[i] == 0.0 {
-                Expr::zero()
-            } else {
-                self.sheet.given(name, gravity[i], "m/s²", "gravity")
+                return Expr::zero();
             }
+            self.sheet.given(
+                Symbol::from("g").of(["x", "y"][i]),
+                gravity[i],
+                "m/s²",
+                text!("working-gravity"),
+            )
         });
         let at = self.sheet.point(link, self.linkage.mechanism.links[link].center);
-        let tag = self.sheet.tag(link);
-        let force = self.sheet.components("G", &tag, &[&m * &g[0], &m * &g[1]], "N");
+        let tag = self.sheet.body_name(link);
+        let force = self.sheet.components("G", tag, &[&m * &g[0], &m * &g[1]], "N");
         self.apply(link, force, at);
     }
 
@@ -90,25 +103,25 @@ impl Work<'_> {
         let (center, inertia) = (found.center, found.inertia);
         let m = self.mass(link);
         let at = self.sheet.point(link, center);
-        let tag = self.sheet.tag(link);
-        let w = self.sheet.find("w").unwrap_or_else(Expr::zero);
+        let tag = Symbol::from(text!("working-of-inertia")).of(self.sheet.body_name(link));
+        let w = self.sheet.find("ω").unwrap_or_else(Expr::zero);
         let e = if self.drive.is_none() && self.state.acceleration == 0.0 {
             Expr::zero()
         } else {
-            self.sheet.find("e").unwrap_or_else(Expr::zero)
+            self.sheet.find("ε").unwrap_or_else(Expr::zero)
         };
         let by_time = |first: &Expr, second: &Expr| second * w.squared() + first * &e;
         if !m.is_zero() {
             let a = [0, 1].map(|i| by_time(&at.pf[1][i], &at.pf[2][i]));
-            let a = self.sheet.components("a", &format!("t_{}", at.name), &a, "m/s²");
-            let force = self.sheet.components("Fi", &tag, &[-(&m * &a[0]), -(&m * &a[1])], "N");
+            let a = self.sheet.components("a", Symbol::from("t").of(&at.name), &a, "m/s²");
+            let force = self.sheet.components("F", &tag, &[-(&m * &a[0]), -(&m * &a[1])], "N");
             self.apply(link, force, at);
         }
         let [_, first, second] = self.sheet.angle(link);
         if inertia != 0.0 {
-            let i = self.sheet.given(&format!("I_{tag}"), inertia, "kg·m²", "about the center of mass");
+            let i = self.own_inertia(link, inertia);
             let moment = -(i * by_time(&first, &second));
-            let moment = self.sheet.work_unless_zero(&format!("Mi_{tag}"), &moment, "N·m");
+            let moment = self.sheet.work_unless_zero(Symbol::from("M").of(tag), &moment, "N·m");
             self.sheet.load(link, Load { force: None, moment, applied: true });
         }
     }
@@ -117,14 +130,18 @@ impl Work<'_> {
         let force = self.linkage.mechanism.forces[id].clone();
         let link = force.at.link;
         let at = self.sheet.point(link, force.at.at);
-        let name = symbol_of(&force.name);
+        let name = Text::from(&force.name);
         let toward = match force.direction {
             Direction::Ground(angle) => {
-                let angle = self.sheet.given(&format!("a_{name}"), angle, "rad", "direction");
+                let angle =
+                    self.sheet.given(Symbol::from("α").of(&name), angle, "rad", text!("working-direction"));
                 [angle.cos(), angle.sin()]
             }
             Direction::Link(angle) => {
-                let own = self.sheet.fixed_angle(&format!("a_{name}"), angle, "direction in the link");
+                let own = {
+                    let what = text!("working-direction-in-link");
+                    self.sheet.fixed_angle(Symbol::from("α").of(&name), angle, what)
+                };
                 let angle = &self.sheet.angle(link)[0] + own;
                 [angle.cos(), angle.sin()]
             }
@@ -138,42 +155,46 @@ impl Work<'_> {
         let numbers = toward.each_ref().map(Expr::value);
         let size = wrench.fx * numbers[0] + wrench.fy * numbers[1];
         if !size.is_finite() || (wrench.fx == 0.0 && wrench.fy == 0.0) {
-            self.sheet.note("none in this position");
+            self.sheet.note(text!("working-none-here"));
             return;
         }
-        let size = self.sheet.given(&format!("F_{name}"), size, "N", "size in this position");
+        let size = self.sheet.given(Symbol::from("F").of(&name), size, "N", text!("working-size-here"));
         let force = self.sheet.components("F", &name, &[&size * &toward[0], &size * &toward[1]], "N");
         self.apply(link, force, at);
     }
 
     fn moment(&mut self, id: usize, link: LinkId, value: f64) {
-        let name = symbol_of(&self.linkage.mechanism.moments[id].name);
-        let what = format!("on {}, in this position", self.sheet.body_name(link));
-        let moment = self.sheet.given(&format!("M_{name}"), value, "N·m", &what);
+        let symbol = Symbol::from("M").of(Text::from(&self.linkage.mechanism.moments[id].name));
+        let what = text!("working-on-link-here", link = self.sheet.body_name(link));
+        let moment = self.sheet.given(symbol, value, "N·m", what);
         self.sheet.load(link, Load { force: None, moment, applied: true });
     }
 
     fn spring(&mut self, id: usize) {
         let spring = self.linkage.mechanism.springs[id].clone();
-        let name = symbol_of(&spring.name);
+        let name = Text::from(&spring.name);
+        let of = |letter: &'static str| Symbol::from(letter).of(&name);
         let [p, q] = spring.ends.map(|Place { link, at }| self.sheet.point(link, at));
         let d = q.from(&p, 0);
-        let length = self.sheet.work(&format!("L_{name}"), &(d[0].squared() + d[1].squared()).sqrt(), "m");
+        let length = self.sheet.work(of("L"), &(d[0].squared() + d[1].squared()).sqrt(), "m");
         if length.value() == 0.0 {
-            self.sheet.note("a spring of zero length has no direction: no force");
+            self.sheet.note(text!("working-spring-of-no-length"));
             return;
         }
-        let stiffness = self.sheet.given(&format!("c_{name}"), spring.stiffness, "N/m", "stiffness");
-        let free = self.sheet.given(&format!("L0_{name}"), spring.length, "m", "free length");
+        let stiffness = self.sheet.given(of("c"), spring.stiffness, "N/m", text!("working-stiffness"));
+        let free = {
+            let symbol = Symbol::from("L").of(0).of(&name);
+            self.sheet.given(symbol, spring.length, "m", text!("working-free-length"))
+        };
         let mut tension = stiffness * (&length - free);
         if spring.damping != 0.0 {
-            let damping = self.sheet.given(&format!("k_{name}"), spring.damping, "N·s/m", "damping");
+            let damping = self.sheet.given(of("k"), spring.damping, "N·s/m", text!("working-damping"));
             let v = q.from(&p, 1);
             let rate = (&d[0] * &v[0] + &d[1] * &v[1]) / &length;
-            let w = self.sheet.find("w").unwrap_or_else(Expr::zero);
+            let w = self.sheet.find("ω").unwrap_or_else(Expr::zero);
             tension = tension + damping * rate * w;
         }
-        let tension = self.sheet.work(&format!("T_{name}"), &tension, "N");
+        let tension = self.sheet.work(of("T"), &tension, "N");
         let pull = [&tension * &d[0] / &length, &tension * &d[1] / &length];
         let pull = self.sheet.components("F", &name, &pull, "N");
         let back = pull.each_ref().map(|part| -part);
@@ -188,23 +209,24 @@ impl Work<'_> {
     fn contact(&mut self, id: usize, found: Option<[f64; 2]>, wrench: &Wrench<f64>) {
         let [angle, friction] = found.unwrap_or_default();
         let contact = self.linkage.mechanism.contacts[id].clone();
-        let (link, name) = (contact.center.link, symbol_of(&contact.name));
+        let (link, name) = (contact.center.link, Text::from(&contact.name));
+        let of = |letter: &'static str| Symbol::from(letter).of(&name);
         let center = self.sheet.point(link, contact.center.at);
-        let a = self.sheet.fixed_angle(&format!("a_{name}"), angle, "where the force acts");
-        let radius = self.sheet.given(&format!("R_{name}"), contact.radius, "m", "radius");
+        let a = self.sheet.fixed_angle(of("α"), angle, text!("working-where-the-force-acts"));
+        let radius = self.sheet.given(of("R"), contact.radius, "m", text!("working-radius"));
         let f = if friction == 0.0 {
             Expr::zero()
         } else {
-            self.sheet.given(&format!("f_{name}"), friction, "", "friction")
+            self.sheet.given(of("f"), friction, "", text!("working-friction"))
         };
         let [c, s]: [f64; 2] = direction(angle);
         let along = [s + friction * c, c - friction * s];
         let size =
             (wrench.fx * along[0] + wrench.fy * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-        let size = self.sheet.given(&format!("F_{name}"), size, "N", "size in this position");
+        let size = self.sheet.given(Symbol::from("F").of(&name), size, "N", text!("working-size-here"));
         let [xn, yn] = &center.pf[0];
         let place = [xn - &radius * a.sin(), yn - &radius * a.cos()];
-        let k = format!("K_{name}");
+        let k = of("K");
         let place = self.sheet.vector(&k, 0, &place);
         let [first, second] = [1, 2].map(|order| self.sheet.under(link, &center, &place, order));
         let first = self.sheet.vector(&k, 1, &first);

@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 
 use assur_kinematics::Linkage;
-use assur_mechanism::{Balance, Mechanism, Place};
-use assur_worksheet::{Names, symbol_of};
+use assur_mechanism::{Balance, Mechanism, Name, Place};
+use assur_words::{Language, Text, joined, name, text};
+use assur_worksheet::{Names, Symbol};
 
 /// Names of all bodies, pairs and places in a working. The name of a pair in a joint of more than two links contains
 /// its links, because its reaction is only a part of the joint's reaction.
@@ -12,74 +13,82 @@ pub(crate) fn of(linkage: &Linkage) -> Names {
     let mechanism = &linkage.mechanism;
     let mut places = Places { found: Vec::new(), used: BTreeSet::new() };
     for point in &mechanism.points {
-        let name = places.unique(&point.name);
+        let name = places.unique(letters(&point.name).into());
         for place in &point.places {
             places.found.push((place.link, place.at, name.clone()));
         }
     }
     for (link, found) in mechanism.links.iter().enumerate().skip(1) {
         if found.mass != 0.0 || found.inertia != 0.0 {
-            places.add(Place { link, at: found.center }, &format!("S_{}", found.name));
+            places.add(Place { link, at: found.center }, Symbol::from("S").of(letters(&found.name)));
         }
     }
     for slide in &mechanism.slides {
-        places.add(Place { link: slide.link, at: slide.point }, &format!("K_{}", slide.name));
-        places.add(Place { link: slide.on, at: slide.through }, &format!("T_{}", slide.name));
+        places.add(Place { link: slide.link, at: slide.point }, Symbol::from("K").of(letters(&slide.name)));
+        places.add(Place { link: slide.on, at: slide.through }, Symbol::from("T").of(letters(&slide.name)));
     }
     places.loads(mechanism);
     let mut used = BTreeSet::new();
-    let bodies = mechanism.links.iter().map(|link| unique(&mut used, &link.name)).collect();
+    let bodies = mechanism.links.iter().map(|link| {
+        let mut body = letters(&link.name);
+        while !used.insert(Symbol::from(&body).of(0).plain(Language::english())) {
+            body = joined("", [body, name("_")]);
+        }
+        body
+    });
+    let bodies = bodies.collect();
     let sources = linkage.structure.pairs.iter().enumerate();
     let pairs = sources.map(|(id, pair)| {
-        let name = linkage.structure.pair_name(mechanism, id);
+        let name = letters(linkage.structure.pair_name(mechanism, id));
         if !linkage.structure.is_share(id) {
-            return name.to_string();
+            return name;
         }
-        let [a, b] = [pair.pair.a, pair.pair.b].map(|link| mechanism.links[link].name.as_str());
-        format!("{name}_{a}_{b}")
+        let [a, b] = [pair.pair.a, pair.pair.b].map(|link| letters(&mechanism.links[link].name));
+        assur_words::list([name, a, b])
     });
     Names { bodies, places: places.found, pairs: pairs.collect() }
 }
 
 struct Places {
-    found: Vec<(usize, [f64; 2], String)>,
+    found: Vec<(usize, [f64; 2], Symbol)>,
     used: BTreeSet<String>,
 }
 
 impl Places {
-    fn unique(&mut self, name: &str) -> String {
-        unique(&mut self.used, name)
+    fn unique(&mut self, mut symbol: Symbol) -> Symbol {
+        while !self.used.insert(symbol.plain(Language::english())) {
+            symbol = symbol.of("_");
+        }
+        symbol
     }
 
-    fn add(&mut self, place: Place, name: &str) {
+    fn add(&mut self, place: Place, symbol: Symbol) {
         let same = |at: [f64; 2]| at[0] - place.at[0] == 0.0 && at[1] - place.at[1] == 0.0;
         if !self.found.iter().any(|(link, at, _)| *link == place.link && same(*at)) {
-            let name = self.unique(name);
-            self.found.push((place.link, place.at, name));
+            let symbol = self.unique(symbol);
+            self.found.push((place.link, place.at, symbol));
         }
     }
 
     fn loads(&mut self, mechanism: &Mechanism) {
         for force in &mechanism.forces {
-            self.add(force.at, &format!("K_{}", force.name));
+            self.add(force.at, Symbol::from("K").of(letters(&force.name)));
         }
         for spring in &mechanism.springs {
-            self.add(spring.ends[0], &format!("E1_{}", spring.name));
-            self.add(spring.ends[1], &format!("E2_{}", spring.name));
+            for (number, end) in spring.ends.into_iter().enumerate() {
+                self.add(end, Symbol::from("E").of(number + 1).of(letters(&spring.name)));
+            }
         }
         for contact in &mechanism.contacts {
-            self.add(contact.center, &format!("N_{}", contact.name));
+            self.add(contact.center, Symbol::from("N").of(letters(&contact.name)));
         }
         if let Some(Balance::Force { at, .. }) = mechanism.balance {
-            self.add(at, "K_balance");
+            self.add(at, Symbol::from("K").of(text!("working-balancing")));
         }
     }
 }
 
-fn unique(used: &mut BTreeSet<String>, name: &str) -> String {
-    let mut name = symbol_of(name);
-    while !used.insert(name.clone()) {
-        name.push('_');
-    }
-    name
+/// A name in which no letter ends a subscript.
+fn letters(of: &Name) -> Text {
+    if of.contains(['{', '}']) { name(of.replace(['{', '}'], "_")) } else { of.into() }
 }

@@ -12,6 +12,7 @@ mod general;
 mod motion;
 mod random;
 mod text;
+mod words;
 
 /// Compiles a mechanism; its loads if it has any that can be worked.
 pub(crate) fn compiled(mechanism: assur_mechanism::Mechanism) -> (Linkage, Option<Loads>) {

@@ -1,8 +1,9 @@
 //! Functions that the workings of several dyads use.
 
 use assur_group::SlideJoint;
+use assur_words::Text;
 
-use crate::{Expr, Guide, Point, Pose, Rod, Sheet};
+use crate::{Expr, Guide, Point, Pose, Rod, Sheet, Symbol};
 
 impl Sheet {
     /// Writes the direction of the guide of a slide, whose carrier is an outer body or the other link.
@@ -18,7 +19,7 @@ impl Sheet {
 
     /// Writes, under the name `n`, the part of the second derivative of the end of a vector that comes from rotation
     /// alone: -phi'^2 r.
-    pub fn normal_part(&mut self, of: &str, rate: &Expr, along: &[Expr; 2]) -> [Expr; 2] {
+    pub fn normal_part(&mut self, of: impl Into<Symbol>, rate: &Expr, along: &[Expr; 2]) -> [Expr; 2] {
         let square = rate.squared();
         let unit = self.units.length[2];
         let parts = [0, 1].map(|i| -(&square * &along[i]));
@@ -26,9 +27,9 @@ impl Sheet {
     }
 
     /// Writes a constant length of a group; zero is left out.
-    pub fn fixed_length(&mut self, name: &str, value: f64, what: &str) -> Expr {
-        let name = self.local(name);
-        if value == 0.0 { Expr::zero() } else { self.given(&name, value, "m", what) }
+    pub fn fixed_length(&mut self, symbol: impl Into<Symbol>, value: f64, what: Text) -> Expr {
+        let symbol = self.local(symbol);
+        if value == 0.0 { Expr::zero() } else { self.given(symbol, value, "m", what) }
     }
 
     /// Sets the pose of a link from one of its points and its angle with derivatives.

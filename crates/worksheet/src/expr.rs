@@ -2,8 +2,9 @@
 
 use std::borrow::Borrow;
 use std::ops::{Add, Div, Mul, Neg, Sub};
-use std::rc::Rc;
+use std::sync::Arc;
 
+use crate::Symbol;
 use crate::figure::rounded;
 
 /// An expression of named quantities; cheap to clone.
@@ -11,7 +12,7 @@ use crate::figure::rounded;
 /// Parts that vanish by structure (the velocity of a fixed point) are [`Expr::zero`] and are dropped when an
 /// expression is built, as in a calculation by hand.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Expr(pub(crate) Rc<Node>);
+pub struct Expr(pub(crate) Arc<Node>);
 
 /// A node of the tree.
 #[derive(Debug, PartialEq)]
@@ -21,7 +22,7 @@ pub(crate) enum Node {
     Pi,
     /// A named quantity.
     Symbol {
-        name: String,
+        symbol: Symbol,
         value: f64,
     },
     Sum(Expr, Expr),
@@ -43,7 +44,7 @@ pub(crate) struct Measured {
 
 impl Expr {
     fn new(node: Node) -> Self {
-        Self(Rc::new(node))
+        Self(Arc::new(node))
     }
 
     /// A constant of the formula.
@@ -62,8 +63,8 @@ impl Expr {
     }
 
     /// A named quantity.
-    pub(crate) fn symbol(name: &str, value: f64) -> Self {
-        Self::new(Node::Symbol { name: name.to_owned(), value })
+    pub fn symbol(symbol: impl Into<Symbol>, value: f64) -> Self {
+        Self::new(Node::Symbol { symbol: symbol.into(), value })
     }
 
     /// Whether it vanishes by structure.

@@ -4,7 +4,7 @@
 const PLAIN: std::ops::RangeInclusive<i32> = -5..=5;
 
 /// What stands for a value that is not finite. No working shows such a number: every number of it is formatted here.
-const UNDETERMINED: &str = "(undetermined)";
+const UNDETERMINED: &str = "–";
 
 /// Formats a number with so many significant digits; returns it with half a unit of its last digit.
 pub(crate) fn significant(value: f64, digits: usize) -> (String, f64) {

@@ -1,7 +1,7 @@
 //! The working of a calculation by hand: equations in symbols, with numbers substituted, and their results.
 //!
 //! * [`Expr`]: the right side of an equation. One tree is printed in symbols, printed with numbers, and evaluated, so
-//!   the three always agree.
+//!   the three always agree. A writer gets it as a row of [`Term`]s.
 //! * [`Sheet`]: collects [`Line`]s in [`Section`]s, and the symbols of points, links and loads.
 //! * [`WorkingPlugin`]: the registry entry by which a kind of group provides its own equations. A kind without an
 //!   entry uses the general linear system.
@@ -21,6 +21,8 @@ mod place;
 mod plugin;
 mod render;
 mod sheet;
+mod symbol;
+mod term;
 
 pub use expr::Expr;
 pub use line::{Entry, Line, RESULT_DIGITS, Section};
@@ -28,10 +30,14 @@ pub use load::{Load, Reaction};
 pub use place::{Guide, Point, Pose, Rod};
 pub use plugin::{WorkingPlugin, Write, plugin_for};
 pub use render::{WIDTH, text};
-pub use sheet::{Names, Sheet, Units, symbol_of};
+pub use sheet::{Names, Sheet, Units};
+pub use symbol::{Symbol, plain};
+pub use term::Term;
 
 pub use assur_group::inventory;
 pub use assur_plugin::RegistryError;
+
+assur_words::resources!();
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! Loads and reactions of a working.
 
-use crate::{Expr, Point, Sheet};
+use crate::{Expr, Point, Sheet, Symbol};
 
 /// A force at a point, or a moment, on a link.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,12 +50,10 @@ impl Sheet {
         for (force, _) in self.loads[body].iter().filter_map(|load| load.force.as_ref()) {
             sum = [&sum[0] + &force[0], &sum[1] + &force[1]];
         }
-        let tag = self.tag(body);
+        let tag = self.body_name(body);
         let [x, y] = sum;
-        [
-            self.work_unless_zero(&format!("X_{tag}"), &x, "N"),
-            self.work_unless_zero(&format!("Y_{tag}"), &y, "N"),
-        ]
+        [("X", x), ("Y", y)]
+            .map(|(letter, sum)| self.work_unless_zero(Symbol::from(letter).of(&tag), &sum, "N"))
     }
 
     /// Writes the moment of the loads on a link about a point.
@@ -67,14 +65,13 @@ impl Sheet {
             }
             sum = sum + &load.moment;
         }
-        let name = format!("M_{}_{}", self.tag(body), point.name);
-        self.work_unless_zero(&name, &sum, "N·m")
+        let symbol = Symbol::from("M").of(self.body_name(body)).of(&point.name);
+        self.work_unless_zero(symbol, &sum, "N·m")
     }
 
     /// Writes the force that a pin exerts on a link of the group.
     pub fn pin_reaction(&mut self, pair: usize, on: usize, at: &Point, force: &[Expr; 2]) -> [Expr; 2] {
-        let of = format!("{}_{}", self.pair_tag(pair), self.tag(on));
-        let force = self.force("R", &of, force);
+        let force = self.force(&self.acting(pair, on), force);
         self.record(pair, on, &force, &Expr::zero(), at);
         force
     }
@@ -89,9 +86,9 @@ impl Sheet {
         force: &[Expr; 2],
         moment: &Expr,
     ) -> ([Expr; 2], Expr) {
-        let of = format!("{}_{}", self.pair_tag(pair), self.tag(on));
-        let force = self.force("R", &of, force);
-        let moment = self.work(&format!("MR_{of}"), moment, "N·m");
+        let of = self.acting(pair, on);
+        let force = self.force(&of, force);
+        let moment = self.work(Symbol::from("M").of("R").of(of), moment, "N·m");
         self.record(pair, on, &force, &moment, at);
         (force, moment)
     }
@@ -102,9 +99,15 @@ impl Sheet {
         self.reactions.push(Reaction { pair, on, force, moment, at });
     }
 
-    fn force(&mut self, letter: &str, of: &str, force: &[Expr; 2]) -> [Expr; 2] {
-        let x = self.work(&format!("{letter}x_{of}"), &force[0], "N");
-        [x, self.work(&format!("{letter}y_{of}"), &force[1], "N")]
+    /// The subscripts of what a pair exerts on a link.
+    pub fn acting(&self, pair: usize, on: usize) -> Symbol {
+        Symbol::from(self.pair_name(pair)).of(self.body_name(on))
+    }
+
+    fn force(&mut self, of: &Symbol, force: &[Expr; 2]) -> [Expr; 2] {
+        let symbols = ["x", "y"].map(|axis| Symbol::from("R").of(axis).of(of));
+        let [x, y] = symbols;
+        [self.work(x, &force[0], "N"), self.work(y, &force[1], "N")]
     }
 
     /// Adds the opposite of a reaction to the loads of the outer body.
@@ -126,8 +129,8 @@ impl Sheet {
             sum = sum + &load.moment * rate;
         }
         let unit = if self.units.angle[1] == "rad/rad" { "N·m" } else { "N" };
-        let name = format!("W_{}", self.tag(body));
-        self.work_unless_zero(&name, &sum, unit)
+        let symbol = Symbol::from("W").of(self.body_name(body));
+        self.work_unless_zero(symbol, &sum, unit)
     }
 }
 

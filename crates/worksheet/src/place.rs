@@ -2,14 +2,16 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::sheet::symbol_of;
-use crate::{Expr, Sheet};
+use assur_words::{Text, joined, name, number, text, unit};
+
+use crate::figure::shortest;
+use crate::{Expr, RESULT_DIGITS, Sheet, Symbol};
 
 /// A point and its transfer functions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Its name in the symbols.
-    pub name: String,
+    pub name: Symbol,
     /// PF0, PF1, PF2, each with its x and y component.
     pub pf: [[Expr; 2]; 3],
 }
@@ -51,7 +53,6 @@ pub struct Guide {
 }
 
 const AXES: [&str; 2] = ["x", "y"];
-const PRIMES: [&str; 3] = ["", "'", "''"];
 
 /// Whether two places have identical coordinates in the scene, without a tolerance, because they are copies.
 fn is_same(a: [f64; 2], b: [f64; 2]) -> bool {
@@ -76,12 +77,12 @@ impl Sheet {
     }
 
     /// Name of a place of a body in the symbols; a new one is chosen if the scene has none.
-    pub fn place_name(&mut self, body: usize, at: [f64; 2]) -> String {
-        let same = |place: &&(usize, [f64; 2], String)| place.0 == body && is_same(place.1, at);
+    pub fn place_name(&mut self, body: usize, at: [f64; 2]) -> Symbol {
+        let same = |place: &&(usize, [f64; 2], Symbol)| place.0 == body && is_same(place.1, at);
         if let Some((_, _, name)) = self.names.places.iter().find(same) {
-            return symbol_of(name);
+            return name.clone();
         }
-        let name = format!("P{}", self.names.places.len());
+        let name = Symbol::from("P").of(self.names.places.len());
         self.names.places.push((body, at, name.clone()));
         name
     }
@@ -94,22 +95,29 @@ impl Sheet {
         point
     }
 
-    /// Writes both components of a vector: `x''_B` for the name B and order 2.
-    pub fn vector(&mut self, name: &str, order: usize, xy: &[Expr; 2]) -> [Expr; 2] {
+    /// Writes both components of a vector: `x″_B` for the name B and order 2.
+    pub fn vector(&mut self, name: &Symbol, order: usize, xy: &[Expr; 2]) -> [Expr; 2] {
         let unit = self.units.length[order];
         [0, 1].map(|i| {
-            let symbol = format!("{}{}_{name}", AXES[i], PRIMES[order]);
+            let symbol = Symbol::from(AXES[i]).prime(order).of(name);
             if order > 0 {
-                self.work_unless_zero(&symbol, &xy[i], unit)
+                self.work_unless_zero(symbol, &xy[i], unit)
             } else {
-                self.work(&symbol, &xy[i], unit)
+                self.work(symbol, &xy[i], unit)
             }
         })
     }
 
-    /// Writes both components of a named quantity: `Rx_B`, `Ry_B` for `R` and `B`.
-    pub fn components(&mut self, name: &str, of: &str, xy: &[Expr; 2], unit: &str) -> [Expr; 2] {
-        [0, 1].map(|i| self.work_unless_zero(&format!("{name}{}_{of}", AXES[i]), &xy[i], unit))
+    /// Writes both components of a named quantity: `R_x_B`, `R_y_B` for `R` and `B`.
+    pub fn components(
+        &mut self,
+        letter: impl Into<Symbol>,
+        of: impl Into<Symbol>,
+        xy: &[Expr; 2],
+        unit: &'static str,
+    ) -> [Expr; 2] {
+        let (letter, of) = (letter.into(), of.into());
+        [0, 1].map(|i| self.work_unless_zero(letter.clone().of(AXES[i]).of(&of), &xy[i], unit))
     }
 
     /// A point of a solved body; its equations are written when it is used for the first time.
@@ -127,13 +135,14 @@ impl Sheet {
         point
     }
 
-    fn fixed(&mut self, name: &str, at: [f64; 2]) -> [[Expr; 2]; 3] {
-        let place = [0, 1].map(|i| self.given(&format!("{}_{name}", AXES[i]), at[i], "m", "fixed"));
+    fn fixed(&mut self, name: &Symbol, at: [f64; 2]) -> [[Expr; 2]; 3] {
+        let place =
+            [0, 1].map(|i| self.given(Symbol::from(AXES[i]).of(name), at[i], "m", text!("worksheet-fixed")));
         [place, [Expr::zero(), Expr::zero()], [Expr::zero(), Expr::zero()]]
     }
 
     /// P = base + arm rotated by phi; P' and P'' from the rotated arm.
-    fn carried(&mut self, body: usize, name: &str, at: [f64; 2], pose: &Pose) -> [[Expr; 2]; 3] {
+    fn carried(&mut self, body: usize, name: &Symbol, at: [f64; 2], pose: &Pose) -> [[Expr; 2]; 3] {
         let base = &pose.base;
         if is_same(at, pose.at) {
             return base.pf.clone();
@@ -148,7 +157,7 @@ impl Sheet {
     }
 
     /// Position of a place of a body whose pose is set.
-    fn turned(&mut self, body: usize, pose: &Pose, name: &str, at: [f64; 2]) -> [Expr; 2] {
+    fn turned(&mut self, body: usize, pose: &Pose, name: &Symbol, at: [f64; 2]) -> [Expr; 2] {
         let [u, v] = self.arm(body, (&pose.base.name, pose.at), (name, at));
         let (c, s) = (pose.phi[0].cos(), pose.phi[0].sin());
         let [x, y] = &pose.base.pf[0];
@@ -167,16 +176,16 @@ impl Sheet {
     }
 
     /// The vector between two places of a link in its frame; components that are 0 in the scene are left out.
-    fn arm(&mut self, body: usize, from: (&str, [f64; 2]), to: (&str, [f64; 2])) -> [Expr; 2] {
-        let link = self.body_name(body).to_owned();
+    fn arm(&mut self, body: usize, from: (&Symbol, [f64; 2]), to: (&Symbol, [f64; 2])) -> [Expr; 2] {
+        let link = self.body_name(body);
         [0, 1].map(|i| {
             let length = to.1[i] - from.1[i];
             if length == 0.0 {
                 return Expr::zero();
             }
-            let (letter, axis) = (["u", "v"][i], AXES[i]);
-            let what = format!("from {} to {}, along the {axis} axis of {link}", from.0, to.0);
-            self.given(&format!("{letter}_{}_{}", from.0, to.0), length, "m", &what)
+            let axis = name(AXES[i]);
+            let what = text!("worksheet-from-to", from = from.0, to = to.0, axis = axis, link = &link);
+            self.given(Symbol::from(["u", "v"][i]).of(from.0).of(to.0), length, "m", what)
         })
     }
 
@@ -186,19 +195,20 @@ impl Sheet {
         let [p, q] = &names;
         let [u, v] = [to[0] - from[0], to[1] - from[1]];
         if v == 0.0 && u > 0.0 {
-            let length = self.given(&format!("l_{p}_{q}"), u, "m", &format!("length {p}-{q}"));
+            let what = text!("worksheet-length", from = p, to = q);
+            let length = self.given(Symbol::from("l").of(p).of(q), u, "m", what);
             return Rod { length, beta: Expr::zero() };
         }
         let [u, v] = self.arm(body, (p, from), (q, to));
         let length = (u.squared() + v.squared()).sqrt();
-        let length = self.work(&format!("l_{p}_{q}"), &length, "m");
-        let beta = self.work(&format!("beta_{p}_{q}"), &v.atan2(&u), "rad");
+        let length = self.work(Symbol::from("l").of(p).of(q), &length, "m");
+        let beta = self.work(Symbol::from("β").of(p).of(q), &v.atan2(&u), "rad");
         Rod { length, beta }
     }
 
     /// Writes the angle of a link's x axis, reduced to (-pi, pi], in radians and in degrees.
     pub fn link_angle(&mut self, body: usize, expr: &Expr) -> Expr {
-        let tag = self.tag(body);
+        let symbol = Symbol::from("φ").of(self.body_name(body));
         let value = expr.value();
         let turns = ((value - PI) / TAU).ceil();
         let expr = if turns == 0.0 || !turns.is_finite() {
@@ -206,40 +216,52 @@ impl Sheet {
         } else {
             expr - Expr::number(2.0 * turns) * Expr::pi()
         };
-        let phi = self.work(&format!("phi_{tag}"), &expr, "rad");
-        self.work(&format!("phi_deg_{tag}"), &(&phi * Expr::number(180.0) / Expr::pi()), "deg");
+        let phi = self.work(&symbol, &expr, "rad");
+        self.work(symbol.of(unit("deg")), &(&phi * Expr::number(180.0) / Expr::pi()), "deg");
         phi
     }
 
     /// Writes a derivative of the angle of a link.
     pub fn link_rate(&mut self, body: usize, order: usize, expr: &Expr) -> Expr {
-        let name = format!("phi{}_{}", PRIMES[order], self.tag(body));
-        self.work_unless_zero(&name, expr, self.units.angle[order])
+        let symbol = Symbol::from("φ").prime(order).of(self.body_name(body));
+        self.work_unless_zero(symbol, expr, self.units.angle[order])
     }
 
     /// Writes a constant angle of the scene; zero is left out.
-    pub fn fixed_angle(&mut self, name: &str, value: f64, what: &str) -> Expr {
-        if value == 0.0 { Expr::zero() } else { self.given(name, value, "rad", what) }
+    pub fn fixed_angle(&mut self, symbol: Symbol, value: f64, what: Text) -> Expr {
+        if value == 0.0 { Expr::zero() } else { self.given(symbol, value, "rad", what) }
     }
 
     /// Writes the direction of the guide of a pair, whose carrier has this angle.
     pub fn guide(&mut self, pair: usize, carrier: usize, angle: f64) -> Guide {
-        let tag = self.pair_tag(pair);
-        let known = ["alpha", "tx", "ty"].map(|name| self.find(&format!("{name}_{tag}")));
-        if let [Some(alpha), Some(tx), Some(ty)] = known {
+        let of_pair = |letter: &'static str, pair: &Text| Symbol::from(letter).of(pair);
+        let tag = self.pair_name(pair);
+        let symbol = of_pair("α", &tag);
+        if let (Some(alpha), [Some(tx), Some(ty)]) = (self.find(&symbol), self.direction_of(pair)) {
             return Guide { alpha, t: [tx, ty] };
         }
-        let what = format!("angle of the guide on {}", self.body_name(carrier));
+        let what = text!("worksheet-guide-angle", link = self.body_name(carrier));
         let alpha = if self.poses[carrier].is_none() {
-            self.given(&format!("alpha_{tag}"), angle, "rad", &what)
+            self.given(symbol, angle, "rad", what)
         } else {
-            let gamma = self.fixed_angle(&format!("gamma_{tag}"), angle, &what);
+            let gamma = self.fixed_angle(of_pair("γ", &tag), angle, what);
             let phi = &self.angle(carrier)[0];
-            self.work(&format!("alpha_{tag}"), &(phi + gamma), "rad")
+            self.work(symbol, &(phi + gamma), "rad")
         };
         let t = [alpha.cos(), alpha.sin()];
-        let [tx, ty] = [0, 1].map(|i| self.work(&format!("t{}_{tag}", AXES[i]), &t[i], ""));
-        Guide { alpha, t: [tx, ty] }
+        let t = [0, 1].map(|i| self.work(Symbol::from("t").of(AXES[i]).of(&tag), &t[i], ""));
+        Guide { alpha, t }
+    }
+
+    /// The direction of the guide of a pair as far as it is written.
+    pub fn direction_of(&self, pair: usize) -> [Option<Expr>; 2] {
+        AXES.map(|axis| self.find(Symbol::from("t").of(axis).of(self.pair_name(pair))))
+    }
+
+    /// Writes the constant angle of a sliding link from the guide of a pair; zero is left out.
+    pub fn tilt(&mut self, pair: usize, link: usize, value: f64) -> Expr {
+        let what = text!("worksheet-tilt", link = self.body_name(link));
+        self.fixed_angle(Symbol::from("ψ").of(self.pair_name(pair)), value, what)
     }
 
     /// Writes the velocity (order 1) or acceleration (order 2) of the point of a body that momentarily coincides with
@@ -255,27 +277,31 @@ impl Sheet {
         [x - &arm[1] * &second - &arm[0] * &square, y + &arm[0] * &second - &arm[1] * &square]
     }
 
-    /// Writes the known quantities of a point at the beginning of a group.
-    pub fn outline(&mut self, what: &str, point: &Point) {
-        let show = |expr: &Expr| crate::figure::shortest(expr.value(), 6);
-        let pair = |order: usize| format!("({}, {})", show(&point.pf[order][0]), show(&point.pf[order][1]));
-        let [zero, one, two] = self.units.length;
-        let name = &point.name;
-        let known =
-            format!("{what} {name}: PF0 {} {zero}, PF1 {} {one}, PF2 {} {two}", pair(0), pair(1), pair(2));
-        self.note(known);
+    /// Writes the known quantities of the outer pin of a group at its beginning.
+    pub fn outline(&mut self, pin: &Point) {
+        let shown = |order: usize| {
+            let [x, y] = pin.pf[order].each_ref().map(|part| printed(part));
+            let vector = joined("", [name("("), x, text!("worksheet-between-arguments"), y, name(")")]);
+            joined(" ", [vector, unit(self.units.length[order])])
+        };
+        let [pf0, pf1, pf2] = [0, 1, 2].map(shown);
+        self.note(text!("worksheet-outer-pin", pin = &pin.name, pf0 = pf0, pf1 = pf1, pf2 = pf2));
     }
 
-    /// Writes the known angle of a body at the beginning of a group.
-    pub fn outline_angle(&mut self, what: &str, body: usize) {
-        let name = self.body_name(body);
-        let known = if self.poses[body].is_none() {
-            format!("{what}: {name}, at rest")
-        } else {
-            let [a, b, c] = self.angle(body).map(|expr| crate::figure::shortest(expr.value(), 6));
-            let [zero, one, two] = self.units.angle;
-            format!("{what}: {name}, angle {a} {zero}, PF1 {b} {one}, PF2 {c} {two}")
-        };
-        self.note(known);
+    /// Writes the known angle of a body with a guide at the beginning of a group.
+    pub fn outline_angle(&mut self, body: usize) {
+        let link = self.body_name(body);
+        if self.poses[body].is_none() {
+            return self.note(text!("worksheet-carrier-at-rest", link = link));
+        }
+        let angle = self.angle(body);
+        let shown = |order: usize| joined(" ", [printed(&angle[order]), unit(self.units.angle[order])]);
+        let [pf0, pf1, pf2] = [0, 1, 2].map(shown);
+        self.note(text!("worksheet-carrier", link = link, pf0 = pf0, pf1 = pf1, pf2 = pf2));
     }
+}
+
+/// A known value in a remark.
+fn printed(expr: &Expr) -> Text {
+    number(shortest(expr.value(), RESULT_DIGITS))
 }

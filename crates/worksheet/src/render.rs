@@ -1,6 +1,9 @@
 //! Prints a working as plain text.
 
-use crate::{Entry, Line, Section};
+use assur_words::Language;
+
+use crate::symbol::plain;
+use crate::{Entry, Section, Term};
 
 /// Greatest width of a row that is printed on paper, characters.
 pub const WIDTH: usize = 100;
@@ -11,58 +14,50 @@ const LEAST_WIDTH: usize = 40;
 const NEXT: &str = "      ";
 const WRAPPED: &str = "          ";
 
-/// The sections as plain text in rows of at most `width` characters (40 at least), in ASCII except for names and units.
-pub fn text(sections: &[Section], width: usize) -> String {
+/// The sections as plain text in a language, in rows of at most `width` characters (40 at least).
+pub fn text(sections: &[Section], width: usize, language: &Language) -> String {
     let width = width.max(LEAST_WIDTH);
     let mut out = String::new();
     for section in sections {
         if !out.is_empty() {
             out.push('\n');
         }
-        wrap(&section.title, width, "", "  ", &mut out);
-        out.push_str(&"-".repeat(section.title.chars().count().min(width)));
+        let title = section.title.render(language);
+        wrap(&title, width, "", "  ", &mut out);
+        out.push_str(&"-".repeat(title.chars().count().min(width)));
         out.push('\n');
         for entry in &section.entries {
-            write(entry, width, &mut out);
+            write(entry, width, language, &mut out);
         }
     }
     out
 }
 
-fn write(entry: &Entry, width: usize, out: &mut String) {
-    match entry {
-        Entry::Note(words) => wrap(words, width, "  ", "    ", out),
-        Entry::Given { name, result, unit, what, .. } => {
-            let what = if what.is_empty() { String::new() } else { format!("  ({what})") };
-            wrap(&format!("{name} = {}{what}", join(result, unit)), width, "  ", WRAPPED, out);
+fn write(entry: &Entry, width: usize, language: &Language, out: &mut String) {
+    if let Entry::Note(words) = entry {
+        return wrap(&plain(&words.render(language)), width, "  ", "    ", out);
+    }
+    let side =
+        |terms: Vec<Term>| plain(&terms.iter().map(|term| term.text().render(language)).collect::<String>());
+    let mut sides: Vec<String> = entry.sides().into_iter().map(side).collect();
+    match (entry, sides.last_mut()) {
+        (Entry::Given { what, .. }, Some(last)) if !what.is_empty() => {
+            *last = format!("{last}  ({})", plain(&what.render(language)));
         }
-        Entry::Line(line) => equation(line, width, out),
+        _ => {}
     }
+    equation(&sides, width, out);
 }
 
-fn join(result: &str, unit: &str) -> String {
-    if unit.is_empty() { result.to_owned() } else { format!("{result} {unit}") }
-}
-
-/// One row if it fits, otherwise a row for each part.
-fn equation(line: &Line, width: usize, out: &mut String) {
-    let mut parts = vec![line.text.as_str()];
-    if line.substituted != line.text {
-        parts.push(&line.substituted);
-    }
-    let result = join(&line.result, &line.unit);
-    if line.substituted != line.result {
-        parts.push(&result);
-    } else if let Some(last) = parts.last_mut() {
-        *last = &result;
-    }
-    let whole = format!("{} = {}", line.name, parts.join(" = "));
-    if whole.chars().count() + 2 <= width {
+/// One row if it fits, otherwise a row for each further side.
+fn equation(sides: &[String], width: usize, out: &mut String) {
+    let whole = sides.join(" = ");
+    if whole.chars().count() + 2 <= width || sides.len() < 3 {
         return wrap(&whole, width, "  ", WRAPPED, out);
     }
-    wrap(&format!("{} = {}", line.name, parts[0]), width, "  ", WRAPPED, out);
-    for part in &parts[1..] {
-        wrap(&format!("= {part}"), width, NEXT, WRAPPED, out);
+    wrap(&sides[..2].join(" = "), width, "  ", WRAPPED, out);
+    for side in &sides[2..] {
+        wrap(&format!("= {side}"), width, NEXT, WRAPPED, out);
     }
 }
 
@@ -88,7 +83,7 @@ fn wrap(words: &str, width: usize, indent: &str, next: &str, out: &mut String) {
 fn cut(rest: &[char], room: usize) -> usize {
     /// Shortest row that a break may leave.
     const LEAST: usize = 20;
-    let sign = |c: char| matches!(c, '+' | '-' | '=' | '*' | '/');
+    let sign = |c: char| matches!(c, '+' | '-' | '−' | '=' | '*' | '/');
     let space = |i: &usize| rest[*i] == ' ' && !(sign(rest[*i - 1]) && rest.get(*i - 2) == Some(&' '));
     let product = |i: &usize| rest[*i - 1] == '*';
     let places = || (LEAST..=room).rev();

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use assur_words::{Language, Text, text};
+
 use crate::figure::shortest;
-use crate::{Entry, Expr, Line, Load, Point, Pose, Reaction, Section};
+use crate::{Entry, Expr, Line, Load, Point, Pose, Reaction, Section, Symbol};
 
 /// Number of digits of a given quantity.
 const GIVEN_DIGITS: usize = 9;
@@ -12,11 +14,11 @@ const GIVEN_DIGITS: usize = 9;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Names {
     /// Names of the bodies, the ground first.
-    pub bodies: Vec<String>,
+    pub bodies: Vec<Text>,
     /// Named places (body, coordinates in its frame, m). A place with one name in two bodies is a pin.
-    pub places: Vec<(usize, [f64; 2], String)>,
+    pub places: Vec<(usize, [f64; 2], Symbol)>,
     /// Names of the pairs of the chain.
-    pub pairs: Vec<String>,
+    pub pairs: Vec<Text>,
 }
 
 /// Units of derivatives with respect to the input coordinate.
@@ -44,7 +46,7 @@ pub struct Sheet {
     /// Units of derivatives.
     pub units: Units,
     pub(crate) names: Names,
-    /// Values of all symbols already written.
+    /// Values of all symbols already written, by their English form.
     symbols: BTreeMap<String, f64>,
     pub(crate) points: Vec<Point>,
     pub(crate) poses: Vec<Option<Pose>>,
@@ -73,8 +75,8 @@ impl Sheet {
     }
 
     /// Begins a part under a heading.
-    pub fn section(&mut self, title: &str) {
-        self.sections.push(Section { title: title.to_owned(), entries: Vec::new() });
+    pub fn section(&mut self, title: Text) {
+        self.sections.push(Section { title, entries: Vec::new() });
     }
 
     /// Sets the group (counted from 1) to which the next symbols belong; see [`local`](Self::local).
@@ -83,13 +85,13 @@ impl Sheet {
     }
 
     /// A symbol of the current group: `d` becomes `d_2` in group 2.
-    pub fn local(&self, name: &str) -> String {
-        format!("{name}_{}", self.group)
+    pub fn local(&self, symbol: impl Into<Symbol>) -> Symbol {
+        symbol.into().of(self.group)
     }
 
-    /// Number of the current group, for symbols of several components: `Vx_2`.
-    pub fn group_number(&self) -> String {
-        self.group.to_string()
+    /// Number of the current group, for symbols of several components: `V_x_2`.
+    pub fn group_number(&self) -> Symbol {
+        self.group.into()
     }
 
     /// Whether an equation already written has no finite result; the working is then not valid in this position.
@@ -99,87 +101,85 @@ impl Sheet {
 
     fn push(&mut self, entry: Entry) {
         if self.sections.is_empty() {
-            self.section("Working");
+            self.section(text!("worksheet-working"));
         }
         if let Some(section) = self.sections.last_mut() {
             section.entries.push(entry);
         }
     }
 
-    /// Writes a note: text, or an equation without numbers.
-    pub fn note(&mut self, words: impl Into<String>) {
-        self.push(Entry::Note(words.into()));
+    /// Writes a remark.
+    pub fn note(&mut self, words: Text) {
+        self.push(Entry::Note(words));
     }
 
-    /// A name that no symbol has yet.
-    fn free(&self, name: &str) -> String {
-        let taken = |name: &str| self.symbols.contains_key(name);
-        if !taken(name) {
-            return name.to_owned();
-        }
-        let numbered = (2..).map(|i| format!("{name}_{i}"));
-        numbered.into_iter().find(|name| !taken(name)).unwrap_or_default()
+    /// Writes an equation without numbers.
+    pub fn equation(&mut self, left: Expr, right: Expr) {
+        self.push(Entry::Equation([left, right]));
+    }
+
+    /// The symbol, or one with a number that no other quantity has yet.
+    fn free(&self, symbol: Symbol) -> Symbol {
+        let numbered = (2_usize..).map(|i| symbol.clone().of(i));
+        let mut all = std::iter::once(symbol.clone()).chain(numbered);
+        all.find(|symbol| !self.symbols.contains_key(&key(symbol))).unwrap_or(symbol)
     }
 
     /// Introduces a given quantity; one with the same name and value is written only once.
-    pub fn given(&mut self, name: &str, value: f64, unit: &str, what: &str) -> Expr {
-        if self.symbols.get(name).is_some_and(|found| found.to_bits() == value.to_bits()) {
-            return Expr::symbol(name, value);
+    pub fn given(&mut self, symbol: impl Into<Symbol>, value: f64, unit: &'static str, what: Text) -> Expr {
+        let symbol = symbol.into();
+        if self.symbols.get(&key(&symbol)).is_some_and(|found| found.to_bits() == value.to_bits()) {
+            return Expr::symbol(symbol, value);
         }
-        let name = self.free(name);
+        let symbol = self.free(symbol);
         let result = shortest(value, GIVEN_DIGITS);
-        self.symbols.insert(name.clone(), value);
+        self.symbols.insert(key(&symbol), value);
         self.unfit |= !value.is_finite();
-        let symbol = Expr::symbol(&name, value);
-        self.push(Entry::Given { name, value, result, unit: unit.to_owned(), what: what.to_owned() });
-        symbol
+        self.push(Entry::Given { symbol: symbol.clone(), value, result, unit, what });
+        Expr::symbol(symbol, value)
     }
 
-    /// Writes an equation and returns its result as a symbol. If the name is in use, a number is added to it.
-    pub fn work(&mut self, name: &str, expr: &Expr, unit: &str) -> Expr {
-        let line = Line::new(self.free(name), expr, unit);
-        self.symbols.insert(line.name.clone(), line.value);
+    /// Writes an equation and returns its result as a symbol. If the symbol is in use, a number is added to it.
+    pub fn work(&mut self, symbol: impl Into<Symbol>, expr: &Expr, unit: &'static str) -> Expr {
+        let line = Line::new(self.free(symbol.into()), expr, unit);
+        self.symbols.insert(key(&line.symbol), line.value);
         self.unfit |= !line.value.is_finite();
-        let symbol = Expr::symbol(&line.name, line.value);
+        let symbol = Expr::symbol(&line.symbol, line.value);
         self.push(Entry::Line(line));
         symbol
     }
 
     /// Writes an equation and returns its result as a symbol; an expression that is zero by structure is not written.
-    pub fn work_unless_zero(&mut self, name: &str, expr: &Expr, unit: &str) -> Expr {
-        if expr.is_zero() { Expr::zero() } else { self.work(name, expr, unit) }
+    pub fn work_unless_zero(&mut self, symbol: impl Into<Symbol>, expr: &Expr, unit: &'static str) -> Expr {
+        if expr.is_zero() { Expr::zero() } else { self.work(symbol, expr, unit) }
     }
 
     /// A symbol that is already written.
-    pub fn find(&self, name: &str) -> Option<Expr> {
-        self.symbols.get(name).map(|value| Expr::symbol(name, *value))
+    pub fn find(&self, symbol: impl Into<Symbol>) -> Option<Expr> {
+        let symbol = symbol.into();
+        self.symbols.get(&key(&symbol)).map(|value| Expr::symbol(symbol, *value))
     }
 
     /// A symbol of this group that is already written; if there is none, the sheet becomes invalid.
-    pub fn recall(&mut self, name: &str) -> Expr {
-        let name = self.local(name);
-        let found = self.find(&name);
+    pub fn recall(&mut self, letter: &'static str) -> Expr {
+        let symbol = self.local(letter);
+        let found = self.find(&symbol);
         self.unfit |= found.is_none();
-        found.unwrap_or_else(|| Expr::symbol(&name, f64::NAN))
+        found.unwrap_or_else(|| Expr::symbol(symbol, f64::NAN))
     }
 
-    /// Name of a body as used in symbols.
-    pub fn tag(&self, body: usize) -> String {
-        symbol_of(&self.names.bodies[body])
+    /// Name of a body.
+    pub fn body_name(&self, body: usize) -> Text {
+        self.names.bodies[body].clone()
     }
 
-    /// Name of a body as used in text.
-    pub fn body_name(&self, body: usize) -> &str {
-        &self.names.bodies[body]
-    }
-
-    /// Name of a pair as used in symbols.
-    pub fn pair_tag(&self, pair: usize) -> String {
-        symbol_of(&self.names.pairs[pair])
+    /// Name of a pair.
+    pub fn pair_name(&self, pair: usize) -> Text {
+        self.names.pairs[pair].clone()
     }
 }
 
-/// A name as used in symbols: characters that could be read as an operation are replaced.
-pub fn symbol_of(name: &str) -> String {
-    name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect()
+/// What tells a symbol from all others.
+fn key(symbol: &Symbol) -> String {
+    symbol.plain(Language::english())
 }

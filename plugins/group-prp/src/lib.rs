@@ -18,6 +18,8 @@ use assur_words::text;
 
 pub use kernel::Prp;
 
+assur_words::resources!();
+
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Slide), (1, Slide)] };
 
 /// The kind PRP.

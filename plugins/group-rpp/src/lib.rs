@@ -16,6 +16,8 @@ use assur_words::text;
 
 pub use kernel::Rpp;
 
+assur_words::resources!();
+
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Slide)] };
 
 /// The kind RPP.

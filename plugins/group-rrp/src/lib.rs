@@ -21,6 +21,8 @@ use assur_words::text;
 
 pub use kernel::Rrp;
 
+assur_words::resources!();
+
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Slide)] };
 
 /// The kind RRP.

@@ -2,6 +2,7 @@
 
 use assur_group::plane::dot;
 use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory};
+use assur_words::text;
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
 use assur_worksheet::{Expr, Guide, Point, Sheet, WorkingPlugin};
 
@@ -16,29 +17,28 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     let [rod, slider] = pairs.links;
     let end = &pairs.slide;
     let (a, through) = (sheet.point(pairs.end.body, pairs.end.at), sheet.point(end.body, end.through));
-    sheet.outline("outer pin", &a);
-    sheet.outline_angle("body with the guide", end.body);
+    sheet.outline(&a);
+    sheet.outline_angle(end.body);
     let guide = sheet.guide_of(&pairs.slide);
     let name = sheet.place_name(rod, pairs.inner.own);
     let length = sheet.rod(rod, pairs.end.own, pairs.inner.own);
-    let what = format!("distance of {name} to the left of the guide line");
-    let k = sheet.fixed_length("k", pairs.slide.offset(pairs.inner.at), &what);
+    let what = text!("rrp-working-offset", pin = &name);
+    let k = sheet.fixed_length("k", pairs.slide.offset(pairs.inner.at), what);
     let number = bodies[rod].point(pairs.inner.own);
     let foot = bodies[rod].point(pairs.end.own);
     let t = bodies[end.body].turned([end.along_angle.cos(), end.along_angle.sin()]);
     let ahead = dot(t, [number[0] - foot[0], number[1] - foot[1]]) >= 0.0;
-    let side = if ahead {
-        "ahead of the foot, in the direction of the guide: sign +"
+    sheet.note(text!("rrp-working-distances", a = &a.name, pin = &name));
+    sheet.note(if ahead {
+        text!("rrp-working-ahead", pin = &name)
     } else {
-        "behind the foot: sign -"
-    };
-    sheet.note(format!("PF0: distance delta of {name} from {} across the guide, sigma along it;", a.name));
-    sheet.note(format!("{name} is {side}"));
-    let (delta_name, sigma_name) = (sheet.local("delta"), sheet.local("sigma"));
-    let delta = sheet.work(&delta_name, &(across(&guide.t, &through.from(&a, 0)) + k), "m");
+        text!("rrp-working-behind", pin = &name)
+    });
+    let (delta_name, sigma_name) = (sheet.local("δ"), sheet.local("σ"));
+    let delta = sheet.work(delta_name, &(across(&guide.t, &through.from(&a, 0)) + k), "m");
     let l = &length.length;
     let root = ((l - &delta) * (l + &delta)).sqrt();
-    let sigma = sheet.work(&sigma_name, &(if ahead { root } else { -root }), "m");
+    let sigma = sheet.work(sigma_name, &(if ahead { root } else { -root }), "m");
     let c = sheet.vector(&name, 0, &plus(&a.pf[0], &compose(&guide.t, &sigma, &delta)));
     let r = minus(&c, &a.pf[0]);
     let phi = sheet.rod_angle(rod, &length, &r);
@@ -51,10 +51,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
 }
 
 fn slider_angle(sheet: &mut Sheet, pairs: &Rrp<f64>, guide: &Guide) -> Expr {
-    let name = format!("tilt_{}", sheet.pair_tag(pairs.slide.id));
-    let what = format!("angle of {} from the guide", sheet.body_name(pairs.links[1]));
-    let tilt = sheet.fixed_angle(&name, pairs.slide.tilt_angle, &what);
-    &guide.alpha + tilt
+    &guide.alpha + sheet.tilt(pairs.slide.id, pairs.links[1], pairs.slide.tilt_angle)
 }
 
 /// Writes PF1 and PF2 of the rod's angle and of the inner pin, which is added to the sheet.
@@ -68,15 +65,13 @@ fn derive(
 ) -> (Expr, Expr) {
     let (rod, body, t) = (pairs.links[0], pairs.slide.body, &guide.t);
     let name = sheet.place_name(rod, pairs.inner.own);
-    let carrier = sheet.body_name(body).to_owned();
+    let (carrier, of) = (sheet.body_name(body), sheet.group_number());
     let units = sheet.units.length;
-    let with = if body == 0 {
-        "does not move"
+    sheet.note(if body == 0 {
+        text!("rrp-working-fixed-guide", carrier = carrier, pin = &name)
     } else {
-        "moves like the point of the carrier that coincides with it, with V"
-    };
-    sheet.note(format!("PF1: across the guide on {carrier}, {name} {with}"));
-    let of = sheet.local("under");
+        text!("rrp-working-moving-guide", carrier = carrier, pin = &name)
+    });
     let v = sheet.under(body, through, c, 1);
     let v = sheet.components("V", &of, &v, units[1]);
     let first = across(t, &minus(&v, &a.pf[1])) / sigma;
@@ -86,19 +81,23 @@ fn derive(
     let rate = sheet.angle(body)[1].clone();
     let mut coriolis = Expr::zero();
     if rate.is_zero() {
-        sheet.note(format!("PF2: normal part n of {name} about {}", a.name));
+        sheet.note(text!("rrp-working-normal-part", a = &a.name, pin = &name));
     } else {
-        sheet.note(format!(
-            "PF2: normal part n of {name} about {}; vr along the guide, Coriolis part kor across it",
-            a.name
-        ));
-        let (vr, kor) = (sheet.local("vr"), sheet.local("kor"));
-        let relative = sheet.work(&vr, &along(t, &minus(&c1, &v)), units[1]);
-        coriolis = sheet.work(&kor, &(Expr::number(2.0) * &rate * &relative), units[2]);
+        let [v_r, a_cor] = [sheet.local("v").of("r"), sheet.local("a").of(text!("rrp-working-coriolis"))];
+        let remark = text!(
+            "rrp-working-normal-and-coriolis",
+            a = &a.name,
+            pin = &name,
+            relative = &v_r,
+            coriolis = &a_cor
+        );
+        sheet.note(remark);
+        let relative = sheet.work(v_r, &along(t, &minus(&c1, &v)), units[1]);
+        coriolis = sheet.work(a_cor, &(Expr::number(2.0) * &rate * &relative), units[2]);
     }
     let w = sheet.under(body, through, c, 2);
     let w = sheet.components("W", &of, &w, units[2]);
-    let normal = sheet.normal_part(&format!("{name}_{}", a.name), &first, r);
+    let normal = sheet.normal_part(name.clone().of(&a.name), &first, r);
     let part = across(t, &minus(&w, &a.pf[2])) + coriolis + first.squared() * delta;
     let second = sheet.link_rate(rod, 2, &(part / sigma));
     let c2 = sheet.vector(&name, 2, &plus(&plus(&a.pf[2], &turned(&second)), &normal));
@@ -115,24 +114,20 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let on_line = sheet.point(slider, end.own);
     let guide = sheet.guide_of(&pairs.slide);
     let (one, two) = (sheet.resultant(rod), sheet.resultant(slider));
-    sheet.note(format!(
-        "along the guide {} transmits its load to {}; moments about {} give the component across",
-        sheet.body_name(slider),
-        c.name,
-        a.name
-    ));
-    let (ft, fn_) = (sheet.local("Ft"), sheet.local("Fn"));
-    let along_guide = sheet.work_unless_zero(&ft, &along(&guide.t, &two), "N");
+    let slides = sheet.body_name(slider);
+    sheet.note(text!("rrp-working-moments", slider = slides, pin = &c.name, a = &a.name));
+    let [ft, fn_] = ["t", "n"].map(|part| sheet.local("F").of(part));
+    let along_guide = sheet.work_unless_zero(ft, &along(&guide.t, &two), "N");
     let m = sheet.moment_about(rod, &a);
-    let (delta, sigma) = (sheet.recall("delta"), sheet.recall("sigma"));
-    let normal = sheet.work_unless_zero(&fn_, &((&delta * &along_guide - m) / sigma), "N");
+    let (delta, sigma) = (sheet.recall("δ"), sheet.recall("σ"));
+    let normal = sheet.work_unless_zero(fn_, &((&delta * &along_guide - m) / sigma), "N");
     let inner = compose(&guide.t, &along_guide, &normal);
     let inner = sheet.pin_reaction(pairs.inner.id, rod, &c, &inner);
-    sheet.note("forces on each link, then moments on the sliding link about its point on the guide:");
+    sheet.note(text!("rrp-working-forces"));
     let at_a = sheet.pin_reaction(pairs.end.id, rod, &a, &opposite(&plus(&one, &inner)));
     sheet.hand_on(pairs.end.body, &a, &at_a, &Expr::zero());
     let name = sheet.local("N");
-    let pressure = sheet.work(&name, &(normal - across(&guide.t, &two)), "N");
+    let pressure = sheet.work(name, &(normal - across(&guide.t, &two)), "N");
     let force = compose(&guide.t, &Expr::zero(), &pressure);
     let load = sheet.moment_about(slider, &on_line);
     let moment = -(load + c.moment_about(&on_line, &opposite(&inner)));

@@ -2,8 +2,9 @@
 
 use assur_group::plane::cross;
 use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory};
+use assur_words::text;
 use assur_worksheet::dyad::{across, along, minus, opposite, plus};
-use assur_worksheet::{Expr, Point, Rod, Sheet, WorkingPlugin};
+use assur_worksheet::{Expr, Point, Rod, Sheet, Symbol, WorkingPlugin};
 
 use crate::Rrr;
 
@@ -15,7 +16,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     let pins = Rrr::<f64>::new(frame)?;
     let outer = [0, 1].map(|i| sheet.point(pins.ends[i].body, pins.ends[i].at));
     for point in &outer {
-        sheet.outline("outer pin", point);
+        sheet.outline(point);
     }
     let own = [pins.inner.own, pins.inner.at];
     let rods = [0, 1].map(|i| sheet.rod(pins.links[i], pins.ends[i].own, own[i]));
@@ -39,26 +40,25 @@ fn minus_numbers(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 fn place(sheet: &mut Sheet, pins: &Rrr<f64>, outer: &[Point; 2], rods: &[Rod; 2], left: bool) -> [Expr; 2] {
     let name = sheet.place_name(pins.links[0], pins.inner.own);
     let [a, b] = [&outer[0].name, &outer[1].name];
-    sheet.note(format!(
-        "PF0: circles about {a} and {b}. The foot of {name} on {a}-{b} is at the fraction alpha of {a}-{b} from {a};"
-    ));
-    let (side, sign) = if left { ("left", "+") } else { ("right", "-") };
-    sheet.note(format!(
-        "the height of {name} is the fraction beta of {a}-{b}, {side} of the line from {a} to {b}: sign {sign}"
-    ));
+    sheet.note(text!("rrr-working-circles", a = a, b = b, pin = &name));
+    sheet.note(if left {
+        text!("rrr-working-left", a = a, b = b, pin = &name)
+    } else {
+        text!("rrr-working-right", a = a, b = b, pin = &name)
+    });
     let d = outer[1].from(&outer[0], 0);
-    let (local_d, alpha, beta) = (sheet.local("d"), sheet.local("alpha"), sheet.local("beta"));
+    let (local_d, alpha, beta) = (sheet.local("d"), sheet.local("α"), sheet.local("β"));
     let square = (d[0].squared() + d[1].squared()).sqrt();
-    let length = sheet.work(&local_d, &square, "m");
+    let length = sheet.work(local_d, &square, "m");
     let [l1, l2] = [&rods[0].length, &rods[1].length];
     let two = Expr::number(2.0);
     let twice = &two * length.squared();
     let part = (length.squared() + l1.squared() - l2.squared()) / &twice;
-    let alpha = sheet.work(&alpha, &part, "");
+    let alpha = sheet.work(alpha, &part, "");
     let far = (l1 + l2).squared() - length.squared();
     let near = length.squared() - (l1 - l2).squared();
     let height = (far * near).sqrt() / &twice;
-    let beta = sheet.work(&beta, &(if left { height } else { -height }), "");
+    let beta = sheet.work(beta, &(if left { height } else { -height }), "");
     let [xa, ya] = &outer[0].pf[0];
     let x = xa + &alpha * &d[0] - &beta * &d[1];
     let y = ya + &alpha * &d[1] + &beta * &d[0];
@@ -76,24 +76,31 @@ fn derive(
 ) {
     let name = sheet.place_name(pins.links[0], pins.inner.own);
     let [a, b] = [outer[0].name.clone(), outer[1].name.clone()];
-    let [t1, t2] = pins.links.map(|link| sheet.tag(link));
-    sheet.note(format!("PF1: {a}' + phi'_{t1} x ({a}-{name}) equals {b}' + phi'_{t2} x ({b}-{name});"));
-    sheet.note("two equations for both phi', with the determinant D:");
+    let [phi1, phi2] = pins.links.map(|link| Symbol::from("φ").prime(1).of(sheet.body_name(link)));
+    let [a1, b1] = [&a, &b].map(|end| end.clone().prime(1));
+    sheet.note(text!(
+        "rrr-working-loop",
+        a = &a,
+        b = &b,
+        a1 = &a1,
+        b1 = &b1,
+        phi1 = &phi1,
+        phi2 = &phi2,
+        pin = &name
+    ));
+    sheet.note(text!("rrr-working-determinant"));
     let local = sheet.local("D");
-    let determinant = sheet.work(&local, &across(&r[0], &r[1]), "m²");
+    let determinant = sheet.work(local, &across(&r[0], &r[1]), "m²");
     let v = outer[1].from(&outer[0], 1);
     let solve = |v: &[Expr; 2], i: usize| along(v, &r[1 - i]) / &determinant;
     let first = [0, 1].map(|i| sheet.link_rate(pins.links[i], 1, &solve(&v, i)));
     let turned = |rate: &Expr, r: &[Expr; 2]| [-(rate * &r[1]), rate * &r[0]];
     let c1 = sheet.vector(&name, 1, &plus(&outer[0].pf[1], &turned(&first[0], &r[0])));
-    sheet.note(format!(
-        "PF2: the same equations with the normal parts n of {name} about {a} and about {b} added"
-    ));
-    let normal = [0, 1].map(|i| sheet.normal_part(&format!("{name}_{}", outer[i].name), &first[i], &r[i]));
+    sheet.note(text!("rrr-working-normal-parts", a = &a, b = &b, pin = &name));
+    let normal = [0, 1].map(|i| sheet.normal_part(name.clone().of(&outer[i].name), &first[i], &r[i]));
     let w = plus(&outer[1].from(&outer[0], 2), &minus(&normal[1], &normal[0]));
     let unit = sheet.units.length[2];
-    let of = sheet.local("PF2");
-    let w = sheet.components("V", &of, &w, unit);
+    let w = sheet.components("W", sheet.group_number(), &w, unit);
     let second = [0, 1].map(|i| sheet.link_rate(pins.links[i], 2, &solve(&w, i)));
     let c2 = plus(&plus(&outer[0].pf[2], &turned(&second[0], &r[0])), &normal[0]);
     let c2 = sheet.vector(&name, 2, &c2);
@@ -110,15 +117,13 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let c = sheet.point(pins.links[0], pins.inner.own);
     let r = [0, 1].map(|i| c.from(&outer[i], 0));
     let forces = pins.links.map(|link| sheet.resultant(link));
-    sheet.note(format!(
-        "the moments about {} and about {} contain only the reaction in {}; the determinant is D again",
-        outer[0].name, outer[1].name, c.name
-    ));
+    let [a, b] = outer.each_ref().map(|point| &point.name);
+    sheet.note(text!("rrr-working-moments", a = a, b = b, pin = &c.name));
     let m = [0, 1].map(|i| sheet.moment_about(pins.links[i], &outer[i]));
     let d = sheet.recall("D");
     let inner = [0, 1].map(|i| -((&m[1] * &r[0][i] + &m[0] * &r[1][i]) / &d));
     let inner = sheet.pin_reaction(pins.inner.id, pins.links[0], &c, &inner);
-    sheet.note("forces on each link:");
+    sheet.note(text!("worksheet-forces-on-links"));
     let at_ends = [opposite(&plus(&forces[0], &inner)), minus(&inner, &forces[1])];
     for (i, force) in at_ends.iter().enumerate() {
         let end = &pins.ends[i];

@@ -49,7 +49,7 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
     };
     match worked {
         Ok(working) => {
-            output::print(&style.text(&working.text()))?;
+            output::print(&style.text(&working.text(style.language)))?;
             Ok(verdict.status())
         }
         Err(error @ WorkingError::Position(_)) => {
@@ -58,7 +58,7 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
         }
         Err(error @ WorkingError::Load { .. }) => {
             let key = error.key(&study.linkage.mechanism);
-            let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string()));
+            let located = key.and_then(|key| scene::at_key(path, &key, error.describe()));
             style.tell(located.unwrap_or_else(|| fault(&error)).describe());
             Ok(Status::Failed)
         }

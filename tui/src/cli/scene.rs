@@ -7,7 +7,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_scene::SceneErrors;
 use assur_structure::Structure;
-use assur_words::{Describe, Text, name};
+use assur_words::{Describe, Text};
 
 use super::fault::Fault;
 use super::options::{MethodArgs, SceneArgs};
@@ -32,7 +32,7 @@ pub(crate) fn read(path: &Path) -> Result<Mechanism, Fault> {
 
 /// The errors of a scene.
 pub(crate) fn faults(errors: &SceneErrors) -> Fault {
-    Fault::Scene(name(errors.to_string()))
+    Fault::Scene(errors.describe())
 }
 
 /// Reads and compiles a scene file.
@@ -62,13 +62,13 @@ fn compiled(
 pub(crate) fn fault(path: &Path, error: &AnalysisError) -> Fault {
     let located = || {
         let mechanism = assur_scene::read(&path.display().to_string(), &files::read(path).ok()?).ok()?;
-        at_key(path, &error.key(&mechanism)?, &error.to_string())
+        at_key(path, &error.key(&mechanism)?, error.describe())
     };
     located().unwrap_or_else(|| in_file(path, error.describe()))
 }
 
 /// A fault that is found while calculating, at a key of the scene; `None` if the scene has no such key.
-pub(crate) fn at_key(path: &Path, key: &[String], message: &str) -> Option<Fault> {
+pub(crate) fn at_key(path: &Path, key: &[String], message: Text) -> Option<Fault> {
     let text = files::read(path).ok()?;
     let steps: Vec<&str> = key.iter().map(String::as_str).collect();
     let errors = assur_scene::fault_at(&path.display().to_string(), &text, &steps, message)?;

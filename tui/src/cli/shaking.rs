@@ -38,7 +38,7 @@ pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
         Ok(found) => found,
         Err(error) => {
             let key = error.key(&calculation.linkage.mechanism);
-            let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string()));
+            let located = key.and_then(|key| scene::at_key(path, &key, error.describe()));
             let fault = located.unwrap_or_else(|| scene::in_file(path, error.describe()));
             if !error.is_no_solution() {
                 return Err(fault);

@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use assur_sweep::{Measure, Points, Request, Sweep, SweepError, Tally, Vary};
-use assur_words::{name, number, text};
+use assur_words::{Describe, name, number, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -111,8 +111,8 @@ fn sweep(args: &SweepArgs) -> Result<Sweep, Fault> {
 fn fault(path: &Path, error: SweepError) -> Fault {
     match error {
         SweepError::Scene(errors) => scene::faults(&errors),
-        SweepError::AllRefused { .. } => scene::in_file(path, name(error.to_string())),
-        error => Fault::other(error),
+        SweepError::AllRefused { .. } => scene::in_file(path, error.describe()),
+        error => Fault::Other(error.describe()),
     }
 }
 

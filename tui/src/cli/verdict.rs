@@ -12,8 +12,8 @@ use crate::verdict::{Place, Verdict};
 
 /// A fault is told at its line of the scene's file.
 impl Place for &Path {
-    fn at_key(&self, key: &[String], message: &str) -> Option<Text> {
-        scene::at_key(self, key, message).map(|fault| fault.describe())
+    fn at_key(&self, key: &[String], message: &Text) -> Option<Text> {
+        scene::at_key(self, key, message.clone()).map(|fault| fault.describe())
     }
 
     fn error(&self, error: &AnalysisError) -> Text {

@@ -8,12 +8,10 @@ use assur_words::{Text, joined, list};
 use super::NoteError;
 use crate::screen::state::{Found, Scene, State, View};
 use crate::screen::view;
-use crate::words::Words;
 
 /// The state of a scene whose analysis is done, and what is shown of it.
 pub(super) struct Context<'a> {
     pub(super) state: &'a mut State,
-    pub(super) words: &'a Words,
     /// Numbers of the positions that are drawn and worked out, at least one.
     pub(super) positions: &'a [usize],
 }

@@ -102,11 +102,11 @@ fn rich(text: &str) -> String {
 fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
     let line = |text: &Text| escaped(&sheet.line(text));
     let term = |term: &Term| match term {
-        Term::Name(letters, below) if below.is_empty() => format!("<i>{}</i>", escaped(letters)),
-        Term::Name(letters, below) => format!("<i>{}</i><sub>{}</sub>", escaped(letters), line(below)),
+        Term::Name(letters, below) if below.is_empty() => format!("<i>{}</i>", line(letters)),
+        Term::Name(letters, below) => format!("<i>{}</i><sub>{}</sub>", line(letters), line(below)),
         Term::Function(text) => escaped(text),
         Term::Number(text) => line(text),
-        Term::Sign(text) => escaped(&sign(text)),
+        Term::Sign(text) => escaped(&sign(&sheet.line(text))),
         Term::Power(power) => format!("<sup>{}</sup>", escaped(power)),
         Term::Unit(unit) => format!(" {}", line(unit)),
     };

@@ -74,14 +74,14 @@ fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
     };
     let term = |term: &Term| match term {
         Term::Name(letters, below) => {
-            let letters = letters.replace('″', "''").replace('′', "'");
+            let letters = sheet.line(letters).replace('″', "''").replace('′', "'");
             if below.is_empty() { letters } else { format!("{letters}_{{{}}}", word(below)) }
         }
         Term::Function("√") => "\\surd".to_owned(),
         Term::Function(text) => format!("\\operatorname{{{text}}}"),
         Term::Number(text) => sheet.line(text).replace(',', "{,}").replace('−', "-").replace('·', "\\cdot "),
         Term::Power(power) => format!("^{{{power}}}"),
-        Term::Sign(text) => text.replace(['·', '*'], "\\cdot ").replace('−', "-"),
+        Term::Sign(text) => sheet.line(text).replace(['·', '*'], "\\cdot ").replace('−', "-"),
         Term::Unit(unit) => format!("\\ {}", word(unit)),
     };
     terms.iter().map(term).collect()

@@ -18,7 +18,6 @@ use assur_scene::Note;
 use assur_words::{Describe, Language, Text, errors, name, text};
 
 use crate::screen::state::State;
-use crate::words::Words;
 use context::Context;
 use sheet::Sheet;
 
@@ -87,7 +86,6 @@ errors!(NoteError);
 /// [`NoteError`].
 pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) -> Result<Written, NoteError> {
     let language = Language::find(note.language).unwrap_or(Language::english());
-    let words = Words::of(note.language);
     let scene = state.scene.as_ref().ok_or(NoteError::NoResults)?;
     let (count, parts) = (scene.positions(), scene.linkage.mechanism.parts());
     if count * parts > MOST_PARTS {
@@ -103,7 +101,7 @@ pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) ->
         positions.push(scene.first_position());
     }
     positions.dedup();
-    let document = parts::document(&mut Context { state, words, positions: &positions })?;
+    let document = parts::document(&mut Context { state, positions: &positions })?;
     let sheet = Sheet { title: &title, author: sheet::author(note), document, language };
     Ok(match form {
         Form::Html => Written { text: html::write(&sheet), figures: Vec::new() },

@@ -86,6 +86,7 @@ fn rich(text: &str) -> String {
 fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
     let term = |term: &Term| match term {
         Term::Name(letters, below) => {
+            let letters = sheet.line(letters);
             let primes = letters.trim_start_matches(|c: char| c.is_alphabetic());
             let letters = letters.trim_end_matches(primes);
             let letters = if letters.chars().count() > 1 { quoted(letters) } else { letters.to_owned() };
@@ -98,9 +99,12 @@ fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
         Term::Function(text) => format!("op({})", quoted(text)),
         Term::Number(text) => quoted(&sheet.line(text)) + " ",
         Term::Power(power) => format!("^{power} "),
-        Term::Sign(text) => {
-            text.replace('/', "\\/").replace(['·', '*'], " dot ").replace('−', "-").replace('"', "\\\"")
-        }
+        Term::Sign(text) => sheet
+            .line(text)
+            .replace('/', "\\/")
+            .replace(['·', '*'], " dot ")
+            .replace('−', "-")
+            .replace('"', "\\\""),
         Term::Unit(unit) => format!(" space {}", quoted(&sheet.line(unit))),
     };
     terms.iter().map(term).collect()

@@ -9,6 +9,7 @@ use std::sync::LazyLock;
 
 use assur_scene::document::{self, Entry, Fault, Section};
 use assur_scene::{Dimension, SceneErrors};
+use assur_words::{self as words, Text, name, text};
 
 pub(crate) use default::{keep, text as default_text};
 
@@ -47,7 +48,7 @@ impl Config {
     pub(crate) fn read(file_name: &str, text: &str) -> Result<Self, SceneErrors> {
         static KEYS: LazyLock<Vec<&str>> =
             LazyLock::new(|| SETTINGS.iter().map(|setting| setting.name).chain(["panels", "keys"]).collect());
-        document::read(file_name, text, "the configuration", &KEYS, |root| Self {
+        document::read(file_name, text, text!("config-file"), &KEYS, |root| Self {
             look: look(root),
             panels: root.get("panels").map_or_else(Panels::default, |entry| panels(&entry)),
             keys: root.get("keys").map_or_else(|| Keymap::of(COMMANDS), |keys| keymap(&keys)),
@@ -73,13 +74,9 @@ fn word(entry: &Entry<'_>, kind: &Kind) -> Option<String> {
         Kind::Number(range) => {
             let number = entry.quantity(Dimension::Number)?;
             if !range.contains(&number) {
-                let message = format!(
-                    "`{}` wants a number from {} to {}, got {number}",
-                    entry.name,
-                    range.start(),
-                    range.end()
-                );
-                entry.fault(message, "");
+                let [least, most] = [range.start(), range.end()].map(words::number);
+                let problem = text!("config-number", least = least, most = most, got = words::number(number));
+                entry.problem(problem, Text::default());
             }
             Some(number.to_string())
         }
@@ -90,7 +87,7 @@ fn word(entry: &Entry<'_>, kind: &Kind) -> Option<String> {
 fn panels(entry: &Entry<'_>) -> Panels {
     let names = View::TABS.map(|view| (view.command(), view));
     let views: Vec<View> =
-        entry.list("the name of a view").iter().filter_map(|item| item.choice(&names)).collect();
+        entry.list(text!("config-name-of-view")).iter().filter_map(|item| item.choice(&names)).collect();
     Panels { shown: !views.is_empty(), views }
 }
 
@@ -103,16 +100,15 @@ struct Written {
 
 fn keymap(table: &Entry<'_>) -> Keymap {
     let (mut keymap, mut written) = (Keymap::of(COMMANDS), Vec::new());
-    for entry in table.named("a table", "write [keys] and a line for each command") {
+    for entry in table.named(text!("config-table"), text!("config-write-keys")) {
         let Some(command) = COMMANDS.iter().find(|command| command.name == entry.name) else {
-            entry.unknown("command", COMMANDS.iter().map(|command| command.name), || {
-                "`assur config` prints all commands with their keys".to_owned()
-            });
+            let known = COMMANDS.iter().map(|command| command.name);
+            entry.unknown(text!("config-command"), known, || text!("config-all-commands"));
             continue;
         };
         let keys = keys(&entry, command);
         if keys.is_empty() && command.name == OUT {
-            entry.fault(format!("`{OUT}` needs a key"), format!("such as {OUT} = \"q\""));
+            entry.fault(text!("config-no-way-out", command = name(OUT)), name(format!("{OUT} = \"q\"")));
         }
         keymap.bind(command.name, keys.iter().map(|written| written.key).collect());
         written.extend(keys);
@@ -125,13 +121,14 @@ fn keymap(table: &Entry<'_>) -> Keymap {
 
 /// The keys of one command: a text, or a list of texts.
 fn keys(entry: &Entry<'_>, command: &'static Command) -> Vec<Written> {
-    let items = if entry.is_list() { entry.list("the name of a key") } else { vec![entry.clone()] };
+    let items = if entry.is_list() { entry.list(text!("config-name-of-key")) } else { vec![entry.clone()] };
     let key = |item: &Entry<'_>| {
-        let name = item.text("the name of a key")?;
-        let key = Key::parse(name);
+        let written = item.text(text!("config-name-of-key"))?;
+        let key = Key::parse(written);
         if key.is_none() {
-            let message = format!("`{}`: there is no key `{name}`", command.name);
-            let help = format!("a key is a character, C- and a character, or one of: {}", Key::names());
+            let (command, written) = (name(command.name), name(written.to_owned()));
+            let message = text!("config-no-such-key", command = command, key = written);
+            let help = text!("config-what-is-a-key", keys = name(Key::names()));
             item.note(Fault::new(item.span.clone(), message).help(help));
         }
         Some(Written { command: command.name, key: key?, span: item.span.clone() })
@@ -153,13 +150,18 @@ fn fault(
         (_, second) => (second, one),
     };
     let view = view.name();
-    let message = format!("`{}` means both `{}` and `{}` in {view}", key.name(), one.name, two.name);
-    let other = other.name;
-    let label = match at(other) {
-        Some(_) => format!("also a key of `{other}`"),
-        None => format!("a default key of `{other}`"),
+    let message = text!(
+        "config-two-meanings",
+        key = name(key.name()),
+        one = name(one.name),
+        two = name(two.name),
+        view = view
+    );
+    let label = match at(other.name) {
+        Some(_) => text!("config-also-a-key", command = name(other.name)),
+        None => text!("config-default-key", command = name(other.name)),
     };
     let span = here.map_or(table.span.clone(), |written| written.span.clone());
-    let help = format!("give one of them another key, or none at all: {other} = []");
+    let help = text!("config-another-key", command = name(other.name));
     Fault::new(span, message).label(label).help(help)
 }

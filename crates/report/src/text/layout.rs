@@ -103,11 +103,13 @@ impl Page<'_> {
     fn equation(&mut self, terms: &[Term]) {
         let line = terms.iter().fold(String::new(), |line, term| {
             line + &match term {
-                Term::Name(letters, below) if below.is_empty() => letters.clone(),
-                Term::Name(letters, below) => format!("{letters}_{}", self.style.line(below)),
+                Term::Name(letters, below) if below.is_empty() => self.style.line(letters),
+                Term::Name(letters, below) => {
+                    format!("{}_{}", self.style.line(letters), self.style.line(below))
+                }
                 Term::Function(text) => (*text).to_owned(),
                 Term::Power(text) => format!("^{text}"),
-                Term::Sign(text) => text.clone(),
+                Term::Sign(text) => self.style.line(text),
                 Term::Number(text) => self.style.line(text),
                 Term::Unit(text) => format!(" {}", self.style.line(text)),
             }

@@ -28,12 +28,23 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
 
 /// W = 3 n - 2 p5.
 fn chebyshev(structure: &StructureReport) -> Vec<Term> {
-    let name = |letter: &str, below: &'static str| Term::Name(letter.to_owned(), name(below));
-    let sign = |text: &str| Term::Sign(text.to_owned());
+    let symbol = |letter: &'static str, below: &'static str| Term::Name(name(letter), name(below));
+    let sign = |text: &'static str| Term::Sign(name(text));
     let [links, pairs] = [structure.moving_links, structure.pairs].map(|count| Term::Number(number(count)));
     let [three, two] = [3, 2].map(|factor| Term::Number(number(factor)));
-    let mut terms = vec![name("W", ""), sign(" = "), three.clone(), name("n", ""), sign(" - "), two.clone()];
-    terms.extend([name("p", "5"), sign(" = "), three, sign("*"), links, sign(" - "), two, sign("*"), pairs]);
+    let mut terms =
+        vec![symbol("W", ""), sign(" = "), three.clone(), symbol("n", ""), sign(" - "), two.clone()];
+    terms.extend([
+        symbol("p", "5"),
+        sign(" = "),
+        three,
+        sign("*"),
+        links,
+        sign(" - "),
+        two,
+        sign("*"),
+        pairs,
+    ]);
     terms.extend([sign(" = "), Term::Number(number(structure.mobility))]);
     terms
 }

@@ -1,5 +1,6 @@
 //! Finds a value of the scene by its key.
 
+use assur_words::{Text, name, number, text};
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
@@ -11,7 +12,7 @@ use crate::text::nearest;
 const MOST: usize = 24;
 
 /// The values of a key, one or more, or an error about the key.
-pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Vec<Place>, String> {
+pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Vec<Place>, Text> {
     let several = steps.iter().enumerate().find_map(|(depth, step)| match step {
         Step::Range(first, last) => Some((depth, *first, *last)),
         _ => None,
@@ -31,24 +32,24 @@ pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Vec<Place>,
 }
 
 /// Number of elements of a list.
-fn length(document: &DeTable<'_>, steps: &[Step]) -> Result<usize, String> {
+fn length(document: &DeTable<'_>, steps: &[Step]) -> Result<usize, Text> {
     match within(document, steps)?.get_ref() {
         DeValue::Array(array) => Ok(array.len()),
-        _ => Err(format!("`{}` is no list", shown(steps))),
+        _ => Err(text!("scene-no-list", key = key(steps))),
     }
 }
 
-fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, String> {
+fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, Text> {
     leaf(within(document, steps)?, steps)
 }
 
-fn within<'a, 'b>(document: &'a DeTable<'b>, steps: &[Step]) -> Result<&'a Spanned<DeValue<'b>>, String> {
+fn within<'a, 'b>(document: &'a DeTable<'b>, steps: &[Step]) -> Result<&'a Spanned<DeValue<'b>>, Text> {
     let mut at = in_table(document, steps, 0)?;
     for depth in 1..steps.len() {
         at = match at.get_ref() {
             DeValue::Table(table) => in_table(table, steps, depth)?,
             DeValue::Array(array) => in_array(array, steps, depth)?,
-            _ => return Err(format!("`{}` is a single value without parts", shown(&steps[..depth]))),
+            _ => return Err(text!("scene-single-value", key = key(&steps[..depth]))),
         };
     }
     Ok(at)
@@ -58,25 +59,28 @@ fn in_table<'a, 'b>(
     table: &'a DeTable<'b>,
     steps: &[Step],
     depth: usize,
-) -> Result<&'a Spanned<DeValue<'b>>, String> {
+) -> Result<&'a Spanned<DeValue<'b>>, Text> {
     let owner = owner(&steps[..depth]);
     let names = keys(table);
     let Step::Name(name) = &steps[depth] else {
-        return Err(format!("{owner} is no list; it has: {}", listed(&names)));
+        return Err(text!("scene-table-is-no-list", owner = owner, names = listed(names)));
     };
-    table.get(name.as_str()).ok_or_else(|| absent(&owner, steps, depth, name, &names))
+    table.get(name.as_str()).ok_or_else(|| absent(owner, steps, depth, name, names))
 }
 
 fn in_array<'a, 'b>(
     array: &'a DeArray<'b>,
     steps: &[Step],
     depth: usize,
-) -> Result<&'a Spanned<DeValue<'b>>, String> {
+) -> Result<&'a Spanned<DeValue<'b>>, Text> {
     let owner = owner(&steps[..depth]);
     match &steps[depth] {
         Step::Index(index) => array.get(*index).ok_or_else(|| {
-            let last = array.len().checked_sub(1).map(|last| format!(", from [0] to [{last}]"));
-            format!("{owner} has {} elements{}", array.len(), last.unwrap_or_default())
+            let (count, last) = (array.len(), number(array.len().saturating_sub(1)));
+            if count == 0 {
+                return text!("scene-no-elements", owner = owner);
+            }
+            text!("scene-elements", owner = owner, count = count, last = last)
         }),
         Step::Name(name) => {
             let same = |item: &&Spanned<DeValue<'b>>| element_name(item.get_ref()).as_ref() == Some(name);
@@ -84,16 +88,15 @@ fn in_array<'a, 'b>(
             found.ok_or_else(|| {
                 let names: Vec<String> =
                     array.iter().filter_map(|item| element_name(item.get_ref())).collect();
-                let by_index =
-                    format!("name an element by its number, such as `{}[0]`", shown(&steps[..depth]));
+                let list = key(&steps[..depth]);
                 if names.is_empty() {
-                    format!("{owner} is a list without names: {by_index}")
-                } else {
-                    format!("{}, or {by_index}", absent(&owner, steps, depth, name, &names))
+                    return text!("scene-list-without-names", owner = owner, list = list);
                 }
+                let problem = absent(owner, steps, depth, name, names);
+                text!("scene-or-by-number", problem = problem, list = list)
             })
         }
-        Step::Range(..) => Err(format!("`{}` names several values", shown(steps))),
+        Step::Range(..) => Err(text!("scene-several-values", key = key(steps))),
     }
 }
 
@@ -105,18 +108,20 @@ pub(super) fn element_name(value: &DeValue<'_>) -> Option<String> {
     text("name").map(str::to_owned).or_else(default)
 }
 
-fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Place, String> {
-    let key = shown(steps);
+fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Place, Text> {
+    let key = key(steps);
     let text = match at.get_ref() {
         DeValue::Integer(_) | DeValue::Float(_) => None,
         DeValue::String(text) => Some(text.to_string()),
-        DeValue::Table(table) => return Err(format!("`{key}` is a table; it has: {}", listed(&keys(table)))),
-        DeValue::Array(array) => {
-            let elements: Vec<String> = (0..array.len()).map(|index| format!("{key}[{index}]")).collect();
-            return Err(format!("`{key}` is a list; it has: {}", listed(&elements)));
+        DeValue::Table(table) => {
+            return Err(text!("scene-is-a-table", key = key, names = listed(keys(table))));
         }
-        DeValue::Boolean(_) => return Err(format!("`{key}` is true or false, not a number")),
-        DeValue::Datetime(_) => return Err(format!("`{key}` is a date, not a number")),
+        DeValue::Array(array) => {
+            let elements = (0..array.len()).map(|index| format!("{}[{index}]", shown(steps))).collect();
+            return Err(text!("scene-is-a-list", key = key, names = listed(elements)));
+        }
+        DeValue::Boolean(_) => return Err(text!("scene-is-a-boolean", key = key)),
+        DeValue::Datetime(_) => return Err(text!("scene-is-a-date", key = key)),
     };
     Ok(Place { span: at.span(), text })
 }
@@ -128,27 +133,26 @@ fn keys(table: &DeTable<'_>) -> Vec<String> {
     keys.into_iter().map(|(key, _)| key.get_ref().to_string()).collect()
 }
 
-fn owner(steps: &[Step]) -> String {
-    if steps.is_empty() { "the scene".to_owned() } else { format!("`{}`", shown(steps)) }
+fn owner(steps: &[Step]) -> Text {
+    if steps.is_empty() { text!("scene-the-scene") } else { name(format!("`{}`", shown(steps))) }
 }
 
-fn absent(owner: &str, steps: &[Step], depth: usize, name: &str, names: &[String]) -> String {
-    let near = nearest(name, names.iter().map(String::as_str)).map(|near| {
+fn key(steps: &[Step]) -> Text {
+    name(shown(steps))
+}
+
+fn absent(owner: Text, steps: &[Step], depth: usize, absent: &str, names: Vec<String>) -> Text {
+    let near = nearest(absent, names.iter().map(String::as_str)).map(|near| {
         let mut steps = steps[..=depth].to_vec();
         steps[depth] = Step::Name(near.to_owned());
-        format!("; did you mean `{}`?", shown(&steps))
+        text!("scene-did-you-mean", name = key(&steps))
     });
     // An absent key has its default; only a value that is written in the scene can be replaced.
-    let default = "; a default must be written in the scene before it can be varied";
-    let hint = near.unwrap_or_else(|| default.to_owned());
-    format!("{owner} has no `{name}`{hint}; it has: {}", listed(names))
+    let hint = near.unwrap_or_else(|| text!("scene-default-not-written"));
+    let absent = name(absent.to_owned());
+    text!("scene-owner-has-no", owner = owner, name = absent, hint = hint, names = listed(names))
 }
 
-fn listed(names: &[String]) -> String {
-    if names.is_empty() {
-        return "nothing".to_owned();
-    }
-    let more = names.len().saturating_sub(MOST);
-    let list = names[..names.len() - more].join(", ");
-    if more == 0 { list } else { format!("{list} and {more} more") }
+fn listed(names: Vec<String>) -> Text {
+    if names.is_empty() { text!("scene-nothing") } else { crate::text::listed(names, MOST) }
 }

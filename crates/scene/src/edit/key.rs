@@ -1,5 +1,9 @@
 //! Keys of values: dotted paths with indices.
 
+use assur_words::{Text, text};
+
+use crate::text::shown as quote;
+
 /// One step into the scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
@@ -35,7 +39,7 @@ impl Key {
     /// # Errors
     ///
     /// What is wrong with it, in words.
-    pub fn parse(text: &str) -> Result<Self, String> {
+    pub fn parse(text: &str) -> Result<Self, Text> {
         parse(text).map(Self)
     }
 }
@@ -46,7 +50,7 @@ impl std::fmt::Display for Key {
     }
 }
 
-fn parse(text: &str) -> Result<Vec<Step>, String> {
+fn parse(text: &str) -> Result<Vec<Step>, Text> {
     let mut steps = Vec::new();
     let mut rest = text.trim();
     loop {
@@ -54,15 +58,14 @@ fn parse(text: &str) -> Result<Vec<Step>, String> {
         steps.push(Step::Name(name));
         rest = after;
         while let Some(inside) = rest.strip_prefix('[') {
-            let (index, after) = inside.split_once(']').ok_or("a `[` is not closed")?;
+            let (index, after) = inside.split_once(']').ok_or_else(|| text!("scene-bracket-not-closed"))?;
             steps.push(element(index.trim()).ok_or_else(|| wrong_index(index))?);
             rest = after;
         }
         if rest.is_empty() {
             return Ok(steps);
         }
-        rest =
-            rest.strip_prefix('.').ok_or_else(|| format!("a key continues with `.` or `[`, not `{rest}`"))?;
+        rest = rest.strip_prefix('.').ok_or_else(|| text!("scene-key-continues", rest = quote(rest)))?;
     }
 }
 
@@ -76,24 +79,22 @@ fn element(text: &str) -> Option<Step> {
     (first <= last).then_some(Step::Range(first, Some(last)))
 }
 
-fn wrong_index(index: &str) -> String {
-    format!(
-        "`[{index}]` is no element: write a whole number from 0, two of them as in `[1..2]`, or `[*]` for all"
-    )
+fn wrong_index(index: &str) -> Text {
+    text!("scene-no-index", index = quote(index))
 }
 
 /// The name at the beginning, and the text after it.
-fn name(text: &str) -> Result<(String, &str), String> {
+fn name(text: &str) -> Result<(String, &str), Text> {
     for quote in ['"', '\''] {
         if let Some(inside) = text.strip_prefix(quote) {
-            let (name, after) = inside.split_once(quote).ok_or("a quote is not closed")?;
+            let (name, after) = inside.split_once(quote).ok_or_else(|| text!("scene-quote-not-closed"))?;
             return Ok((name.to_owned(), after));
         }
     }
     let end = text.find(['.', '[']).unwrap_or(text.len());
     let name = text[..end].trim();
     if name.is_empty() {
-        return Err("a key consists of names joined by dots, such as link.crank.mass".to_owned());
+        return Err(text!("scene-what-is-a-key"));
     }
     Ok((name.to_owned(), &text[end..]))
 }

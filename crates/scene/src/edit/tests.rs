@@ -73,7 +73,7 @@ fn every_key_of_the_list_finds_its_value() {
 #[test]
 fn a_key_names_a_cell_a_part_of_a_column_or_a_column_of_a_table() {
     let document = Document::of(SCENE);
-    let written = |key: &str| -> Result<Vec<&str>, String> {
+    let written = |key: &str| -> Result<Vec<&str>, assur_words::Text> {
         let found = document.find(&Key::parse(key)?)?;
         Ok(found.into_iter().map(|place| &SCENE[place.span]).collect())
     };
@@ -89,7 +89,7 @@ fn a_key_names_a_cell_a_part_of_a_column_or_a_column_of_a_table() {
         ("link.crank[*].mass", "`link.crank` is no list"),
     ] {
         let found = written(key).unwrap_err();
-        assert!(found.starts_with(problem), "{key}: {found}");
+        assert!(found.to_string().starts_with(problem), "{key}: {found}");
     }
 }
 

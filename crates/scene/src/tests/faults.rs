@@ -2,8 +2,10 @@
 
 use std::fmt::Write as _;
 
+use assur_words::Language;
+
 use super::{BASE, steady};
-use crate::read;
+use crate::{SceneErrors, read};
 
 /// A case: what is replaced in the base scene, by what, and the (line, column) of each fault.
 type Case = (&'static str, &'static str, &'static [(usize, usize)]);
@@ -13,7 +15,34 @@ pub(super) fn faults(text: &str, places: &[(usize, usize)]) -> String {
     let errors = read("engine.toml", text).expect_err(text);
     let found: Vec<_> = errors.errors.iter().map(|error| (error.line, error.column)).collect();
     assert_eq!(found, places, "{errors}");
+    assert_translated(&errors);
     errors.to_string()
+}
+
+/// In other languages only what the scene says, its keys and units, and the parser's own words have Latin letters.
+fn assert_translated(errors: &SceneErrors) {
+    for language in ["uk", "ru"].map(|code| Language::find(code).unwrap()) {
+        for error in &errors.errors {
+            let said = [Some(&error.message), Some(&error.label), error.help.as_ref()];
+            for text in said.into_iter().flatten().map(|text| text.render(language)) {
+                let of_parser = text.starts_with("не TOML: ");
+                // The lists of keys, of units in parentheses, and of what is there; what is quoted; what is an example.
+                let before = |(before, _): (&str, &str)| {
+                    before.trim_end().rsplit_once(' ').map_or("", |of| of.0).to_owned()
+                };
+                let prose = text.split_once(['=', '[']).map_or_else(|| text.clone(), before);
+                let prose = prose.split(": ").next().unwrap();
+                let outside = prose.split(['`', '"', '(', ')']).step_by(2);
+                let latin = outside.flat_map(|part| part.split(|c: char| !c.is_alphanumeric()));
+                let latin =
+                    latin.filter(|word| word.len() > 3 && word.chars().all(|c| c.is_ascii_lowercase()));
+                assert_eq!(latin.collect::<Vec<_>>(), [""; 0], "{text}");
+                let cyrillic = text.chars().any(|c| matches!(c, 'а'..='я' | 'А'..='Я' | 'і' | 'ї' | 'є'));
+                let code = prose.is_empty() || !text.contains(' ');
+                assert!(of_parser || cyrillic || code, "{text}");
+            }
+        }
+    }
 }
 
 /// The whole text of faults, in a file to be read by a person.
@@ -279,6 +308,6 @@ fn a_text_without_its_closing_quote_is_reported_where_it_begins() {
         let errors = crate::read("scene.toml", &text).unwrap_err().errors;
         let found: Vec<_> = errors.iter().map(|error| (error.line, error.column)).collect();
         assert_eq!(found, [place], "{text}\n{errors:?}");
-        assert!(errors[0].message.contains("no closing quote"), "{errors:?}");
+        assert!(errors[0].message.to_string().contains("no closing quote"), "{errors:?}");
     }
 }

@@ -37,7 +37,7 @@ fn faults_of_one_line_share_it() {
 #[test]
 fn a_file_that_is_too_large_is_not_read() {
     let errors = read("zero", &"\0".repeat(document::MOST_BYTES + 1)).unwrap_err();
-    assert_eq!(errors.errors[0].message, "a scene has at most 8 MiB, this one has 9");
+    assert_eq!(errors.errors[0].message.to_string(), "a scene has at most 8 MiB, this one has 9");
 }
 
 #[test]
@@ -45,7 +45,7 @@ fn a_table_has_a_greatest_number_of_rows() {
     let rows = "[0,1],".repeat(100_001);
     let value = format!("value = {{ over = \"angle\", table = [{rows}] }}");
     let errors = read("rows.toml", &BASE.replacen("value = 700", &value, 1)).unwrap_err();
-    assert_eq!(errors.errors[0].message, "`table` has 100001 rows, at most 100000 are read");
+    assert_eq!(errors.errors[0].message.to_string(), "`table` has 100001 rows, at most 100000 are read");
 }
 
 #[test]
@@ -58,7 +58,10 @@ fn pins_at_one_place_are_refused_where_nothing_else_turns_the_link() {
         )
     };
     let errors = read("one.toml", &scene("")).unwrap_err();
-    assert_eq!(errors.errors[0].message, "link `crank` has its pins O, A at one place: its length is zero");
+    assert_eq!(
+        errors.errors[0].message.to_string(),
+        "link `crank` has its pins O, A at one place: its length is zero"
+    );
     assert_eq!((errors.errors[0].line, errors.errors[0].column), (3, 7));
     // The crank turns a guide: its angle matters.
     assert!(read("two.toml", &scene("[[slide]]\nlink = \"stone\"\non = \"crank\"\n")).is_ok());
@@ -101,10 +104,12 @@ fn the_first_that_is_too_many_is_named_with_its_line() {
     for (scene, most, what, line) in all {
         let errors = read("many.toml", &scene(most + 1)).unwrap_err();
         let message = format!("a scene has at most {most} {what}, this one has {}", most + 1);
-        let found: Vec<_> = errors.errors.iter().map(|error| (error.message.as_str(), error.line)).collect();
-        assert_eq!(found, [(message.as_str(), line)]);
-        let said =
-            |errors: crate::SceneErrors| errors.errors.iter().any(|error| error.message.contains("at most"));
+        let found: Vec<_> =
+            errors.errors.iter().map(|error| (error.message.to_string(), error.line)).collect();
+        assert_eq!(found, [(message, line)]);
+        let said = |errors: crate::SceneErrors| {
+            errors.errors.iter().any(|error| error.message.to_string().contains("at most"))
+        };
         assert!(!read("most.toml", &scene(most)).err().is_some_and(said), "{what}");
     }
 }
@@ -140,7 +145,7 @@ fn a_name_has_a_greatest_length() {
             "n".repeat(40),
             LONGEST_NAME + 1
         );
-        assert_eq!(errors.errors[0].message, message);
+        assert_eq!(errors.errors[0].message.to_string(), message);
     }
 }
 
@@ -157,12 +162,15 @@ fn samples_and_kept_steps_are_as_many_as_memory_holds() {
     assert!(read("most.toml", &scene(&format!("until = 1\nsamples = {most}"))).is_ok());
     let errors = read("more.toml", &scene(&format!("until = 1\nsamples = {}", most + 1))).unwrap_err();
     let message = format!("`samples` may be at most {most} in a scene of 3 links, points, slides and loads");
-    assert_eq!((errors.errors[0].message.as_str(), errors.errors[0].line), (message.as_str(), 12));
+    assert_eq!((errors.errors[0].message.to_string(), errors.errors[0].line), (message, 12));
     // Only where the instants of the samples are known from the start are other steps dropped.
     let steps = MOST_STEPS_KEPT + 1;
     assert!(read("time.toml", &scene(&format!("until = 1\nmax_steps = {steps}"))).is_ok());
     let errors = read("rest.toml", &scene(&format!("until = \"rest\"\nmax_steps = {steps}"))).unwrap_err();
-    assert!(errors.errors[0].message.contains(&format!("from 1 to {MOST_STEPS_KEPT}")), "{errors}");
+    assert!(
+        errors.errors[0].message.to_string().contains(&format!("from 1 to {MOST_STEPS_KEPT}")),
+        "{errors}"
+    );
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn answers(text: &str) -> Result<(), TestCaseError> {
     for error in &errors.errors {
         prop_assert!(text.get(error.span.clone()).is_some(), "{:?}", error.span);
         prop_assert!(error.line <= text.lines().count().max(1) + 1);
-        prop_assert!(!error.message.contains('\n') && !error.label.contains('\n'));
+        prop_assert!(!error.message.to_string().contains('\n') && !error.label.to_string().contains('\n'));
     }
     Ok(())
 }

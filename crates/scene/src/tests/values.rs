@@ -352,7 +352,7 @@ fn a_formula_has_a_unit_and_faults_with_their_column() {
         let errors = read("a.toml", &text).unwrap_err();
         let start = text.find(value).unwrap();
         let line_start = text[..start].rfind('\n').unwrap() + 1;
-        (errors.errors[0].message.clone(), errors.errors[0].column - 1 - (start - line_start))
+        (errors.errors[0].message.to_string(), errors.errors[0].column - 1 - (start - line_start))
     };
     let (message, column) = fault("{ formula = \"2*speed\" }");
     assert!(message.contains("`speed` is unknown"), "{message}");

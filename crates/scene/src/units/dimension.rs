@@ -1,5 +1,7 @@
 //! The kinds of quantities in a scene.
 
+use assur_words::{Describe, Text, name, text};
+
 /// Exponents of m, kg, s and rad. The angle has its own exponent, which distinguishes an angle from a plain number
 /// and an angular speed from 1/s.
 pub(crate) type Powers = [i32; 4];
@@ -42,7 +44,7 @@ pub enum Dimension {
 
 use Dimension as D;
 
-/// Dimension, its powers, its name, its usual units (SI first), an example, the greatest size in SI.
+/// Dimension, its powers, the identity of its name, its usual units (SI first), an example, the greatest size in SI.
 type Row = (Dimension, Powers, &'static str, &'static str, &'static str, f64);
 
 /// Absolute values of a quantity below this, other than 0, are refused: no measurement is so fine, and products of
@@ -53,28 +55,28 @@ pub const LEAST: f64 = 1e-30;
 // has 7 digits left after its turns, a length of 1e6 m leaves 1e-10 m of rounding, and energies of the greatest
 // masses and speeds stay finite. docs/ranges.md gives them to the user.
 const ROWS: [Row; 15] = [
-    (D::Number, [0, 0, 0, 0], "a plain number", "", "0.5", 1e15),
-    (D::Length, [1, 0, 0, 0], "a length", "m, mm, cm, km, um", "120 mm", 1e6),
-    (D::Angle, [0, 0, 0, 1], "an angle", "rad, deg, rev", "30 deg", 1e9),
-    (D::Mass, [0, 1, 0, 0], "a mass", "kg, g, t", "4 kg", 1e12),
-    (D::Time, [0, 0, 1, 0], "a time", "s, ms, min, h", "0.5 s", 1e9),
-    (D::Force, [1, 1, -2, 0], "a force", "N, kN, MN, mN", "1.5 kN", 1e15),
-    (D::Moment, [2, 1, -2, 0], "a moment", "N*m, kN*m, N*mm", "25 N*m", 1e15),
-    (D::Speed, [1, 0, -1, 0], "a speed", "m/s, mm/s, km/h", "0.3 m/s", 1e6),
-    (D::AngularSpeed, [0, 0, -1, 1], "a speed of rotation", "rad/s, rpm, deg/s, rev/s", "60 rpm", 1e9),
-    (D::Acceleration, [1, 0, -2, 0], "an acceleration", "m/s^2, mm/s^2", "9.81 m/s^2", 1e9),
+    (D::Number, [0, 0, 0, 0], "scene-dimension-plain-number", "", "0.5", 1e15),
+    (D::Length, [1, 0, 0, 0], "scene-dimension-length", "m, mm, cm, km, um", "120 mm", 1e6),
+    (D::Angle, [0, 0, 0, 1], "scene-dimension-angle", "rad, deg, rev", "30 deg", 1e9),
+    (D::Mass, [0, 1, 0, 0], "scene-dimension-mass", "kg, g, t", "4 kg", 1e12),
+    (D::Time, [0, 0, 1, 0], "scene-dimension-time", "s, ms, min, h", "0.5 s", 1e9),
+    (D::Force, [1, 1, -2, 0], "scene-dimension-force", "N, kN, MN, mN", "1.5 kN", 1e15),
+    (D::Moment, [2, 1, -2, 0], "scene-dimension-moment", "N*m, kN*m, N*mm", "25 N*m", 1e15),
+    (D::Speed, [1, 0, -1, 0], "scene-dimension-speed", "m/s, mm/s, km/h", "0.3 m/s", 1e6),
+    (D::AngularSpeed, [0, 0, -1, 1], "scene-dimension-rotation", "rad/s, rpm, deg/s, rev/s", "60 rpm", 1e9),
+    (D::Acceleration, [1, 0, -2, 0], "scene-dimension-acceleration", "m/s^2, mm/s^2", "9.81 m/s^2", 1e9),
     (
         D::AngularAcceleration,
         [0, 0, -2, 1],
-        "an angular acceleration",
+        "scene-dimension-angular-acceleration",
         "rad/s^2, deg/s^2",
         "40 rad/s^2",
         1e12,
     ),
-    (D::Inertia, [2, 1, 0, 0], "a moment of inertia", "kg*m^2, g*mm^2, kg*mm^2", "0.02 kg*m^2", 1e15),
-    (D::Stiffness, [0, 1, -2, 0], "a stiffness", "N/m, N/mm, kN/m", "4530 N/m", 1e15),
-    (D::Damping, [0, 1, -1, 0], "a damping", "N*s/m, kN*s/m", "12 N*s/m", 1e15),
-    (D::Power, [2, 1, -3, 0], "a power", "W, kW, MW", "1.5 kW", 1e15),
+    (D::Inertia, [2, 1, 0, 0], "scene-dimension-inertia", "kg*m^2, g*mm^2, kg*mm^2", "0.02 kg*m^2", 1e15),
+    (D::Stiffness, [0, 1, -2, 0], "scene-dimension-stiffness", "N/m, N/mm, kN/m", "4530 N/m", 1e15),
+    (D::Damping, [0, 1, -1, 0], "scene-dimension-damping", "N*s/m, kN*s/m", "12 N*s/m", 1e15),
+    (D::Power, [2, 1, -3, 0], "scene-dimension-power", "W, kW, MW", "1.5 kW", 1e15),
 ];
 
 impl Dimension {
@@ -83,7 +85,7 @@ impl Dimension {
         ROWS.iter().find(|row| row.0 == self).unwrap_or(&ROWS[0])
     }
 
-    /// Its name with an article: "a mass".
+    /// Its name with an article: "scene-dimension-mass".
     pub fn name(self) -> &'static str {
         self.row().2
     }
@@ -109,12 +111,11 @@ impl Dimension {
     }
 
     /// Name and units: "a mass (kg, g, t)".
-    pub(crate) fn full(self) -> String {
+    pub(crate) fn with_units(self) -> Text {
         if self == Self::Number {
-            self.name().to_owned()
-        } else {
-            format!("{} ({})", self.name(), self.units())
+            return self.describe();
         }
+        text!("scene-with-units", quantity = self.describe(), units = name(self.units()))
     }
 
     /// The kind of quantity with these powers, if a scene has one.
@@ -127,5 +128,12 @@ impl Dimension {
         let turning = matches!(self, Self::AngularSpeed | Self::AngularAcceleration);
         let own = self.row().1;
         own == powers || (turning && powers == [own[0], own[1], own[2], 0])
+    }
+}
+
+impl Describe for Dimension {
+    /// Its name with an article: "a mass".
+    fn describe(&self) -> Text {
+        text!(self.row().2)
     }
 }

@@ -7,15 +7,16 @@ mod tests;
 
 pub use dimension::{Dimension, LEAST};
 
+use assur_words::{Describe, Text, name, text};
+
 use crate::text::shown;
 
 /// Why a text is no quantity of the wanted dimension. The text of an error continues the name of what was read:
 /// "`mass` " + "wants a mass (kg, g, t), got `mm`, a length".
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum UnitError {
     /// The text does not begin with a number.
-    #[error("wants {}, got `{}`, which does not begin with a number", wanted.full(), shown(text))]
     NotANumber {
         /// The text.
         text: String,
@@ -23,10 +24,8 @@ pub enum UnitError {
         wanted: Dimension,
     },
     /// The number contains a comma (the text).
-    #[error("has a comma in the number `{}`: the decimal sign is a point", shown(.0))]
     Comma(String),
     /// The number is so great that results would have no correct digits.
-    #[error("is too large: `{}`, at most {:e} {}", shown(text), wanted.most(), wanted.si())]
     TooLarge {
         /// The text.
         text: String,
@@ -34,7 +33,6 @@ pub enum UnitError {
         wanted: Dimension,
     },
     /// The number is not 0, but smaller than anything that can be measured.
-    #[error("is too small: `{}`, at least {:e} {} or 0", shown(text), dimension::LEAST, wanted.si())]
     TooSmall {
         /// The text.
         text: String,
@@ -42,7 +40,6 @@ pub enum UnitError {
         wanted: Dimension,
     },
     /// No unit of this name is known.
-    #[error("wants {}, got the unknown unit `{}`", wanted.full(), shown(unit))]
     UnknownUnit {
         /// The unit, or the part of it that is unknown.
         unit: String,
@@ -52,7 +49,6 @@ pub enum UnitError {
         wanted: Dimension,
     },
     /// The unit measures something else.
-    #[error("wants {}, got `{}`, {}", wanted.full(), shown(unit), found.map_or("no quantity of a scene", Dimension::name))]
     WrongDimension {
         /// The unit.
         unit: String,
@@ -61,6 +57,39 @@ pub enum UnitError {
         /// What was wanted.
         wanted: Dimension,
     },
+}
+
+assur_words::errors!(UnitError);
+
+impl Describe for UnitError {
+    fn describe(&self) -> Text {
+        let wants =
+            |wanted: &Dimension, got: Text| text!("scene-wants", wanted = wanted.with_units(), got = got);
+        match self {
+            Self::NotANumber { text, wanted } => {
+                wants(wanted, text!("scene-got-no-number", text = shown(text)))
+            }
+            Self::Comma(number) => text!("scene-comma", number = shown(number)),
+            Self::TooLarge { text, wanted } => {
+                let most = name(format!("{:e} {}", wanted.most(), wanted.si()));
+                text!("scene-too-large", text = shown(text), most = most)
+            }
+            Self::TooSmall { text, wanted } => {
+                let least = name(format!("{:e} {}", dimension::LEAST, wanted.si()));
+                text!("scene-too-small", text = shown(text), least = least)
+            }
+            Self::UnknownUnit { unit, wanted, .. } => {
+                wants(wanted, text!("scene-got-unknown-unit", unit = shown(unit)))
+            }
+            Self::WrongDimension { unit, found, wanted } => wants(wanted, measures(unit, *found)),
+        }
+    }
+}
+
+/// A unit, and what it measures.
+pub(crate) fn measures(unit: &str, found: Option<Dimension>) -> Text {
+    let found = found.map_or_else(|| text!("scene-no-quantity"), |found| found.describe());
+    text!("scene-got-unit", unit = shown(unit), measures = found)
 }
 
 /// Returns an SI value if it is in the range of its kind; `text` is its text in the file.

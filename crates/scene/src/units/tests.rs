@@ -120,7 +120,7 @@ fn every_dimension_reads_its_example_and_its_units() {
             assert!(quantity(&format!("1 {unit}"), dimension).is_ok(), "{unit}");
         }
     }
-    assert_eq!(Dimension::Number.name(), "a plain number");
+    assert_eq!(assur_words::Describe::describe(&Dimension::Number).to_string(), "a plain number");
 }
 
 proptest::proptest! {

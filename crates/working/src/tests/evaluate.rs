@@ -35,6 +35,7 @@ pub(crate) fn printed(part: &str) -> (f64, f64) {
 
 /// The value of an expression of numbers, + - * / ^, sqrt, sin, cos, atan2, pi and parentheses.
 pub(crate) fn evaluate(text: &str) -> f64 {
+    let text = text.replace('π', "pi");
     let mut reader = Reader { rest: text.as_bytes() };
     let value = reader.sum();
     assert!(reader.rest.is_empty(), "left over in {text}: {}", String::from_utf8_lossy(reader.rest));

@@ -1,3 +1,5 @@
+use assur_words::Language;
+
 use super::evaluate::recomputes;
 use super::{compiled, forces_agree, worked};
 
@@ -17,7 +19,7 @@ fn every_line_of_every_scene_recomputes() {
                 continue;
             }
             let working = worked(&linkage, loads.as_ref(), index);
-            lines += recomputes(&format!("{name}, position {index}"), &working.text());
+            lines += recomputes(&format!("{name}, position {index}"), &working.text(Language::english()));
             general.extend(working.general.iter().map(|group| (*name, index, *group)));
         }
     }

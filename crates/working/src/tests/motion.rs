@@ -4,6 +4,8 @@ use assur_force::{Loads, State};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 
+use assur_words::Language;
+
 use super::evaluate::{equations, printed, recomputes};
 use super::fixtures::scene;
 use crate::{Drive, Place, Task, Working};
@@ -30,7 +32,7 @@ fn the_acceleration_follows_from_the_reduction() {
             let state = State { acceleration, ..state };
             let place = Place::Position(index);
             let task = Task { linkage: &linkage, loads: Some(&loads), state, place, drive: Some(drive) };
-            let text = Working::of(&task).unwrap().text();
+            let text = Working::of(&task).unwrap().text(Language::english());
             recomputes(&format!("{name} {index}"), &text);
             let all = equations(&text);
             let value = |symbol: &str| {
@@ -39,11 +41,11 @@ fn the_acceleration_follows_from_the_reduction() {
             };
             for (symbol, wanted) in [
                 ("J", reduced.inertia),
-                ("J'", reduced.inertia_derivative),
+                ("J′", reduced.inertia_derivative),
                 ("Q", reduced.moment),
-                ("e", acceleration),
+                ("ε", acceleration),
                 ("M_bal", drive.moment - drive.inertia * acceleration),
-                ("M_drive", drive.moment - drive.inertia * acceleration),
+                ("M_bal_drive", drive.moment - drive.inertia * acceleration),
             ] {
                 let size = wanted.abs().max(1e-3);
                 assert!(

@@ -1,5 +1,7 @@
 use assur_testkit::specimen::Recipe;
 
+use assur_words::Language;
+
 use super::evaluate::recomputes;
 use super::{compiled, forces_agree, worked};
 
@@ -13,7 +15,7 @@ fn kind(only: Option<&'static str>) {
             let what = format!("{only:?}, seed {seed}, position {index}");
             let working = worked(&linkage, loads.as_ref(), index);
             assert_eq!(working.general, Vec::<usize>::new(), "{what}");
-            assert!(recomputes(&what, &working.text()) > 20, "{what}");
+            assert!(recomputes(&what, &working.text(Language::english())) > 20, "{what}");
             if let Some(loads) = &loads {
                 forces_agree(&what, &linkage, loads, index, &working);
             }

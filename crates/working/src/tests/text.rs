@@ -1,3 +1,5 @@
+use assur_words::Language;
+
 use super::evaluate::{equations, printed};
 use super::fixtures::scene;
 use super::{compiled, worked};
@@ -13,7 +15,7 @@ fn value(text: &str, name: &str) -> f64 {
 fn slider_crank_at_45_degrees_by_hand() {
     // r = 0.06, l = 0.24, guide upwards: y_B = r sin q + sqrt(l² - r² cos² q); the slider stays on the y axis.
     let (linkage, loads) = compiled(scene("slider-crank"));
-    let text = worked(&linkage, loads.as_ref(), 3).text();
+    let text = worked(&linkage, loads.as_ref(), 3).text(Language::english());
     let (r, l) = (0.06, 0.24_f64);
     let c = r * std::f64::consts::FRAC_1_SQRT_2;
     let root = (l * l - c * c).sqrt();
@@ -22,9 +24,9 @@ fn slider_crank_at_45_degrees_by_hand() {
         assert!((found - wanted).abs() <= 1e-5 * wanted.abs(), "{name}: {found}, by hand {wanted}");
     };
     near("y_B", c + root);
-    near("y'_B", c + c * c / root);
-    near("phi'_rod", -c / root);
-    near("ay_t_B", value(&text, "y''_B") * (30.0 * std::f64::consts::PI).powi(2));
+    near("y′_B", c + c * c / root);
+    near("φ′_rod", -c / root);
+    near("a_y_t_B", value(&text, "y″_B") * (30.0 * std::f64::consts::PI).powi(2));
     assert!((value(&text, "M_bal") - value(&text, "M_bal_power")).abs() < 1e-3);
 }
 
@@ -37,7 +39,7 @@ fn without_loads_and_motion_there_are_no_forces() {
     assert!(loads.is_none());
     let working = worked(&linkage, None, 3);
     assert!(working.reactions.is_empty() && working.balancing.is_none());
-    assert!(!working.text().contains("Reactions of"));
+    assert!(!working.text(Language::english()).contains("Reactions of"));
 }
 
 #[test]
@@ -55,7 +57,7 @@ fn a_position_that_does_not_exist() {
 fn a_share_of_a_multiple_joint_is_named_by_both_its_links() {
     let (linkage, loads) = compiled(scene("conveyor"));
     let working = worked(&linkage, loads.as_ref(), 2);
-    let text = working.text();
+    let text = working.text(Language::english());
     let multiple = |pair: usize| linkage.structure.is_share(pair);
     let shares: Vec<_> = working.reactions.iter().filter(|reaction| multiple(reaction.pair)).collect();
     assert_eq!(shares.len(), 2);
@@ -64,11 +66,11 @@ fn a_share_of_a_multiple_joint_is_named_by_both_its_links() {
         let [a, b, on] =
             [pair.a, pair.b, reaction.on].map(|link| linkage.mechanism.links[link].name.as_str());
         let name =
-            format!("Rx_{}_{a}_{b}_{on}", linkage.structure.pair_name(&linkage.mechanism, reaction.pair));
+            format!("R_x_{}_{a}_{b}_{on}", linkage.structure.pair_name(&linkage.mechanism, reaction.pair));
         let wanted = reaction.force[0].value();
         assert!((value(&text, &name) - wanted).abs() <= 1e-5 * wanted.abs(), "{name}");
     }
     assert!(text.contains("is the share of links s and t alone"));
     let (simple, loads) = compiled(scene("slider-crank"));
-    assert!(!worked(&simple, loads.as_ref(), 2).text().contains("share"));
+    assert!(!worked(&simple, loads.as_ref(), 2).text(Language::english()).contains("share"));
 }

@@ -26,8 +26,7 @@ pub(super) fn list(state: &mut State) {
 
 /// `motors POWER, SPEED` of the `:` line: lists the motors of at least this power and at most this speed.
 pub(super) fn limits(state: &mut State, rest: &str) {
-    let read =
-        |text: &str, dimension| quantity(text.trim(), dimension).map_err(|error| name(error.to_string()));
+    let read = |text: &str, dimension| quantity(text.trim(), dimension).map_err(|error| error.describe());
     let limits = match rest.split_once(',') {
         Some((power, speed)) => {
             read(power, Dimension::Power).and_then(|power| Ok([power, read(speed, Dimension::AngularSpeed)?]))

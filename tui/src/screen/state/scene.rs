@@ -93,7 +93,7 @@ impl Scene {
     /// The errors as text, complete with file and line.
     pub(crate) fn read(source: Source, text: &str) -> Result<Self, Text> {
         let file = source.name();
-        let mechanism = assur_scene::read(&file, text).map_err(|errors| name(errors.to_string()))?;
+        let mechanism = assur_scene::read(&file, text).map_err(|errors| errors.describe())?;
         let positions = mechanism.input.positions;
         let parts = mechanism.parts();
         if parts > MOST_PARTS_DRAWN {
@@ -111,7 +111,7 @@ impl Scene {
             ));
         }
         let linkage = Linkage::compile(mechanism).map_err(|error| {
-            let located = crate::files::located(&file, text, &error).map(|errors| name(errors.to_string()));
+            let located = crate::files::located(&file, text, &error).map(|errors| errors.describe());
             located.unwrap_or_else(|| {
                 joined("\n  ", [text!("told-error", problem = error.describe()), name(file.clone())])
             })

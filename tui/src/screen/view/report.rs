@@ -4,6 +4,8 @@ use assur_words::{name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use assur_words::Describe;
+
 use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Role, State, View};
 
@@ -57,11 +59,12 @@ pub(crate) fn last_line(state: &State) -> usize {
 pub(crate) fn lines(state: &State, view: View, width: u16) -> Vec<String> {
     // A column stays free at each side.
     let width = width.max(40) - 2;
+    let language = state.language();
     let text = match (view, &state.measured, state.found()) {
         (View::Accuracy, Some(measured), _) => measured.text(state.look.ascii, width),
         (View::Working, _, Some(found)) => match found.plans.at(state.position).working() {
-            Ok(sections) => assur_worksheet::text(sections, usize::from(width)),
-            Err(error) => error.to_string(),
+            Ok(sections) => assur_worksheet::text(sections, usize::from(width), language),
+            Err(error) => error.describe().render(language),
         },
         _ => String::new(),
     };

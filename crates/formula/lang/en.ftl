@@ -1,0 +1,13 @@
+# What is wrong with a formula.
+formula-too-long = a formula has at most { $most } characters, this one { $count }
+formula-many-signs = a formula has at most { $most } signs, powers and parentheses
+formula-too-deep = the formula is nested deeper than { $most } levels
+formula-ends-early = the formula ends too early: an operand or `)` is missing
+formula-misplaced-sign = `{ $sign }` does not fit here in the formula; it knows { $known }
+formula-great-number = the number { $number } is beyond all that can be calculated with
+formula-unknown-name = `{ $name }` is unknown in a formula; it knows { $known }
+formula-arguments = `{ $name }` takes { $count ->
+    [one] { $count } argument
+   *[other] { $count } arguments
+ }, got { $got }
+formula-many-switches = a formula has at most { $most } of sign, step, abs, min, max and atan2

@@ -1,0 +1,10 @@
+# Что не так с формулой.
+formula-too-long = в формуле не более { $most } знаков, а здесь { $count }
+formula-many-signs = в формуле не более { $most } знаков, степеней и скобок
+formula-too-deep = вложенность формулы больше { $most } уровней
+formula-ends-early = формула обрывается: не хватает операнда или `)`
+formula-misplaced-sign = `{ $sign }` здесь в формуле не место; известны { $known }
+formula-great-number = с числом { $number } нельзя вычислять: оно слишком велико
+formula-unknown-name = `{ $name }` в формуле неизвестно; известны { $known }
+formula-arguments = `{ $name }`: аргументов должно быть { $count }, а задано { $got }
+formula-many-switches = в формуле не более { $most } функций sign, step, abs, min, max и atan2

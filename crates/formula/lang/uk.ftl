@@ -1,0 +1,10 @@
+# Що не так із формулою.
+formula-too-long = у формулі щонайбільше { $most } знаків, а тут { $count }
+formula-many-signs = у формулі щонайбільше { $most } знаків, степенів і дужок
+formula-too-deep = вкладеність формули понад { $most } рівнів
+formula-ends-early = формула обривається: бракує операнда або `)`
+formula-misplaced-sign = `{ $sign }` тут у формулі не місце; відомі { $known }
+formula-great-number = з числом { $number } не можна обчислювати: воно завелике
+formula-unknown-name = `{ $name }` у формулі невідоме; відомі { $known }
+formula-arguments = `{ $name }`: аргументів має бути { $count }, а задано { $got }
+formula-many-switches = у формулі щонайбільше { $most } функцій sign, step, abs, min, max і atan2

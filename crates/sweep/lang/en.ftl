@@ -1,0 +1,31 @@
+# Sweeps: what is measured, and why one can't begin.
+sweep-vary = `{ $vary }`: { $problem }
+sweep-nothing-varied = nothing is varied: name a parameter, such as "link.crank.mass=1 kg..5 kg:9"
+sweep-twice = `{ $first }` and `{ $second }` are the same value of the scene: vary it once
+sweep-many-points = the sweep has { $points } points, at most { $most } are calculated: fewer values of each parameter
+sweep-uncounted-points = the sweep has too many points to count, at most { $most } are calculated: fewer values of each parameter
+sweep-many-parameters = the sample has { $count } parameters, at most { $most }: keep those that matter
+sweep-no-measure = there is no measure `{ $name }`: name some of { $measures }, or `default` or `all`
+sweep-all-refused = no point of the sweep can be calculated; the first, { $point }:
+    { $problem }
+sweep-no-threads = can't start { $threads } threads: { $problem }
+sweep-write-grid = write it as KEY=FROM..TO:N, such as "link.crank.mass=1 kg..5 kg:9"
+sweep-write-sample = of a sample write it as KEY=FROM..TO, such as "link.crank.mass=1 kg..5 kg"
+sweep-wrong-count = N is `{ $count }`: write a whole number from 1
+sweep-no-number = `{ $text }` does not begin with a finite number
+sweep-count = `{ $key }` is a count, it has no unit
+sweep-text = `{ $key }` is a text, not a number
+sweep-takes-no-number = `{ $key }` takes no number
+sweep-different-ends = FROM and TO measure different things
+sweep-measure-health = least dimensionless determinant of all groups, and where
+sweep-measure-transmission = least transmission angle of all groups, and where
+sweep-measure-balancing = balancing load: greatest modulus and where, mean, mean of the modulus
+sweep-measure-balancing-rms = root of the mean square of the balancing load
+sweep-measure-reactions = greatest force and moment of each pair
+sweep-measure-reaction-rms = root of the mean square of force and moment of each pair
+sweep-measure-extremes = extremes of points, slides and angles of links
+sweep-measure-stroke = greatest less least displacement of slides and angle of links
+sweep-measure-time-ratio = time ratio of each slide and each link that swings
+sweep-measure-regime = periodic regime and drive
+sweep-measure-end = the last state of a transient motion
+sweep-several-quantities = it can measure several things: write FROM and TO with a unit

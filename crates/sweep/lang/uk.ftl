@@ -1,0 +1,31 @@
+# Перебір: що вимірюється і чому він не починається.
+sweep-vary = `{ $vary }`: { $problem }
+sweep-nothing-varied = нічого не змінюється: назвіть параметр, наприклад "link.crank.mass=1 kg..5 kg:9"
+sweep-twice = `{ $first }` і `{ $second }` — те саме значення сцени: змінюйте його один раз
+sweep-many-points = у переборі { $points } точок, обчислюється щонайбільше { $most }: зменште кількість значень кожного параметра
+sweep-uncounted-points = точок у переборі не злічити, обчислюється щонайбільше { $most }: зменште кількість значень кожного параметра
+sweep-many-parameters = параметрів у вибірці { $count }, щонайбільше { $most }: залиште важливі
+sweep-no-measure = показника `{ $name }` немає: назвіть якісь із { $measures } або `default` чи `all`
+sweep-all-refused = жодну точку перебору не можна обчислити; перша, { $point }:
+    { $problem }
+sweep-no-threads = не вдалося запустити потоки ({ $threads }): { $problem }
+sweep-write-grid = пишіть КЛЮЧ=ВІД..ДО:N, наприклад "link.crank.mass=1 kg..5 kg:9"
+sweep-write-sample = для вибірки пишіть КЛЮЧ=ВІД..ДО, наприклад "link.crank.mass=1 kg..5 kg"
+sweep-wrong-count = N — це `{ $count }`: пишіть ціле число від 1
+sweep-no-number = `{ $text }`: на початку немає скінченного числа
+sweep-count = `{ $key }` — кількість, вона не має одиниці
+sweep-text = `{ $key }` — текст, а не число
+sweep-takes-no-number = `{ $key }` не приймає числа
+sweep-different-ends = ВІД і ДО вимірюють різні величини
+sweep-measure-health = найменший безрозмірний визначник усіх груп і де він
+sweep-measure-transmission = найменший кут передачі всіх груп і де він
+sweep-measure-balancing = зрівноважувальне навантаження: найбільший модуль і де він, середнє, середній модуль
+sweep-measure-balancing-rms = середньоквадратичне зрівноважувальне навантаження
+sweep-measure-reactions = найбільші сила й момент кожної пари
+sweep-measure-reaction-rms = середньоквадратичні сила й момент кожної пари
+sweep-measure-extremes = крайні положення точок, поступальних пар і кутів ланок
+sweep-measure-stroke = розмах переміщень поступальних пар і кутів ланок
+sweep-measure-time-ratio = коефіцієнт зміни середньої швидкості кожної поступальної пари та кожного коромисла
+sweep-measure-regime = усталений режим і привод
+sweep-measure-end = останній стан неусталеного руху
+sweep-several-quantities = це може бути кілька величин: пишіть ВІД і ДО з одиницею

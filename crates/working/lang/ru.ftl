@@ -1,0 +1,102 @@
+# Расчёт положения: заголовки и замечания.
+working-position = положение { $position }
+working-sample = момент времени { $sample }
+working-at-position = положения { $position }
+working-at-sample = момента { $sample }, время { $time } с
+working-title = { $title }: расчёт { $of }
+working-structure = Строение: { $formula }
+working-no-position = положения { $position } нет: сцена имеет положения от 0 до { $last }
+working-load = { $place }: { $error }
+
+# Условные обозначения.
+working-conventions = Условные обозначения и допущения
+working-axes = Оси: x вправо, y вверх, неподвижны относительно стойки. Углы в радианах от оси x, положительны против часовой стрелки; углы звеньев лежат между −π и π, в таблицах анализа они могут отличаться на целые обороты.
+working-units = Единицы: м, кг, с, рад, Н, Н·м.
+working-pf = ПФ0 — положение точки (x, y) или угол φ оси x звена; ПФ1 и ПФ2 — их первая и вторая производные по обобщённой координате q, обозначенные штрихами ′ и ″. Это не скорости: v = ПФ1·ω, a = ПФ2·ω² + ПФ1·ε, где ω = dq/dt, ε = dω/dt.
+working-symbols = { $x }, { $y } — координаты точки A. { $phi } — угол звена r. { $u }, { $v } — проекции вектора от A до B в системе координат их звена. { $l } — длина. { $beta } — угол A-B от оси x звена. α, { $tx }, { $ty } — угол и единичный вектор направляющей; её нормаль (−{ $ty }, { $tx }). ψ — угол подвижного звена от направляющей.
+working-symbols-of-groups = Величины одной группы имеют её номер: { $d } — определитель группы 2.
+working-order = Положения находят от входного звена к последней группе, силы — от последней группы к входному звену.
+working-digits = Результаты имеют 6 значащих цифр. Промежуточные значения хранятся со всеми цифрами; каждая строка показывает столько цифр, сколько нужно её результату, и может быть пересчитана по показанным цифрам. Результат вида { $zero } есть нуль в пределах округления.
+working-atan2 = atan2({ $arguments }) — угол вектора (x, y) в его четверти.
+working-assumptions = Допущения: движение плоское, звенья абсолютно жёсткие, пары без зазоров.
+working-symbols-of-reactions = { $rx }, { $ry } — сила, с которой пара B действует на звено r; на другое звено действует противоположная. { $mr } — момент поступательной пары на это звено относительно названной точки; её сила приложена в этой точке перпендикулярно направляющей.
+working-symbols-of-loads = { $x }, { $y } — сумма известных сил на звено r. { $m } — их момент относительно A, положительный против часовой стрелки.
+working-inertia = Нагрузки инерции: −m·a в центре масс и −I·ε; вместе с ними каждое звено находится в равновесии.
+working-assumptions-of-forces = Допущения: пары без трения; силы тяжести и инерции приложены в центрах масс.
+working-shares = В шарнире B более чем двух звеньев { $share } — доля только звеньев s и t; реакция B на r есть сумма долей.
+
+# Слова в индексах, как можно короче.
+working-balancing = ур
+working-by-power = мощн
+working-by-drive = прив
+working-of-drive = дв
+working-of-inertia = ин
+working-travel = ход
+working-left = лев
+working-right = пр
+
+# Входное звено.
+working-input = Входное звено { $link }
+working-input-angle = q — угол звена { $link }: φ′ = 1, φ″ = 0
+working-input-displacement = q — перемещение вдоль направляющей: ПФ1 — её направление, ПФ2 = 0
+working-coordinate-of-sample = координата в этот момент времени
+working-first-coordinate = координата положения 0
+working-whole-travel = путь за все шаги, со знаком
+working-number-of-position = номер положения
+working-number-of-steps = число шагов
+
+# Группы.
+working-class = класс { $class }
+working-class-and-type = класс { $class }, вид { $number }
+working-group = Группа { $group }, { $kind } ({ $class }), звенья { $links }: положения, ПФ1, ПФ2
+working-displacement = перемещение в поступательной паре { $slide }
+working-linear-system = Эта группа решена через её линейную систему из { $equations } уравнений: J u′ = b и J u″ = b, по два уравнения на каждую пару. Сначала приведено решение; ниже обе части каждого уравнения согласуются с ним.
+working-pair-agrees = пара { $pair }: оба тела согласованы
+working-solution = решение
+working-place-in-solution = место по решению
+working-linear-reactions = Реакции являются решением уравнений равновесия звеньев (J транспонирована). Сначала приведены они; ниже для каждого звена их сумма противоположна сумме нагрузок.
+
+# Нагрузки.
+working-loads = Нагрузки на звенья
+working-inertia-loads = Нагрузки инерции
+working-load-of = { $load }:
+working-speed = скорость входного звена, dq/dt
+working-acceleration = его ускорение, dω/dt
+working-mass = масса
+working-own-inertia = относительно центра масс
+working-gravity = ускорение свободного падения
+working-direction = направление
+working-direction-in-link = направление в системе координат звена
+working-none-here = в этом положении нет
+working-size-here = величина в этом положении
+working-on-link-here = на звено { $link }, в этом положении
+working-spring-of-no-length = пружина нулевой длины не имеет направления: силы нет
+working-stiffness = жёсткость
+working-free-length = длина без нагрузки
+working-damping = коэффициент сопротивления
+working-where-the-force-acts = где приложена сила
+working-radius = радиус
+working-friction = коэффициент трения
+
+# Уравнение движения.
+working-reduction = Приведение к входному звену
+working-reduced-inertia = J — удвоенная кинетическая энергия звеньев при ω = 1; J′ — её производная по q
+working-reduced-moment = Q — мощность всех нагрузок, кроме движущей, при ω = 1, звено за звеном
+working-equation = Уравнение движения
+working-driving-moment = привода при этой скорости, на входном звене
+working-inertia-of-drive = маховика и ротора, приведённый к входному звену
+working-check-by-drive = Проверка по приводу
+working-what-the-drive-gives = Привод даёт уравновешивающую нагрузку и разгоняет маховик и ротор:
+working-must-be = Должно равняться { $quantity } выше.
+
+# Реакции.
+working-no-balancing = В этом положении уравновешивающая нагрузка не совершает работы: она не определена.
+working-no-reactions = Реакции этой группы не определены: особое положение.
+working-reactions = Реакции группы { $group }, { $kind }
+working-balancing-load = Уравновешивающая нагрузка из баланса мощностей
+working-unit-power = p — мощность единичной уравновешивающей нагрузки при dq = 1; её величина делает сумму мощностей нулевой
+working-balancing-direction = направление уравновешивающей силы
+working-check-by-power = Проверка по виртуальной мощности
+working-whole-power = W — мощность всех нагрузок и сил инерции при dq = 1, звено за звеном; реакции работы не совершают
+working-input-forces = Входное звено { $link }: реакция и уравновешивающая нагрузка
+working-moments-about = моменты относительно { $point }:

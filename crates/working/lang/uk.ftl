@@ -1,0 +1,102 @@
+# Розрахунок положення: заголовки й примітки.
+working-position = положення { $position }
+working-sample = момент часу { $sample }
+working-at-position = положення { $position }
+working-at-sample = моменту { $sample }, час { $time } с
+working-title = { $title }: розрахунок { $of }
+working-structure = Будова: { $formula }
+working-no-position = положення { $position } немає: сцена має положення від 0 до { $last }
+working-load = { $place }: { $error }
+
+# Умовні позначення.
+working-conventions = Умовні позначення та припущення
+working-axes = Осі: x праворуч, y угору, нерухомі відносно стояка. Кути в радіанах від осі x, додатні проти годинникової стрілки; кути ланок лежать між −π та π, у таблицях аналізу вони можуть відрізнятися на цілі оберти.
+working-units = Одиниці: м, кг, с, рад, Н, Н·м.
+working-pf = ПФ0 — положення точки (x, y) або кут φ осі x ланки; ПФ1 і ПФ2 — їхні перша та друга похідні за узагальненою координатою q, позначені штрихами ′ і ″. Це не швидкості: v = ПФ1·ω, a = ПФ2·ω² + ПФ1·ε, де ω = dq/dt, ε = dω/dt.
+working-symbols = { $x }, { $y } — координати точки A. { $phi } — кут ланки r. { $u }, { $v } — проєкції вектора від A до B у системі координат їхньої ланки. { $l } — довжина. { $beta } — кут A-B від осі x ланки. α, { $tx }, { $ty } — кут і одиничний вектор напрямної; її нормаль (−{ $ty }, { $tx }). ψ — кут рухомої ланки від напрямної.
+working-symbols-of-groups = Величини однієї групи мають її номер: { $d } — визначник групи 2.
+working-order = Положення знаходять від вхідної ланки до останньої групи, сили — від останньої групи до вхідної ланки.
+working-digits = Результати мають 6 значущих цифр. Проміжні значення зберігаються з усіма цифрами; кожен рядок показує стільки цифр, скільки потребує його результат, і його можна перерахувати за показаними цифрами. Результат на зразок { $zero } є нулем у межах округлення.
+working-atan2 = atan2({ $arguments }) — кут вектора (x, y) у його чверті.
+working-assumptions = Припущення: рух плоский, ланки абсолютно жорсткі, пари без зазорів.
+working-symbols-of-reactions = { $rx }, { $ry } — сила, з якою пара B діє на ланку r; на іншу ланку діє протилежна. { $mr } — момент поступальної пари на цю ланку відносно названої точки; її сила прикладена в цій точці перпендикулярно до напрямної.
+working-symbols-of-loads = { $x }, { $y } — сума відомих сил на ланку r. { $m } — їхній момент відносно A, додатний проти годинникової стрілки.
+working-inertia = Навантаження інерції: −m·a у центрі мас і −I·ε; разом із ними кожна ланка перебуває в рівновазі.
+working-assumptions-of-forces = Припущення: пари без тертя; сили ваги та інерції прикладені в центрах мас.
+working-shares = У шарнірі B більш ніж двох ланок { $share } — частка лише ланок s і t; реакція B на r є сумою часток.
+
+# Слова в індексах, якомога коротші.
+working-balancing = зр
+working-by-power = пот
+working-by-drive = прив
+working-of-drive = дв
+working-of-inertia = ін
+working-travel = хід
+working-left = лів
+working-right = пр
+
+# Вхідна ланка.
+working-input = Вхідна ланка { $link }
+working-input-angle = q — кут ланки { $link }: φ′ = 1, φ″ = 0
+working-input-displacement = q — переміщення вздовж напрямної: ПФ1 — її напрям, ПФ2 = 0
+working-coordinate-of-sample = координата в цей момент часу
+working-first-coordinate = координата положення 0
+working-whole-travel = шлях за всі кроки, зі знаком
+working-number-of-position = номер положення
+working-number-of-steps = кількість кроків
+
+# Групи.
+working-class = клас { $class }
+working-class-and-type = клас { $class }, вид { $number }
+working-group = Група { $group }, { $kind } ({ $class }), ланки { $links }: положення, ПФ1, ПФ2
+working-displacement = переміщення в поступальній парі { $slide }
+working-linear-system = Цю групу розв'язано через її лінійну систему з { $equations } рівнянь: J u′ = b і J u″ = b, по два рівняння на кожну пару. Спершу наведено розв'язок; нижче обидві частини кожного рівняння узгоджуються з ним.
+working-pair-agrees = пара { $pair }: обидва тіла узгоджені
+working-solution = розв'язок
+working-place-in-solution = місце за розв'язком
+working-linear-reactions = Реакції є розв'язком рівнянь рівноваги ланок (J транспонована). Спершу наведено їх; нижче для кожної ланки їхня сума протилежна сумі навантажень.
+
+# Навантаження.
+working-loads = Навантаження на ланки
+working-inertia-loads = Навантаження інерції
+working-load-of = { $load }:
+working-speed = швидкість вхідної ланки, dq/dt
+working-acceleration = її прискорення, dω/dt
+working-mass = маса
+working-own-inertia = відносно центра мас
+working-gravity = прискорення вільного падіння
+working-direction = напрям
+working-direction-in-link = напрям у системі координат ланки
+working-none-here = у цьому положенні немає
+working-size-here = величина в цьому положенні
+working-on-link-here = на ланку { $link }, у цьому положенні
+working-spring-of-no-length = пружина нульової довжини не має напряму: сили немає
+working-stiffness = жорсткість
+working-free-length = довжина без навантаження
+working-damping = коефіцієнт опору
+working-where-the-force-acts = де прикладена сила
+working-radius = радіус
+working-friction = коефіцієнт тертя
+
+# Рівняння руху.
+working-reduction = Зведення до вхідної ланки
+working-reduced-inertia = J — подвоєна кінетична енергія ланок за ω = 1; J′ — її похідна за q
+working-reduced-moment = Q — потужність усіх навантажень, крім рушійного, за ω = 1, ланка за ланкою
+working-equation = Рівняння руху
+working-driving-moment = привода за цієї швидкості, на вхідній ланці
+working-inertia-of-drive = маховика й ротора, зведений до вхідної ланки
+working-check-by-drive = Перевірка за приводом
+working-what-the-drive-gives = Привод дає зрівноважувальне навантаження і розганяє маховик та ротор:
+working-must-be = Має дорівнювати { $quantity } вище.
+
+# Реакції.
+working-no-balancing = У цьому положенні зрівноважувальне навантаження не виконує роботи: його не визначено.
+working-no-reactions = Реакції цієї групи не визначені: особливе положення.
+working-reactions = Реакції групи { $group }, { $kind }
+working-balancing-load = Зрівноважувальне навантаження з балансу потужностей
+working-unit-power = p — потужність одиничного зрівноважувального навантаження за dq = 1; його величина робить суму потужностей нульовою
+working-balancing-direction = напрям зрівноважувальної сили
+working-check-by-power = Перевірка за віртуальною потужністю
+working-whole-power = W — потужність усіх навантажень і сил інерції за dq = 1, ланка за ланкою; реакції роботи не виконують
+working-input-forces = Вхідна ланка { $link }: реакція та зрівноважувальне навантаження
+working-moments-about = моменти відносно { $point }:
