@@ -91,3 +91,7 @@ analysis-residual-equilibrium = equilibrium
 analysis-residual-dynamics = dynamics
 analysis-residual-global = global
 analysis-load-named = { $name } (load)
+analysis-listed-against = The positions are listed from { $from } to { $to }, and the input moves the other way: arrows of velocities point against the order of the positions. With `direction = "{ $other }"` in [input] the motion follows the list.
+analysis-never-slides = The arc of `{ $contact }` never slides, so that it has no friction.
+analysis-rolls = The arc of `{ $contact }` rolls without sliding in { $positions }: its friction has the sense there that it has just after.
+analysis-friction-pushes = The friction of `{ $contact }` pushes with the sliding in { $positions }: its sign is the one given. With `friction = {"{"} against_sliding = { $friction } {"}"}` it is found.

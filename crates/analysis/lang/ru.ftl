@@ -92,3 +92,7 @@ analysis-residual-equilibrium = равновесие
 analysis-residual-dynamics = динамика
 analysis-residual-global = общая
 analysis-load-named = { $name } (нагрузка)
+analysis-listed-against = Положения перечислены от { $from } до { $to }, а вход движется в другую сторону: стрелки скоростей направлены против порядка положений. С `direction = "{ $other }"` в [input] движение идёт по списку.
+analysis-never-slides = Дуга контакта `{ $contact }` никогда не скользит, поэтому трения нет.
+analysis-rolls = Дуга контакта `{ $contact }` катится без скольжения ({ $positions }): её трение имеет там то направление, что сразу после этого.
+analysis-friction-pushes = Трение контакта `{ $contact }` толкает в направлении скольжения ({ $positions }): его знак — заданный. С `friction = {"{"} against_sliding = { $friction } {"}"}` он будет найден.

@@ -91,3 +91,7 @@ analysis-residual-equilibrium = рівновага
 analysis-residual-dynamics = динаміка
 analysis-residual-global = загальна
 analysis-load-named = { $name } (навантаження)
+analysis-listed-against = Положення перелічено від { $from } до { $to }, а вхід рухається в інший бік: стрілки швидкостей спрямовані проти порядку положень. Із `direction = "{ $other }"` в [input] рух іде за переліком.
+analysis-never-slides = Дуга контакту `{ $contact }` ніколи не ковзає, тому тертя немає.
+analysis-rolls = Дуга контакту `{ $contact }` котиться без ковзання ({ $positions }): її тертя має там той напрямок, що одразу після цього.
+analysis-friction-pushes = Тертя контакту `{ $contact }` штовхає в напрямку ковзання ({ $positions }): його знак — заданий. Із `friction = {"{"} against_sliding = { $friction } {"}"}` його буде знайдено.

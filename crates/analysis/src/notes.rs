@@ -1,10 +1,11 @@
 //! Notes: what had to be left out, and which parts of a request have no use.
 
 mod assembly;
+mod contact;
 mod loads;
 
 use assur_integrator::Knob;
-use assur_mechanism::{Mechanism, Motion};
+use assur_mechanism::{Mechanism, Motion, Range};
 use assur_words::{Text, list, name, number, quantity, text};
 
 use crate::trajectory::WithoutForces;
@@ -20,6 +21,8 @@ impl Calculation {
         notes.extend(self.regime_notes());
         notes.extend(self.springs_without_direction());
         notes.extend(self.positions_out_of_time());
+        notes.extend(self.listed_against_the_motion());
+        notes.extend(self.friction_of_contacts());
         if let InputMotion::Transient(found) = &self.motion {
             notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why = why)));
         }
@@ -33,6 +36,26 @@ impl Calculation {
             notes.push(text!("analysis-no-forces", count = samples.refused, reason = reason));
         }
         notes
+    }
+
+    /// A list of places that the prescribed motion passes in the opposite order.
+    fn listed_against_the_motion(&self) -> Option<Text> {
+        let input = &self.linkage.mechanism.input;
+        let (Range::To(to), Some(Motion::Prescribed { speed, .. })) =
+            (input.range, &self.linkage.mechanism.motion)
+        else {
+            return None;
+        };
+        let [from, to] = [input.from, to].map(|at| {
+            if self.linkage.angular() {
+                quantity(format_args!("{:.6}", at.to_degrees()), "deg")
+            } else {
+                quantity(format_args!("{:.6}", 1e3 * at), "mm")
+            }
+        });
+        let other = name(if input.sign() > 0.0 { "cw" } else { "ccw" });
+        (speed * (input.coordinate(input.positions.saturating_sub(1)) - input.from) < 0.0)
+            .then(|| text!("analysis-listed-against", from = from, to = to, other = other))
     }
 
     /// Requirements on a regime that are not met, and whether its loads drive.
@@ -81,6 +104,10 @@ impl Listed {
         if self.first.len() < Self::MOST {
             self.first.push(number);
         }
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.count
     }
 
     pub(crate) fn is_empty(&self) -> bool {

@@ -22,7 +22,8 @@ pub(crate) fn collectors() -> [Collector; 4] {
     ]
 }
 
-/// Compares one state; returns the residuals of the equation of motion and of virtual power.
+/// Compares one state; returns the residuals of the equation of motion and of the global check. Where the motion was found, both
+/// are those of the drive that made it: the balancing load of the force analysis follows any acceleration.
 pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [Collector; 4]) -> [f64; 2] {
     let (one, state, loads) = (case.one, case.state, case.loads);
     let linkage = case.subject.linkage;
@@ -55,6 +56,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
         loads.total(state, bodies).iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
     let of_powers = (balancing + sum).abs() / total;
     lever.offer(one.index, of_powers, limit, || text!("check-all-loads"));
+    let mut residuals = [of_motion, of_powers];
     if let Some(given) = case.subject.drive.map(|given| given(state)) {
         let total = total.max(given.value.abs());
         let off = (balancing - given.value).abs() / total;
@@ -62,11 +64,12 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
             Some(uncertain) => {
                 let limit = limit + (given.error + uncertain) / total;
                 drive.offer(one.index, off, limit, || text!("check-input-link"));
+                residuals = [(given.value + moment + terms[0] + terms[1]).abs() / total, off];
             }
             None => drive.leave_out(one.index, ON_A_JUMP),
         }
     }
-    [of_motion, of_powers]
+    residuals
 }
 
 /// How far the reduced moment of the loads may be off where the motion was found: on a steep line by what it gains over the

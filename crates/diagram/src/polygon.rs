@@ -137,7 +137,7 @@ impl Drawer<'_> {
             }
             let on_a = self.reactions.pairs[id].force();
             let force = if pair.a == link { on_a } else { opposite(on_a) };
-            let joint = name(structure.pair_name(mechanism, id).to_owned());
+            let joint = Text::from(structure.pair_name(mechanism, id));
             let [on, from] = [link, pair.other(link)].map(|link| Text::from(&mechanism.links[link].name));
             let symbol = if structure.is_share(id) {
                 text!("plan-share-of-reaction", pair = &joint, link = &from)

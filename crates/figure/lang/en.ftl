@@ -1,5 +1,2 @@
-# Figures and their pictures.
-picture-size = a picture of { $width } x { $height } pixels can't be painted; a png has at most { $most } million, such as { $side } x { $side } mm; an svg may be larger
-picture-not-painted = the figure can't be painted: { $problem }
-picture-not-written = the picture can't be written: { $problem }
+# Figures.
 figure-gap = gap

@@ -1,5 +1,2 @@
-# Рисунки и их изображения.
-picture-size = изображение { $width } × { $height } пикселей нарисовать невозможно: у png не более { $most } млн, например { $side } × { $side } мм; svg может быть больше
-picture-not-painted = рисунок невозможно нарисовать: { $problem }
-picture-not-written = изображение невозможно записать: { $problem }
+# Рисунки.
 figure-gap = зазор

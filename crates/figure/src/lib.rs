@@ -1,7 +1,7 @@
 //! Figures: what is drawn, and the renderers that draw it.
 //!
 //! A [`Figure`] holds panels, a panel holds items (lines, arrows, pins, springs, names) in real units. It is drawn as
-//! character cells ([`cells`]), as SVG ([`svg`]) and as PNG ([`png`](mod@png)); all three show the same items. [`mechanism`] makes
+//! character cells ([`cells`]) and as SVG ([`svg`]), which another crate paints; both show the same items. [`mechanism`] makes
 //! the items of a linkage in one position.
 //!
 //! A plane (a mechanism, a plan, a hodograph) has one scale for both axes; on paper it is a round one, so that a length
@@ -15,7 +15,6 @@ pub mod mechanism;
 mod model;
 pub mod number;
 mod page;
-pub mod png;
 pub mod svg;
 mod trace;
 

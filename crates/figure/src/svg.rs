@@ -5,6 +5,7 @@ use std::fmt::Write;
 use assur_words::Language;
 
 use crate::model::Figure;
+pub use crate::page::EM;
 use crate::page::{Element, elements};
 
 /// Fonts of the texts, the first that is there; their letters have nearly one width.

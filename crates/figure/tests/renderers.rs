@@ -1,7 +1,7 @@
-//! What cells, SVG and PNG show of one figure.
+//! What cells and SVG show of one figure.
 
 use assur_figure::cells::{self, Look, Marker, Spot};
-use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Panel, Sign, Stroke, Zoom, png, svg};
+use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Panel, Sign, Stroke, Zoom, svg};
 use assur_words::{Language, Text, name, unit};
 
 fn look(marker: Marker) -> Look {
@@ -106,26 +106,6 @@ fn the_same_figure_has_the_same_bytes_and_its_texts_are_no_markup() {
     let text = svg::write(&figure, [100.0, 80.0], Language::english());
     assert_eq!(text, svg::write(&figure, [100.0, 80.0], Language::english()));
     assert!(text.contains("a &lt; b &amp; &quot;c&quot;") && text.contains("1 &gt; 0"), "{text}");
-}
-
-#[test]
-fn a_picture_has_ten_pixels_a_millimeter_and_is_not_empty() {
-    let figure = chart("силы, μ", &[1.0, 2.0], 0.0);
-    let bytes = png::write(&figure, [50.0, 40.0], Language::english()).unwrap();
-    let side = |at: usize| u32::from_be_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
-    assert_eq!([side(16), side(20)], [500, 400]);
-    let blank = png::write(&chart("", &[f64::NAN], 0.0), [50.0, 40.0], Language::english()).unwrap();
-    assert!(bytes.len() > blank.len() + 500, "{} and {}", bytes.len(), blank.len());
-    // 64 million pixels are 800 mm square; as wide as an svg may be, a picture is flat.
-    let error = png::write(&figure, [800.1, 800.1], Language::english()).unwrap_err().to_string();
-    assert!(
-        error.ends_with("a png has at most 64 million, such as 800 x 800 mm; an svg may be larger"),
-        "{error}"
-    );
-    assert!(
-        png::write(&figure, [0.0, 40.0], Language::english()).is_err()
-            && png::write(&figure, [f64::NAN, 40.0], Language::english()).is_err()
-    );
 }
 
 #[test]

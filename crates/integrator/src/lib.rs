@@ -25,7 +25,6 @@
 //! conditions.
 
 mod accuracy;
-pub mod chebyshev;
 mod choose;
 mod control;
 mod dense;

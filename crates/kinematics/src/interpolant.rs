@@ -9,6 +9,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur_group::Body;
+use assur_number::panel::shares;
 use assur_number::{Dd, Real};
 
 use crate::wide::Solved;
@@ -224,25 +225,9 @@ impl Interpolant {
         x.abs() * self.health_at_end
     }
 
-    /// Weight of each node at a distance of `x` half-widths, by the barycentric formula of the second kind: backward
-    /// stable, exact at the nodes.
+    /// Weight of each node at a distance of `x` half-widths.
     fn weights(&self, x: f64) -> [f64; MOST_NODES] {
-        let mut weights = [0.0; MOST_NODES];
-        let mut sum = 0.0;
-        for (i, (weight, node)) in weights.iter_mut().zip(&self.nodes).enumerate() {
-            let away = x - node.x;
-            if away == 0.0 {
-                let mut only = [0.0; MOST_NODES];
-                only[i] = 1.0;
-                return only;
-            }
-            *weight = node.weight / away;
-            sum += *weight;
-        }
-        for weight in &mut weights {
-            *weight /= sum;
-        }
-        weights
+        shares(x, self.nodes.iter().map(|node| (node.x, node.weight)))
     }
 
     fn blend(&self, weights: &[f64; MOST_NODES], body: usize) -> Body<f64> {

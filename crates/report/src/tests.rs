@@ -169,7 +169,7 @@ fn numbers_are_the_shortest_that_read_back() {
 fn parquet_reads_back_over_groups() {
     let analysis = analysis(1.5);
     let mut bytes = Vec::new();
-    let mut writer = crate::parquet::Writer::new(&analysis, &mut bytes).unwrap();
+    let mut writer = assur_parquet::Writer::new(&analysis, &mut bytes).unwrap();
     // Two rows of 18 columns: a group is full after 349,526 tables.
     let tables = 360_000;
     for _ in 0..tables {

@@ -2,7 +2,7 @@
 //!
 //! [`Sweep::of`] takes the text of a scene, the parameters ([`Vary`]) and what is wanted ([`Request`]); [`Sweep::run`]
 //! calculates points in threads and hands on their [`Rows`] block by block, which are written as CSV
-//! ([`Rows::to_csv`]) or as [`parquet`]. Nothing here opens a file by its name or prints, and memory does not grow with the
+//! ([`Rows::to_csv`]), and by another crate as Parquet. Nothing here opens a file by its name or prints, and memory does not grow with the
 //! number of points.
 //!
 //! A parameter is a dotted path into the scene with a range: `link.crank.mass`, `ground.points.C[1]`, `slide[0].angle`,
@@ -28,7 +28,6 @@ mod axis;
 mod error;
 mod layout;
 mod measure;
-pub mod parquet;
 mod point;
 mod points;
 mod positions;
@@ -41,7 +40,7 @@ mod vary;
 pub use error::SweepError;
 pub use measure::{MEASURES, Measure};
 pub use points::Points;
-pub use rows::{Rows, Status, Tally};
+pub use rows::{Columns, Rows, Status, Tally};
 pub use sweep::{MOST_POINTS, Request, Sweep};
 pub use vary::Vary;
 

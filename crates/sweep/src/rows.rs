@@ -50,7 +50,7 @@ enum Content {
 
 /// The columns of a sweep.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Columns {
+pub struct Columns {
     names: Vec<String>,
     contents: Vec<Content>,
     parameters: usize,
@@ -74,7 +74,8 @@ impl Columns {
         Self { names: assur_report::csv::unique(names), contents, parameters: count, numbers }
     }
 
-    pub(crate) fn names(&self) -> &[String] {
+    /// Their names.
+    pub fn names(&self) -> &[String] {
         &self.names
     }
 
@@ -91,7 +92,7 @@ impl Columns {
     }
 
     /// Whether a column holds texts; otherwise numbers.
-    pub(crate) fn is_text(&self, column: usize) -> bool {
+    pub fn is_text(&self, column: usize) -> bool {
         matches!(self.contents.get(column), Some(Content::Status | Content::Message | Content::Motor))
     }
 }
@@ -161,6 +162,11 @@ impl Rows {
     /// Number of the point of the first row.
     pub fn first(&self) -> usize {
         self.first
+    }
+
+    /// The columns.
+    pub fn columns(&self) -> &Columns {
+        &self.columns
     }
 
     /// Names of the columns.

@@ -15,7 +15,7 @@ use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
 use crate::rows::{Columns, Rows};
 use crate::variants::Variants;
-use crate::{Points, SweepError, Vary, parquet};
+use crate::{Points, SweepError, Vary};
 
 /// Most points of a sweep: at a million points a second they would take eleven days.
 pub const MOST_POINTS: usize = 1_000_000_000_000;
@@ -29,6 +29,15 @@ const NUMBERS: usize = 1 << 15;
 /// Blocks that a thread may be ahead of the writer: with a thread that does not get its turn for some milliseconds the others
 /// need not wait.
 const AHEAD: usize = 16;
+
+/// A sweep has so many parts, so that little is lost if it is ended; but parts have at least so many rows.
+const PARTS: usize = 64;
+
+/// Most rows of a part.
+const MOST_ROWS: usize = 65_536;
+
+/// Most numbers of a part: 64 MB, of which some copies are in memory.
+const PART_NUMBERS: usize = 1 << 23;
 
 /// What a sweep calculates.
 #[derive(Debug, Clone)]
@@ -93,6 +102,11 @@ impl Sweep {
         Ok(Self { axes, points, variants, layout, measures, options, columns, count })
     }
 
+    /// The columns of its rows.
+    pub fn columns(&self) -> &Columns {
+        &self.columns
+    }
+
     /// How many points there are.
     pub fn points(&self) -> usize {
         self.count
@@ -100,7 +114,8 @@ impl Sweep {
 
     /// Rows of each part of a Parquet file of so many points, except the last one: few enough to keep in memory.
     pub fn rows_of_part(&self, points: usize) -> usize {
-        parquet::rows_of_part(points).min(parquet::NUMBERS / self.columns.names().len().max(1)).max(1)
+        let few = points.div_ceil(PARTS).clamp(PARTS, MOST_ROWS);
+        few.min(PART_NUMBERS / self.columns.names().len().max(1)).max(1)
     }
 
     /// The points of part `part` of `parts` (from 1), in which the points are divided in their order.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use assur_integrator::chebyshev::{INSIDE, NODES, Series, integral, inverse, swing, tail, value};
+use assur_number::panel::chebyshev::{INSIDE, NODES, Series, integral, inverse, swing, tail, value};
 
 use crate::panel::Panel;
 

@@ -1,9 +1,9 @@
 //! A panel of the coordinate with the polynomials of J and of the kinetic energy.
 
-use assur_integrator::chebyshev::{
+use assur_integrator::{Equation, MotionError, State};
+use assur_number::panel::chebyshev::{
     NODES, Series, WITH_ENDS, divided, first_zero, integral, swing, tail, value,
 };
-use assur_integrator::{Equation, MotionError, State};
 
 /// J and Q at a node.
 pub(crate) type Values = (f64, f64);

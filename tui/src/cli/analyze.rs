@@ -4,7 +4,8 @@ use std::io::{self, Write};
 
 use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, Table};
-use assur_report::{csv, json, parquet, text as report};
+use assur_parquet as parquet;
+use assur_report::{csv, json, text as report};
 use assur_words::text;
 
 use super::args::AnalyzeArgs;
@@ -12,9 +13,9 @@ use super::fault::{Fault, Status};
 use super::options::Format;
 use super::output::Output;
 use super::style::Style;
-use super::verdict::Verdict;
 use super::{plans, scene};
 use crate::progress::ProgressLine;
+use crate::verdict::Verdict;
 
 pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let form = Form::of(args)?;
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let count = study.linkage.mechanism.input.positions;
     let positions = plans::chosen(&args.positions, form == Form::Text, &analysis, count)?;
     let added = args.plans.add(&study, scene, style, &mut analysis)?;
-    let verdict = Verdict::of(&analysis, &study, &scene.scene);
+    let verdict = Verdict::of(&analysis, &study, &scene.scene.as_path());
     if !verdict.writable {
         verdict.tell(style);
         return Ok(verdict.status());

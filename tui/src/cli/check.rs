@@ -5,9 +5,9 @@ use assur_report::text;
 use super::fault::{Fault, Status};
 use super::options::CheckedArgs;
 use super::style::Style;
-use super::verdict::Verdict;
 use super::{output, scene};
 use crate::progress::ProgressLine;
+use crate::verdict::Verdict;
 
 pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever results the scene requests.
@@ -18,7 +18,7 @@ pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     drop(line);
     analysis.add_checks(checks);
     output::print(&text::checks(&analysis.checks, style.words()))?;
-    let verdict = Verdict::of(&analysis, &study, &args.scene.scene);
+    let verdict = Verdict::of(&analysis, &study, &args.scene.scene.as_path());
     verdict.tell(style);
     Ok(verdict.proved())
 }

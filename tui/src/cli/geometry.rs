@@ -12,7 +12,7 @@ use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use super::verdict::Verdict;
+use crate::verdict::Verdict;
 
 /// Arguments of `geometry`.
 #[derive(Debug, Clone, Args)]
@@ -41,7 +41,7 @@ pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
             Fault::Other(text!("cli-no-such-link", link = words::name(name.clone()), links = links))
         })?,
     };
-    let verdict = Verdict::of_positions(&linkage, path);
+    let verdict = Verdict::of_positions(&linkage, &path.as_path());
     verdict.tell(style);
     let found = match assur_geometry::geometry(&linkage, against) {
         Ok(found) => found,

@@ -12,10 +12,10 @@ use assur_words::{Text, name};
 use super::fault::Fault;
 use super::options::{MethodArgs, SceneArgs};
 use super::style::Style;
-use super::verdict::Verdict;
 use crate::files::{self, FileError};
 use crate::progress::ProgressLine;
 use crate::screen::state::State;
+use crate::verdict::Verdict;
 
 /// Reads a scene file.
 pub(crate) fn read(path: &Path) -> Result<Mechanism, Fault> {
@@ -79,13 +79,13 @@ pub(crate) fn at_key(path: &Path, key: &[String], message: &str) -> Option<Fault
 pub(crate) fn verdict(calculation: &Calculation, path: &Path, style: Style) -> Result<Verdict, Fault> {
     let analysis =
         calculation.analyze(&mut ProgressLine::new(style.language).watch()).map_err(Fault::other)?;
-    Ok(Verdict::of(&analysis, calculation, path))
+    Ok(Verdict::of(&analysis, calculation, &path))
 }
 
 /// What the results lack that the views and the note are made of.
 pub(crate) fn verdict_of(state: &State, args: &SceneArgs, style: Style) -> Result<Verdict, Fault> {
     if let Some(found) = state.found() {
-        return Ok(Verdict::of(&found.analysis, found.plans.calculation(), &args.scene));
+        return Ok(Verdict::of(&found.analysis, found.plans.calculation(), &args.scene.as_path()));
     }
     // The same calculation, which says why there is none, and where.
     verdict(&study(args, style)?, &args.scene, style)

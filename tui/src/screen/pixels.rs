@@ -9,7 +9,8 @@ mod tests;
 
 use std::fmt::Write;
 
-use assur_figure::{Figure, png};
+use assur_figure::{Figure, svg};
+use assur_png as png;
 use assur_words::Language;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -62,7 +63,7 @@ pub(crate) fn bytes(
         text.push_str("\x1b_Ga=d,d=A,q=2\x1b\\");
     }
     for (figure, area) in pictures {
-        let mm = png::EM / (LETTERS * cell[1]);
+        let mm = svg::EM / (LETTERS * cell[1]);
         let size = [f64::from(area.width) * cell[0] * mm, f64::from(area.height) * cell[1] * mm];
         let Ok(picture) = png::write(figure, size, language) else { continue };
         let picture = STANDARD.encode(picture);

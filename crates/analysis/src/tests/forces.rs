@@ -92,3 +92,55 @@ fn a_spring_whose_ends_meet_is_told() {
     assert!(of(&scene.replace("length = 0.2", "length = 0")).is_empty());
     assert!(of(&scene.replace("E = [1, 0]", "E = [1.1, 0]")).is_empty());
 }
+
+/// The friction of the press is given against the sliding; turned round, or with the motion the other way, it pushes.
+#[test]
+fn a_friction_that_pushes_with_the_sliding_is_told() {
+    let of = |text: &str| {
+        let notes = analyzed(text).notes;
+        notes.iter().map(ToString::to_string).filter(|note| note.contains("slid")).collect::<Vec<_>>()
+    };
+    let press = super::text("press");
+    let all = "The friction of `contact 1 on rod` pushes with the sliding in positions 0, 1, 2, ";
+    assert!(of(&press).is_empty() && of(&super::text("press-compression")).is_empty());
+    let turned = of(&press.replace("friction = 0.1", "friction = -0.1"));
+    assert!(turned.len() == 1 && turned[0].starts_with(all), "{turned:?}");
+    assert!(turned[0].ends_with("With `friction = { against_sliding = 0.1 }` it is found."), "{turned:?}");
+    let back = of(&press.replace("direction = \"cw\"\n", ""));
+    assert!(back.len() == 1 && back[0].starts_with(all), "{back:?}");
+    // With R = (r2 + b) cos a the arc rolls in the middle.
+    let radius = 0.8 * 4.0_f64.to_radians().cos();
+    let rolls = press.replace("\"750 mm\"", &format!("{radius:?}"));
+    let rolls = of(&rolls.replace("friction = 0.1", "friction = { against_sliding = 0.1 }"));
+    assert_eq!(
+        rolls,
+        [
+            "The arc of `contact 1 on rod` rolls without sliding in position 16: its friction has the sense there that it has just \
+             after."
+        ]
+    );
+}
+
+#[test]
+fn a_list_against_the_motion_is_told() {
+    let press = super::text("press");
+    let listed = |text: &str| {
+        analyzed(text).notes.iter().map(ToString::to_string).find(|note| note.contains("are listed"))
+    };
+    assert_eq!(listed(&press), None);
+    assert_eq!(
+        listed(&press.replace("direction = \"cw\"\n", "")).unwrap(),
+        "The positions are listed from -70.000000 deg to -110.000000 deg, and the input moves the other way: arrows of velocities \
+         point against the order of the positions. With `direction = \"cw\"` in [input] the motion follows the list."
+    );
+    let upward =
+        press.replace("from = \"-70 deg\"\nto = \"-110 deg\"", "from = \"-110 deg\"\nto = \"-70 deg\"");
+    assert!(listed(&upward).unwrap().contains("`direction = \"ccw\"`"));
+}
+
+/// Driving is what does positive work over the cycle: in E example 2 the engine is a load of the scene.
+#[test]
+fn who_drives_is_who_does_the_work() {
+    let drives = |name: &str| analyzed(&super::text(name)).dynamics.unwrap().regime.loads_drive();
+    assert!(drives("flywheel") && !drives("shaper-drive"));
+}

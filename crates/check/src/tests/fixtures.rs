@@ -84,7 +84,7 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
     let linkage = scene(assur_fixtures::scene("shaper"));
     let loads = Loads::compile(&linkage).unwrap();
     let input = &linkage.mechanism.input;
-    let check = |factor: f64| {
+    let found = |factor: f64| {
         let needed = |state: &State| {
             let mut position = linkage.position();
             linkage.solve(state.coordinate, Order::Second, &mut position).unwrap();
@@ -102,12 +102,20 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
             drive: Some(&needed),
             methods: methods(&linkage, None),
         };
-        let ControlFlow::Continue((all, _)) =
+        let ControlFlow::Continue((all, residuals)) =
             subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
-        all.into_iter().find(|check| check.name.to_string() == "drive against force analysis").unwrap()
+        let check =
+            all.into_iter().find(|check| check.name.to_string() == "drive against force analysis").unwrap();
+        let most =
+            |of: fn(&crate::ForceResiduals) -> f64| residuals.forces.iter().map(of).fold(0.0, f64::max);
+        (check, [most(|at| at.dynamics), most(|at| at.global)])
     };
-    assert!(check(1.0).ok, "{:?}", check(1.0));
-    assert!(check(1.0 + 1e-9).failed());
+    let (check, residuals) = found(1.0);
+    assert!(check.ok && residuals.iter().all(|residual| *residual < 1e-14), "{check:?} {residuals:?}");
+    let (check, residuals) = found(1.0 + 1e-9);
+    assert!(check.failed());
+    // The curves of both residuals show it: those of a wrong moment of the drive, as of a wrong acceleration.
+    assert!(residuals.iter().all(|residual| (1e-11..1e-9).contains(residual)), "{residuals:?}");
 }
 
 /// A disc at rest at a coordinate, with a moment that jumps at 0.5 rad and rises over 1e-12 rad at 1 rad.

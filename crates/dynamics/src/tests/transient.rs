@@ -27,6 +27,21 @@ fn the_brake_of_d() {
     assert_eq!(found.integrator, "closed-form");
 }
 
+/// The shoe of the brake as the line of the ground, on which an arc about the pin slides.
+#[test]
+fn a_contact_against_the_sliding_brakes_as_the_brake_of_d() {
+    let brake = scene("brake").split_once("[[brake]]").unwrap();
+    let contact = "[[contact]]\nlink = \"disc\"\ncenter = \"O\"\nradius = 0.1\nforce = 40\nfriction = { against_sliding = 0.2 }\n";
+    for speed in ["100", "-100"] {
+        let rest =
+            brake.1.split_once("[input]").unwrap().1.replace("speed = 100", &format!("speed = {speed}"));
+        let (linkage, loads) = compiled(&format!("{}{contact}[input]{rest}", brake.0));
+        let end = transient(&linkage, &loads, &Method::default(), None).unwrap().trajectory.end;
+        assert_relative_eq!(end.time, 50.0, max_relative = 1e-9);
+        assert_relative_eq!(end.coordinate.abs(), 2500.0, max_relative = 1e-9);
+    }
+}
+
 #[test]
 fn the_run_up_of_example_1() {
     let found = solved("run-up");

@@ -2,7 +2,8 @@
 
 use assur_analysis::results::{Event, Integration, Owner, Quantity, Table as Results};
 use assur_book::{Column, Document, Table, Unit, named, row};
-use assur_words::{name, number, text};
+use assur_integrator::EventKind;
+use assur_words::{Text, name, number, text};
 
 use super::forces::{force, has_reactions, shown};
 use super::units::{FORCE, JOULE, SECOND};
@@ -145,7 +146,7 @@ fn holding(source: &Source<'_>, page: &mut Document) {
 fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
     let row = |event: &Event| {
         let Event { kind, state } = event;
-        row![name(kind.to_string()), state.time, state.coordinate, state.speed]
+        row![words_of(*kind), state.time, state.coordinate, state.speed]
     };
     let shown = found.events.iter().take(EVENTS);
     let caption = text!("report-events", shown = shown.len(), all = found.events.len());
@@ -156,6 +157,20 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
         Column::short(text!("head-speed"), source.units.rates[0]),
     ];
     page.table(Table::list(caption, heads).rows(shown.map(row)));
+}
+
+/// What happened.
+fn words_of(kind: EventKind) -> Text {
+    match kind {
+        EventKind::Coordinate => text!("event-coordinate"),
+        EventKind::Speed => text!("event-speed"),
+        EventKind::Time => text!("event-time"),
+        EventKind::Reversal => text!("event-reversal"),
+        EventKind::Rest => text!("event-rest"),
+        EventKind::Held => text!("event-held"),
+        EventKind::Release => text!("event-release"),
+        other => name(other.to_string()),
+    }
 }
 
 /// The greatest reaction of each pair over the samples.

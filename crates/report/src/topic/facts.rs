@@ -24,10 +24,12 @@ pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
         "fact-mean-speed",
         "fact-unevenness",
         "fact-required-power",
+        "fact-power-taken",
         "fact-motor",
         "fact-rated-power",
         "fact-gear-ratio",
         "fact-driving-moment",
+        "fact-braking-moment",
         "fact-flywheel",
     ];
     facts.extend(regime::facts(analysis).into_iter().filter(|fact| main.contains(&fact.id)));

@@ -1,15 +1,11 @@
-//! CSV and Parquet, and that nothing depends on threads.
+//! CSV, and that nothing depends on threads.
 
-use std::io::Write;
 use std::num::NonZeroUsize;
-
-use ::parquet::file::reader::{FileReader, SerializedFileReader};
-use ::parquet::record::Field;
 
 use super::{SLIDER, failures, rows, run, sweep};
 use assur_report::csv::Cell;
 
-use crate::{Rows, SweepError, parquet};
+use crate::{Rows, SweepError};
 
 const GRID: [&str; 2] = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
 
@@ -18,7 +14,6 @@ fn one_thread_and_four_write_the_same_bytes() {
     let (one, four) = (run(SLIDER, &GRID, 1), run(SLIDER, &GRID, 4));
     assert!((1..one.len()).contains(&failures(&one).len()), "some points have no solution, some have");
     assert_eq!(one.to_csv(false).unwrap(), four.to_csv(false).unwrap());
-    assert_eq!(parquet::part(&one).unwrap(), parquet::part(&four).unwrap());
 }
 
 #[test]
@@ -35,28 +30,6 @@ fn csv_reads_back_as_the_same_numbers() {
                 Cell::Empty => assert_eq!(text, ""),
                 Cell::Text(known) => assert_eq!(text, known),
                 Cell::Number(known) => assert_eq!(text.parse::<f64>().unwrap().to_bits(), known.to_bits()),
-            }
-        }
-    }
-}
-
-#[test]
-fn parquet_reads_back_as_the_same_cells() {
-    let table = run(SLIDER, &GRID, 2);
-    let mut file = tempfile::tempfile().unwrap();
-    file.write_all(&parquet::part(&table).unwrap()).unwrap();
-    let reader = SerializedFileReader::new(file).unwrap();
-    let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
-    assert_eq!(rows.len(), 35);
-    for (row, found) in rows.iter().enumerate() {
-        let names: Vec<_> = found.get_column_iter().map(|(name, _)| name).collect();
-        assert_eq!(names, table.header().iter().collect::<Vec<_>>());
-        for (column, (_, field)) in found.get_column_iter().enumerate() {
-            match (table.cell(row, column), field) {
-                (Cell::Empty, Field::Null) => {}
-                (Cell::Text(known), Field::Str(text)) => assert_eq!(text, known),
-                (Cell::Number(known), Field::Double(value)) => assert_eq!(value.to_bits(), known.to_bits()),
-                (known, field) => panic!("{known:?} became {field:?}"),
             }
         }
     }

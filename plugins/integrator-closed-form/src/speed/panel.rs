@@ -1,7 +1,7 @@
 //! A panel of the speed with the polynomials of time and way.
 
-use assur_integrator::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, inverse, tail, value};
 use assur_integrator::{Curve, Equation, MotionError, Node, State};
+use assur_number::panel::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, inverse, tail, value};
 use assur_number::search::root;
 
 /// A root of the moment further away than this is not used (x = 1 is the end of the panel).

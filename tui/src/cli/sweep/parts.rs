@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use assur_sweep::parquet::{self, Part};
+use assur_parquet::sweep::{self as parquet, Part};
 use assur_sweep::{Rows, Tally};
 use assur_words::text;
 

@@ -4,7 +4,8 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use assur_analysis::results::Check;
-use assur_figure::{Figure, Frame, Item, png, svg};
+use assur_figure::{Figure, Frame, Item, svg};
+use assur_png as png;
 use assur_report::csv::{self, Cell};
 use assur_words::{Describe, Language, Text, name, text};
 use crossterm::event::KeyCode;

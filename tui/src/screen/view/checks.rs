@@ -19,7 +19,7 @@ const TITLES: [&str; 5] = [
     "check-column-position",
 ];
 /// Columns of the texts in 80 columns; more room goes to the place.
-const WIDTHS: [u16; 6] = [30, 10, 10, 14, 7, 7];
+const WIDTHS: [u16; 6] = [30, 11, 11, 13, 6, 7];
 /// Rows that the curve of a residual below the table needs.
 const CURVE: u16 = 10;
 

@@ -228,24 +228,32 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     lines(state, &rows, list, buffer);
 }
 
-/// The drawing of the last step with the steps up to it.
+/// The drawing of the last step with the steps up to it, on the place that all its steps take.
 fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
     let drawing = construction.steps.get(last)?.drawing;
     let plan = construction_plan(construction, drawing)?;
     let mut items = plan.items.iter();
-    let steps = construction.steps.iter().take(last + 1).filter(|step| step.drawing == drawing);
-    let vector = |step: &Step| {
+    let steps = construction.steps.iter().enumerate().filter(|(_, step)| step.drawing == drawing);
+    let mut vector = |step: &Step| {
         let (from, to, ink) = match step.kind {
             VectorKind::Point => (step.start, step.start, Ink::Trace),
             _ => items.next().map(|item| (item.start, item.end, ink(item.kind)))?,
         };
         Some(Vector { from, to, name: step.name.clone(), ink })
     };
-    let vectors: Vec<Vector> = steps.filter_map(vector).collect();
+    let all: Vec<(usize, Vector)> =
+        steps.filter_map(|(number, step)| Some((number, vector(step)?))).collect();
+    let place = Bounds::around(all.iter().flat_map(|(_, vector)| [vector.from, vector.to]));
+    let made = all.into_iter().take_while(|(number, _)| *number <= last);
+    let vectors: Vec<Vector> = made.map(|(_, vector)| vector).collect();
     let symbol = match drawing {
         Drawing::Mechanism => "l",
         Drawing::Polygon => "F",
         Drawing::Lever => "v",
     };
-    Some(plots::vectors(Text::default(), &vectors, (&plan.unit, symbol), None))
+    let mut panel = plots::vectors(Text::default(), &vectors, (&plan.unit, symbol), None);
+    if let Frame::Plane { bounds, .. } = &mut panel.frame {
+        *bounds = place;
+    }
+    Some(panel)
 }

@@ -83,6 +83,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         let (with, next) = (words::joined("", with), name(state.keys.first("join")));
         lines.push((false, state.told(text!("structure-drawn", groups = with, key = next))));
     }
+    let room = usize::from(width).saturating_sub(INDENT);
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
@@ -91,11 +92,12 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         if let Some((health, at)) = scene.least_health(index) {
             let (least, at) = (number(digits(health, LEAST)), number(at));
             let least = state.told(text!("structure-least", determinant = least, position = at));
-            lines.push((false, format!("{:INDENT$}{least}", "")));
+            lines.extend(
+                wrapped(&least, room).into_iter().map(|line| (false, format!("{:INDENT$}{line}", ""))),
+            );
         }
         if chosen {
             let rows = details(state, scene, group, index).into_iter();
-            let room = usize::from(width).saturating_sub(INDENT);
             let rows = rows.flat_map(|line| wrapped(&state.told(line), room));
             lines.extend(rows.map(|line| (false, format!("{:INDENT$}{line}", ""))));
         }

@@ -5,8 +5,8 @@ use std::io::Write;
 use assur_analysis::results::{Analysis, Section, Table};
 use assur_book::catalogue;
 
-use super::{Column, File, ParquetError, Values};
-use crate::csv;
+use crate::{Column, File, ParquetError, Values};
+use assur_report::csv;
 
 /// Numbers of one group of rows: 96 MB, kept until they are compressed. Of each column of each group a kilobyte is kept until
 /// the file ends: smaller groups take more memory in long files, larger ones in short files.

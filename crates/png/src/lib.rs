@@ -1,4 +1,5 @@
-//! Figures as PNG: the SVG of the same figure, painted with a font that is built in.
+//! Figures as PNG: the SVG of the same figure, painted with a font that is built in. A crate of its own, for which nothing but
+//! the program has to wait in a build.
 
 use std::sync::Arc;
 
@@ -7,8 +8,7 @@ use resvg::usvg::{Error, Options, Tree, fontdb};
 
 use assur_words::{Describe, Language, Text, errors, name, number, text};
 
-use crate::model::Figure;
-use crate::svg;
+use assur_figure::{Figure, svg};
 
 /// Letters of the Latin, Greek and Cyrillic alphabets, and the signs of formulas.
 const FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
@@ -16,7 +16,6 @@ const FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
 const FAMILY: &str = "DejaVu Sans";
 /// Pixels in a millimeter: 254 of an inch.
 pub const PIXELS: f64 = 10.0;
-pub use crate::page::EM;
 
 /// Most pixels of a picture: one takes some eight bytes while it is painted and compressed, all together half a gigabyte.
 pub const MOST: f64 = 64e6;
@@ -79,3 +78,8 @@ pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> Result<Vec
 fn pixels(side: f64) -> u32 {
     side as u32
 }
+
+assur_words::resources!();
+
+#[cfg(test)]
+mod tests;

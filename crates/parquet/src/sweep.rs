@@ -1,4 +1,4 @@
-//! Rows as Parquet: numbers as optional DOUBLE, texts as optional UTF-8 strings.
+//! Rows of a sweep as Parquet: numbers as optional DOUBLE, texts as optional UTF-8 strings.
 //!
 //! A sweep is written in parts, each a whole Parquet file with one group of rows, and joined at the end: what is
 //! finished survives whatever ends the program.
@@ -8,27 +8,13 @@ use std::io::Write;
 
 use ::parquet::file::reader::FileReader;
 use ::parquet::file::serialized_reader::SerializedFileReader;
-use assur_report::parquet::{Column, File as Written, ParquetError, schema};
+use assur_sweep::{Columns, Rows, Sweep, Tally};
 
-use crate::rows::Columns;
-use crate::{Rows, Sweep, Tally};
-
-/// Most rows of one group.
-const MOST_ROWS: usize = 65_536;
-/// A sweep has so many groups, so that little is lost if it is ended; but groups have at least so many rows.
-const GROUPS: usize = 64;
-
-/// Most numbers of one group: 64 MB, of which some copies are in memory.
-pub(crate) const NUMBERS: usize = 1 << 23;
+use crate::{Column, File as Written, ParquetError, schema};
 
 /// Keys of a part's own data.
 const TALLY: &str = "assur.tally";
 const LAST: &str = "assur.last";
-
-/// Rows of each part of a sweep of so many points, except the last one, if they have few columns.
-pub(crate) fn rows_of_part(points: usize) -> usize {
-    points.div_ceil(GROUPS).clamp(GROUPS, MOST_ROWS)
-}
 
 /// Rows as a whole file with one group. It keeps what [`Part`] reads back.
 ///
@@ -39,7 +25,7 @@ pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
     let tally = Tally::of(rows);
     let first = tally.first.map_or_else(String::new, |first| first.to_string());
     let data = vec![(TALLY, format!("{} {} {first}", tally.failures, tally.hopeless)), (LAST, last(rows))];
-    let mut all = columns(&rows.columns);
+    let mut all = columns(rows.columns());
     for (index, column) in all.iter_mut().enumerate() {
         (0..rows.len()).for_each(|row| column.push(rows.cell(row, index)));
     }
@@ -62,7 +48,7 @@ impl Part {
     pub fn read(file: File, sweep: &Sweep) -> Option<Self> {
         let reader = SerializedFileReader::new(file).ok()?;
         let metadata = reader.metadata().file_metadata();
-        if *metadata.schema() != *schema(&columns(&sweep.columns)).ok()? {
+        if *metadata.schema() != *schema(&columns(sweep.columns())).ok()? {
             return None;
         }
         let value = |key: &str| {
@@ -96,7 +82,7 @@ pub fn join(
     parts: impl IntoIterator<Item = std::io::Result<File>>,
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let mut file = Written::new(&columns(&sweep.columns), Vec::new(), out)?;
+    let mut file = Written::new(&columns(sweep.columns()), Vec::new(), out)?;
     for part in parts {
         file.append(&part?)?;
     }

@@ -2,9 +2,11 @@
 //!
 //! Numbers are split into streams of bytes and compressed by zstd, which suits numbers that change smoothly; the columns of
 //! a group of rows are compressed by all threads. What the metadata says of each column of each group is kept in memory
-//! until the file ends, and is as little as readers need: no statistics, no index of pages.
+//! until the file ends, and is as little as readers need: no statistics, no index of pages. A crate of its own, for which
+//! nothing but the program has to wait in a build.
 
 mod positions;
+pub mod sweep;
 
 use std::fs;
 use std::io::Write;
@@ -23,14 +25,28 @@ use ::parquet::schema::types::{ColumnDescPtr, ColumnPath, Type, TypePtr};
 use bytes::Bytes;
 use rayon::prelude::*;
 
-use crate::csv::Cell;
+use assur_report::csv::Cell;
+use assur_words::{Describe, Text, errors, name, text};
 
 pub use positions::Writer;
 
 /// A table can't be written as Parquet.
-#[derive(Debug, thiserror::Error)]
-#[error("Parquet: {0}")]
-pub struct ParquetError(#[from] Inner);
+#[derive(Debug)]
+pub struct ParquetError(Inner);
+
+impl Describe for ParquetError {
+    fn describe(&self) -> Text {
+        text!("parquet-failed", problem = name(self.0.to_string()))
+    }
+}
+
+errors!(ParquetError);
+
+impl From<Inner> for ParquetError {
+    fn from(error: Inner) -> Self {
+        Self(error)
+    }
+}
 
 impl From<std::io::Error> for ParquetError {
     fn from(error: std::io::Error) -> Self {
@@ -226,3 +242,8 @@ impl<W: Write + Send> File<W> {
         Ok(self.file.into_inner()?)
     }
 }
+
+assur_words::resources!();
+
+#[cfg(test)]
+mod tests;

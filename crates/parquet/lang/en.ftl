@@ -1,0 +1,2 @@
+# Files of Parquet.
+parquet-failed = Parquet: { $problem }

@@ -1,0 +1,2 @@
+# Файлы Parquet.
+parquet-failed = Parquet: { $problem }

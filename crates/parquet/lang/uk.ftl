@@ -1,0 +1,2 @@
+# Файли Parquet.
+parquet-failed = Parquet: { $problem }

@@ -1,0 +1,74 @@
+use std::io::Write;
+use std::num::NonZeroUsize;
+
+use ::parquet::file::reader::{FileReader, SerializedFileReader};
+use ::parquet::record::Field;
+use assur_all as _;
+use assur_report::csv::Cell;
+use assur_sweep::{Points, Request, Rows, Sweep, SweepError, Vary};
+
+use crate::sweep::part;
+
+/// A slider-crank, of which some points have no solution, and all have a text.
+const SLIDER: &str = r#"[ground]
+points = { O = [0, 0] }
+[link.crank]
+points = { O = 0, A = "100 mm" }
+[link.rod]
+points = { A = 0, B = 0.3 }
+[link.piston]
+points = { B = 0 }
+[[slide]]
+link = "piston"
+on = "ground"
+angle = "0 deg"
+[input]
+link = "crank"
+positions = 12
+[assembly]
+B = [0.4, 0]
+"#;
+
+fn run(threads: usize) -> Result<Rows, SweepError> {
+    let vary = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
+    let vary = vary.iter().map(|vary| Vary::parse(vary, Points::Grid)).collect::<Result<Vec<_>, _>>()?;
+    let sweep = Sweep::of("a.toml", SLIDER, &vary, Request::default())?;
+    let mut all: Option<Rows> = None;
+    let accept = |rows: Rows| {
+        match &mut all {
+            Some(all) => all.append(rows),
+            None => all = Some(rows),
+        }
+        Ok::<_, SweepError>(())
+    };
+    let threads = NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN);
+    sweep.run(&(0..sweep.points()), threads, |rows| rows, accept)?;
+    all.ok_or(SweepError::Nothing)
+}
+
+#[test]
+fn one_thread_and_four_write_the_same_bytes() {
+    assert_eq!(part(&run(1).unwrap()).unwrap(), part(&run(4).unwrap()).unwrap());
+}
+
+#[test]
+fn parquet_reads_back_as_the_same_cells() {
+    let table = run(2).unwrap();
+    let mut file = tempfile::tempfile().unwrap();
+    file.write_all(&part(&table).unwrap()).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 35);
+    for (row, found) in rows.iter().enumerate() {
+        let names: Vec<_> = found.get_column_iter().map(|(name, _)| name).collect();
+        assert_eq!(names, table.header().iter().collect::<Vec<_>>());
+        for (column, (_, field)) in found.get_column_iter().enumerate() {
+            match (table.cell(row, column), field) {
+                (Cell::Empty, Field::Null) => {}
+                (Cell::Text(known), Field::Str(text)) => assert_eq!(text, known),
+                (Cell::Number(known), Field::Double(value)) => assert_eq!(value.to_bits(), known.to_bits()),
+                (known, field) => panic!("{known:?} became {field:?}"),
+            }
+        }
+    }
+}
