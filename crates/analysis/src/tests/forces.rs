@@ -98,8 +98,7 @@ fn a_spring_whose_ends_meet_is_told() {
 fn a_friction_that_pushes_with_the_sliding_is_told() {
     let of = |text: &str| {
         let notes = analyzed(text).notes;
-        let notes = notes.iter().map(ToString::to_string);
-        notes.filter(|note| note.contains("slid")).collect::<Vec<_>>()
+        notes.iter().map(ToString::to_string).filter(|note| note.contains("slid")).collect::<Vec<_>>()
     };
     let press = super::text("press");
     let all = "The friction of `contact 1 on rod` pushes with the sliding in positions 0, 1, 2, ";
