@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use assur_book::{Block, Document, Fact, Printed, Table, Term};
+use assur_book::{Block, Cell, Column, Document, Fact, Printed, Table, Term};
 use assur_words::{Language, Text, text};
 use textwrap::Options;
 use textwrap::WordSeparator::AsciiSpace;
@@ -122,10 +122,12 @@ impl Page<'_> {
         for fact in long {
             self.paragraph(&text!("report-fact", what = fact.what(), value = fact.with_unit()));
         }
-        let facts = short.into_iter().cloned().collect();
-        if let Some(table) = (Block::Facts { caption: Text::default(), facts }).as_table() {
-            self.table(&table);
-        }
+        // Value and unit in one column: a page has no room for more.
+        let heads = [text!("fact-quantity"), text!("fact-value"), text!("fact-place")].map(Column::of);
+        let row = |fact: &&Fact| [fact.what(), fact.with_unit(), fact.place()].map(Cell::Text);
+        let has_place = short.iter().any(|fact| !fact.at.is_empty());
+        let heads = heads.into_iter().take(if has_place { 3 } else { 2 });
+        self.table(&Table::list(Text::default(), heads).rows(short.iter().map(row)));
     }
 
     /// A table in blocks of the page's width, each with the key columns in front. Columns of one group stay together where

@@ -70,6 +70,11 @@ fn motor_facts(motor: &MotorReport) -> Vec<Fact> {
     .collect()
 }
 
+/// A part of a whole; 0 where it is rounding.
+fn clean(part: f64) -> f64 {
+    if part.abs() < 1e-9 { 0.0 } else { part }
+}
+
 /// The words of a method by its key.
 fn method(key: &'static str) -> Text {
     match key {
@@ -119,8 +124,9 @@ fn flywheels(found: &Dynamics, page: &mut Document) {
         Column::short(text!("head-from-exact"), Unit::of("%", 100.0)),
         Column::of(text!("head-formula")),
     ];
-    let row =
-        |one: &FlywheelByMethod| row![method(one.method), one.flywheel, one.difference, one.formula.clone()];
+    let row = |one: &FlywheelByMethod| {
+        row![method(one.method), one.flywheel, one.difference.map(clean), one.formula.clone()]
+    };
     page.table(
         Table::list(text!("report-flywheel-methods"), heads).rows(found.flywheel_methods.iter().map(row)),
     );
