@@ -167,16 +167,17 @@ fn nothing_drives(found: &Value) -> bool {
 }
 
 /// What comes of a scene: the results and the checks that fail, or the message of what can't be done.
-fn calculated(scene: &str) -> Result<(Value, Vec<&'static str>), String> {
+fn calculated(scene: &str) -> Result<(Value, Vec<String>), String> {
     let mechanism = assur_scene::read("scene.toml", scene).map_err(|errors| errors.to_string())?;
     let found = Calculation::of(mechanism, &Options::default(), &mut unwatched);
     let found = found.map_err(|error| error.to_string())?;
     let analysis = found.analyze(&mut unwatched).map_err(|error| error.to_string())?;
     if let Some(message) = analysis.no_motion.clone() {
-        return Err(message);
+        return Err(message.to_string());
     }
     let checks = found.checks(Coverage::Sample, &mut unwatched).map_err(|error| error.to_string())?;
-    let failed = checks.all.iter().filter(|check| check.failed()).map(|check| check.name).collect();
+    let failed =
+        checks.all.iter().filter(|check| check.failed()).map(|check| check.name.to_string()).collect();
     let text = assur_report::json::analysis::to_json(&analysis, false).map_err(|error| error.to_string())?;
     Ok((serde_json::from_str(&text).map_err(|error| error.to_string())?, failed))
 }

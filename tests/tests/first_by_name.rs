@@ -6,6 +6,7 @@ use assur_analysis::{Calculation, Options, unwatched};
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, inventory};
 use assur_group::Wrench;
 use assur_kinematics::{Linkage, Position};
+use assur_words::Text;
 
 /// Gives numbers that nobody can take for a result.
 #[derive(Debug)]
@@ -15,7 +16,7 @@ struct Wrong;
 const WRONG: f64 = 12_345.0;
 
 impl ForceAnalyzer for Wrong {
-    fn supports(&self, _linkage: &Linkage) -> Result<(), String> {
+    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
         Ok(())
     }
 
@@ -36,14 +37,17 @@ const fn plugin(name: &'static str, gives_reactions: bool) -> AnalyzerPlugin {
     AnalyzerPlugin {
         name,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "wrong numbers",
-        source: "a test",
+        summary: TEST,
+        source: TEST,
         instance: &Wrong,
         gives_reactions,
         by_groups: gives_reactions,
         rank: u8::MAX,
     }
 }
+
+/// The words of an entry of a test.
+const TEST: Text = Text::message("a test", Vec::new());
 
 inventory::submit! { plugin("aaa", false) }
 inventory::submit! { plugin("aab", true) }

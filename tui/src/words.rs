@@ -1,8 +1,7 @@
-//! The words of the terminal UI and of a note in a language, from the resources of `lang`.
+//! The working, remarks and names of checks in a language, from the resources of `lang`.
 //!
-//! Texts of their own have identifiers (`*.ftl`). What comes from elsewhere in English (figures, remarks of the working,
-//! names of checks) is translated by `*.toml`: whole sentences, in which `{}` stands for any text, and phrases within a
-//! text. Names of the scene stay as they are.
+//! What comes from elsewhere in English is translated by `*.toml`: whole sentences, in which `{}` stands for any text, and
+//! phrases within a text. Names of the scene stay as they are.
 
 #[cfg(test)]
 mod tests;
@@ -10,18 +9,13 @@ mod tests;
 use std::fmt;
 use std::sync::OnceLock;
 
-use fluent_bundle::concurrent::FluentBundle;
-use fluent_bundle::{FluentArgs, FluentResource};
-use unic_langid::LanguageIdentifier;
+use assur_words::{Language, Text, text};
 
 /// The languages.
 pub(crate) const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
-/// Their resources, in the same order: texts by identifier, phrases with units.
-const RESOURCES: [(&str, &str); 3] = [
-    (include_str!("../lang/en.ftl"), include_str!("../lang/en.toml")),
-    (include_str!("../lang/uk.ftl"), include_str!("../lang/uk.toml")),
-    (include_str!("../lang/ru.ftl"), include_str!("../lang/ru.toml")),
-];
+/// Their resources, in the same order: phrases with units.
+const RESOURCES: [&str; 3] =
+    [include_str!("../lang/en.toml"), include_str!("../lang/uk.toml"), include_str!("../lang/ru.toml")];
 /// Units without exponents, as results write them.
 const UNITS: [&str; 12] = ["m", "mm", "s", "kg", "N", "rad", "deg", "J", "W", "kW", "rpm", "Hz"];
 /// The name of the fixed link in every scene.
@@ -31,7 +25,6 @@ const ANY: &str = "{}";
 
 /// The words of one language.
 pub(crate) struct Words {
-    bundle: FluentBundle<FluentResource>,
     pub(crate) language: &'static str,
     /// English sentences with [`ANY`], and their translations, the longest first.
     sentences: Vec<(String, String)>,
@@ -59,13 +52,7 @@ impl Words {
 
     /// Reads the resources of a language; that they have no faults is tested.
     fn read(number: usize) -> Self {
-        let (text, others) = RESOURCES[number];
-        let id: LanguageIdentifier = LANGUAGES[number].parse().unwrap_or_default();
-        let resource = FluentResource::try_new(text.to_owned()).unwrap_or_else(|(resource, _)| resource);
-        let mut bundle = FluentBundle::new_concurrent(vec![id]);
-        bundle.set_use_isolating(false);
-        bundle.add_resource_overriding(resource);
-        let others: toml::Table = others.parse().unwrap_or_default();
+        let others: toml::Table = RESOURCES[number].parse().unwrap_or_default();
         let section = |of: &str| -> Vec<(String, String)> {
             let table = others.get(of).and_then(toml::Value::as_table).into_iter().flatten();
             table.filter_map(|(english, own)| Some((english.clone(), own.as_str()?.to_owned()))).collect()
@@ -74,7 +61,6 @@ impl Words {
         all.sort_by_key(|(english, _)| std::cmp::Reverse(english.len()));
         let (sentences, phrases) = all.into_iter().partition(|(english, _)| english.contains(ANY));
         Self {
-            bundle,
             language: LANGUAGES[number],
             sentences,
             phrases,
@@ -83,53 +69,15 @@ impl Words {
         }
     }
 
-    /// The language of texts that have an identity.
-    pub(crate) fn spoken(&self) -> &'static assur_words::Language {
-        assur_words::Language::find(self.language).unwrap_or_else(assur_words::Language::english)
-    }
-
-    /// The text of an identifier; the identifier where there is none.
-    pub(crate) fn get(&self, id: &str) -> String {
-        self.with(id, &[])
-    }
-
-    /// The text of an identifier with its values.
-    pub(crate) fn with(&self, id: &str, values: &[(&'static str, String)]) -> String {
-        self.find(id, values).unwrap_or_else(|| id.to_owned())
-    }
-
-    fn find(&self, id: &str, values: &[(&'static str, String)]) -> Option<String> {
-        let Some(message) = self.bundle.get_message(id) else {
-            let english = Self::of(LANGUAGES[0]);
-            return (self.language != english.language).then(|| english.find(id, values))?;
-        };
-        let pattern = message.value()?;
-        let mut given = FluentArgs::new();
-        for (name, value) in values {
-            given.set(*name, value.clone());
-        }
-        Some(self.bundle.format_pattern(pattern, Some(&given), &mut Vec::new()).into_owned())
-    }
-
-    /// A number with the signs of print: minus, decimal sign of the language, power of ten.
-    pub(crate) fn number(&self, text: &str) -> String {
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
-        let mantissa = mantissa.replace('-', "−").replace('.', &self.get("decimal"));
-        match exponent {
-            "0" => mantissa,
-            _ => format!("{mantissa}·10{}", raised(exponent)),
-        }
+    /// A text that has an identity.
+    fn get(&self, text: &Text) -> String {
+        text.render(Language::find(self.language).unwrap_or_else(Language::english))
     }
 
     /// A part of a subscript: a name, or a word of the working.
     pub(crate) fn subscript(&self, part: &str) -> String {
         let own = self.subscripts.iter().find(|(english, _)| english == part);
         own.map_or_else(|| self.name(part), |(_, own)| own.clone())
-    }
-
-    /// A unit with the signs of print, in the letters of the language: `m/s2` as m/s².
-    pub(crate) fn unit(&self, text: &str) -> String {
-        self.printed(text).unwrap_or_else(|| text.to_owned())
     }
 
     /// `None` for a text that is no unit.
@@ -171,7 +119,7 @@ impl Words {
         let mut named = String::new();
         for part in text.split_inclusive(|letter| !is_part(letter)) {
             let word = part.trim_end_matches(|letter| !is_part(letter));
-            let own = if word == GROUND { self.get("ground") } else { word.to_owned() };
+            let own = if word == GROUND { self.get(&text!("mechanism-ground")) } else { word.to_owned() };
             named.push_str(&(own + &part[word.len()..]));
         }
         named
@@ -202,7 +150,7 @@ impl Words {
             let follows_digit = before.ends_with(|before: char| before.is_ascii_digit());
             let leads_digit = text[at..].starts_with(|after: char| after.is_ascii_digit());
             match letter {
-                '.' if follows_digit && leads_digit => words.push_str(&self.get("decimal")),
+                '.' if follows_digit && leads_digit => words.push_str(&self.get(&text!("decimal-sign"))),
                 '-' if leads_digit && !before.ends_with(is_of_name) => words.push('−'),
                 _ => words.push(letter),
             }
@@ -249,12 +197,6 @@ fn captured<'t>(sentence: &str, text: &'t str) -> Option<Vec<&'t str>> {
     }
     found.push(rest);
     Some(found)
-}
-
-/// A whole number as an exponent.
-fn raised(number: &str) -> String {
-    let signs = "-0123456789".chars().zip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹".chars());
-    number.chars().map(|c| signs.clone().find(|sign| sign.0 == c).map_or(c, |sign| sign.1)).collect()
 }
 
 /// Whether a letter belongs to a name, so that no word begins after it or ends before it.

@@ -5,6 +5,7 @@ use assur_dynamics::Instant;
 use assur_kinematics::PositionError;
 use assur_mechanism::Range;
 use assur_number::Lanes;
+use assur_words::{Describe, text};
 use rayon::prelude::*;
 
 use crate::families::Columns;
@@ -67,18 +68,19 @@ impl<'a> Blocks<'a> {
                 holding: None,
             });
             for (index, obstacle) in filler.add(first, &instants, end - first, &mut table) {
+                let at = |error| text!("analysis-at-position", number = index, error = error);
                 let mut key = None;
                 let message = match obstacle {
-                    Obstacle::Unsolved(error) => PositionError { index: Some(index), ..error }.to_string(),
+                    Obstacle::Unsolved(error) => PositionError { index: Some(index), ..error }.describe(),
                     Obstacle::Load(error) => {
                         key = error.key(mechanism);
-                        format!("position {index}: {error}")
+                        at(error.describe())
                     }
                     Obstacle::ChangePoint => {
                         at_change_points.push(index);
                         continue;
                     }
-                    Obstacle::Refused(error) => format!("position {index}: {error}"),
+                    Obstacle::Refused(error) => at(error.describe()),
                 };
                 failures.push(Failure { index, coordinate: input.coordinate(index), message, key });
             }

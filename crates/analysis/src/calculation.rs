@@ -7,6 +7,7 @@ use assur_force::{AnalyzerPlugin, Loads, Side, State};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
+use assur_words::Text;
 
 use crate::plan::Plan;
 use crate::progress::Watch;
@@ -40,7 +41,7 @@ pub struct Calculation {
     /// Why the requested motion is not found; results that do not depend on it are calculated nevertheless.
     pub no_motion: Option<AnalysisError>,
     /// Parts of the request that have no use in this scene.
-    pub(crate) unused: Vec<String>,
+    pub(crate) unused: Vec<Text>,
     /// The numbers of the positions, and of the samples of the motion, in which rounding is greatest, once all are calculated.
     pub(crate) notable: OnceLock<[Vec<usize>; 2]>,
 }

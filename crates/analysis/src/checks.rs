@@ -7,6 +7,7 @@ use assur_group::Order;
 use assur_integrator::Sample;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Motion, Solve, Torque};
+use assur_words::text;
 
 use crate::progress::{Stopped, Watch};
 use crate::results::Checks;
@@ -108,14 +109,17 @@ impl Calculation {
     fn transient_checks(&self, found: &Transient) -> Vec<Check> {
         let mut rows = Vec::new();
         if found.energy.conservative {
-            let reason = "a hundred times the tolerance of the integration (four times the error of fixed steps), whose errors add up over the motion, and what the rounding \
-                 of the coordinate and of its own terms makes of the potential energy; more where the reduced inertia is \
-                 much greater than where the motion is fastest";
             // The energy goes with the square of the speed.
             let steps = 4.0 * found.error_of_fixed_steps();
             let own = (100.0 * self.tolerance()).max(1e-10) + steps;
             let limit = own * found.energy.by_speed + found.energy.rounding;
-            rows.push(Check::of("energy", found.energy.change, limit, "kinetic and potential", reason));
+            rows.push(Check::of(
+                text!("analysis-energy"),
+                found.energy.change,
+                limit,
+                text!("analysis-kinetic-and-potential"),
+                text!("analysis-energy.reason"),
+            ));
         }
         rows.extend(self.work_check(found));
         rows
@@ -125,11 +129,11 @@ impl Calculation {
         let regime = &found.regime;
         let mut rows = Vec::new();
         rows.extend(self.cycle_check(found));
-        let reason = "the cycle closes to the rounding of its energy";
         // Without iterations (the machine stalls in its first cycle from the mean speed) only the cycle in time is checked.
         if let Some(last) = regime.iterations.last() {
             let left = (last.residual / last.speed_end).abs();
-            rows.push(Check::of("periodicity", left, 1e-9, "speed over a cycle", reason));
+            let [name, reason] = [text!("analysis-periodicity"), text!("analysis-periodicity.reason")];
+            rows.push(Check::of(name, left, 1e-9, text!("analysis-speed-over-cycle"), reason));
         }
         let Some(Motion::Steady { mean_speed, unevenness }) = self.linkage.mechanism.motion else {
             return rows;
@@ -141,26 +145,27 @@ impl Calculation {
         let fixed = matches!(drive.map(|drive| &drive.torque), Some(Torque::Constant(_)));
         if !fixed && (regime.figures.ratio.is_none() || wanted(drive.map(|drive| drive.ratio))) {
             let miss = ((regime.figures.mean_speed - mean_speed) / mean_speed).abs();
-            rows.push(Check::of("mean speed", miss, 1e-9, "(max + min) / 2", "the search ends below 1e-10"));
+            let [name, reason] = [text!("analysis-mean-speed"), text!("analysis-mean-speed.reason")];
+            rows.push(Check::of(name, miss, 1e-9, assur_words::name("(max + min) / 2"), reason));
         }
         if let (Some(Solve::Given(wanted_unevenness)), true, false) =
             (unevenness, wanted(drive.and_then(|drive| drive.flywheel)), regime.flywheel_needless)
         {
             let miss = ((regime.figures.unevenness - wanted_unevenness) / wanted_unevenness).abs();
-            rows.push(Check::of(
-                "unevenness",
-                miss,
-                1e-8,
-                "(max - min) / mean",
-                "the search ends below 1e-10 of the speed",
-            ));
+            let [name, reason] = [text!("analysis-unevenness"), text!("analysis-unevenness.reason")];
+            rows.push(Check::of(name, miss, 1e-8, text!("analysis-of-extremes"), reason));
         }
         rows.extend(found.motor.as_ref().filter(|_| unevenness == Some(Solve::Wanted)).map(|motor| {
             let margin = section_margin(regime, &motor.motor.characteristic);
             // Without a flywheel the motor may stay well inside.
             let miss = if regime.flywheel_needless { (-margin).max(0.0) } else { margin.abs() };
-            let reason = "the least or the greatest speed of the motor against the end of its section, in parts of the section";
-            Check::of("unevenness of the motor", miss, 1e-8, "stable section of its characteristic", reason)
+            Check::of(
+                text!("analysis-unevenness-of-motor"),
+                miss,
+                1e-8,
+                text!("analysis-stable-section"),
+                text!("analysis-unevenness-of-motor.reason"),
+            )
         }));
         rows
     }

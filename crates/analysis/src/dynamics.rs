@@ -2,6 +2,7 @@
 
 use assur_dynamics::{Advice, DynamicsError, ReductionPoint, Regime, Steady, SteadyMotor, Transient, advise};
 use assur_mechanism::{Motion, Solve};
+use assur_words::Describe;
 
 use crate::results::{
     AdvisedRegime, Dynamics, Energy, EnergyMass, EnergyMassTangent, Integration, MotorAdvice, MotorReport,
@@ -29,7 +30,7 @@ impl Calculation {
             figures: regime.figures.clone(),
             motor: found.motor.as_ref().map(motor),
             flywheel_by_method: methods.clone().map(|row| (row.method, row.flywheel)).collect(),
-            flywheel_methods: methods.copied().collect(),
+            flywheel_methods: methods.cloned().collect(),
             flywheel_places: found.flywheel_sizes.clone(),
             motors_by_unevenness: match self.linkage.mechanism.motion {
                 Some(Motion::Steady { unevenness: Some(Solve::Wanted), .. }) => {
@@ -92,7 +93,7 @@ impl Calculation {
         Some(Integration {
             method: found.integrator.to_owned(),
             case: found.dependence.case(),
-            equation: found.dependence.words(),
+            equation: found.dependence.describe(),
             reason: found.reason.clone(),
             tolerance: self.tolerance(),
             statistics: found.trajectory.statistics,
@@ -188,7 +189,7 @@ fn motor(found: &SteadyMotor) -> MotorReport {
             working_section: found.curve(found.speed, CURVE),
         },
         runners_up: runners_up.collect(),
-        warnings: found.warnings.iter().map(ToString::to_string).collect(),
+        warnings: found.warnings.iter().map(Describe::describe).collect(),
     }
 }
 

@@ -3,38 +3,33 @@
 use assur_force::{LoadError, RegistryError};
 use assur_kinematics::CompileError;
 use assur_mechanism::Mechanism;
+use assur_words::{Describe, Text, name, number, text};
 
 use crate::Stopped;
 
 /// Why a scene can't be calculated at all; what fails in one position only is part of the results.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum AnalysisError {
     /// The mechanism can't be compiled.
-    #[error(transparent)]
-    Compile(#[from] CompileError),
+    Compile(CompileError),
     /// The loads can't be compiled.
-    #[error(transparent)]
-    Load(#[from] LoadError),
+    Load(LoadError),
     /// The force analyzer does not exist.
-    #[error(transparent)]
-    Analyzer(#[from] RegistryError),
+    Analyzer(RegistryError),
     /// The force analyzer can't treat this mechanism.
-    #[error("force analyzer `{analyzer}` can't do this scene: {reason}")]
     Unfit {
         /// Its name.
         analyzer: &'static str,
         /// Why not.
-        reason: String,
+        reason: Text,
     },
     /// The watcher stopped the calculation.
-    #[error(transparent)]
-    Stopped(#[from] Stopped),
+    Stopped(Stopped),
     /// There is no motion.
-    #[error("{message}")]
     Motion {
         /// What went wrong, where, and what to do.
-        message: String,
+        message: Text,
         /// Whether the scene or the chosen method is at fault, rather than the machine that it describes.
         usage: bool,
         /// The key of the scene that it concerns, step by step.
@@ -42,20 +37,51 @@ pub enum AnalysisError {
     },
 }
 
+assur_words::errors!(AnalysisError);
+
+impl Describe for AnalysisError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Compile(error) => error.describe(),
+            Self::Load(error) => error.describe(),
+            Self::Analyzer(error) => error.describe(),
+            Self::Unfit { analyzer, reason } => {
+                text!("analysis-unfit", method = name(*analyzer), reason = reason)
+            }
+            Self::Stopped(stopped) => stopped.describe(),
+            Self::Motion { message, .. } => message.clone(),
+        }
+    }
+}
+
+/// Errors of others.
+macro_rules! from {
+    ($($variant:ident($error:ty))*) => {
+        $(impl From<$error> for AnalysisError {
+            fn from(error: $error) -> Self {
+                Self::$variant(error)
+            }
+        })*
+    };
+}
+from! {
+    Compile(CompileError)
+    Load(LoadError)
+    Analyzer(RegistryError)
+    Stopped(Stopped)
+}
+
 impl From<assur_dynamics::DynamicsError> for AnalysisError {
     fn from(error: assur_dynamics::DynamicsError) -> Self {
         let (usage, key) = (crate::motion::is_usage(&error), Some(error.key()));
-        Self::Motion { message: error.to_string(), usage, key }
+        Self::Motion { message: error.describe(), usage, key }
     }
 }
 
 impl AnalysisError {
     /// There is no speed or acceleration at a coordinate, rad or m.
     pub(crate) fn infinite(coordinate: f64) -> Self {
-        let message = format!(
-            "the steady regime has no finite speed and acceleration at the coordinate {coordinate:.6}: the machine has no \
-             inertia there, or loads grow beyond measure; give its links mass and inertia, or a `flywheel`"
-        );
+        let message = text!("analysis-infinite", coordinate = number(format_args!("{coordinate:.6}")));
         Self::Motion { message, usage: false, key: Some(&["motion"]) }
     }
 

@@ -24,6 +24,8 @@ mod residuals;
 pub mod results;
 mod trajectory;
 
+assur_words::resources!();
+
 pub use assur_check::Coverage;
 pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied, methods};
 pub use error::AnalysisError;

@@ -10,6 +10,7 @@ use assur_integrator::{
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
 use assur_structure::Structure;
+use assur_words::{Describe, Text, joined, name, number, text};
 
 use crate::progress::{Stopped, Watch};
 use crate::{AnalysisError, Options, Progress};
@@ -147,7 +148,7 @@ pub fn method_of_motion(
     mechanism: &Mechanism,
     structure: Structure,
     options: &Options,
-) -> Result<Option<String>, AnalysisError> {
+) -> Result<Option<Text>, AnalysisError> {
     let Some(Motion::Transient { .. } | Motion::Steady { .. }) = &mechanism.motion else { return Ok(None) };
     let all = vec![true; structure.groups.len()];
     let linkage = Linkage::compile_for(mechanism.clone(), structure, &all)?;
@@ -163,22 +164,31 @@ pub fn method_of_motion(
     let mut dependence = Machine::new(&linkage, &loads).dependence();
     let drive = mechanism.drive.as_ref();
     dependence.moment_on_speed |= drive.is_some_and(|d| matches!(d.torque, Torque::Motor { .. }));
-    Ok(Some(format!("case {} of D ({})", dependence.case(), dependence.words())))
+    Ok(Some(equation_words(dependence)))
+}
+
+/// `case 3 of D (J(q), M(q))`.
+fn equation_words(dependence: Dependence) -> Text {
+    text!("analysis-equation", case = number(dependence.case()), equation = dependence.describe())
 }
 
 /// The integrator for such an equation, and the reason for it.
-fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Result<String, IntegrationError> {
+fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Result<Text, IntegrationError> {
     let chosen = choose(named, &dependence, tolerance)?;
     let Candidate { integrator, reason } = &chosen.first;
-    let (case, words) = (dependence.case(), dependence.words());
+    let method = name(integrator.name);
     if named != AUTO {
-        let summary = integrator.summary;
-        return Ok(format!("integrator `{named}`, {reason}: {summary}; case {case} of D ({words})"));
+        return Ok(text!(
+            "analysis-integrator-named",
+            method = method,
+            reason = reason,
+            summary = &integrator.summary,
+            equation = equation_words(dependence)
+        ));
     }
-    let stiff = chosen.if_stiff().map_or_else(String::new, |method| {
-        format!("; where an explicit method finds the equation stiff, `{}`", method.name)
-    });
-    Ok(format!("integrator `{}`, {reason}{stiff}", integrator.name))
+    let stiff = chosen.if_stiff().map(|method| text!("analysis-if-stiff", method = name(method.name)));
+    let first = text!("analysis-integrator", method = method, reason = reason);
+    Ok(joined("; ", [first].into_iter().chain(stiff)))
 }
 
 /// Whether the scene or the chosen method is at fault, rather than the machine that it describes.

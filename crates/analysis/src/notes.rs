@@ -1,21 +1,19 @@
 //! Notes: what had to be left out, and which parts of a request have no use.
 
 mod assembly;
+mod contact;
 mod loads;
 
 use assur_integrator::Knob;
-use assur_mechanism::{Mechanism, Motion};
+use assur_mechanism::{Mechanism, Motion, Range};
+use assur_words::{Text, list, name, number, quantity, text};
 
 use crate::trajectory::WithoutForces;
 use crate::{Calculation, InputMotion, Options};
 
-/// Why no reactions are given at a change point.
-const LOST: &str = "the mechanism stands at a change point (determinant of a group below 1e-5): constraints of a group \
-                    coincide there and its reactions are not determined";
-
 impl Calculation {
     /// Notes for the results; `positions` at which forces are not determined, and `samples` of a motion without them.
-    pub(crate) fn notes(&self, positions: &Listed, samples: &WithoutForces) -> Vec<String> {
+    pub(crate) fn notes(&self, positions: &Listed, samples: &WithoutForces) -> Vec<Text> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
         notes.extend(self.poles());
@@ -23,33 +21,45 @@ impl Calculation {
         notes.extend(self.regime_notes());
         notes.extend(self.springs_without_direction());
         notes.extend(self.positions_out_of_time());
+        notes.extend(self.listed_against_the_motion());
+        notes.extend(self.friction_of_contacts());
         if let InputMotion::Transient(found) = &self.motion {
-            let unrest = found.unrest.as_ref();
-            notes.extend(unrest.map(|why| {
-                format!(
-                    "The motion does not come to rest for good ({why}); it ends at its first turning point, as with \
-                     `until = \"turn\"`."
-                )
-            }));
+            notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why = why)));
         }
         if !positions.is_empty() {
-            notes.push(format!("No reactions in {}: {LOST}.", positions.words()));
+            notes.push(text!("analysis-no-reactions", positions = positions.words()));
         }
         if samples.at_change_points > 0 {
-            let count = counted("sample", samples.at_change_points);
-            notes.push(format!("No reactions at {count} of the motion: {LOST}."));
+            notes.push(text!("analysis-no-reactions-of-samples", count = samples.at_change_points));
         }
         if let Some(reason) = &samples.reason {
-            notes.push(format!(
-                "No forces at {} of the motion; at the first: {reason}.",
-                counted("sample", samples.refused)
-            ));
+            notes.push(text!("analysis-no-forces", count = samples.refused, reason = reason));
         }
         notes
     }
 
+    /// A list of places that the prescribed motion passes in the opposite order.
+    fn listed_against_the_motion(&self) -> Option<Text> {
+        let input = &self.linkage.mechanism.input;
+        let (Range::To(to), Some(Motion::Prescribed { speed, .. })) =
+            (input.range, &self.linkage.mechanism.motion)
+        else {
+            return None;
+        };
+        let last = input.coordinate(input.positions.saturating_sub(1));
+        let place = |at: f64| {
+            let (factor, symbol) =
+                if self.linkage.angular() { (1_f64.to_degrees(), "deg") } else { (1e3, "mm") };
+            quantity(format_args!("{:.6}", factor * at), symbol)
+        };
+        let other = name(if input.sign() > 0.0 { "cw" } else { "ccw" });
+        (speed * (last - input.from) < 0.0).then(|| {
+            text!("analysis-listed-backwards", from = place(input.from), to = place(to), direction = other)
+        })
+    }
+
     /// Requirements on a regime that are not met, and whether its loads drive.
-    fn regime_notes(&self) -> Vec<String> {
+    fn regime_notes(&self) -> Vec<Text> {
         /// Mean speeds are computed to 1e-10.
         const MET: f64 = 1e-9;
         let InputMotion::Steady(found) = &self.motion else { return Vec::new() };
@@ -58,27 +68,24 @@ impl Calculation {
         let mut notes = Vec::new();
         let unit = if self.linkage.angular() { "rad/s" } else { "m/s" };
         if ((regime.figures.mean_speed - wanted) / wanted).abs() > MET {
-            let given = if regime.figures.ratio.is_some() { "ratio" } else { "moment" };
-            notes.push(format!(
-                "The requested mean speed of {wanted:.6} {unit} is not met: with the given {given} it is {:.6} {unit}. Power, \
-                 flywheel and the course are those of the regime found.",
-                regime.figures.mean_speed
-            ));
+            let speed = |speed: f64| quantity(format_args!("{speed:.6}"), unit);
+            let [wanted, found] = [wanted, regime.figures.mean_speed].map(speed);
+            notes.push(if regime.figures.ratio.is_some() {
+                text!("analysis-other-mean-speed", wanted = wanted, found = found)
+            } else {
+                text!("analysis-other-mean-speed-by-moment", wanted = wanted, found = found)
+            });
         }
         if regime.figures.required_power < 0.0 {
-            notes.push(format!(
-                "The loads drive: over a cycle they do {:.6} J of work, and the motor has to brake with {:.6} W.",
-                -found.resistance_work, -regime.figures.required_power
+            let size = |value: f64, unit| quantity(format_args!("{value:.6}"), unit);
+            notes.push(text!(
+                "analysis-loads-drive",
+                work = size(-found.resistance_work, "J"),
+                power = size(-regime.figures.required_power, "W")
             ));
         }
         notes
     }
-}
-
-/// A number of things: "1 sample", "3 samples".
-fn counted(thing: &str, count: usize) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {thing}{plural}")
 }
 
 /// Positions by their numbers, of which the first ones are listed.
@@ -99,19 +106,22 @@ impl Listed {
         }
     }
 
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.count == 0
     }
 
     /// "position 3", "positions 3, 11".
-    pub(crate) fn words(&self) -> String {
-        let plural = if self.count == 1 { "" } else { "s" };
-        let numbers: Vec<_> = self.first.iter().map(ToString::to_string).collect();
+    pub(crate) fn words(&self) -> Text {
         let more = match self.count - self.first.len() {
-            0 => String::new(),
-            more => format!(" and {more} more"),
+            0 => Text::default(),
+            more => text!("analysis-and-more", more = more),
         };
-        format!("position{plural} {}{more}", numbers.join(", "))
+        let numbers = list(self.first.iter().map(number));
+        text!("analysis-positions", count = self.count, numbers = numbers, more = more)
     }
 }
 
@@ -124,23 +134,20 @@ impl FromIterator<usize> for Listed {
 }
 
 /// Parts of the scene and of the choice of methods that are not used.
-pub(crate) fn unused(mechanism: &Mechanism, options: &Options) -> Vec<String> {
+pub(crate) fn unused(mechanism: &Mechanism, options: &Options) -> Vec<Text> {
     let transient = matches!(mechanism.motion, Some(Motion::Transient { .. }));
     let steady = matches!(mechanism.motion, Some(Motion::Steady { .. }));
     let mut notes = Vec::new();
     if mechanism.drive.is_some() && !transient && !steady {
-        notes.push(
-            "`[drive]` is not used: the motion is prescribed or absent; take `kind = \"steady\"` or \"transient\"."
-                .to_owned(),
-        );
+        notes.push(text!("analysis-drive-unused"));
     }
-    if let Some(name) = options.integrator.as_ref().filter(|_| !transient) {
-        let why = if steady {
-            "the steady regime is found by collocation over the cycle, not by steps in time"
+    if let Some(method) = options.integrator.as_ref().filter(|_| !transient) {
+        let method = name(method.clone());
+        notes.push(if steady {
+            text!("analysis-integrator-unused-steady", method = method)
         } else {
-            "the scene asks for no motion from an initial state"
-        };
-        notes.push(format!("Integrator `{name}` is not used: {why}."));
+            text!("analysis-integrator-unused", method = method)
+        });
     }
     if let Some(Motion::Transient { step: Some(_), integrator, .. }) = &mechanism.motion {
         let named = options.integrator.as_deref().unwrap_or(integrator);
@@ -148,10 +155,10 @@ pub(crate) fn unused(mechanism: &Mechanism, options: &Options) -> Vec<String> {
         let fixed: Vec<_> =
             all.iter().filter(|plugin| plugin.knob == Knob::Step).map(|plugin| plugin.name).collect();
         if !fixed.contains(&named) {
-            notes.push(format!(
-                "`step` of [motion] is not used: integrator `{named}` chooses its steps by the tolerance; methods with a fixed \
-                 step: {}.",
-                fixed.join(", ")
+            notes.push(text!(
+                "analysis-step-unused",
+                method = name(named.to_owned()),
+                fixed = list(fixed.into_iter().map(name))
             ));
         }
     }

@@ -7,8 +7,9 @@ use assur_diagram::{
 };
 use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::Order;
-use assur_mechanism::{LinkId, PairId, Range};
+use assur_mechanism::{LinkId, Name, PairId, Range};
 use assur_structure::name_of;
+use assur_words::text;
 use indexmap::IndexMap;
 
 use crate::Calculation;
@@ -126,7 +127,7 @@ impl Calculation {
             };
             let rows = positions.each(x).zip(positions.each(x + 1)).zip(positions.each(coordinate));
             let (coordinates, points): (Vec<_>, Vec<_>) = rows.filter_map(row).unzip();
-            let (joint, on) = (schema.name(Owner::Pair(pair)).into_owned(), schema.link(link).to_owned());
+            let (joint, on) = (schema.name(Owner::Pair(pair)).to_string(), schema.link(link).to_string());
             let closed = matches!(self.linkage.mechanism.input.range, Range::Cycle(_));
             (!points.is_empty()).then_some(Hodograph { joint, on, coordinates, points, closed })
         };
@@ -190,7 +191,7 @@ struct Shares {
     /// Owners of the forces and moments, in the order of the reactions.
     wanted: Vec<(Column, String, Option<String>)>,
     rows: usize,
-    causes: Vec<String>,
+    causes: Vec<Name>,
     /// By cause, whether a row has its share.
     present: Vec<Vec<bool>>,
     /// By cause, its columns: the wanted ones, then the balancing load.
@@ -201,10 +202,10 @@ impl Shares {
     fn new(positions: &Table) -> Self {
         let schema = positions.schema();
         let wanted = schema.columns().iter().filter_map(|column| {
-            let name = |owner| schema.name(owner).into_owned();
+            let name = |owner| schema.name(owner).to_string();
             match (column.quantity, column.owner) {
                 (Quantity::Force, Owner::PairOn(_, link)) => {
-                    Some((*column, name(column.owner), Some(schema.link(link).to_owned())))
+                    Some((*column, name(column.owner), Some(schema.link(link).to_string())))
                 }
                 (Quantity::Moment, owner) => Some((*column, name(owner), None)),
                 _ => None,
@@ -216,12 +217,12 @@ impl Shares {
 
     /// The shares of a row.
     fn add(&mut self, row: usize, shares: &[Share]) {
-        let mut names: Vec<String> = Vec::new();
+        let mut names: Vec<Name> = Vec::new();
         for share in shares {
-            let mut name = share.cause.to_string();
+            let mut name = Name::from(share.cause.clone());
             // A load may be called `weight` too.
             while names.contains(&name) {
-                name.push_str(" (load)");
+                name = text!("analysis-load-named", name = name).into();
             }
             let cause = self.cause(&name);
             self.present[cause][row] = true;
@@ -242,9 +243,9 @@ impl Shares {
     }
 
     /// The index of a cause, which is added where it is new.
-    fn cause(&mut self, name: &str) -> usize {
+    fn cause(&mut self, name: &Name) -> usize {
         self.causes.iter().position(|known| known == name).unwrap_or_else(|| {
-            self.causes.push(name.to_owned());
+            self.causes.push(name.clone());
             self.present.push(vec![false; self.rows]);
             self.columns.push(vec![vec![0.0; self.rows]; self.wanted.len() + 1]);
             self.causes.len() - 1

@@ -5,6 +5,7 @@ use std::convert::Infallible;
 use assur_check::Notable;
 use assur_group::Order;
 use assur_kinematics::Linkage;
+use assur_words::{Describe, text};
 
 use crate::angles::{Angles, Starts};
 use crate::blocks::{Block, Blocks};
@@ -36,7 +37,7 @@ pub fn lost_positions(linkage: &Linkage) -> (Vec<Failure>, usize) {
         let Err(error) = linkage.solve_index(index, Order::Place, &mut position) else { continue };
         count += 1;
         if failures.len() < MOST_FAILURES {
-            let (coordinate, message) = (error.coordinate, error.to_string());
+            let (coordinate, message) = (error.coordinate, error.describe());
             failures.push(Failure { index, coordinate, message, key: None });
         }
     }
@@ -63,7 +64,7 @@ impl Calculation {
             notes.extend(self.idle_loads(&positions.kept));
         }
         if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
-            notes.push(format!("{more} more failures are not listed."));
+            notes.push(text!("analysis-more-failures", more = more));
         }
         Ok(Analysis {
             title: mechanism.title.clone(),
@@ -81,7 +82,7 @@ impl Calculation {
             trajectory: samples.table,
             dynamics: self.dynamics(),
             integration: self.integration(),
-            no_motion: self.no_motion.as_ref().map(ToString::to_string),
+            no_motion: self.no_motion.as_ref().map(Describe::describe),
             notes,
             checks: Vec::new(),
             residuals: Table::default(),

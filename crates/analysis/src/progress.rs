@@ -2,13 +2,22 @@
 
 use std::ops::ControlFlow;
 
+use assur_words::{Describe, Text, text};
+
 /// Called before each piece of a calculation with its progress; breaks to stop it.
 pub type Watch<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;
 
 /// The watcher stopped the calculation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("stopped on request")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stopped;
+
+assur_words::errors!(Stopped);
+
+impl Describe for Stopped {
+    fn describe(&self) -> Text {
+        text!("analysis-stopped")
+    }
+}
 
 /// Lets a calculation run to its end.
 ///

@@ -3,6 +3,7 @@
 use assur_check::Check;
 use assur_dynamics::{Driven, Machine, Regime, Steady, Transient};
 use assur_integrator::{AUTO, Motion, Piece, Request, Sample, Solution, State, Trajectory, Until, solve};
+use assur_words::{Text, name, text};
 
 use crate::Calculation;
 use crate::motion::CYCLE_INTERVALS;
@@ -20,18 +21,11 @@ const ROUNDING: f64 = 1e-12;
 /// How many times greater than one that is measured a rounding may be.
 const ROUNDINGS: f64 = 4.0;
 
-/// What the check of the work compares, and its limit.
-const WORK: &str = "change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest \
-                    energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes \
-                    from the change of the power), the rounding of coordinate and speed, and the tolerance of every step or \
-                    the error of fixed steps, which is one of the speed and counts for more where the reduced inertia is \
-                    greater";
-
 impl Calculation {
     /// Change of the kinetic energy against the work of all moments, by quadrature over a finer trajectory.
     pub(crate) fn work_check(&self, found: &Transient) -> Option<Check> {
         let loads = self.loads.as_ref()?;
-        let (mut check, mut widest) = (None, "");
+        let (mut check, mut widest) = (None, Text::default());
         for samples in INTERVALS {
             let (mut motion, trajectory) = self.solved_again(loads, found, samples)?;
             let balance = Balance::of(&mut motion, &trajectory, samples > INTERVALS[0])?;
@@ -40,7 +34,13 @@ impl Calculation {
             let worst = balance.worst(own);
             let Worst { residual, limit, .. } = worst;
             widest = worst.widest;
-            let made = Check::of("work and kinetic energy", residual, limit, "input link", WORK);
+            let made = Check::of(
+                text!("analysis-work"),
+                residual,
+                limit,
+                text!("check-input-link"),
+                text!("analysis-work.reason"),
+            );
             // The error of the quadrature is no greater than that of the motion; of more instants it is less.
             let tells = limit <= 2.0 * (own + ROUNDING) || samples > INTERVALS[0];
             let gains = !made.judged && widest == Worst::OF_QUADRATURE;
@@ -70,10 +70,8 @@ impl Calculation {
         let limits = counted(regime, [input.from, end]).map(|times| times * own + regime.effort.residual);
         let by_limit = |one: &(f64, f64), other: &(f64, f64)| (one.0 / one.1).total_cmp(&(other.0 / other.1));
         let (residual, limit) = [back, time].into_iter().zip(limits).max_by(by_limit)?;
-        let reason = "a cycle run once more in time from the speed of the regime: relative difference of the speed at its end \
-                      or of its duration, the one that is nearer to its limit; limit: the tolerance of every step, a part of the \
-                      greatest speed, which counts for more where the machine is slow, and the residual of the regime";
-        Some(Check::of("cycle in time", residual, limit, integrator.name, reason))
+        let place = name(integrator.name);
+        Some(Check::of(text!("analysis-cycle"), residual, limit, place, text!("analysis-cycle.reason")))
     }
 }
 
@@ -113,20 +111,17 @@ struct Balance {
 }
 
 /// The residual nearest to its limit, and the reason if that proves nothing.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Worst {
     residual: f64,
     limit: f64,
-    widest: &'static str,
+    widest: Text,
 }
 
 impl Worst {
-    const OF_QUADRATURE: &'static str = "the power changes so much between the instants at which it is added up that its work is not known to a tenth";
-    const OF_ROUNDING: &'static str =
-        "all that moves is of the size of what the rounding of the coordinate does to the moments";
-    const OF_MOTION: &'static str = "the accuracy of the motion, a part of its greatest speed in every step, is worth more than a \
-                                     tenth of the energy: the tolerance is loose, or the reduced inertia grows without limit near a \
-                                     singular position";
+    const OF_QUADRATURE: Text = text!("analysis-wide-quadrature");
+    const OF_ROUNDING: Text = text!("analysis-wide-rounding");
+    const OF_MOTION: Text = text!("analysis-wide-motion");
 }
 
 /// What the power does between two instants.
@@ -227,7 +222,8 @@ impl Balance {
                     (of_motion, Worst::OF_MOTION),
                 ];
                 let greatest = parts.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
-                worst = Worst { residual, limit, widest: greatest.map_or("", |(_, why)| why) };
+                worst =
+                    Worst { residual, limit, widest: greatest.map_or_else(Text::default, |(_, why)| why) };
             }
         }
         worst

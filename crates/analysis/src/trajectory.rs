@@ -4,6 +4,7 @@ use assur_check::Notable;
 use assur_dynamics::Instant;
 use assur_force::State;
 use assur_number::Lanes;
+use assur_words::{Describe, Text};
 
 use crate::angles::Angles;
 use crate::filler::{Filler, Obstacle};
@@ -27,7 +28,7 @@ pub(crate) struct WithoutForces {
     /// For how many of them the method fails, or a load has no value.
     pub(crate) refused: usize,
     /// Why at the first of them.
-    pub(crate) reason: Option<String>,
+    pub(crate) reason: Option<Text>,
 }
 
 impl WithoutForces {
@@ -41,9 +42,9 @@ impl WithoutForces {
         }
     }
 
-    fn refuse(&mut self, why: &dyn std::error::Error) {
+    fn refuse(&mut self, why: &dyn Describe) {
         self.refused += 1;
-        self.reason.get_or_insert_with(|| why.to_string());
+        self.reason.get_or_insert_with(|| why.describe());
     }
 }
 

@@ -189,7 +189,7 @@ fn failing(calculation: &Calculation) -> Vec<String> {
     assert!(checks.len() > 8, "only {} checks", checks.len());
     let failed = checks.iter().filter(|check| check.failed());
     let words = failed.map(|check| {
-        let (name, residual, limit) = (check.name, check.residual, check.limit);
+        let (name, residual, limit) = (&check.name, check.residual, check.limit);
         format!("{name} {residual:.1e}/{limit:.1e} {:?} {}", check.at, check.place)
     });
     words.collect()

@@ -36,9 +36,7 @@ quantity-condition = condition
 quantity-residual-test-pf = residual of TestPf
 quantity-residual-equilibrium = residual of equilibrium
 quantity-residual-dynamics = residual of the equation of motion
-quantity-residual-global = residual of the powers
-name-ground = ground
-
+quantity-residual-global = residual of the global check
 # How facts stand in a table.
 fact-quantity = Quantity
 fact-value = Value

@@ -36,9 +36,7 @@ quantity-condition = обусловленность
 quantity-residual-test-pf = невязка TestPf
 quantity-residual-equilibrium = невязка равновесия
 quantity-residual-dynamics = невязка уравнения движения
-quantity-residual-global = невязка мощностей
-name-ground = стойка
-
+quantity-residual-global = невязка глобальной проверки
 # Как величины стоят в таблице.
 fact-quantity = Величина
 fact-value = Значение

@@ -36,9 +36,7 @@ quantity-condition = обумовленість
 quantity-residual-test-pf = нев'язка TestPf
 quantity-residual-equilibrium = нев'язка рівноваги
 quantity-residual-dynamics = нев'язка рівняння руху
-quantity-residual-global = нев'язка потужностей
-name-ground = стояк
-
+quantity-residual-global = нев'язка глобальної перевірки
 # Як величини стоять у таблиці.
 fact-quantity = Величина
 fact-value = Значення

@@ -9,7 +9,7 @@ const GROUND: &str = "ground";
 /// A name of a link, or of a pair that the program made of names of links (`ram/ground`): as it is in the scene, but for the
 /// ground.
 pub fn named(letters: &str) -> Text {
-    let part = |part: &str| if part == GROUND { text!("name-ground") } else { name(part.to_owned()) };
+    let part = |part: &str| if part == GROUND { text!("mechanism-ground") } else { name(part.to_owned()) };
     joined("/", letters.split('/').map(part))
 }
 

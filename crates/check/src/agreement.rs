@@ -1,6 +1,7 @@
 //! Agreement of the methods: every reaction and the balancing load.
 
 use assur_force::{AnalyzerPlugin, Reactions};
+use assur_words::{Text, name, text};
 
 use crate::case::{Case, ROUNDINGS, largest};
 use crate::check::Collector;
@@ -11,11 +12,7 @@ use crate::differences::{SAMPLES, SPACING, rounding_of};
 type Numbers = Vec<f64>;
 
 pub(crate) fn collector() -> Collector {
-    let reason = "every reaction and the balancing load by each method, relative to the largest reaction or load; limit: 64 \
-                  rounding units by the sum of 1/determinant over the groups, and where a method is worse conditioned \
-                  than the mechanism 8 times the rounding measured in its answers (within 1e-8 of the end of the assembly \
-                  what the rounding of the coordinate makes of the determinant)";
-    Collector::new("agreement of the methods", reason)
+    Collector::new(text!("check-agreement"), text!("check-agreement.reason"))
 }
 
 /// Compares the results of all methods with that of the method whose results all checks use.
@@ -87,12 +84,13 @@ fn sizes(numbers: &[f64], scale: f64, units: [f64; 2]) -> Vec<f64> {
     std::iter::once(numbers[0].abs() / units[0]).chain(pairs).collect()
 }
 
-fn number_name(case: &Case<'_>, k: usize, method: &str) -> String {
+fn number_name(case: &Case<'_>, k: usize, method: &'static str) -> Text {
     let linkage = case.subject.linkage;
     match k.checked_sub(1) {
-        None => format!("balancing load by {method}"),
+        None => text!("check-balancing-by", method = name(method)),
         Some(pair) => {
-            format!("pair {} by {method}", linkage.structure.pair_name(&linkage.mechanism, pair))
+            let pair = linkage.structure.pair_name(&linkage.mechanism, pair);
+            text!("check-pair-by", pair = pair, method = name(method))
         }
     }
 }

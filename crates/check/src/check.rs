@@ -1,12 +1,13 @@
 //! The result of a check, and how the residuals of all positions are combined.
 
+use assur_words::{Text, text};
 use serde::{Serialize, Serializer};
 
 /// One check over all positions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
-    /// Name, stable.
-    pub name: &'static str,
+    /// Name, by a stable identity.
+    pub name: Text,
     /// The residual that comes closest to its limit, or exceeds it most. Dimensionless.
     pub residual: f64,
     /// Its limit.
@@ -14,15 +15,15 @@ pub struct Check {
     /// Number of the position of this residual; absent where it belongs to none.
     pub at: Option<usize>,
     /// Pair, link or point of this residual.
-    pub place: String,
+    pub place: Text,
     /// What is compared, and where the limit comes from.
-    pub reason: &'static str,
+    pub reason: Text,
     /// Where not all positions (samples of a motion) were checked: how many were, and out of how many.
     pub sample: Option<[usize; 2]>,
     /// Positions that could not be checked, or not in full (too close to the limit of assembly, or singular).
     pub left_out: usize,
     /// The reason for the first of them; empty where all were checked.
-    pub why_left_out: &'static str,
+    pub why_left_out: Text,
     /// Whether the check is conclusive: a residual exceeds its limit, or at least one position could be checked in
     /// full. Otherwise it is neither [`ok`](Self::ok) nor [`failed`](Self::failed).
     pub judged: bool,
@@ -33,18 +34,18 @@ pub struct Check {
 impl Check {
     /// A check of one number that belongs to no position; residual and limit relative to the compared quantity. With a
     /// limit as large as that quantity only a residual that exceeds it is conclusive.
-    pub fn of(name: &'static str, residual: f64, limit: f64, place: &str, reason: &'static str) -> Self {
+    pub fn of(name: Text, residual: f64, limit: f64, place: Text, reason: Text) -> Self {
         let proves_nothing = residual <= limit && limit > JUDGES;
         Self {
             name,
             residual,
             limit,
             at: None,
-            place: place.to_owned(),
+            place,
             reason,
             sample: None,
             left_out: 0,
-            why_left_out: if proves_nothing { LIMIT_TOO_WIDE } else { "" },
+            why_left_out: if proves_nothing { LIMIT_TOO_WIDE } else { Text::default() },
             judged: !proves_nothing,
             ok: residual <= limit && !proves_nothing,
         }
@@ -65,31 +66,32 @@ impl Check {
 /// A check as results show it.
 #[derive(Serialize)]
 struct Shown<'a> {
-    name: &'a str,
+    name: &'a Text,
     residual: f64,
     limit: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     at: Option<usize>,
-    #[serde(skip_serializing_if = "str::is_empty")]
-    place: &'a str,
-    reason: &'a str,
+    #[serde(skip_serializing_if = "Text::is_empty")]
+    place: &'a Text,
+    reason: &'a Text,
     #[serde(skip_serializing_if = "Option::is_none")]
     sample: Option<[usize; 2]>,
     left_out: usize,
-    #[serde(skip_serializing_if = "str::is_empty")]
-    why_left_out: &'a str,
+    #[serde(skip_serializing_if = "Text::is_empty")]
+    why_left_out: &'a Text,
     judged: bool,
     /// Null where the check is not conclusive.
     ok: Option<bool>,
     /// Why it is not.
-    why: Option<&'a str>,
+    why: Option<&'a Text>,
 }
 
 impl Serialize for Check {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self {
-            name, residual, limit, at, ref place, reason, sample, left_out, why_left_out, judged, ..
-        } = *self;
+        let Self { name, residual, limit, at, place, reason, sample, left_out, why_left_out, judged, .. } =
+            self;
+        let (residual, limit, at, sample, left_out, judged) =
+            (*residual, *limit, *at, *sample, *left_out, *judged);
         let (ok, why) = (self.verdict(), (!judged).then_some(why_left_out));
         let shown = Shown {
             name,
@@ -113,10 +115,9 @@ impl Serialize for Check {
 /// would be noticed, and a residual below such a limit proves nothing.
 const JUDGES: f64 = 0.1;
 
-const LIMIT_TOO_WIDE: &str =
-    "the limit exceeds a tenth of what is compared, so that keeping it proves nothing";
+const LIMIT_TOO_WIDE: Text = text!("check-limit-too-wide");
 
-const TOO_WIDE: &str = "so close to a singular position that the limit exceeds a tenth of what is compared";
+const TOO_WIDE: Text = text!("check-too-near");
 
 /// Ratio of a residual to its limit; infinite where it is no number. Of residuals that are zero, the one with the larger
 /// limit counts more, so that a report shows a meaningful limit.
@@ -131,7 +132,7 @@ struct Residual {
     size: f64,
     limit: f64,
     at: usize,
-    place: String,
+    place: Text,
 }
 
 /// Collects the residuals of one check.
@@ -147,14 +148,14 @@ pub(crate) struct Collector {
 }
 
 impl Collector {
-    pub(crate) fn new(name: &'static str, reason: &'static str) -> Self {
-        let check = Check::of(name, 0.0, 0.0, "", reason);
+    pub(crate) fn new(name: Text, reason: Text) -> Self {
+        let check = Check::of(name, 0.0, 0.0, Text::default(), reason);
         Self { check, offers: 0, last: [None; 2], positions: 0, widest: None }
     }
 
     /// Adds a residual with its limit, both relative to the compared quantity; `place` is called only for the worst
     /// residual up to now.
-    pub(crate) fn offer(&mut self, at: usize, residual: f64, limit: f64, place: impl FnOnce() -> String) {
+    pub(crate) fn offer(&mut self, at: usize, residual: f64, limit: f64, place: impl FnOnce() -> Text) {
         self.offer_of(at, residual, limit, 1.0, place);
     }
 
@@ -166,7 +167,7 @@ impl Collector {
         residual: f64,
         limit: f64,
         size: f64,
-        place: impl FnOnce() -> String,
+        place: impl FnOnce() -> Text,
     ) {
         // The comparison is written so that NaN fails.
         let holds = residual <= limit;
@@ -226,7 +227,7 @@ impl Collector {
     }
 
     /// Notes that a position could not be checked, and why.
-    pub(crate) fn leave_out(&mut self, at: usize, why: &'static str) {
+    pub(crate) fn leave_out(&mut self, at: usize, why: Text) {
         self.enter(at);
         if self.last[1] == Some(at) {
             return;

@@ -2,6 +2,7 @@
 
 use assur_group::{Body, Pair, PairGeometry};
 use assur_kinematics::Linkage;
+use assur_words::{Text, text};
 
 use crate::check::Collector;
 use crate::elements::place_motion;
@@ -11,11 +12,8 @@ use crate::subject::{Solved, Subject};
 /// of the two bodies, and the root and the division of the group that placed them.
 const ROUNDINGS: f64 = 64.0;
 
-const NAMES: [&str; 3] = ["closure PF0", "closure PF1", "closure PF2"];
-const REASON: &str = "both bodies of each pair agree; limit: 64 rounding units of the largest term in the mechanism (a slow \
-                      group carries the rounding of the fast one that drives it, and a short distance that of the \
-                      coordinates whose difference it is; the direction of a link that of its joints over their distance), across a change \
-                      point those of the interpolation's nodes";
+const NAMES: [Text; 3] = [text!("check-closure-pf0"), text!("check-closure-pf1"), text!("check-closure-pf2")];
+const REASON: Text = text!("check-closure-reason");
 
 /// Closure error of a pair: the gap and the size of the largest term, for each order.
 type Gap = [(f64, f64); 3];
@@ -33,7 +31,7 @@ impl Closure {
         let structure = &subject.linkage.structure;
         let far = subject.reach() * structure.scale;
         let spreads = (0..structure.links).map(|link| (far / span(subject.linkage, link)).max(1.0)).collect();
-        Self { collectors: NAMES.map(|name| Collector::new(name, REASON)), spreads }
+        Self { collectors: NAMES.map(|check| Collector::new(check, REASON)), spreads }
     }
 
     pub(crate) fn add(&mut self, subject: &Subject<'_>, one: &Solved) {
@@ -47,7 +45,8 @@ impl Closure {
                 let limit = ROUNDINGS * f64::EPSILON * size * lost[order];
                 let unit = subject.unit(order, true);
                 self.collectors[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
-                    format!("pair {}", linkage.structure.pair_name(&linkage.mechanism, id))
+                    let pair = linkage.structure.pair_name(&linkage.mechanism, id);
+                    text!("check-pair", pair = pair)
                 });
             }
         }
@@ -59,7 +58,7 @@ impl Closure {
             let off = (body.c * body.c + body.s * body.s - 1.0).abs();
             let limit = ROUNDINGS * f64::EPSILON * turned * self.spreads[id];
             self.collectors[0].offer(one.index, off, limit, || {
-                format!("direction of link {}", linkage.mechanism.links[id].name)
+                text!("check-direction", link = &linkage.mechanism.links[id].name)
             });
         }
     }

@@ -4,6 +4,7 @@ use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{LinkId, Mechanism, Place, SlideId};
 use assur_number::Real;
+use assur_words::{Text, text};
 
 /// One element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,16 +39,17 @@ pub(crate) fn elements(linkage: &Linkage) -> Vec<Element> {
 }
 
 impl Element {
-    pub(crate) fn name(self, linkage: &Linkage) -> String {
+    pub(crate) fn name(self, linkage: &Linkage) -> Text {
         let mechanism = &linkage.mechanism;
-        let link = |link: LinkId| mechanism.links[link].name.as_str();
+        let link = |link: LinkId| &mechanism.links[link].name;
         match self {
             Self::Place(place, Some(id)) => {
-                format!("point {} on {}", mechanism.points[id].name, link(place.link))
+                let point = &mechanism.points[id].name;
+                text!("check-point-on", point = point, link = link(place.link))
             }
-            Self::Place(place, None) => format!("center of mass of {}", link(place.link)),
-            Self::Link(id) => format!("link {}", link(id)),
-            Self::Slide(id) => format!("slide {}", mechanism.slides[id].name),
+            Self::Place(place, None) => text!("check-center-of-mass", link = link(place.link)),
+            Self::Link(id) => text!("check-link", link = link(id)),
+            Self::Slide(id) => text!("check-slide", slide = &mechanism.slides[id].name),
         }
     }
 

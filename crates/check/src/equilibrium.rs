@@ -4,6 +4,7 @@ use assur_force::{JointReaction, UnitBalance};
 use assur_group::Wrench;
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, InputPair, LinkId, PairId};
+use assur_words::{Text, text};
 
 use crate::case::{Case, ROUNDINGS, largest, rounding_of_sum};
 use crate::check::Collector;
@@ -13,20 +14,9 @@ use crate::subject::Solved;
 /// The checks of links, of joints and of guides.
 pub(crate) fn collectors() -> [Collector; 3] {
     [
-        Collector::new(
-            "equilibrium of links",
-            "forces and moments on each link, from named reactions and written-out loads, relative to the largest sum of what \
-             acts on a link; limit: 64 rounding units (of very many loads one of each partial sum) by the sum of 1/determinant over the groups \
-             and the distance from the origin in sizes of the mechanism",
-        ),
-        Collector::new(
-            "forces of joints",
-            "the forces of each pin or slide on its links sum to zero; limit: 64 rounding units of the largest sum",
-        ),
-        Collector::new(
-            "slides push across",
-            "the force of a slide along its guide is zero; limit as for the equilibrium",
-        ),
+        Collector::new(text!("check-equilibrium"), text!("check-equilibrium.reason")),
+        Collector::new(text!("check-joints"), text!("check-joints.reason")),
+        Collector::new(text!("check-slides"), text!("check-slides.reason")),
     ]
 }
 
@@ -54,20 +44,20 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
     let limit = rounding_of_sum(added, total) * one.condition;
     let off = |sum: &Sum| (sum.wrench.fx.hypot(sum.wrench.fy) + sum.wrench.m.abs() / scale) / total;
     for (link, sum) in sums.all.iter().enumerate().skip(1) {
-        let name = || format!("link {}", linkage.mechanism.links[link].name);
-        links.offer(one.index, off(sum), limit, name);
+        let place = || text!("check-link", link = &linkage.mechanism.links[link].name);
+        links.offer(one.index, off(sum), limit, place);
     }
     for joint in &case.joints {
-        let name = || joint_name(linkage, joint.joint);
+        let place = || joint_name(linkage, joint.joint);
         let sum = joint.forces.iter().fold([0.0; 2], |sum, (_, f)| [sum[0] + f[0], sum[1] + f[1]]);
-        joints.offer(one.index, sum[0].hypot(sum[1]) / total, rounding, name);
+        joints.offer(one.index, sum[0].hypot(sum[1]) / total, rounding, place);
         if let PairId::Slide(id) = joint.joint {
             let slide = &linkage.mechanism.slides[id];
             let (s, c) = slide.angle.sin_cos();
             let along = one.position.bodies[slide.on].turned([c, s]);
             let force = joint.forces.first().map_or([f64::NAN; 2], |(_, force)| *force);
             let off = (force[0] * along[0] + force[1] * along[1]).abs();
-            guides.offer(one.index, off / total, limit, name);
+            guides.offer(one.index, off / total, limit, place);
         }
     }
     let groups = linkage.structure.groups.iter();
@@ -148,14 +138,17 @@ impl Sums<'_> {
     }
 }
 
-fn joint_name(linkage: &Linkage, joint: PairId) -> String {
+fn joint_name(linkage: &Linkage, joint: PairId) -> Text {
     let mechanism = &linkage.mechanism;
     match joint {
         PairId::Pin(point) => {
             let places = &mechanism.points[point].places;
             let ground = places.iter().any(|place| place.link == GROUND);
-            format!("pin {}{}", mechanism.points[point].name, if ground { " on the ground" } else { "" })
+            let pin = &mechanism.points[point].name;
+            if ground { text!("check-pin-on-ground", pin = pin) } else { text!("check-pin", pin = pin) }
         }
-        PairId::Slide(slide) => format!("slide {}", mechanism.slides[slide].name),
+        PairId::Slide(slide) => {
+            text!("check-slide", slide = &mechanism.slides[slide].name)
+        }
     }
 }

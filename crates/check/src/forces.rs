@@ -2,6 +2,7 @@
 
 use assur_force::{Joint, Loads, State, joints};
 use assur_group::Wrench;
+use assur_words::{Text, text};
 
 use crate::case::{Case, ROUNDINGS};
 use crate::check::Collector;
@@ -11,7 +12,7 @@ use crate::written::{Given, Items, Writer, given};
 use crate::{agreement, equilibrium, power};
 
 /// Why a position is skipped where all methods fail.
-const NO_ANSWER: &str = "no method finds reactions there: the position is singular";
+const NO_ANSWER: Text = text!("check-no-answer");
 
 /// The checks of forces in the states that were added.
 pub(crate) struct Forces<'a> {
@@ -29,13 +30,12 @@ pub(crate) struct Forces<'a> {
 impl<'a> Forces<'a> {
     /// `writer`: writes out the loads of the subject.
     pub(crate) fn new(subject: &'a Subject<'a>, loads: &'a Loads, writer: &'a Writer<'a>) -> Self {
-        let reason = "each load written out from the scene once more; limit: 64 rounding units of its terms";
         Self {
             subject,
             loads,
             writer,
             joints: joints(&subject.linkage.mechanism, &subject.linkage.structure),
-            written: Collector::new("loads", reason),
+            written: Collector::new(text!("check-loads"), text!("check-loads.reason")),
             balance: equilibrium::collectors(),
             agreement: agreement::collector(),
             powers: power::collectors(),
@@ -103,7 +103,8 @@ fn compare_loads(
         let limit = ROUNDINGS * f64::EPSILON * size;
         collector.offer(one.index, off / total, limit / total, || {
             let mechanism = &subject.linkage.mechanism;
-            format!("{} on {}", key.0.name(mechanism), mechanism.links[key.1].name)
+            let link = &mechanism.links[key.1].name;
+            text!("check-load-on", load = key.0.name(mechanism), link = link)
         });
     }
 }

@@ -30,6 +30,8 @@ mod surroundings;
 mod test_pf;
 mod written;
 
+assur_words::resources!();
+
 pub use check::Check;
 pub use coverage::{Chosen, Coverage, SAMPLE};
 pub use notable::Notable;

@@ -3,42 +3,27 @@
 
 use assur_force::{Cause, Side, State, UnitBalance, power, tolerance};
 use assur_mechanism::PairId;
+use assur_words::{Text, name, text};
 
 use crate::case::{Case, ROUNDINGS, rounding_of_sum};
 use crate::check::Collector;
 use crate::kinetics;
 
 /// Why the drive is not compared there.
-const ON_A_JUMP: &str =
-    "at rest on a jump over coordinate or time, where the load may have any value between both";
+const ON_A_JUMP: Text = text!("check-on-a-jump");
 
 /// The checks of the reduced quantities, of the equation of motion, of virtual power, and of the drive.
 pub(crate) fn collectors() -> [Collector; 4] {
     [
-        Collector::new(
-            "reduced quantities",
-            "J, J' and Q written out once more; limit: 64 rounding units of their terms (of very many loads one of each partial sum)",
-        ),
-        Collector::new(
-            "Lagrange-d'Alembert",
-            "Mb + Q - J e - J' w^2/2 = 0 written out over every load, relative to its terms; limit: 64 rounding units of the \
-             terms and of the power that each reaction exchanges (of very many loads one of each partial sum), by the sum of \
-             1/determinant over the groups",
-        ),
-        Collector::new(
-            "virtual power",
-            "power of all loads and inertia loads against that of the balancing load; limit as for Lagrange-d'Alembert",
-        ),
-        Collector::new(
-            "drive against force analysis",
-            "balancing load against the load of drive and flywheel in the motion that was found; limit as for \
-             Lagrange-d'Alembert, and the accuracy of the motion: its rounding, and of a steady regime what its polynomials miss \
-             between their nodes",
-        ),
+        Collector::new(text!("check-reduced"), text!("check-reduced.reason")),
+        Collector::new(text!("check-lagrange"), text!("check-lagrange.reason")),
+        Collector::new(text!("check-virtual-power"), text!("check-virtual-power.reason")),
+        Collector::new(text!("check-drive"), text!("check-drive.reason")),
     ]
 }
 
-/// Compares one state; returns the residuals of the equation of motion and of virtual power.
+/// Compares one state; returns the residuals of the equation of motion and of the global check. Where the motion was found, both
+/// are those of the drive that made it: the balancing load of the force analysis follows any acceleration.
 pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [Collector; 4]) -> [f64; 2] {
     let (one, state, loads) = (case.one, case.state, case.loads);
     let linkage = case.subject.linkage;
@@ -66,23 +51,25 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let total = total.max(f64::MIN_POSITIVE);
     let limit = rounding_of_sum(added, total) * one.condition;
     let of_motion = (balancing + moment + terms[0] + terms[1]).abs() / total;
-    lagrange.offer(one.index, of_motion, limit, || "all loads".to_owned());
+    lagrange.offer(one.index, of_motion, limit, || text!("check-all-loads"));
     let sum: f64 =
         loads.total(state, bodies).iter().zip(bodies).map(|(wrench, body)| power(wrench, body)).sum();
     let of_powers = (balancing + sum).abs() / total;
-    lever.offer(one.index, of_powers, limit, || "all loads".to_owned());
+    lever.offer(one.index, of_powers, limit, || text!("check-all-loads"));
+    let mut residuals = [of_motion, of_powers];
     if let Some(given) = case.subject.drive.map(|given| given(state)) {
         let total = total.max(given.value.abs());
         let off = (balancing - given.value).abs() / total;
         match uncertain(case, given.accuracy, limit * total) {
             Some(uncertain) => {
                 let limit = limit + (given.error + uncertain) / total;
-                drive.offer(one.index, off, limit, || "input link".to_owned());
+                drive.offer(one.index, off, limit, || text!("check-input-link"));
+                residuals = [(given.value + moment + terms[0] + terms[1]).abs() / total, off];
             }
             None => drive.leave_out(one.index, ON_A_JUMP),
         }
     }
-    [of_motion, of_powers]
+    residuals
 }
 
 /// How far the reduced moment of the loads may be off where the motion was found: on a steep line by what it gains over the
@@ -153,7 +140,7 @@ fn compare_reduced(case: &Case<'_>, mine: [f64; 3], [sizes, added]: [f64; 2], co
         if size > 0.0 {
             let off = (mine[k] - theirs[k]).abs() / size;
             let of_loads = if k == 2 { added } else { 0.0 };
-            collector.offer(case.one.index, off, rounding_of_sum(of_loads, size), || names[k].to_owned());
+            collector.offer(case.one.index, off, rounding_of_sum(of_loads, size), || name(names[k]));
         }
     }
 }

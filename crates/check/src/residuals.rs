@@ -18,9 +18,11 @@ pub struct ForceResiduals {
     /// By group in solving order, the largest sum of forces and moments on one of its links, relative to all loads and the
     /// largest reaction.
     pub groups: Vec<f64>,
-    /// Sum of the equation of motion Mb + Q - J e - J' w^2/2, relative to its terms.
+    /// Sum of the equation of motion M + Q - J e - J' w^2/2, relative to its terms; M is the load of the drive, where the motion is
+    /// prescribed the balancing load.
     pub dynamics: f64,
-    /// Sum of the powers of all loads and inertia loads and of the balancing load, relative to its terms.
+    /// Difference of the balancing load and the load of the drive; where the motion is prescribed, sum of the powers of all loads
+    /// and inertia loads and of the balancing load. Relative to the terms.
     pub global: f64,
 }
 

@@ -54,7 +54,7 @@ pub(crate) struct Solved {
 /// by name.
 pub fn methods(linkage: &Linkage, first: Option<&str>) -> Vec<AnalyzerPlugin> {
     let first = choose(first).map_or("", |plugin| plugin.name);
-    let mut all: Vec<_> = applicable(linkage).into_iter().copied().collect();
+    let mut all: Vec<_> = applicable(linkage).into_iter().cloned().collect();
     all.sort_by_key(|method| method.name != first);
     all
 }

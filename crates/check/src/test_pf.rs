@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 
 use assur_kinematics::Position;
 use assur_number::Dd;
+use assur_words::{Text, text};
 
 use crate::check::Collector;
 use crate::differences::{LEVELS, SAFETY, extrapolated};
@@ -23,12 +24,13 @@ const JUDGES_IN_DOUBLE: f64 = 1e-9;
 /// Least rounding of any value, in units of the last place of its own size and of a typical one.
 const FLOOR: f64 = 4.0;
 
-const REASON: &str = "against numerical differentiation of the order below, with steps far smaller than the distance to a \
-                      singular position, in about 32 digits where 16 don't judge to 1e-9; limit: 8 times the error \
-                      estimate of the extrapolation and 64 rounding units by what each is magnified to there (across a \
-                      change point with the rounding measured)";
+const REASON: Text = text!("check-testpf-reason");
 
-const NO_ROOM: &str = "no room for differences before the end of assembly";
+const NO_ROOM: Text = text!("check-no-room");
+
+/// The checks of PF1, PF2 and J'.
+const NAMES: [Text; 3] =
+    [text!("check-testpf-pf1"), text!("check-testpf-pf2"), text!("check-testpf-inertia")];
 
 /// The check of the derivatives in the positions that were added.
 pub(crate) struct TestPf<'a> {
@@ -52,7 +54,7 @@ impl<'a> TestPf<'a> {
         Self {
             subject,
             elements: elements(linkage),
-            collectors: ["TestPf PF1", "TestPf PF2", "TestPf J'"].map(|name| Collector::new(name, REASON)),
+            collectors: NAMES.map(|name| Collector::new(name, REASON)),
             heavy: moving.any(|link| link.mass > 0.0 || link.inertia > 0.0),
             scratch: linkage.position(),
             double: Differences::of(subject),
@@ -72,7 +74,7 @@ impl<'a> TestPf<'a> {
         self.residuals.push((one.index, greatest(deviations.iter().map(|found| found.off / found.size))));
         for Deviation { check, element, off, limit, size } in deviations {
             self.collectors[check].offer_of(one.index, off, limit, size, || {
-                element.map_or_else(|| "all links".to_owned(), |element| element.name(self.subject.linkage))
+                element.map_or_else(|| text!("check-all-links"), |element| element.name(self.subject.linkage))
             });
         }
     }

@@ -39,6 +39,6 @@ fn scene(text: &str) -> Linkage {
     Linkage::compile(assur_scene::read("scene.toml", text).unwrap()).unwrap()
 }
 
-fn names(linkage: &Linkage) -> Vec<&'static str> {
-    checks(linkage).into_iter().map(|check| check.name).collect()
+fn names(linkage: &Linkage) -> Vec<String> {
+    checks(linkage).into_iter().map(|check| check.name.to_string()).collect()
 }

@@ -3,7 +3,7 @@
 use assur_force::{Construction, Drawing, Step, VectorKind};
 use assur_group::plane::{minus, plus, scaled};
 
-use assur_words::{name, text};
+use assur_words::text;
 
 use crate::plan::{Plan, PlanVector, length};
 
@@ -26,23 +26,23 @@ pub fn construction_plan(construction: &Construction, drawing: Drawing) -> Optio
         Drawing::Polygon => ("plan-construction-polygon", "N"),
         Drawing::Lever => ("plan-construction-lever", if is_force(first) { "m/rad" } else { first.unit }),
     };
-    let mut plan = Plan::new(text!(title, method = name(construction.title.clone())), unit);
+    let mut plan = Plan::new(text!(title, method = construction.title.clone()), unit);
     let per_newton = if unit == "N" { 1.0 } else { drawn_per_newton(&steps) };
     for step in &steps {
         if step.kind == VectorKind::Point {
-            plan.point(name(step.name.clone()), step.start);
+            plan.point(step.name.clone(), step.start);
             continue;
         }
         let factor = if is_force(step) { per_newton } else { 1.0 };
         plan.items.push(PlanVector {
-            name: name(step.name.clone()),
+            name: step.name.clone(),
             image: String::new(),
             kind: step.kind,
             start: step.start,
             end: plus(step.start, scaled(factor, step.vector)),
             size: length(step.vector),
             unit: step.unit.to_owned(),
-            note: name(step.note.clone()),
+            note: step.note.clone(),
         });
     }
     let open = if drawing == Drawing::Polygon { open(&steps) } else { 0.0 };

@@ -2,21 +2,55 @@
 
 use assur_force::{ForceError, LoadError, RegistryError};
 use assur_kinematics::PositionError;
+use assur_words::{Describe, Text, errors};
 
 /// Why there is no plan.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum DiagramError {
     /// The mechanism has no such position.
-    #[error(transparent)]
-    Position(#[from] PositionError),
+    Position(PositionError),
     /// The reactions can't be found.
-    #[error(transparent)]
-    Force(#[from] ForceError),
+    Force(ForceError),
     /// The loads can't be compiled.
-    #[error(transparent)]
-    Load(#[from] LoadError),
+    Load(LoadError),
     /// The registry of force analyzers is faulty.
-    #[error(transparent)]
-    Registry(#[from] RegistryError),
+    Registry(RegistryError),
+}
+
+impl Describe for DiagramError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Position(error) => error.describe(),
+            Self::Force(error) => error.describe(),
+            Self::Load(error) => error.describe(),
+            Self::Registry(error) => error.describe(),
+        }
+    }
+}
+
+errors!(DiagramError);
+
+impl From<PositionError> for DiagramError {
+    fn from(error: PositionError) -> Self {
+        Self::Position(error)
+    }
+}
+
+impl From<ForceError> for DiagramError {
+    fn from(error: ForceError) -> Self {
+        Self::Force(error)
+    }
+}
+
+impl From<LoadError> for DiagramError {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
+    }
+}
+
+impl From<RegistryError> for DiagramError {
+    fn from(error: RegistryError) -> Self {
+        Self::Registry(error)
+    }
 }

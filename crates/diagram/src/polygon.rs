@@ -47,7 +47,7 @@ pub fn force_polygons(
     let balance = balancing_force(linkage, position, reactions);
     let drawer = Drawer { linkage, loads, reactions, balance, floor: UNLOADED * greatest };
     let groups = structure.groups.iter().enumerate().rev().map(|(index, group)| {
-        let title = text!("plan-forces-of", group = name(structure.group_name(mechanism, index)));
+        let title = text!("plan-forces-of", group = structure.group_name(mechanism, index));
         drawer.polygon(title, &group.frame.links)
     });
     let input = mechanism.input.link;
@@ -113,7 +113,7 @@ impl Drawer<'_> {
                 _ => VectorKind::Load,
             };
             let note = text!("plan-load-on", link = &mechanism.links[link].name);
-            corner = plan.push(kind, name(load.cause.name(mechanism)), corner, load.wrench.force(), note);
+            corner = plan.push(kind, load.cause.name(mechanism).into(), corner, load.wrench.force(), note);
         }
         if let Some((_, force)) = self.balance.filter(|(loaded, _)| *loaded == link) {
             let note = text!("plan-balancing-on", link = &mechanism.links[link].name);
@@ -137,7 +137,7 @@ impl Drawer<'_> {
             }
             let on_a = self.reactions.pairs[id].force();
             let force = if pair.a == link { on_a } else { opposite(on_a) };
-            let joint = name(structure.pair_name(mechanism, id).to_owned());
+            let joint = Text::from(structure.pair_name(mechanism, id));
             let [on, from] = [link, pair.other(link)].map(|link| Text::from(&mechanism.links[link].name));
             let symbol = if structure.is_share(id) {
                 text!("plan-share-of-reaction", pair = &joint, link = &from)

@@ -7,7 +7,7 @@ use assur_geometry::{Center, instant_centers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_structure::name_of;
-use assur_words::{Text, name, text};
+use assur_words::{Text, text};
 use serde::Serialize;
 
 use crate::plan::length;
@@ -145,7 +145,7 @@ pub fn split(
         share(linkage, position, analyzer, told, acting)
     };
     let whole = solve(text!("plan-all-causes"), None)?;
-    let each = causes.into_iter().map(|cause| solve(name(cause.name(&linkage.mechanism)), Some(cause)));
+    let each = causes.into_iter().map(|cause| solve(cause.name(&linkage.mechanism).into(), Some(cause)));
     let shares = each.collect::<Result<Vec<_>, _>>()?;
     let residual = residual(&whole, &shares);
     Ok(Split { whole, shares, residual })

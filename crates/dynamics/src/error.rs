@@ -2,40 +2,30 @@
 
 use assur_integrator::{IntegrationError, MotionError};
 use assur_motor::{CatalogueError, LookupError, RatedDataError, SelectionError};
+use assur_words::{Describe, Text, name, number, quantity, text};
 
 /// What went wrong, where, and what to do.
-#[derive(Debug, Clone, thiserror::Error)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum DynamicsError {
     /// The scene defines no such motion.
-    #[error("the scene has no motion of kind \"{0}\"")]
     NoMotion(&'static str),
     /// The machine has no cycle.
-    #[error("a steady regime needs a cycle of the input; give `input.cycle`")]
     NoCycle,
     /// The machine is not the same again after a cycle.
-    #[error(
-        "the machine does not repeat with its cycle: the reduced {what} is {:.6e} at coordinate {:.6} and {:.6e} at {:.6}; \
-         give `input.cycle` whole turns, and loads that are the same after a cycle", values[0], coordinates[0], values[1], coordinates[1]
-    )]
     NotRepeating {
         /// Inertia, its derivative, or moment.
-        what: &'static str,
+        what: Text,
         /// Coordinates a cycle apart, rad or m.
         coordinates: [f64; 2],
         /// The values there, kg m² (kg), per unit of the coordinate, or N m (N).
         values: [f64; 2],
     },
     /// Loads over time don't repeat with the cycle.
-    #[error(
-        "a load follows a table over time, which does not repeat with the cycle: there is no steady regime"
-    )]
     OverTime,
     /// A key that a transient motion can't have.
-    #[error("{0} needs a motion of kind \"steady\": give a number")]
     SteadyOnly(&'static str),
     /// The mechanism has no such position, or its equation no value.
-    #[error("the equation of motion has no value at coordinate {coordinate:.9}: {source}")]
     Equation {
         /// Coordinate, rad or m.
         coordinate: f64,
@@ -43,10 +33,6 @@ pub enum DynamicsError {
         source: MotionError,
     },
     /// Nothing has inertia.
-    #[error(
-        "the reduced inertia with flywheel and rotor is {inertia:e} at coordinate {coordinate:.9}: it must be positive; \
-         give some link a mass, or a flywheel"
-    )]
     NoInertia {
         /// Coordinate, rad or m.
         coordinate: f64,
@@ -54,30 +40,14 @@ pub enum DynamicsError {
         inertia: f64,
     },
     /// The speed falls to zero in the cycle (coordinate, rad or m).
-    #[error(
-        "the machine comes to rest at coordinate {0:.6}: the drive is too weak there; take a stronger motor or a \
-         larger flywheel"
-    )]
     Stalled(f64),
     /// The speed stays at a jump of a moment over speed (coordinate, rad or m).
-    #[error(
-        "the speed is held at coordinate {0:.6} by a jump in a table over speed; join its rows by a steep line"
-    )]
     Held(f64),
     /// The moment is not linear in the speed on a smooth piece (coordinate, rad or m).
-    #[error(
-        "the moment of the loads at coordinate {0:.6} is not linear in the speed between two jumps or kinks: this \
-         method needs that"
-    )]
     NotLinear(f64),
     /// The collocation fails (coordinate, rad or m).
-    #[error("the speed can't be followed at coordinate {0:.6}: the moments change too steeply")]
     NoPath(f64),
     /// The work of a cycle is not zero and nothing restores the speed.
-    #[error(
-        "there is no steady regime: the work of a cycle is {work:.6e} J and nothing depends on the speed (a cycle begins \
-         with {energy:.6e} J); use `torque = \"balance\"`, a motor or a load over speed"
-    )]
     NoRegime {
         /// Work of a cycle, J.
         work: f64,
@@ -85,10 +55,6 @@ pub enum DynamicsError {
         energy: f64,
     },
     /// The loads alone determine a mean speed other than the requested one.
-    #[error(
-        "the requested mean speed of {wanted:.6} can't be met: without a drive the loads alone fix it, at {found:.6}; give a drive \
-         (`torque = \"balance\"` or a motor), or that speed"
-    )]
     OtherSpeed {
         /// Wanted mean speed, rad/s or m/s.
         wanted: f64,
@@ -96,9 +62,6 @@ pub enum DynamicsError {
         found: f64,
     },
     /// The iteration does not close the cycle.
-    #[error(
-        "no steady regime after {cycles} cycles: the relative change over a cycle still is {residual:.3e}"
-    )]
     NotPeriodic {
         /// Cycles.
         cycles: usize,
@@ -106,10 +69,6 @@ pub enum DynamicsError {
         residual: f64,
     },
     /// No flywheel and ratio are found.
-    #[error(
-        "no ratio and flywheel give the requested regime: after {trials} trials the mean speed misses by {:.3e} % and the \
-         unevenness by {:.3e} %; give one of them", 100.0 * mean_miss, 100.0 * unevenness_miss
-    )]
     NotTuned {
         /// Trials.
         trials: usize,
@@ -119,9 +78,6 @@ pub enum DynamicsError {
         unevenness_miss: f64,
     },
     /// No ratio lets the motor carry the mean load.
-    #[error(
-        "the motor is too weak for every ratio: the mean resistance needs {needed:.3} W, the motor gives at most {most:.3} W"
-    )]
     TooWeak {
         /// Needed on the motor shaft, W.
         needed: f64,
@@ -129,10 +85,6 @@ pub enum DynamicsError {
         most: f64,
     },
     /// The motor is off the stable section of its characteristic even at a constant speed.
-    #[error(
-        "the motor stays on the stable section of its characteristic, {low:.3} to {high:.3} rad/s, at no unevenness: at constant \
-         speed it turns with {speed:.3} rad/s; use `ratio = \"solve\"` or another motor"
-    )]
     OffSection {
         /// Its mean speed, rad/s.
         speed: f64,
@@ -142,28 +94,120 @@ pub enum DynamicsError {
         high: f64,
     },
     /// The drive has no motor.
-    #[error("the scene has no motor; give [drive] a `motor`, such as \"auto\"")]
     NoMotor,
     /// The machine drives its drive: no motor is needed (work of the loads over a cycle, J).
-    #[error(
-        "the loads do {0:.6e} J of work in a cycle: the machine needs no motor, and no power to choose one by; give a motor"
-    )]
     NoLoad(f64),
     /// The integrator failed.
-    #[error(transparent)]
-    Integration(#[from] IntegrationError),
+    Integration(IntegrationError),
     /// The motor's data define no characteristic.
-    #[error("motor: {0}")]
-    Rated(#[from] RatedDataError),
+    Rated(RatedDataError),
     /// No such motor.
-    #[error(transparent)]
-    Lookup(#[from] LookupError),
+    Lookup(LookupError),
     /// The catalogues can't be read.
-    #[error(transparent)]
-    Catalogue(#[from] CatalogueError),
+    Catalogue(CatalogueError),
     /// No motor can be chosen.
-    #[error(transparent)]
-    Selection(#[from] SelectionError),
+    Selection(SelectionError),
+}
+
+assur_words::errors!(DynamicsError);
+
+/// Errors of others.
+macro_rules! from {
+    ($($variant:ident($error:ty))*) => {
+        $(impl From<$error> for DynamicsError {
+            fn from(error: $error) -> Self {
+                Self::$variant(error)
+            }
+        })*
+    };
+}
+from! {
+    Integration(IntegrationError)
+    Rated(RatedDataError)
+    Lookup(LookupError)
+    Catalogue(CatalogueError)
+    Selection(SelectionError)
+}
+
+/// A number to a millionth.
+fn fine(value: f64) -> Text {
+    number(format_args!("{value:.6}"))
+}
+
+/// A number in scientific notation.
+fn scientific(value: f64) -> String {
+    format!("{value:.6e}")
+}
+
+impl Describe for DynamicsError {
+    #[expect(clippy::too_many_lines, reason = "one arm for each variant")]
+    fn describe(&self) -> Text {
+        match self {
+            Self::NoMotion(kind) => text!("dynamics-no-motion", kind = name(*kind)),
+            Self::NoCycle => text!("dynamics-no-cycle"),
+            Self::NotRepeating { what, coordinates, values } => text!(
+                "dynamics-not-repeating",
+                what = what,
+                before = number(scientific(values[0])),
+                from = fine(coordinates[0]),
+                after = number(scientific(values[1])),
+                to = fine(coordinates[1])
+            ),
+            Self::OverTime => text!("dynamics-over-time"),
+            Self::SteadyOnly(key) => text!("dynamics-steady-only", key = name(*key)),
+            Self::Equation { coordinate, source } => text!(
+                "dynamics-no-value",
+                coordinate = number(format_args!("{coordinate:.9}")),
+                cause = source.describe()
+            ),
+            Self::NoInertia { coordinate, inertia } => text!(
+                "dynamics-no-inertia",
+                inertia = number(format_args!("{inertia:e}")),
+                coordinate = number(format_args!("{coordinate:.9}"))
+            ),
+            Self::Stalled(coordinate) => text!("dynamics-stalled", coordinate = fine(*coordinate)),
+            Self::Held(coordinate) => text!("dynamics-held", coordinate = fine(*coordinate)),
+            Self::NotLinear(coordinate) => text!("dynamics-not-linear", coordinate = fine(*coordinate)),
+            Self::NoPath(coordinate) => text!("dynamics-no-path", coordinate = fine(*coordinate)),
+            Self::NoRegime { work, energy } => text!(
+                "dynamics-no-regime",
+                work = quantity(scientific(*work), "J"),
+                energy = quantity(scientific(*energy), "J")
+            ),
+            Self::OtherSpeed { wanted, found } => {
+                text!("dynamics-other-speed", wanted = fine(*wanted), found = fine(*found))
+            }
+            Self::NotPeriodic { cycles, residual } => text!(
+                "dynamics-not-periodic",
+                cycles = *cycles,
+                residual = number(format_args!("{residual:.3e}"))
+            ),
+            Self::NotTuned { trials, mean_miss, unevenness_miss } => text!(
+                "dynamics-not-tuned",
+                trials = *trials,
+                mean = number(format_args!("{:.3e}", 100.0 * mean_miss)),
+                unevenness = number(format_args!("{:.3e}", 100.0 * unevenness_miss))
+            ),
+            Self::TooWeak { needed, most } => text!(
+                "dynamics-too-weak",
+                needed = quantity(format_args!("{needed:.3}"), "W"),
+                most = quantity(format_args!("{most:.3}"), "W")
+            ),
+            Self::OffSection { speed, low, high } => text!(
+                "dynamics-off-section",
+                low = number(format_args!("{low:.3}")),
+                high = number(format_args!("{high:.3}")),
+                speed = number(format_args!("{speed:.3}"))
+            ),
+            Self::NoMotor => text!("dynamics-no-motor"),
+            Self::NoLoad(work) => text!("dynamics-no-load", work = quantity(scientific(*work), "J")),
+            Self::Integration(error) => error.describe(),
+            Self::Rated(error) => text!("dynamics-rated", cause = error.describe()),
+            Self::Lookup(error) => error.describe(),
+            Self::Catalogue(error) => error.describe(),
+            Self::Selection(error) => error.describe(),
+        }
+    }
 }
 
 impl DynamicsError {

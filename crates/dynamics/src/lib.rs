@@ -18,6 +18,8 @@ mod steady;
 mod tests;
 mod transient;
 
+assur_words::resources!();
+
 pub use drive::{Driven, InputDrive, Source};
 pub use error::DynamicsError;
 pub use instant::{Holding, Instant};

@@ -6,6 +6,7 @@ use assur_force::{Loads, Phase};
 use assur_group::{Body, Order};
 use assur_integrator::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
 use assur_kinematics::{Linkage, Position};
+use assur_words::text;
 
 /// The equation of motion of a compiled mechanism under its loads. Evaluating it allocates nothing.
 #[derive(Debug, Clone)]
@@ -64,7 +65,7 @@ impl<'a> Machine<'a> {
         let solved = self.linkage.solve(coordinate, order, &mut self.position);
         solved.map_err(|error| {
             self.position.coordinate = f64::NAN;
-            MotionError::mechanism(error)
+            MotionError::mechanism(&error)
         })
     }
 }
@@ -92,7 +93,7 @@ impl Motion for Machine<'_> {
         if !reduced.moment.is_finite() {
             loads
                 .finite(&linkage.mechanism, &load_state(state), &position.bodies)
-                .map_err(MotionError::mechanism)?;
+                .map_err(|error| MotionError::mechanism(&error))?;
         }
         Ok(reduced)
     }
@@ -100,11 +101,6 @@ impl Motion for Machine<'_> {
 
 /// Called with every state in which an equation of motion is evaluated; breaks to stop the solution.
 pub type Watcher<'w> = dyn FnMut(&State) -> ControlFlow<()> + 'w;
-
-/// Why a motion that was stopped has no solution.
-#[derive(Debug, Clone, Copy, thiserror::Error)]
-#[error("stopped on request")]
-struct Stopped;
 
 /// An equation of motion and who watches it, if anybody.
 pub(crate) struct Watched<'a, 'w> {
@@ -124,7 +120,7 @@ impl Motion for Watched<'_, '_> {
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
         let flow = self.watcher.as_mut().map_or(ControlFlow::Continue(()), |watcher| watcher(state));
         if flow.is_break() {
-            return Err(MotionError::mechanism(Stopped));
+            return Err(MotionError::Mechanism(text!("dynamics-stopped")));
         }
         self.motion.reduced(state)
     }

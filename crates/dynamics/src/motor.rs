@@ -6,6 +6,7 @@ use assur_motor::{
     check_breakdown, check_rms, check_rotor_inertia, check_starting, find_motor, list_motors, rms_torque,
     select,
 };
+use assur_words::text;
 
 use crate::{DynamicsError, Regime};
 
@@ -102,12 +103,13 @@ impl SteadyMotor {
         let rms_torque = rms_torque(nodes);
         let starting_load = (resistance / (ratio * efficiency)).max(0.0);
         let starting_ratio = motor.row.and_then(|row| row.starting_torque_ratio);
-        let rotor = match motor.row {
-            Some(row) => check_rotor_inertia(row),
-            None => motor.rated.inertia.is_none().then(|| MotorWarning::RotorInertiaUnknown {
-                designation: "the motor given by its data".to_owned(),
-            }),
-        };
+        let rotor =
+            match motor.row {
+                Some(row) => check_rotor_inertia(row),
+                None => motor.rated.inertia.is_none().then(|| MotorWarning::RotorInertiaUnknown {
+                    designation: text!("dynamics-motor-by-data"),
+                }),
+            };
         let warnings = [
             check_breakdown(&characteristic, speed),
             check_starting(&characteristic, starting_ratio, starting_load),

@@ -9,6 +9,7 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{
     FlywheelPlace, Mechanism, Motion as Asked, Solve, StepLength, Torque, Until as AskedUntil,
 };
+use assur_words::{Describe, Text};
 
 use crate::drive::{Driven, InputDrive, Source};
 use crate::instant::Instant;
@@ -24,7 +25,7 @@ pub struct Transient {
     /// Name of the integrator.
     pub integrator: &'static str,
     /// The reason for the integrator, as a sentence.
-    pub reason: String,
+    pub reason: Text,
     /// What J and Q depend on, the drive included.
     pub dependence: Dependence,
     /// The samples with everything that acts in them.
@@ -32,7 +33,7 @@ pub struct Transient {
     /// Energies over the samples.
     pub energy: EnergyBalance,
     /// Why there is no rest for good, if it was requested and the motion ends at its first turning point instead.
-    pub unrest: Option<String>,
+    pub unrest: Option<Text>,
 }
 
 impl Transient {
@@ -116,7 +117,7 @@ fn solve(
     named: &str,
     motion: &mut dyn Motion,
     request: &Request,
-) -> Result<(Solution, Option<String>), IntegrationError> {
+) -> Result<(Solution, Option<Text>), IntegrationError> {
     let error = match assur_integrator::solve(named, motion, request) {
         Err(error) if request.until == Until::Rest && error.is_unreached() => error,
         found => return Ok((found?, None)),
@@ -124,8 +125,8 @@ fn solve(
     let turning = Request { until: Until::Turn, ..*request };
     let found = assur_integrator::solve(named, motion, &turning).map_err(|_| error.clone())?;
     let why = match error {
-        IntegrationError::NotReached { why, .. } => why.to_owned(),
-        other => other.to_string(),
+        IntegrationError::NotReached { why, .. } => why,
+        other => other.describe(),
     };
     Ok((found, Some(why)))
 }

@@ -5,7 +5,7 @@ mod tests;
 
 use assur_words::{Text, number};
 
-use crate::number::{plain, round_up};
+use crate::number::{round_up, stepped};
 
 /// What is told apart on an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,7 +95,7 @@ impl Axis {
             let at = count * step;
             ticks.push(match self.kind {
                 Kind::Logarithmic => (10.0_f64.powf(at), number(format_args!("1e{at}"))),
-                _ => (at, number(plain(if at.abs() < SAME * step { 0.0 } else { at }))),
+                _ => (at, number(stepped(if at.abs() < SAME * step { 0.0 } else { at }, step))),
             });
             count += 1.0;
         }

@@ -3,10 +3,11 @@
 #[cfg(test)]
 mod tests;
 
+/// What is above a step by less is that step.
+const SAME: f64 = 1e-9;
+
 /// The least of some numbers, each times a power of ten, that is not below another one; `steps` rise from 1.
 pub(crate) fn round_up(least: f64, steps: &[f64]) -> f64 {
-    /// What is above a step by less is that step.
-    const SAME: f64 = 1e-9;
     if !(least.is_finite() && least > 0.0) {
         return 1.0;
     }
@@ -53,6 +54,24 @@ pub fn digits(value: f64, significant: usize) -> String {
 /// A number of at most four significant digits without trailing zeros: for axes and scales.
 pub fn plain(value: f64) -> String {
     trimmed(value, 4)
+}
+
+/// A multiple of a step with the digits that the step has; very large and very small ones with an exponent.
+pub(crate) fn stepped(value: f64, step: f64) -> String {
+    let exponent = |number: f64| number.abs().log10().floor() as i32;
+    if value == 0.0 || !(value.is_finite() && step.is_finite()) || step <= 0.0 {
+        return plain(value);
+    }
+    // Places behind the point: of 0.25 two, of 25 none, of 100 minus two.
+    let first = -exponent(step * (1.0 + SAME));
+    let of_step = step * 10.0_f64.powi(first);
+    let places = first + i32::from((of_step - of_step.round()).abs() > SAME);
+    let exponent = exponent(value * (1.0 + SAME));
+    let count = |number: i32| usize::try_from(number).unwrap_or(0);
+    match exponent {
+        -4..=6 => format!("{value:.*}", count(places)),
+        _ => format!("{value:.*e}", count(exponent + places)),
+    }
 }
 
 /// A number of at most so many significant digits without trailing zeros: for given data.

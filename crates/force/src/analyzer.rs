@@ -4,6 +4,7 @@ use assur_group::{GroupError, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
 use assur_plugin::{Registered, RegistryError};
+use assur_words::{Describe, Text, name, number, quantity, text};
 
 use crate::{Construction, LoadError, Reactions};
 
@@ -14,7 +15,7 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
     /// # Errors
     ///
     /// Why not, as a clause: `it has 7 links; the method needs 3`.
-    fn supports(&self, linkage: &Linkage) -> Result<(), String>;
+    fn supports(&self, linkage: &Linkage) -> Result<(), Text>;
 
     /// Solves one position.
     ///
@@ -70,30 +71,23 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
 }
 
 /// Why there are no reactions. Names the coordinate; the caller adds the number of the position.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum ForceError {
     /// Two ways of a group meet there (the coordinate, rad or m).
-    #[error("coordinate {0:.9}: a change point; the reactions have the form 0/0 there")]
     ChangePoint(f64),
     /// A group can't be solved.
-    #[error("{group}, coordinate {coordinate:.9}: {source}; the reactions are not determined there")]
     Group {
         /// The group in words.
-        group: String,
+        group: Text,
         /// The coordinate, rad or m.
         coordinate: f64,
         /// The reason, from the group.
         source: GroupError,
     },
     /// A load has no value there, whatever the method.
-    #[error(transparent)]
-    Load(#[from] LoadError),
+    Load(LoadError),
     /// The equations of equilibrium of the whole mechanism can't be solved.
-    #[error(
-        "coordinate {coordinate:.9}: the equations of equilibrium are singular (pivots as 1 to {health:.3e}); \
-         the reactions are not determined there"
-    )]
     Singular {
         /// The coordinate, rad or m.
         coordinate: f64,
@@ -101,54 +95,90 @@ pub enum ForceError {
         health: f64,
     },
     /// The balancing load does no work in this position, so that it can't balance anything.
-    #[error(
-        "coordinate {coordinate:.9}: {load} does no work there (it moves {share:.3e} of a typical way), so it can't keep the \
-         mechanism in its motion; let it act elsewhere, or leave `[balance]` out"
-    )]
     IdleBalance {
         /// The balancing load in words.
-        load: String,
+        load: Text,
         /// The coordinate, rad or m.
         coordinate: f64,
         /// Its transfer function, dimensionless.
         share: f64,
     },
     /// Two lines that the method intersects are parallel.
-    #[error(
-        "coordinate {coordinate:.9}: {lines} are parallel (angle between them {angle:.3e} rad), so the pole is at infinity \
-         and this form has no solution there; use `{instead}`"
-    )]
     Parallel {
         /// The coordinate, rad or m.
         coordinate: f64,
         /// The two lines in words.
-        lines: String,
+        lines: Text,
         /// Angle between them, rad.
         angle: f64,
         /// A method that has a solution there.
         instead: &'static str,
     },
     /// The method can't treat this mechanism.
-    #[error("force analyzer `{analyzer}` can't treat this mechanism: {reason}")]
     Unsupported {
         /// Name of the method.
         analyzer: &'static str,
         /// Why not.
-        reason: String,
+        reason: Text,
     },
 }
 
+assur_words::errors!(ForceError);
+
+impl From<LoadError> for ForceError {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
+    }
+}
+
+impl Describe for ForceError {
+    fn describe(&self) -> Text {
+        let at = |coordinate: f64| number(format_args!("{coordinate:.9}"));
+        match self {
+            Self::ChangePoint(coordinate) => text!("force-change-point", coordinate = at(*coordinate)),
+            Self::Group { group, coordinate, source } => text!(
+                "force-group-singular",
+                group = group,
+                coordinate = at(*coordinate),
+                cause = source.describe()
+            ),
+            Self::Load(error) => error.describe(),
+            Self::Singular { coordinate, health } => text!(
+                "force-singular",
+                coordinate = at(*coordinate),
+                health = number(format_args!("{health:.3e}"))
+            ),
+            Self::IdleBalance { load, coordinate, share } => text!(
+                "force-idle-balance",
+                coordinate = at(*coordinate),
+                load = load,
+                share = number(format_args!("{share:.3e}"))
+            ),
+            Self::Parallel { coordinate, lines, angle, instead } => text!(
+                "force-parallel",
+                coordinate = at(*coordinate),
+                lines = lines,
+                angle = quantity(format_args!("{angle:.3e}"), "rad"),
+                instead = name(*instead)
+            ),
+            Self::Unsupported { analyzer, reason } => {
+                text!("force-unsupported", method = name(*analyzer), reason = reason)
+            }
+        }
+    }
+}
+
 /// Entry of a method in the registry: `inventory::submit! { AnalyzerPlugin { ... } }`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct AnalyzerPlugin {
     /// Stable identifier, lower case: `newton-euler`.
     pub name: &'static str,
     /// The crate that registers it.
     pub crate_name: &'static str,
     /// One line.
-    pub summary: &'static str,
+    pub summary: Text,
     /// Source of the formulas.
-    pub source: &'static str,
+    pub source: Text,
     /// The method.
     pub instance: &'static dyn ForceAnalyzer,
     /// Whether it finds reactions; otherwise the balancing load alone.
@@ -161,7 +191,7 @@ pub struct AnalyzerPlugin {
     pub rank: u8,
 }
 
-assur_plugin::registry!(AnalyzerPlugin, "force analyzer", name);
+assur_plugin::registry!(AnalyzerPlugin, text!("force-sort"), name);
 
 /// All registered methods, sorted by name.
 ///

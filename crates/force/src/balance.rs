@@ -5,6 +5,7 @@ use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
 use assur_number::Real;
+use assur_words::text;
 
 use crate::{ForceError, power};
 
@@ -91,11 +92,11 @@ impl IdleBalance {
     /// The error in words, for one position.
     #[cold]
     pub fn explain(&self, linkage: &Linkage, coordinate: f64) -> ForceError {
-        let kind = match self.unit.load {
-            UnitLoad::Force { .. } => "force",
-            UnitLoad::Moment => "moment",
+        let link = &linkage.mechanism.links[self.unit.link].name;
+        let load = match self.unit.load {
+            UnitLoad::Force { .. } => text!("force-balancing-force", link = link),
+            UnitLoad::Moment => text!("force-balancing-moment", link = link),
         };
-        let load = format!("the balancing {kind} on `{}`", linkage.mechanism.links[self.unit.link].name);
         ForceError::IdleBalance { load, coordinate, share: self.share }
     }
 }

@@ -4,9 +4,10 @@ use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Contact, Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Over, Place, Range, Spring, Table,
-    Value,
+    Contact, Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Name, Over, Place, Range, Spring,
+    Table, Value,
 };
+use assur_words::{Describe, Text, text};
 
 use crate::breaks::Breaks;
 use crate::curve::Curve;
@@ -91,7 +92,7 @@ fn springs(mechanism: &Mechanism) -> Result<Vec<SpringDamper>, LoadError> {
     let mut compiled = Vec::new();
     for (id, spring) in mechanism.springs.iter().enumerate() {
         if spring.damping != 0.0 {
-            needs_motion(mechanism, &spring.name, "damping")?;
+            needs_motion(mechanism, &spring.name, text!("force-damping"))?;
         }
         // Between points of one link the two forces cancel.
         if spring.ends[0].link != spring.ends[1].link {
@@ -102,11 +103,11 @@ fn springs(mechanism: &Mechanism) -> Result<Vec<SpringDamper>, LoadError> {
     Ok(compiled)
 }
 
-fn needs_motion(mechanism: &Mechanism, name: &str, what: &'static str) -> Result<(), LoadError> {
+fn needs_motion(mechanism: &Mechanism, name: &Name, what: Text) -> Result<(), LoadError> {
     if mechanism.motion.is_some() {
         return Ok(());
     }
-    Err(LoadError::NeedsMotion { name: name.to_owned(), what })
+    Err(LoadError::NeedsMotion { name: name.into(), what })
 }
 
 impl<'a> Compiler<'a> {
@@ -136,7 +137,7 @@ impl<'a> Compiler<'a> {
             };
             let mut breaks = Breaks::default();
             if along == Along::AgainstMotion {
-                needs_motion(mechanism, &force.name, "a force against the motion")?;
+                needs_motion(mechanism, &force.name, text!("force-against-motion"))?;
                 let at = force.at.at;
                 breaks = self
                     .rests(move |body| (body.first(body.arm(at)), body.second(body.arm(at))), force.at.link);
@@ -158,7 +159,7 @@ impl<'a> Compiler<'a> {
             loads.laws.push(self.law(&moment.name, None, &moment.value)?);
             let mut brake = None;
             if let Some(found) = moment.brake {
-                needs_motion(mechanism, &moment.name, "a brake")?;
+                needs_motion(mechanism, &moment.name, text!("force-brake"))?;
                 brake = Some((found, self.rests(|body| ([body.w1, 0.0], [body.w2, 0.0]), moment.link)));
             }
             loads.moments.push(LinkMoment { id, link: moment.link, brake });
@@ -195,7 +196,7 @@ impl<'a> Compiler<'a> {
         };
         let span = match cycle.filter(repeats) {
             Some(span) => span,
-            None if !self.is_given() => return Err(LoadError::UnlocatedSliding(contact.name.to_string())),
+            None if !self.is_given() => return Err(LoadError::UnlocatedSliding(Text::from(&contact.name))),
             None => self.positions(),
         };
         let (center, step) = (contact.center, 1e-3 * span.length / f64::from(span.cells));
@@ -208,7 +209,7 @@ impl<'a> Compiler<'a> {
         Ok(Sliding::find(&mut rate, &span))
     }
 
-    fn law(&self, name: &str, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
+    fn law(&self, name: &Name, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
         match value {
             Value::Constant(value) => Ok(Law::Constant(*value)),
             Value::Table { over: Over::Coordinate, table, repeat } => {
@@ -216,16 +217,16 @@ impl<'a> Compiler<'a> {
                 Ok(Law::over_coordinate(Curve::of(table), period))
             }
             Value::Table { over: Over::Speed, table, .. } => {
-                needs_motion(self.mechanism, name, "a table over the speed")?;
+                needs_motion(self.mechanism, name, text!("force-over-speed"))?;
                 Ok(Law::Speed(Curve::of(table)))
             }
             Value::Table { over: Over::Time, table, .. } => {
-                needs_motion(self.mechanism, name, "a table over time")?;
+                needs_motion(self.mechanism, name, text!("force-over-time"))?;
                 Ok(Law::Time(Curve::of(table)))
             }
             Value::Formula { formula, factor, axis } => self.formula(name, at, formula, *factor, *axis),
             Value::Stroke { axis, forward, back } => {
-                let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.to_owned()))?;
+                let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.into()))?;
                 self.stroke(name, at, *axis, [forward, back])
             }
         }
@@ -233,7 +234,7 @@ impl<'a> Compiler<'a> {
 
     fn formula(
         &self,
-        name: &str,
+        name: &Name,
         at: Option<Place>,
         formula: &Formula,
         factor: f64,
@@ -241,12 +242,12 @@ impl<'a> Compiler<'a> {
     ) -> Result<Law, LoadError> {
         let used = formula.used();
         if used.speed || used.time {
-            needs_motion(self.mechanism, name, "a formula with `w` or `t`")?;
+            needs_motion(self.mechanism, name, text!("force-formula-of-motion"))?;
         }
         let steps = !self.is_given();
         let place = |index: usize| {
             let span = &formula.switches()[index].span;
-            (name.to_owned(), formula.text()[span.clone()].to_owned(), span.start + 1)
+            (name.into(), formula.text()[span.clone()].to_owned(), span.start + 1)
         };
         let unlocated = |Unlocated(index)| {
             let (name, function, column) = place(index);
@@ -259,7 +260,7 @@ impl<'a> Compiler<'a> {
             return Err(LoadError::ChangesTooOften { name, function, column, most: MOST_CHANGES });
         }
         if let (Some(axis), true) = (axis, used.place) {
-            let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.to_owned()))?;
+            let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.into()))?;
             let scale = self.linkage.structure.scale;
             let found = self.over_stroke(name, at, axis, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
@@ -288,7 +289,7 @@ impl<'a> Compiler<'a> {
         Ok(Law::Formula(Box::new(law)))
     }
 
-    fn stroke(&self, name: &str, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
+    fn stroke(&self, name: &Name, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
         let scale = self.linkage.structure.scale;
         let find = |bodies: &mut Bodies<'_>, span: &Span| {
             let spans = [span, &self.reach(span)];
@@ -300,7 +301,7 @@ impl<'a> Compiler<'a> {
     /// What is found over the cycle or, where the mechanism can't take all its positions, over the range of the scene.
     fn over_stroke<T>(
         &self,
-        name: &str,
+        name: &Name,
         at: Place,
         axis: f64,
         mut find: impl FnMut(&mut Bodies<'_>, &Span) -> Result<T, NoStroke>,
@@ -313,13 +314,13 @@ impl<'a> Compiler<'a> {
                 break;
             }
         }
-        let name = name.to_owned();
+        let name = name.into();
         match outcome {
             Ok(found) => Ok(found),
             Err(NoStroke::Stands(travel)) => Err(LoadError::NoStroke { name, travel }),
             Err(NoStroke::Infinite(coordinate)) => Err(LoadError::InfiniteStroke { name, coordinate }),
-            Err(NoStroke::NoPosition(coordinate, reason)) => {
-                Err(LoadError::NoPosition { name, coordinate, reason })
+            Err(NoStroke::NoPosition(coordinate, error)) => {
+                Err(LoadError::NoPosition { name, coordinate, reason: error.describe() })
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The construction behind a result: named vectors in the order in which they are drawn.
 
+use assur_words::Text;
 use serde::Serialize;
 
 /// What a vector of a plan or a step of a construction represents.
@@ -54,8 +55,8 @@ pub enum Drawing {
 /// One step of a construction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
-    /// Short name: `F`, `R3`.
-    pub name: String,
+    /// Short name: `F`, `R3`, or words.
+    pub name: Text,
     /// What it draws.
     pub kind: VectorKind,
     /// Which drawing it belongs to.
@@ -67,14 +68,14 @@ pub struct Step {
     /// Unit of the vector: `N`, `m`, `m/rad`.
     pub unit: &'static str,
     /// What this step does and why, in a sentence.
-    pub note: String,
+    pub note: Text,
 }
 
 /// How a method finds its result on paper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Construction {
     /// The method in a line.
-    pub title: String,
+    pub title: Text,
     /// Where the first corner of the force polygon lies in the drawing of the mechanism, m.
     pub corner: [f64; 2],
     /// The steps in order.
@@ -82,8 +83,8 @@ pub struct Construction {
 }
 
 impl Construction {
-    /// The step of this name in a drawing.
+    /// The step of this short name in English in a drawing.
     pub fn step(&self, drawing: Drawing, name: &str) -> Option<&Step> {
-        self.steps.iter().find(|step| step.drawing == drawing && step.name == name)
+        self.steps.iter().find(|step| step.drawing == drawing && step.name.to_string() == name)
     }
 }

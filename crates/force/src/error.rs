@@ -1,82 +1,57 @@
 //! What is wrong with the loads of a mechanism.
 
-use assur_mechanism::{Mechanism, Value};
+use assur_mechanism::{Mechanism, Name, Value};
+use assur_words::{Describe, Text, name, number, quantity, text};
 
 /// Why loads can't be compiled.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LoadError {
     /// The load has no size without a motion.
-    #[error("load `{name}`: {what} needs a motion; add `[motion]` with a speed")]
     NeedsMotion {
         /// The load.
-        name: String,
+        name: Text,
         /// The part of the load that needs a motion.
-        what: &'static str,
+        what: Text,
     },
     /// A moment acts at no point, so it has no stroke (the load).
-    #[error(
-        "moment `{0}` follows a stroke, but a moment has no point that could move; use a table over the angle"
-    )]
-    StrokeOfMoment(String),
+    StrokeOfMoment(Text),
     /// The point of the load stands still along the axis.
-    #[error(
-        "load `{name}` follows a stroke, but its point moves only {travel:.3e} m along the axis; turn the axis"
-    )]
     NoStroke {
         /// The load.
-        name: String,
+        name: Text,
         /// Distance of the extremes, m.
         travel: f64,
     },
     /// The point of the load runs through infinity, as behind guides that turn parallel.
-    #[error(
-        "load `{name}` follows a stroke, but near coordinate {coordinate:.9} its point is at infinity, since guides turn parallel there; calculate a range without that, or turn the axis"
-    )]
     InfiniteStroke {
         /// The load.
-        name: String,
+        name: Text,
         /// Where the point is at infinity, rad or m.
         coordinate: f64,
     },
     /// The formula of the load has no finite value in a state.
-    #[error(
-        "load `{name}` has no finite value at coordinate {coordinate:.9}: its formula divides by zero or outgrows all numbers there"
-    )]
     NotFinite {
         /// The load.
-        name: String,
+        name: Text,
         /// Coordinate of the state, rad or m.
         coordinate: f64,
     },
     /// A jump or bend of a formula can't be found before an integrator steps over it.
-    #[error(
-        "load `{name}`: the argument of `{function}` (character {column} of the formula) mixes coordinate, speed, time and place, \
-         so its changes can't be found in advance in a motion that is calculated; let it depend on one of q, w, t (or on x and \
-         what repeats with the cycle)"
-    )]
     Unlocated {
         /// The load.
-        name: String,
+        name: Text,
         /// The function that jumps or bends.
         function: String,
         /// Where it stands in the formula, from 1.
         column: usize,
     },
     /// Where the sliding of a contact turns can't be found before an integrator steps over it (the contact).
-    #[error(
-        "contact `{0}`: its friction is against the sliding, but its angle does not repeat with the cycle of the input, so where the \
-         sliding turns can't be found in advance in a motion that is calculated; let the angle repeat with the cycle"
-    )]
-    UnlocatedSliding(String),
+    UnlocatedSliding(Text),
     /// A formula changes too often for its changes to be followed.
-    #[error(
-        "load `{name}`: the argument of `{function}` (character {column} of the formula) passes zero too often: a formula may have \
-         {most} jumps and bends in a cycle"
-    )]
     ChangesTooOften {
         /// The load.
-        name: String,
+        name: Text,
         /// The function that jumps or bends.
         function: String,
         /// Where it stands in the formula, from 1.
@@ -85,17 +60,51 @@ pub enum LoadError {
         most: usize,
     },
     /// The stroke can't be found because the mechanism can't take a position of the cycle.
-    #[error(
-        "load `{name}` follows a stroke, but the cycle has no position at coordinate {coordinate:.9}: {reason}"
-    )]
     NoPosition {
         /// The load.
-        name: String,
+        name: Text,
         /// The reason, from the position solver.
         coordinate: f64,
         /// What the position solver says.
-        reason: String,
+        reason: Text,
     },
+}
+
+assur_words::errors!(LoadError);
+
+impl Describe for LoadError {
+    fn describe(&self) -> Text {
+        let at = |coordinate: f64| number(format_args!("{coordinate:.9}"));
+        match self {
+            Self::NeedsMotion { name, what } => {
+                text!("force-load-needs-motion", load = name, what = what)
+            }
+            Self::StrokeOfMoment(name) => text!("force-stroke-of-moment", load = name),
+            Self::NoStroke { name, travel } => {
+                text!("force-no-stroke", load = name, travel = quantity(format_args!("{travel:.3e}"), "m"))
+            }
+            Self::InfiniteStroke { name, coordinate } => {
+                text!("force-infinite-stroke", load = name, coordinate = at(*coordinate))
+            }
+            Self::NotFinite { name, coordinate } => {
+                text!("force-not-finite", load = name, coordinate = at(*coordinate))
+            }
+            Self::Unlocated { name: load, function, column } => {
+                text!("force-unlocated", load = load, function = name(function.clone()), column = *column)
+            }
+            Self::UnlocatedSliding(load) => text!("force-unlocated-sliding", load = load),
+            Self::ChangesTooOften { name: load, function, column, most } => text!(
+                "force-changes-too-often",
+                load = load,
+                function = name(function.clone()),
+                column = *column,
+                most = *most
+            ),
+            Self::NoPosition { name, coordinate, reason } => {
+                text!("force-no-position", load = name, coordinate = at(*coordinate), cause = reason)
+            }
+        }
+    }
 }
 
 impl LoadError {
@@ -119,9 +128,9 @@ impl LoadError {
 }
 
 /// Where the scene has a load: its list, its number there, and the key that gives its size.
-fn place(name: &str, mechanism: &Mechanism) -> Option<(&'static str, usize, &'static str)> {
+fn place(name: &Text, mechanism: &Mechanism) -> Option<(&'static str, usize, &'static str)> {
     let Mechanism { forces, moments, springs, contacts, .. } = mechanism;
-    let named = |other: &str| other == name;
+    let named = |other: &Name| Text::from(other) == *name;
     // A brake is a moment of the mechanism, and has a list of its own in the scene.
     let brakes = || moments.iter().filter(|moment| moment.brake.is_some());
     let others = || moments.iter().filter(|moment| moment.brake.is_none());

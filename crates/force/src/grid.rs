@@ -2,7 +2,7 @@
 
 use assur_group::plane::{dot, vector};
 use assur_group::{Body, Order};
-use assur_kinematics::{LanePosition, Linkage, Position};
+use assur_kinematics::{LanePosition, Linkage, Position, PositionError};
 use assur_mechanism::{LinkId, Place};
 use assur_number::search::try_newton_root;
 use assur_number::{Intervals, Lanes};
@@ -83,12 +83,11 @@ impl<'a> Bodies<'a> {
     }
 
     /// The motion of a link at a coordinate, or why there is none.
-    pub(crate) fn at(&mut self, coordinate: f64, link: LinkId) -> Result<Body<f64>, String> {
+    pub(crate) fn at(&mut self, coordinate: f64, link: LinkId) -> Result<Body<f64>, PositionError> {
         if let Some(lane) = self.lane(coordinate) {
             return Ok(self.eight.bodies[link].lane(lane));
         }
-        let solved = self.linkage.solve(coordinate, Order::Second, &mut self.single);
-        solved.map_err(|error| error.to_string())?;
+        self.linkage.solve(coordinate, Order::Second, &mut self.single)?;
         Ok(self.single.bodies[link])
     }
 
@@ -113,10 +112,10 @@ const REST: f64 = 1e-9;
 
 /// The rests of a point or link, from its PF1 and PF2; coordinates without a position of the mechanism are skipped.
 pub(crate) fn rests(
-    motion: &mut dyn FnMut(f64) -> Result<([f64; 2], [f64; 2]), String>,
+    motion: &mut dyn FnMut(f64) -> Result<([f64; 2], [f64; 2]), PositionError>,
     span: &Span,
 ) -> Breaks {
-    let mut slope = |q: f64| -> Result<[f64; 2], String> {
+    let mut slope = |q: f64| -> Result<[f64; 2], PositionError> {
         let (v, a) = motion(q)?;
         Ok([v[0].hypot(v[1]), v[0] * a[0] + v[1] * a[1]])
     };

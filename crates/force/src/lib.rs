@@ -32,6 +32,8 @@ mod stroke;
 mod visit;
 mod wrenches;
 
+assur_words::resources!();
+
 pub use analyzer::{AnalyzerPlugin, analyzers, applicable, choose, find};
 pub use analyzer::{ForceAnalyzer, ForceError};
 pub use assur_integrator::{Dependence, Piece, Reduced};

@@ -1,7 +1,8 @@
 //! The loads of a mechanism as flat data.
 
 use assur_integrator::Dependence;
-use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, Place};
+use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, Name, Place};
+use assur_words::text;
 
 use crate::breaks::Breaks;
 use crate::law::Law;
@@ -155,16 +156,17 @@ impl Cause {
     }
 
     /// Name for reports.
-    pub fn name(self, mechanism: &Mechanism) -> String {
+    pub fn name(self, mechanism: &Mechanism) -> Name {
+        let of = |link: LinkId| &mechanism.links[link].name;
         match self {
-            Self::Weight(GROUND) => "weight".to_owned(),
-            Self::Inertia(GROUND) => "inertia".to_owned(),
-            Self::Weight(link) => format!("weight of {}", mechanism.links[link].name),
-            Self::Inertia(link) => format!("inertia of {}", mechanism.links[link].name),
-            Self::Force(id) => mechanism.forces[id].name.to_string(),
-            Self::Moment(id) => mechanism.moments[id].name.to_string(),
-            Self::Spring(id) => mechanism.springs[id].name.to_string(),
-            Self::Contact(id) => mechanism.contacts[id].name.to_string(),
+            Self::Weight(GROUND) => text!("force-weight").into(),
+            Self::Inertia(GROUND) => text!("force-inertia").into(),
+            Self::Weight(link) => text!("force-weight-of", link = of(link)).into(),
+            Self::Inertia(link) => text!("force-inertia-of", link = of(link)).into(),
+            Self::Force(id) => mechanism.forces[id].name.clone(),
+            Self::Moment(id) => mechanism.moments[id].name.clone(),
+            Self::Spring(id) => mechanism.springs[id].name.clone(),
+            Self::Contact(id) => mechanism.contacts[id].name.clone(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use assur_group::Body;
 use assur_group::plane::dot;
+use assur_kinematics::PositionError;
 use assur_number::search::try_newton_root;
 
 use crate::breaks::{Breaks, Interval};
@@ -42,7 +43,7 @@ impl Rate {
 
 impl Sliding {
     /// Finds where the sliding turns; coordinates without a position of the mechanism are skipped.
-    pub(crate) fn find(rate: &mut dyn FnMut(f64) -> Result<Rate, String>, span: &Span) -> Self {
+    pub(crate) fn find(rate: &mut dyn FnMut(f64) -> Result<Rate, PositionError>, span: &Span) -> Self {
         let rates: Vec<_> = (0..=span.cells).map(|cell| (span.at(cell), rate(span.at(cell)).ok())).collect();
         let greatest =
             rates.iter().filter_map(|(_, rate)| *rate).fold(0.0, |most: f64, rate| most.max(rate.size));
@@ -91,7 +92,7 @@ impl Sliding {
 /// Where a part of the rate changes its sign between two coordinates.
 fn root(
     [low, high]: [f64; 2],
-    rate: &mut dyn FnMut(f64) -> Result<Rate, String>,
+    rate: &mut dyn FnMut(f64) -> Result<Rate, PositionError>,
     part: fn(Rate) -> f64,
 ) -> Option<f64> {
     // A table of the angle may jump: with a slope of 0 the root finder bisects.

@@ -2,6 +2,7 @@
 //! rows of a table.
 
 use assur_group::Body;
+use assur_kinematics::PositionError;
 use assur_mechanism::Table;
 use assur_number::search::{bisect, try_newton_root};
 
@@ -10,7 +11,7 @@ use crate::curve::Curve;
 use crate::grid::Span;
 
 /// Motion of a body at a coordinate, or why there is none.
-pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, String> + 'a;
+pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, PositionError> + 'a;
 
 /// A stroke, compiled.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,7 +107,7 @@ pub(crate) enum NoStroke {
     /// It runs through infinity near this coordinate.
     Infinite(f64),
     /// There is no position at this coordinate.
-    NoPosition(f64, String),
+    NoPosition(f64, PositionError),
 }
 
 /// Coordinate of the point along the axis and its two derivatives by the input coordinate.

@@ -191,8 +191,10 @@ impl Loads {
                 without = Some(cause);
             }
         });
-        let error =
-            |cause: Cause| LoadError::NotFinite { name: cause.name(mechanism), coordinate: state.coordinate };
+        let error = |cause: Cause| LoadError::NotFinite {
+            name: cause.name(mechanism).into(),
+            coordinate: state.coordinate,
+        };
         without.map_or(Ok(()), |cause| Err(error(cause)))
     }
 

@@ -1,5 +1,6 @@
 //! The geometry of the motion as data that serializes itself.
 
+use assur_words::Text;
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -30,7 +31,7 @@ pub struct Geometry {
     /// Slides.
     pub slides: Named<SlideCourse>,
     /// The angle of each group that shows how well it transmits forces, by the name of the group.
-    pub groups: Named<ForceAngles>,
+    pub groups: IndexMap<Text, ForceAngles>,
     /// What belongs to one position of the scene.
     pub positions: Vec<AtPosition>,
 }
@@ -97,7 +98,7 @@ pub struct PointCourse {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ForceAngles {
     /// What the angle is: `transmission angle between the links`.
-    pub what: &'static str,
+    pub what: Text,
     /// Its extremes, rad.
     #[serde(flatten)]
     pub extremes: Extremes,

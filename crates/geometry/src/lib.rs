@@ -16,6 +16,8 @@ mod measure;
 mod rigid;
 mod stroke;
 
+assur_words::resources!();
+
 pub use course::Extremes;
 pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 pub use instant::Curvature;

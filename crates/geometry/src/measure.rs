@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use assur_group::Order;
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{GROUND, LinkId, Point, PointId, SlideId};
+use assur_words::{Describe, Text, text};
 
 use crate::course::{Course, Motion, Rest};
 use crate::cycle::Cycle;
@@ -19,9 +20,22 @@ const FORMAT: u32 = 1;
 const WHOLE: f64 = 1e-9;
 
 /// Why there is no geometry of the motion.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("the motion is measured over the whole cycle (`[input] from` and `to` choose a part of it): {0}")]
-pub struct GeometryError(#[from] pub PositionError);
+#[derive(Debug, Clone, PartialEq)]
+pub struct GeometryError(pub PositionError);
+
+assur_words::errors!(GeometryError);
+
+impl Describe for GeometryError {
+    fn describe(&self) -> Text {
+        text!("geometry-part-of-cycle", cause = self.0.describe())
+    }
+}
+
+impl From<PositionError> for GeometryError {
+    fn from(error: PositionError) -> Self {
+        Self(error)
+    }
+}
 
 /// The geometry of the motion of a mechanism over its cycle; `against` is the link from which the centers are seen, the
 /// ground for absolute ones.
@@ -182,7 +196,7 @@ fn force_angles(cycle: &Cycle<'_>, group: usize) -> Result<ForceAngles, Position
         let angle = (force_angle.of)(&found.frame, &position.bodies, position.health[group].abs());
         [[angle], [f64::NAN], [f64::NAN]]
     });
-    Ok(ForceAngles { what: force_angle.words, extremes: course.extremes(ORDERS[0])? })
+    Ok(ForceAngles { what: force_angle.words.clone(), extremes: course.extremes(ORDERS[0])? })
 }
 
 fn positions(

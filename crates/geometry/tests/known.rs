@@ -220,7 +220,7 @@ fn transmission_angle_of_a_crank_rocker() {
         [link.rocker]\npoints = { C = 0, B = 0.21 }\n[input]\nlink = 'crank'\npositions = 10\n[assembly]\nB = [0.3, 0.18]";
     let found = measured(scene);
     let angle = &found.groups[0];
-    assert_eq!(angle.what, "transmission angle between the links");
+    assert_eq!(angle.what.to_string(), "transmission angle between the links");
     let between = |d: f64| ((0.28_f64.powi(2) + 0.21_f64.powi(2) - d * d) / (2.0 * 0.28 * 0.21)).acos();
     let [least, greatest] = [between(0.32 - 0.09), between(0.32 + 0.09)];
     let acute = [least, greatest].map(|angle: f64| angle.min(PI - angle));

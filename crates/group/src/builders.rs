@@ -1,6 +1,7 @@
 //! Builders of a kind's kernel, one for each number type.
 
 use assur_number::{Dd, Intervals, Lanes, Real};
+use assur_words::text;
 
 use crate::{AssurGroup, Body, BuildError, GroupError, GroupFrame, Order, Wrench};
 
@@ -38,7 +39,7 @@ fn one_by_one<K: GroupKind>(frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Lan
 }
 
 fn not_enclosed(_: &GroupFrame) -> Result<Box<dyn AssurGroup<Intervals>>, BuildError> {
-    Err(BuildError::new("the formulas of this kind decide by single numbers"))
+    Err(BuildError::new(text!("group-single-numbers")))
 }
 
 impl Builders {

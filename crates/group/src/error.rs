@@ -1,34 +1,29 @@
 //! Why a group has no solution.
 
 use assur_number::Real;
+use assur_words::{Describe, Text, number, quantity, text};
 
 /// Why a group has no solution at one position. The chain adds the group, the position and the coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum GroupError {
     /// The links are too short, or too unequal, to meet.
-    #[error("no assembly: it misses by {:.6} mm", gap_m * 1e3)]
     NoAssembly {
         /// Smallest change of one length that would close the group, m. Positive.
         gap_m: f64,
     },
     /// The links can be placed, but derivatives or reactions are not determined there.
-    #[error("singular position ({})", determinant(*health))]
     Singular {
         /// The dimensionless determinant of the group.
         health: f64,
     },
     /// The iteration from the starting pose that the known places give came to a singular pose.
-    #[error(
-        "the starting guess is singular ({}): give `[assembly]` more points", determinant(*health)
-    )]
     SingularStart {
         /// The dimensionless determinant of the group.
         health: f64,
     },
     /// The group has too many links for the general solution, or its count is wrong: it needs three pairs for every
     /// two links.
-    #[error("{}", unfit(*links, *pairs))]
     Unfit {
         /// Links of the group.
         links: usize,
@@ -37,39 +32,54 @@ pub enum GroupError {
     },
 }
 
-/// Numbers that outgrow all others have no determinant.
-fn determinant(health: f64) -> String {
-    if health.is_finite() {
-        format!("dimensionless determinant {health:.3e}")
-    } else {
-        "its determinant has no finite value".to_owned()
+assur_words::errors!(GroupError, BuildError);
+
+impl Describe for GroupError {
+    fn describe(&self) -> Text {
+        match *self {
+            Self::NoAssembly { gap_m } => {
+                text!("group-no-assembly", gap = quantity(format_args!("{:.6}", gap_m * 1e3), "mm"))
+            }
+            Self::Singular { health } => text!("group-singular", determinant = determinant(health)),
+            Self::SingularStart { health } => {
+                text!("group-singular-start", determinant = determinant(health))
+            }
+            Self::Unfit { links, pairs } if links.is_multiple_of(2) && 2 * pairs != 3 * links => {
+                text!("group-wrong-count", links = links, needed = 3 * links / 2, pairs = pairs)
+            }
+            Self::Unfit { links, pairs } => text!("group-too-large", links = links, pairs = pairs),
+        }
     }
 }
 
-fn unfit(links: usize, pairs: usize) -> String {
-    if links.is_multiple_of(2) && 2 * pairs != 3 * links {
-        return format!("{links} links need {} pairs, the group has {pairs}", 3 * links / 2);
+/// Numbers that outgrow all others have no determinant.
+fn determinant(health: f64) -> Text {
+    if health.is_finite() {
+        text!("group-determinant", health = number(format_args!("{health:.3e}")))
+    } else {
+        text!("group-determinant-not-finite")
     }
-    format!(
-        "the general solution takes 2, 4, 6 or 8 links with three pairs for each two; this group has {links} links \
-         and {pairs} pairs and needs a kind of its own"
-    )
 }
 
 /// Lengths that don't form a group of a kind.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{what}")]
+#[derive(Debug, Clone, PartialEq)]
 pub struct BuildError {
     /// What is wrong, with the numbers.
-    pub what: String,
+    pub what: Text,
     /// The link that is at fault, where it is one: its index among all links.
     pub link: Option<usize>,
 }
 
+impl Describe for BuildError {
+    fn describe(&self) -> Text {
+        self.what.clone()
+    }
+}
+
 impl BuildError {
     /// An error with this description.
-    pub fn new(what: impl Into<String>) -> Self {
-        Self { what: what.into(), link: None }
+    pub fn new(what: Text) -> Self {
+        Self { what, link: None }
     }
 
     /// The link that is at fault, by its index among all links.

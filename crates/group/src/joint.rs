@@ -4,6 +4,7 @@
 //! Where the other body is the ground, its motion is not calculated: it is zero.
 
 use assur_number::Real;
+use assur_words::text;
 
 use crate::plane::{cross, direction, minus, opposite, times, vector};
 use crate::{Body, BuildError, PairGeometry, SeenPair, Wrench};
@@ -41,9 +42,7 @@ impl<T: Real> PinJoint<T> {
                 let (own, at) = (vector(at_a), vector(at_b));
                 Ok(Self { id: pair.id, body: pair.b, own, at, turned, is_fixed: pair.b == GROUND })
             }
-            PairGeometry::Slide { .. } => {
-                Err(BuildError::new(format!("pair {} is a slide, not a pin", pair.id)))
-            }
+            PairGeometry::Slide { .. } => Err(BuildError::new(text!("group-slide-not-pin", pair = pair.id))),
         }
     }
 
@@ -125,7 +124,7 @@ impl<T: Real> SlideJoint<T> {
         let SeenPair { pair, turned } = *seen;
         let PairGeometry::Slide { point, through, angle: along_angle, tilt: tilt_angle } = pair.geometry
         else {
-            return Err(BuildError::new(format!("pair {} is a pin, not a slide", pair.id)));
+            return Err(BuildError::new(text!("group-pin-not-slide", pair = pair.id)));
         };
         let (along, tilt) = (direction(along_angle), direction(tilt_angle));
         Ok(Self {

@@ -24,6 +24,8 @@ mod pattern;
 pub mod plane;
 mod registry;
 
+assur_words::resources!();
+
 pub use assur_plugin::RegistryError;
 pub use body::Anchor;
 pub use body::Body;

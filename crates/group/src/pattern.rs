@@ -1,6 +1,8 @@
 //! The pattern of a kind of group (its links and the pairs between them, as data), and a group's links and pairs in
 //! the order of that pattern.
 
+use assur_words::text;
+
 use crate::{BuildError, GroupFrame, Pair};
 
 /// The sort of a pair in a pattern.
@@ -94,8 +96,7 @@ impl Pattern {
     ///
     /// [`BuildError`] if the group does not match this pattern.
     pub fn read(&self, frame: &GroupFrame) -> Result<Reading, BuildError> {
-        self.find(frame)
-            .ok_or_else(|| BuildError::new("links and pairs of the group are not those of the kind"))
+        self.find(frame).ok_or_else(|| BuildError::new(text!("group-other-pattern")))
     }
 
     /// Extends an assignment of bodies to the first links of the pattern by all possible next bodies, in order.

@@ -3,26 +3,27 @@
 use std::f64::consts::FRAC_PI_2;
 
 use assur_plugin::{Registered, RegistryError};
+use assur_words::{Text, text};
 
 use crate::builders::{Builders, Number};
 use crate::{AssurGroup, Body, BuildError, GroupFrame, Pattern};
 
 /// The assemblies of a kind: the ways in which its links can be put together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Ways {
     /// The greatest number at one position, at least 1.
     pub most: usize,
     /// Whether, at a position, some of the ways may exist and others not; otherwise either all of them exist or none.
     pub varies: bool,
     /// Description of the ways in their order.
-    pub words: &'static str,
+    pub words: Text,
 }
 
 /// An angle that shows how well a group transmits forces, such as the transmission angle.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct ForceAngle {
-    /// Its name: `transmission angle between the links`.
-    pub words: &'static str,
+    /// Its name: transmission angle between the links.
+    pub words: Text,
     /// Its value (rad) from the placed group and the absolute value of its health.
     pub of: fn(&GroupFrame, &[Body<f64>], f64) -> f64,
     /// It is a pressure angle, which is best at 0; a transmission angle is best at 90 degrees.
@@ -37,7 +38,7 @@ impl ForceAngle {
     }
 
     /// An angle whose sine is the health.
-    pub const fn of_sine(words: &'static str) -> Self {
+    pub const fn of_sine(words: Text) -> Self {
         Self {
             words,
             of: |_, _, health| {
@@ -49,7 +50,7 @@ impl ForceAngle {
     }
 
     /// An angle whose cosine is the health.
-    pub const fn of_cosine(words: &'static str) -> Self {
+    pub const fn of_cosine(words: Text) -> Self {
         Self {
             words,
             of: |_, _, health| {
@@ -61,7 +62,7 @@ impl ForceAngle {
     }
 
     /// For a kind without an angle of its own.
-    pub const DEFAULT: Self = Self::of_sine("sine of the determinant");
+    pub const DEFAULT: Self = Self::of_sine(text!("group-default-angle"));
 }
 
 /// Sine and cosine of the angle whose sine is the health: the arc tangent of both is accurate near 0 and 90 degrees.
@@ -71,7 +72,7 @@ fn sine_and_cosine(health: f64) -> (f64, f64) {
 }
 
 /// Entry of a kind of group in the registry: `inventory::submit! { GroupPlugin { ... } }`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct GroupPlugin {
     /// Stable identifier, lower case: `rrr`.
     pub name: &'static str,
@@ -82,7 +83,7 @@ pub struct GroupPlugin {
     /// The crate that registers it.
     pub crate_name: &'static str,
     /// Description in one line.
-    pub summary: &'static str,
+    pub summary: Text,
     /// Its links and pairs: a group of this pattern is of this kind.
     pub pattern: Pattern,
     /// Its assemblies.
@@ -91,16 +92,16 @@ pub struct GroupPlugin {
     /// closed forms.
     pub iterates: bool,
     /// Description of its singular positions.
-    pub singular: &'static str,
+    pub singular: Text,
     /// The angle that shows how well it transmits forces.
     pub force_angle: ForceAngle,
     /// Source of the formulas.
-    pub source: &'static str,
+    pub source: Text,
     /// Builders of the kernel.
     pub builders: Builders,
 }
 
-assur_plugin::registry!(GroupPlugin, "group", name);
+assur_plugin::registry!(GroupPlugin, text!("group-sort"), name);
 
 /// All registered kinds, sorted by name.
 ///

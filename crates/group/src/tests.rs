@@ -140,7 +140,7 @@ fn no_number_is_no_health() {
 
 #[test]
 fn a_program_without_plugins_is_told_so() {
-    assert_eq!(groups().unwrap_err(), RegistryError::Empty("group"));
+    assert_eq!(groups().unwrap_err(), RegistryError::Empty(assur_words::text!("group-sort")));
 }
 
 #[test]

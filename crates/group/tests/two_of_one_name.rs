@@ -4,6 +4,7 @@ use assur_group::{
     Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, Ways, groups, inventory,
     plugin_for,
 };
+use assur_words::Text;
 
 const fn entry(crate_name: &'static str) -> GroupPlugin {
     GroupPlugin {
@@ -11,16 +12,19 @@ const fn entry(crate_name: &'static str) -> GroupPlugin {
         kind: "TWICE",
         number: 0,
         crate_name,
-        summary: "a name that is taken",
+        summary: TEST,
         pattern: Pattern { links: 0, inner: &[], outer: &[] },
-        ways: Ways { most: 1, varies: false, words: "one" },
+        ways: Ways { most: 1, varies: false, words: TEST },
         iterates: false,
-        singular: "never",
+        singular: TEST,
         force_angle: ForceAngle::DEFAULT,
-        source: "a test",
+        source: TEST,
         builders: Builders::of::<Iterated>(),
     }
 }
+
+/// The words of an entry of a test.
+const TEST: Text = Text::message("a test", Vec::new());
 
 inventory::submit! { entry("second") }
 inventory::submit! { entry("first") }
@@ -30,7 +34,12 @@ fn two_of_one_name_are_refused() {
     let error = groups().unwrap_err();
     assert_eq!(
         error,
-        RegistryError::Duplicate { what: "group", name: "twice", first: "first", second: "second" }
+        RegistryError::Duplicate {
+            what: assur_words::text!("group-sort"),
+            name: "twice",
+            first: "first",
+            second: "second"
+        }
     );
     assert_eq!(
         error.to_string(),

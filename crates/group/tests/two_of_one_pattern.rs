@@ -4,6 +4,7 @@ use assur_group::{
     Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, Ways, inventory,
     plugin_for,
 };
+use assur_words::Text;
 
 const fn entry(name: &'static str) -> GroupPlugin {
     GroupPlugin {
@@ -11,16 +12,19 @@ const fn entry(name: &'static str) -> GroupPlugin {
         kind: "TWICE",
         number: 0,
         crate_name: "a crate",
-        summary: "a pattern that is taken",
+        summary: TEST,
         pattern: Pattern { links: 0, inner: &[], outer: &[] },
-        ways: Ways { most: 1, varies: false, words: "one" },
+        ways: Ways { most: 1, varies: false, words: TEST },
         iterates: false,
-        singular: "never",
+        singular: TEST,
         force_angle: ForceAngle::DEFAULT,
-        source: "a test",
+        source: TEST,
         builders: Builders::of::<Iterated>(),
     }
 }
+
+/// The words of an entry of a test.
+const TEST: Text = Text::message("a test", Vec::new());
 
 inventory::submit! { entry("second") }
 inventory::submit! { entry("first") }
@@ -30,7 +34,7 @@ fn two_of_one_pattern_are_refused_where_a_group_has_it() {
     let empty = GroupFrame { links: vec![], inner: vec![], outer: vec![], scale: 1.0 };
     let error = plugin_for(&empty).unwrap_err();
     let (first, second) = (("first", "a crate"), ("second", "a crate"));
-    assert_eq!(error, RegistryError::Ambiguous { what: "group", first, second });
+    assert_eq!(error, RegistryError::Ambiguous { what: assur_words::text!("group-sort"), first, second });
     assert!(error.to_string().contains("`first` of a crate and `second` of a crate"), "{error}");
     let other = GroupFrame { links: vec![1], ..empty };
     assert_eq!(plugin_for(&other).map(|found| found.is_none()), Ok(true));

@@ -1,5 +1,7 @@
 //! Which method solves an equation, and which methods follow if it fails: ranked by what the methods declare.
 
+use assur_words::{Describe, Text, joined, name, number, text};
+
 use crate::accuracy;
 use crate::error::SUSPICIOUS;
 use crate::{
@@ -15,7 +17,7 @@ pub struct Candidate {
     /// The method.
     pub integrator: &'static IntegratorPlugin,
     /// The reason for it, for a person.
-    pub reason: String,
+    pub reason: Text,
 }
 
 /// The methods for an equation in the order in which they are tried.
@@ -37,7 +39,7 @@ pub struct Solution {
     /// The method.
     pub integrator: &'static IntegratorPlugin,
     /// The reason for the method, for a person.
-    pub reason: String,
+    pub reason: Text,
 }
 
 /// Solves an equation by the method of that name, or by the methods that [`AUTO`] stands for.
@@ -74,7 +76,7 @@ pub fn choose(name: &str, dependence: &Dependence, tolerance: f64) -> Result<Cho
     }
     let integrator = find(name)?;
     integrator.supports(dependence)?;
-    let first = Candidate { integrator, reason: "chosen by name".to_owned() };
+    let first = Candidate { integrator, reason: text!("integrator-by-name") };
     Ok(Choice { first, others: Vec::new(), stiff: None })
 }
 
@@ -90,12 +92,16 @@ fn ranked(
     let mut methods: Vec<_> = registry.iter().filter_map(suits).collect();
     // Within a class of cost the higher order; the registry is sorted by name, and the sort keeps that.
     methods.sort_by_key(|(plugin, suitability)| (suitability.cost, std::cmp::Reverse(plugin.order)));
-    let (case, words) = (dependence.case(), dependence.words());
     let mut candidates = methods.iter().map(|(integrator, suitability)| {
-        let reason = format!("case {case} of D ({words}): {}", suitability.reason);
+        let reason = text!(
+            "integrator-choice",
+            case = number(dependence.case()),
+            equation = dependence.describe(),
+            reason = &suitability.reason
+        );
         Candidate { integrator, reason }
     });
-    let first = candidates.next().ok_or(IntegrationError::NoMethod(dependence.words()))?;
+    let first = candidates.next().ok_or(IntegrationError::NoMethod(dependence))?;
     let stiff = methods.iter().map(|(plugin, _)| *plugin).find(|plugin| plugin.stiff);
     Ok(Choice { first, others: candidates.collect(), stiff })
 }
@@ -107,27 +113,30 @@ impl Choice {
     ///
     /// [`IntegrationError`] of the last method that was tried.
     pub fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
-        let mut refusals = String::new();
+        let mut refusals = Vec::new();
         let mut rest = self.others.iter();
         let mut candidate = &self.first;
         loop {
             let Candidate { integrator, reason } = candidate;
             match (accuracy::solve(integrator, motion, request), self.stiff) {
                 (Ok(trajectory), _) => {
-                    return Ok(Solution { trajectory, integrator, reason: format!("{reason}{refusals}") });
+                    let reasons = std::iter::once(reason.clone()).chain(refusals);
+                    return Ok(Solution { trajectory, integrator, reason: joined("; ", reasons) });
                 }
                 (Err(error @ IntegrationError::Unsupported { .. }), _) => {
                     candidate = rest.next().ok_or_else(|| error.clone())?;
                     if let IntegrationError::Unsupported { reason, .. } = error {
-                        refusals = format!("{refusals}; `{}` was tried before: {reason}", integrator.name);
+                        refusals.push(text!(
+                            "integrator-tried-before",
+                            method = name(integrator.name),
+                            why = reason
+                        ));
                     }
                 }
                 (Err(IntegrationError::TooManySteps { stiffness: Some(product), .. }), Some(stiff))
                     if product > SUSPICIOUS =>
                 {
-                    let reason = format!(
-                        "the equation is stiff: an explicit method had to keep h*lambda at {product:.2}"
-                    );
+                    let reason = text!("integrator-stiff", product = number(format_args!("{product:.2}")));
                     let trajectory = accuracy::solve(stiff, motion, request)?;
                     return Ok(Solution { trajectory, integrator: stiff, reason });
                 }

@@ -2,6 +2,8 @@
 
 use std::marker::PhantomData;
 
+use assur_words::text;
+
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
     Attempt, Dense, FixedStep, IntegrationError, Integrator, Motion, MotionError, Node, Pace, Request, Run,
@@ -173,7 +175,11 @@ impl<'a, S: Stepper> Drive<'a, S> {
         if plan.h * 1.01 >= left && left.is_finite() {
             plan = Plan { h: left, time: Some(stop), bound: None };
         }
-        if plan.h.is_finite() { Ok(plan) } else { Err(self.run.not_reached("nothing brings it there")) }
+        if plan.h.is_finite() {
+            Ok(plan)
+        } else {
+            Err(self.run.not_reached(text!("integrator-nothing-brings")))
+        }
     }
 
     fn reject(

@@ -1,35 +1,28 @@
 //! Why an integration failed, and at which state.
 
 use assur_plugin::RegistryError;
+use assur_words::{Describe, Text, name, number, text};
 
-use crate::{MotionError, Request, State, Until};
+use crate::{Dependence, MotionError, Request, State, Until};
 
 /// Why there is no trajectory.
-#[derive(Debug, Clone, thiserror::Error)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum IntegrationError {
     /// The request itself is impossible (what is wrong and what is allowed).
-    #[error("bad request: {0}")]
-    Request(String),
+    Request(Text),
     /// The method can't treat this equation.
-    #[error("integrator `{integrator}` can't treat this equation: {reason}")]
     Unsupported {
         /// Name of the method.
         integrator: &'static str,
         /// Why not.
-        reason: String,
+        reason: Text,
     },
-    /// No linked method can treat the equation (what the equation depends on, in words).
-    #[error("no linked integrator can treat this equation ({0})")]
-    NoMethod(String),
+    /// No linked method can treat the equation (what the equation depends on).
+    NoMethod(Dependence),
     /// There is no such method, or the registry is faulty.
-    #[error(transparent)]
-    Registry(#[from] RegistryError),
+    Registry(RegistryError),
     /// The accuracy would need steps too small for floating-point numbers.
-    #[error(
-        "the motion can't be followed beyond {at}: the tolerance asks for steps below {step:.1e} s; loosen it, or look for a load \
-         or an inertia that grows without limit there"
-    )]
     StepTooSmall {
         /// Place reached.
         at: State,
@@ -37,7 +30,6 @@ pub enum IntegrationError {
         step: f64,
     },
     /// The allowed number of steps is used up.
-    #[error("the motion got to {at} in {steps} steps, the most that are taken; the last one was {step:.1e} s{}", stiffness_words(*stiffness))]
     TooManySteps {
         /// Place reached.
         at: State,
@@ -49,10 +41,6 @@ pub enum IntegrationError {
         stiffness: Option<f64>,
     },
     /// The fixed step is too long for the equation.
-    #[error(
-        "the fixed step {step:e} s is unstable at {at}: h*lambda = {product:.2}, allowed are {allowed}; take a step below {:.2e} s, or `radau5` if the equation is stiff",
-        step * allowed / product
-    )]
     Unstable {
         /// Place reached.
         at: State,
@@ -64,10 +52,6 @@ pub enum IntegrationError {
         allowed: f64,
     },
     /// The motion reaches the end of its range: the mechanism has no position beyond.
-    #[error(
-        "the motion reaches the end of its range at {at}: {source}; end it before (`until`), or look whether the mechanism \
-         shall pass there"
-    )]
     EndOfRange {
         /// Place reached.
         at: State,
@@ -75,7 +59,6 @@ pub enum IntegrationError {
         source: MotionError,
     },
     /// The equation has no value, however small the step.
-    #[error("the equation of motion has no value after {at}: {source}")]
     Equation {
         /// Place reached.
         at: State,
@@ -83,17 +66,15 @@ pub enum IntegrationError {
         source: MotionError,
     },
     /// The requested end isn't reached.
-    #[error("{goal} is never reached: the motion got to {at} and {why}")]
     NotReached {
-        /// The requested end, in words.
-        goal: String,
+        /// The requested end.
+        goal: Until,
         /// Place reached.
         at: State,
         /// What prevents it.
-        why: &'static str,
+        why: Text,
     },
     /// A smooth piece that the equation gave has no states in the direction of motion.
-    #[error("the equation of motion gave an empty piece at {at}: its bounds must lie ahead of the motion")]
     EmptyPiece {
         /// Place reached.
         at: State,
@@ -115,14 +96,8 @@ impl IntegrationError {
     }
 
     /// The end that `request` asks for isn't reached: `at` is the last state; the rest says why.
-    pub fn not_reached(request: &Request, at: State, why: &'static str) -> Self {
-        let goal = match request.until {
-            Until::Time(end) => format!("time {end} s"),
-            Until::Coordinate(end) => format!("coordinate {end}"),
-            Until::Turn => "a turning point".to_owned(),
-            Until::Rest => "rest".to_owned(),
-        };
-        Self::NotReached { goal, at, why }
+    pub fn not_reached(request: &Request, at: State, why: Text) -> Self {
+        Self::NotReached { goal: request.until, at, why }
     }
 }
 
@@ -130,15 +105,76 @@ impl IntegrationError {
 /// the bound on the negative real axis is 3.3 for dopri5, 6.1 for dop853 and 2.8 for rk4.
 pub(crate) const SUSPICIOUS: f64 = 1.5;
 
-fn stiffness_words(stiffness: Option<f64>) -> String {
+assur_words::errors!(IntegrationError);
+
+impl From<RegistryError> for IntegrationError {
+    fn from(error: RegistryError) -> Self {
+        Self::Registry(error)
+    }
+}
+
+impl Describe for IntegrationError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Request(fault) => text!("integrator-bad-request", fault = fault),
+            Self::Unsupported { integrator, reason } => {
+                text!("integrator-unsupported", method = name(*integrator), reason = reason)
+            }
+            Self::NoMethod(dependence) => text!("integrator-no-method", equation = dependence.describe()),
+            Self::Registry(error) => error.describe(),
+            Self::StepTooSmall { at, step } => text!(
+                "integrator-step-too-small",
+                state = at.describe(),
+                step = number(format_args!("{step:.1e}"))
+            ),
+            Self::TooManySteps { at, steps, step, stiffness } => text!(
+                "integrator-too-many-steps",
+                state = at.describe(),
+                steps = *steps,
+                step = number(format_args!("{step:.1e}")),
+                advice = advice(*stiffness)
+            ),
+            Self::Unstable { at, step, product, allowed } => text!(
+                "integrator-unstable",
+                step = number(format_args!("{step:e}")),
+                state = at.describe(),
+                product = number(format_args!("{product:.2}")),
+                allowed = number(allowed),
+                below = number(format_args!("{:.2e}", step * allowed / product))
+            ),
+            Self::EndOfRange { at, source } => {
+                text!("integrator-end-of-range", state = at.describe(), cause = source.describe())
+            }
+            Self::Equation { at, source } => {
+                text!("integrator-no-value", state = at.describe(), cause = source.describe())
+            }
+            Self::NotReached { goal, at, why } => {
+                text!("integrator-not-reached", goal = goal.describe(), state = at.describe(), why = why)
+            }
+            Self::EmptyPiece { at } => text!("integrator-empty-piece", state = at.describe()),
+        }
+    }
+}
+
+impl Describe for Until {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Time(end) => text!("integrator-goal-time", time = number(end)),
+            Self::Coordinate(end) => text!("integrator-goal-coordinate", coordinate = number(end)),
+            Self::Turn => text!("integrator-goal-turn"),
+            Self::Rest => text!("integrator-goal-rest"),
+        }
+    }
+}
+
+/// What to do about too many steps.
+fn advice(stiffness: Option<f64>) -> Text {
+    let rounded = |product: f64| number(format_args!("{product:.2}"));
     match stiffness {
-        Some(product) if product > SUSPICIOUS => format!(
-            "; the equation is probably stiff (h*lambda = {product:.2}: stability, not accuracy, holds the step): use `radau5`"
-        ),
-        Some(product) => format!(
-            "; it does not look stiff (h*lambda = {product:.2}): loosen the tolerance, allow more steps (`max_steps`), or end the motion earlier (`until`)"
-        ),
-        None => "; loosen the tolerance, allow more steps (`max_steps`), or end the motion earlier (`until`)"
-            .to_owned(),
+        Some(product) if product > SUSPICIOUS => {
+            text!("integrator-advice-stiff", product = rounded(product))
+        }
+        Some(product) => text!("integrator-advice-not-stiff", product = rounded(product)),
+        None => text!("integrator-advice"),
     }
 }

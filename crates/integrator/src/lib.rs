@@ -40,6 +40,8 @@ mod run;
 mod segment;
 mod stepper;
 
+assur_words::resources!();
+
 pub use assur_plugin::RegistryError;
 pub use choose::{AUTO, Candidate, Choice, Solution, choose, solve};
 pub use control::{Control, Scale};

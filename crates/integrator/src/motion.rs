@@ -1,7 +1,6 @@
 //! The equation of motion as an integrator sees it: J(q) w' + J'(q) w²/2 = Q(q, w, t), q' = w (D 3.11).
 
-use std::error::Error;
-use std::sync::Arc;
+use assur_words::{Describe, Text, list, name, number, text};
 
 /// What the reduced inertia J and the reduced moment Q depend on: D's classification (D 3.21).
 ///
@@ -40,19 +39,21 @@ impl Dependence {
     pub fn is_work_of_coordinate(&self) -> bool {
         !self.moment_on_speed && !self.moment_on_time
     }
+}
 
-    /// The case in words, as `J(q), M(q, w)`.
-    pub fn words(&self) -> String {
-        let inertia = if self.inertia_constant { "J constant" } else { "J(q)" };
-        let names: Vec<&str> =
-            [(self.moment_on_coordinate, "q"), (self.moment_on_speed, "w"), (self.moment_on_time, "t")]
-                .iter()
-                .filter_map(|(depends, name)| depends.then_some(*name))
-                .collect();
-        match names.as_slice() {
-            [] => format!("{inertia}, M constant"),
-            names => format!("{inertia}, M({})", names.join(", ")),
-        }
+/// As `J(q), M(q, w)`.
+impl Describe for Dependence {
+    fn describe(&self) -> Text {
+        let variables =
+            [(self.moment_on_coordinate, "q"), (self.moment_on_speed, "w"), (self.moment_on_time, "t")];
+        let variables: Vec<&str> =
+            variables.iter().filter_map(|(depends, name)| depends.then_some(*name)).collect();
+        let inertia = if self.inertia_constant { text!("integrator-inertia-constant") } else { name("J(q)") };
+        let moment = match variables.as_slice() {
+            [] => text!("integrator-moment-constant"),
+            variables => name(format!("M({})", variables.join(", "))),
+        };
+        list([inertia, moment])
     }
 }
 
@@ -75,21 +76,24 @@ impl State {
     }
 }
 
-impl std::fmt::Display for State {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl Describe for State {
+    fn describe(&self) -> Text {
         // Nine decimals of a greater number are not known.
-        let shown = |value: f64| if value.abs() < 1e7 { format!("{value:.9}") } else { scientific(value) };
-        let [time, coordinate, speed] = [self.time, self.coordinate, self.speed].map(shown);
-        write!(f, "t = {time} s, q = {coordinate}, w = {speed}")
+        let shown = |value: f64| {
+            if value.abs() < 1e7 { number(format_args!("{value:.9}")) } else { scientific(value) }
+        };
+        text!(
+            "integrator-state",
+            time = shown(self.time),
+            coordinate = shown(self.coordinate),
+            speed = shown(self.speed)
+        )
     }
 }
 
-/// How a quantity is shown that has outgrown all numbers, or followed from one that has.
-const OUT_OF_RANGE: &str = "(out of range)";
-
-/// A quantity of an error in scientific notation.
-fn scientific(value: f64) -> String {
-    if value.is_finite() { format!("{value:e}") } else { OUT_OF_RANGE.to_owned() }
+/// A quantity of an error in scientific notation, unless it has outgrown all numbers or followed from one that has.
+fn scientific(value: f64) -> Text {
+    if value.is_finite() { number(format_args!("{value:e}")) } else { text!("integrator-out-of-range") }
 }
 
 /// The coefficients of the equation at one state.
@@ -203,19 +207,12 @@ pub trait Motion {
 }
 
 /// Why the equation has no value at a state.
-#[derive(Debug, Clone, thiserror::Error)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum MotionError {
     /// The reduced inertia is zero or negative, kg m² (kg).
-    #[error("the reduced inertia is {}: it must be positive (give some moving link a mass)", scientific(*.0))]
     Inertia(f64),
     /// The acceleration is not a number.
-    #[error(
-        "the acceleration is not finite, with the reduced inertia {} and the reduced moment {}: where the links that move have \
-         no inertia, as at a dead center, give the input link some",
-        scientific(*inertia),
-        scientific(*moment)
-    )]
     NotFinite {
         /// Reduced inertia, kg m² (kg).
         inertia: f64,
@@ -223,16 +220,33 @@ pub enum MotionError {
         moment: f64,
     },
     /// The coordinate has outgrown all numbers, or followed from one that has.
-    #[error("the coordinate is {OUT_OF_RANGE}: the motion gains speed without limit")]
     OutOfRange,
     /// The mechanism behind the equation failed: no assembly, singular position.
-    #[error("{0}")]
-    Mechanism(Arc<dyn Error + Send + Sync>),
+    Mechanism(Text),
+}
+
+assur_words::errors!(MotionError);
+
+impl Describe for MotionError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Inertia(inertia) => {
+                text!("integrator-inertia-not-positive", inertia = scientific(*inertia))
+            }
+            Self::NotFinite { inertia, moment } => text!(
+                "integrator-acceleration-not-finite",
+                inertia = scientific(*inertia),
+                moment = scientific(*moment)
+            ),
+            Self::OutOfRange => text!("integrator-coordinate-out-of-range"),
+            Self::Mechanism(error) => error.clone(),
+        }
+    }
 }
 
 impl MotionError {
     /// Wraps an error of the layer that holds the mechanism.
-    pub fn mechanism(error: impl Error + Send + Sync + 'static) -> Self {
-        Self::Mechanism(Arc::new(error))
+    pub fn mechanism(error: &impl Describe) -> Self {
+        Self::Mechanism(error.describe())
     }
 }

@@ -1,6 +1,7 @@
 //! The registry of integrators: what each method declares about itself.
 
 use assur_plugin::RegistryError;
+use assur_words::{Text, text};
 
 use crate::{Dependence, IntegrationError, Motion, Request, Trajectory};
 
@@ -19,16 +20,16 @@ pub trait Integrator: Sync {
 }
 
 /// Entry of a method in the registry: `inventory::submit! { IntegratorPlugin { ... } }`.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct IntegratorPlugin {
     /// Stable name, as users write it.
     pub name: &'static str,
     /// The crate it comes from: `env!("CARGO_PKG_NAME")`.
     pub crate_name: &'static str,
     /// One line for lists.
-    pub summary: &'static str,
+    pub summary: Text,
     /// Where the method is described.
-    pub source: &'static str,
+    pub source: Text,
     /// Order of accuracy; 0 for a method without discretization error in time.
     pub order: u8,
     /// Which field of a [`Request`] sets the accuracy.
@@ -37,7 +38,7 @@ pub struct IntegratorPlugin {
     /// stiffness.
     pub stiff: bool,
     /// How well the method suits an equation at a tolerance; the error says, as a sentence, why it can't treat it.
-    pub suitability: fn(&Dependence, tolerance: f64) -> Result<Suitability, String>,
+    pub suitability: fn(&Dependence, tolerance: f64) -> Result<Suitability, Text>,
     /// The method itself.
     pub method: &'static dyn Integrator,
 }
@@ -60,12 +61,12 @@ pub enum Knob {
 }
 
 /// The rank of a method among those that can treat an equation, and the reason.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Suitability {
     /// What the method costs here.
     pub cost: Cost,
     /// Why, for a person; continues "case 3 of D (J(q), M(q)): ".
-    pub reason: &'static str,
+    pub reason: Text,
 }
 
 /// Classes of cost, the cheapest first.
@@ -83,7 +84,7 @@ pub enum Cost {
     LastResort,
 }
 
-assur_plugin::registry!(IntegratorPlugin, "integrator", name);
+assur_plugin::registry!(IntegratorPlugin, text!("integrator-sort"), name);
 
 impl IntegratorPlugin {
     /// Whether the method can treat such an equation at all.

@@ -1,5 +1,6 @@
 //! The request to an integrator, and its result.
 
+use assur_words::{Describe, Text, number, text};
 use serde::Serialize;
 
 use crate::{IntegrationError, Node, State};
@@ -72,36 +73,39 @@ impl Request {
     #[expect(clippy::float_cmp, reason = "an end is refused only where it is the very same number")]
     pub fn check(&self) -> Result<(), IntegrationError> {
         let State { time, coordinate, speed } = self.initial;
-        let refuse = |what: String| Err(IntegrationError::Request(what));
+        let refuse = |what: Text| Err(IntegrationError::Request(what));
         if !(time.is_finite() && coordinate.is_finite() && speed.is_finite()) {
-            return refuse(format!("the initial state ({}) is not finite", self.initial));
+            return refuse(text!("integrator-start-not-finite", state = self.initial.describe()));
         }
         if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
-            return refuse(format!("tolerance {:e}: must lie between 0 and 1", self.tolerance));
+            return refuse(text!(
+                "integrator-bad-tolerance",
+                tolerance = number(format_args!("{:e}", self.tolerance))
+            ));
         }
         if self.samples == 0 || self.max_steps == 0 {
-            return refuse("samples and max_steps must be at least 1".to_owned());
+            return refuse(text!("integrator-bad-counts"));
         }
         if let Some(FixedStep::Time(step) | FixedStep::Coordinate(step)) = self.fixed_step
             && !(step > 0.0 && step.is_finite())
         {
-            return refuse(format!("fixed step {step:e}: must be positive"));
+            return refuse(text!("integrator-bad-step", step = number(format_args!("{step:e}"))));
         }
         match self.until {
             Until::Time(end) if !(end > time && end.is_finite()) => {
-                refuse(format!("end at {end} s: must be after the start at {time} s"))
+                refuse(text!("integrator-end-before-start", end = number(end), start = number(time)))
             }
             Until::Coordinate(end) if end == coordinate => {
-                refuse(format!("end at coordinate {end}: the motion is already there at the start"))
+                refuse(text!("integrator-end-at-start", end = number(end)))
             }
-            Until::Coordinate(end) if !end.is_finite() => refuse(format!("end at coordinate {end}")),
+            Until::Coordinate(end) if !end.is_finite() => {
+                refuse(text!("integrator-bad-end", end = number(end)))
+            }
             Until::Coordinate(end) if (end - coordinate).abs() < RESOLUTION * coordinate.abs().max(1e-3) => {
-                refuse(format!(
-                    "end at coordinate {end}: nearer to the start at {coordinate} than is resolved"
-                ))
+                refuse(text!("integrator-end-near-start", end = number(end), start = number(coordinate)))
             }
             _ if self.time_limit.is_nan() || self.time_limit <= time => {
-                refuse(format!("time limit {} s: must be after the start at {time} s", self.time_limit))
+                refuse(text!("integrator-bad-limit", limit = number(self.time_limit), start = number(time)))
             }
             _ => Ok(()),
         }

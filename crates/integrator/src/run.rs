@@ -1,5 +1,7 @@
 //! A solution in progress: what every method keeps from piece to piece, up to the end.
 
+use assur_words::{Text, text};
+
 use crate::segment::{Segment, instant, samples};
 use crate::{
     Curve, Equation, Event, EventKind, IntegrationError, Motion, MotionError, Node, Piece, Request, State,
@@ -7,7 +9,7 @@ use crate::{
 };
 
 /// The reason where the speed only decays, so that the requested end is never reached.
-pub(crate) const CREEPS: &str = "creeps to rest without end";
+pub(crate) const CREEPS: Text = text!("integrator-creeps");
 
 /// Most events of a motion, which are all kept.
 const MOST_EVENTS: usize = 1_000_000;
@@ -75,7 +77,7 @@ impl<'a, C: Curve> Run<'a, C> {
     /// Those of [`enter`].
     pub fn enter(&mut self, at_speed_bound: bool) -> Result<bool, IntegrationError> {
         if self.events.len() > MOST_EVENTS {
-            return Err(self.not_reached("has a million jumps, reversals and stops, and does not end"));
+            return Err(self.not_reached(text!("integrator-many-events")));
         }
         let entered = enter(&mut self.equation, &self.node.state, at_speed_bound)?;
         if let Some((piece, acceleration)) = entered {
@@ -149,7 +151,7 @@ impl<'a, C: Curve> Run<'a, C> {
             // An oscillation smaller than the errors of the motion doesn't count.
             let way = (state.coordinate - self.request.initial.coordinate).abs();
             let creeps = swing <= self.request.tolerance * way;
-            let why = if creeps { CREEPS } else { "swings between two turning points without end" };
+            let why = if creeps { CREEPS } else { text!("integrator-swings") };
             return Err(self.not_reached(why));
         }
         Ok(())
@@ -166,7 +168,7 @@ impl<'a, C: Curve> Run<'a, C> {
         const FURTHEST: f64 = 1e12;
         let endless = !matches!(self.request.until, Until::Time(_));
         if endless && coordinate.abs() > FURTHEST {
-            Err(self.not_reached("goes on without end"))
+            Err(self.not_reached(text!("integrator-endless")))
         } else {
             Ok(())
         }
@@ -204,15 +206,15 @@ impl<'a, C: Curve> Run<'a, C> {
         let end = match self.request.until {
             Until::Time(end) => end,
             Until::Turn | Until::Rest if speed == 0.0 => return Ok(()),
-            Until::Turn | Until::Rest => return Err(self.not_reached("keeps its speed")),
-            Until::Coordinate(_) if speed == 0.0 => return Err(self.not_reached("rests there for good")),
+            Until::Turn | Until::Rest => return Err(self.not_reached(text!("integrator-keeps-speed"))),
+            Until::Coordinate(_) if speed == 0.0 => return Err(self.not_reached(text!("integrator-rests"))),
             Until::Coordinate(target) => time + (target - coordinate) / speed,
         };
         if end < time {
-            return Err(self.not_reached("moves away from it at constant speed"));
+            return Err(self.not_reached(text!("integrator-moves-away")));
         }
         if end > self.request.latest() {
-            return Err(self.not_reached("the limit of time is over"));
+            return Err(self.not_reached(text!("integrator-time-is-over")));
         }
         self.coast_until(end);
         if let Until::Coordinate(target) = self.request.until {
@@ -256,7 +258,7 @@ impl<'a, C: Curve> Run<'a, C> {
     pub fn time_is_over(&self) -> Result<(), IntegrationError> {
         match self.request.until {
             Until::Time(_) => Ok(()),
-            _ => Err(self.not_reached("the limit of time is over")),
+            _ => Err(self.not_reached(text!("integrator-time-is-over"))),
         }
     }
 
@@ -292,7 +294,7 @@ impl<'a, C: Curve> Run<'a, C> {
     }
 
     /// The error that the end isn't reached, with the reason.
-    pub fn not_reached(&self, why: &'static str) -> IntegrationError {
+    pub fn not_reached(&self, why: Text) -> IntegrationError {
         IntegrationError::not_reached(self.request, self.node.state, why)
     }
 

@@ -77,7 +77,7 @@ impl<T: Number> Chain<T> {
         for (i, group) in structure.groups.iter().enumerate() {
             let kernel = kernel_of::<T>(group.plugin, &group.frame).map_err(|source| {
                 let link = source.link.map(|link| mechanism.links[link].name.to_string());
-                CompileError::Build { group: structure.group_name(mechanism, i), source, link }
+                CompileError::Build { group: Box::new(structure.group_name(mechanism, i)), source, link }
             })?;
             groups.push(kernel);
         }

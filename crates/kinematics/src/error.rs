@@ -2,19 +2,18 @@
 
 use assur_group::{BuildError, GroupError};
 use assur_structure::StructureError;
+use assur_words::{Describe, Text, joined, list, quantity, text};
 
 /// Why a mechanism can't be compiled.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum CompileError {
     /// The mechanism can't be decomposed into groups.
-    #[error(transparent)]
-    Structure(#[from] StructureError),
+    Structure(StructureError),
     /// The lengths don't form a group of the kind.
-    #[error("{group}: {source}")]
     Build {
         /// The group.
-        group: String,
+        group: Box<Text>,
         /// What is wrong.
         source: BuildError,
         /// The link that is at fault, where it is one.
@@ -38,7 +37,7 @@ pub struct PositionError {
     /// Index of the group.
     pub group: usize,
     /// The group in words: `group 1 (RRR rod, rocker)`.
-    pub group_name: String,
+    pub group_name: Box<Text>,
     /// Number of the position, if the coordinate is that of a position of the scene.
     pub index: Option<usize>,
     /// The coordinate, rad or m.
@@ -56,43 +55,55 @@ pub struct PositionError {
 const VAST: f64 = 10.0;
 
 impl PositionError {
-    fn unit_hint(&self) -> &'static str {
+    fn unit_hint(&self) -> Text {
         match self.source {
-            GroupError::NoAssembly { gap_m } if gap_m >= VAST => {
-                " and their units (a number without one is in meters)"
-            }
-            _ => "",
+            GroupError::NoAssembly { gap_m } if gap_m >= VAST => text!("kinematics-units"),
+            _ => Text::default(),
         }
     }
 
     /// A coordinate in the units of messages: degrees or millimeters.
-    fn show(&self, coordinate: f64) -> String {
+    fn show(&self, coordinate: f64) -> Text {
         if self.angular {
-            format!("{:.4} deg", coordinate.to_degrees())
+            quantity(format_args!("{:.4}", coordinate.to_degrees()), "deg")
         } else {
-            format!("{:.4} mm", coordinate * 1e3)
+            quantity(format_args!("{:.4}", coordinate * 1e3), "mm")
         }
     }
 }
 
-impl std::fmt::Display for PositionError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.group_name)?;
-        if let Some(index) = self.index {
-            write!(f, ", position {index}")?;
+assur_words::errors!(CompileError, PositionError);
+
+impl From<StructureError> for CompileError {
+    fn from(error: StructureError) -> Self {
+        Self::Structure(error)
+    }
+}
+
+impl Describe for CompileError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Structure(error) => error.describe(),
+            Self::Build { group, source, .. } => joined(": ", [Text::clone(group), source.describe()]),
         }
-        write!(f, ", coordinate {}: {}", self.show(self.coordinate), self.source)?;
-        match self.range {
+    }
+}
+
+impl Describe for PositionError {
+    fn describe(&self) -> Text {
+        let number = self.index.map(|index| text!("kinematics-position", number = index));
+        let at = text!(
+            "kinematics-coordinate",
+            coordinate = self.show(self.coordinate),
+            cause = self.source.describe()
+        );
+        let place = list([Text::clone(&self.group_name)].into_iter().chain(number).chain([at]));
+        let range = match self.range {
             Some([low, high]) => {
-                write!(f, "; the mechanism can be assembled from {} to {}", self.show(low), self.show(high))
+                text!("kinematics-range", low = self.show(low), high = self.show(high))
             }
-            None => write!(
-                f,
-                "; it can't be assembled in the first position: check the lengths{}, or start elsewhere (`input.from`)",
-                self.unit_hint()
-            ),
-        }
+            None => text!("kinematics-no-range", units = self.unit_hint()),
+        };
+        joined("; ", [place, range])
     }
 }
-
-impl std::error::Error for PositionError {}

@@ -34,6 +34,8 @@ mod start;
 mod ways;
 mod wide;
 
+assur_words::resources!();
+
 pub use chain::{Chain, ChainError, Input};
 pub use enclosures::Enclosures;
 pub use error::{CompileError, PositionError};

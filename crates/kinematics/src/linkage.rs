@@ -275,7 +275,7 @@ impl Linkage {
         let failure = self.first_failure.filter(|_| self.range.is_none()).unwrap_or(failure);
         PositionError {
             group: failure.group,
-            group_name: self.structure.group_name(&self.mechanism, failure.group),
+            group_name: Box::new(self.structure.group_name(&self.mechanism, failure.group)),
             index: None,
             coordinate,
             angular: self.angular(),

@@ -10,6 +10,7 @@ use assur_group::{
 };
 use assur_kinematics::Linkage;
 use assur_number::Real;
+use assur_words::Text;
 
 /// The pin of a pair in the frame of one of its bodies.
 fn pin(pair: &Pair, body: usize) -> [f64; 2] {
@@ -121,19 +122,22 @@ impl GroupKind for SortedKind {
     }
 }
 
+/// The words of an entry of a test.
+const TEST: Text = Text::message("a test", Vec::new());
+
 inventory::submit! {
     GroupPlugin {
         name: "sorted",
         kind: "sorted",
         number: 0,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "for this test",
+        summary: TEST,
         pattern: Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] },
-        ways: Ways { most: 3, varies: true, words: "in order" },
+        ways: Ways { most: 3, varies: true, words: TEST },
         iterates: false,
-        singular: "where two ways meet",
+        singular: TEST,
         force_angle: ForceAngle::DEFAULT,
-        source: "this test",
+        source: TEST,
         builders: Builders::of::<SortedKind>(),
     }
 }

@@ -5,6 +5,7 @@ use std::fmt;
 use std::ops::Deref;
 
 use assur_words::{Text, name, text};
+use serde::{Serialize, Serializer};
 
 /// A name of the scene, or one that the program gives, which has its own words in each language (`force 1 on rod`).
 ///
@@ -38,6 +39,12 @@ impl Deref for Name {
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&self.english)
+    }
+}
+
+impl Serialize for Name {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.english)
     }
 }
 

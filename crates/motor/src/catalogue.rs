@@ -1,5 +1,7 @@
 //! The contract of a motor catalogue, and the registry of the catalogues that are linked into the program.
 
+use assur_words::{Text, name, text};
+
 use crate::designation::normalize_latin;
 use crate::{
     CatalogueError, CatalogueTable, LookupError, Motor, find_designation, normalize_designation,
@@ -7,21 +9,21 @@ use crate::{
 };
 
 /// Registry entry of a catalogue; give it to `inventory::submit!`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct CataloguePlugin {
     /// Stable identifier, as scenes write it.
     pub name: &'static str,
     /// The crate that registers it.
     pub crate_name: &'static str,
     /// One line: what motors these are.
-    pub summary: &'static str,
+    pub summary: Text,
     /// Where the numbers are printed.
-    pub source: &'static str,
+    pub source: Text,
     /// The rows.
     pub table: &'static CatalogueTable,
 }
 
-assur_plugin::registry!(CataloguePlugin, "motor catalogue", name);
+assur_plugin::registry!(CataloguePlugin, text!("motor-sort"), name);
 
 impl CataloguePlugin {
     /// All rows, in the order of the source; read once, then cached.
@@ -39,7 +41,7 @@ impl CataloguePlugin {
     ///
     /// [`LookupError`] if the catalogue cannot be used, or the designation names no motor or several.
     pub fn find(&self, designation: &str) -> Result<&Motor, LookupError> {
-        find_designation(self.rows()?, designation, &format!("catalogue {}", self.name))
+        find_designation(self.rows()?, designation, &text!("motor-in-catalogue", name = name(self.name)))
     }
 }
 
@@ -74,7 +76,7 @@ pub fn find_motor(catalogue: Option<&str>, designation: &str) -> Result<&'static
     for plugin in catalogues()? {
         all.extend(plugin.rows()?);
     }
-    find_designation(all.iter().copied(), designation, "any catalogue")
+    find_designation(all.iter().copied(), designation, &text!("motor-in-any-catalogue"))
 }
 
 /// The catalogue of that name among these.

@@ -1,5 +1,7 @@
 //! The mechanical characteristic: torque of the motor as a function of its speed.
 
+use assur_words::{Describe, Text, number, text};
+
 use crate::{CharacteristicKind, RatedData};
 
 /// Torque of an asynchronous motor, N·m, over its speed, rad/s. The motor drives towards positive speed.
@@ -131,22 +133,17 @@ impl Characteristic {
 }
 
 /// Why rated data cannot be those of an asynchronous motor.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum RatedDataError {
     /// A value that must be finite and positive is not.
-    #[error("rated {what} of the motor is {value}, must be finite and greater than 0")]
     NotPositive {
         /// Which value, in words with its unit.
-        what: &'static str,
+        what: Text,
         /// The value.
         value: f64,
     },
     /// An asynchronous motor runs below its synchronous speed.
-    #[error(
-        "rated speed {rated_speed} rad/s exceeds or equals the synchronous speed {synchronous_speed} rad/s \
-         (by {} rad/s): an asynchronous motor needs a slip; check both speeds", rated_speed - synchronous_speed
-    )]
     NoSlip {
         /// Rated speed, rad/s.
         rated_speed: f64,
@@ -154,22 +151,38 @@ pub enum RatedDataError {
         synchronous_speed: f64,
     },
     /// Kloss's formula has no solution (the value).
-    #[error("breakdown torque / rated torque is {0}, must be finite and greater than 1 (usual: 1.7 to 4)")]
     MaxTorqueRatio(f64),
     /// Kloss's formula needs the breakdown torque.
-    #[error(
-        "the breakdown torque of the motor is not known: give max_torque_ratio, or take the linear characteristic"
-    )]
     NoMaxTorqueRatio,
+}
+
+assur_words::errors!(RatedDataError);
+
+impl Describe for RatedDataError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::NotPositive { what, value } => {
+                text!("motor-rated-not-positive", what = what, value = number(value))
+            }
+            Self::NoSlip { rated_speed, synchronous_speed } => text!(
+                "motor-no-slip",
+                rated = number(rated_speed),
+                synchronous = number(synchronous_speed),
+                excess = number(rated_speed - synchronous_speed)
+            ),
+            Self::MaxTorqueRatio(ratio) => text!("motor-bad-torque-ratio", ratio = number(ratio)),
+            Self::NoMaxTorqueRatio => text!("motor-no-torque-ratio"),
+        }
+    }
 }
 
 /// Checks every value that is given.
 pub(crate) fn validate(rated: &RatedData) -> Result<(), RatedDataError> {
     let named = [
-        ("power (W)", rated.power),
-        ("synchronous speed (rad/s)", rated.synchronous_speed),
-        ("speed (rad/s)", rated.rated_speed),
-        ("rotor inertia (kg*m^2)", rated.inertia.unwrap_or(1.0)),
+        (text!("motor-rated-power"), rated.power),
+        (text!("motor-rated-synchronous"), rated.synchronous_speed),
+        (text!("motor-rated-speed"), rated.rated_speed),
+        (text!("motor-rated-inertia"), rated.inertia.unwrap_or(1.0)),
     ];
     for (what, value) in named {
         if !(value > 0.0 && value.is_finite()) {

@@ -1,13 +1,13 @@
 //! What can be wrong with a catalogue, and with a requested designation.
 
 use assur_plugin::RegistryError;
+use assur_words::{Describe, Text, name, number, text};
 
 /// Why a catalogue cannot be used.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum CatalogueError {
     /// The text is not a table of motors.
-    #[error("catalogue `{catalogue}`: the table cannot be read: {reason}")]
     Table {
         /// Name of the catalogue.
         catalogue: String,
@@ -15,10 +15,8 @@ pub enum CatalogueError {
         reason: String,
     },
     /// The table has no rows (name of the catalogue).
-    #[error("catalogue `{0}` has no rows")]
     Empty(String),
     /// A row holds an impossible value.
-    #[error("catalogue `{catalogue}`, line {line}, `{designation}`: {fault}")]
     Row {
         /// Name of the catalogue.
         catalogue: String,
@@ -30,10 +28,8 @@ pub enum CatalogueError {
         fault: RowFault,
     },
     /// Two registered catalogues have one name, or none is registered.
-    #[error(transparent)]
-    Registry(#[from] RegistryError),
+    Registry(RegistryError),
     /// There is no catalogue of that name.
-    #[error("no motor catalogue `{name}`; there are: {}", known.join(", "))]
     UnknownName {
         /// The requested name.
         name: String,
@@ -43,11 +39,10 @@ pub enum CatalogueError {
 }
 
 /// What is impossible in one row.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum RowFault {
     /// A value outside the possible range.
-    #[error("{column} = {value}, must be above {above} and at most {most}")]
     OutOfRange {
         /// Column of the table.
         column: &'static str,
@@ -59,10 +54,8 @@ pub enum RowFault {
         most: f64,
     },
     /// The number of poles is odd or zero (the value).
-    #[error("poles = {0}, must be even and positive")]
     Poles(u32),
     /// The synchronous speed does not belong to the number of poles.
-    #[error("synchronous_speed_rpm = {rpm} does not belong to {poles} poles at 50 Hz or 60 Hz")]
     SynchronousSpeed {
         /// The value, 1/min.
         rpm: f64,
@@ -70,46 +63,119 @@ pub enum RowFault {
         poles: u32,
     },
     /// Another row has the same designation.
-    #[error("the designation occurs twice in the table")]
     Duplicate,
 }
 
 /// Why a designation does not name one motor.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LookupError {
     /// No such motor.
-    #[error("no motor `{designation}` in {catalogue}{}", nearest_hint(nearest))]
     NotFound {
         /// The requested designation.
         designation: String,
         /// Where: a catalogue in words.
-        catalogue: String,
+        catalogue: Text,
         /// Up to three designations that are most alike, the nearest first.
         nearest: Vec<String>,
     },
     /// Several motors.
-    #[error("`{designation}` names {count} motors in {catalogue}: {}{}; give the whole designation",
-        candidates.join(", "), if *count > candidates.len() { ", ..." } else { "" })]
     Ambiguous {
         /// The requested designation.
         designation: String,
         /// Where: a catalogue in words.
-        catalogue: String,
+        catalogue: Text,
         /// How many rows fit.
         count: usize,
         /// The first of them.
         candidates: Vec<String>,
     },
     /// A catalogue cannot be used.
-    #[error(transparent)]
-    Catalogue(#[from] CatalogueError),
+    Catalogue(CatalogueError),
 }
 
-fn nearest_hint(nearest: &[String]) -> String {
-    if nearest.is_empty() {
-        "; see the list of motors".to_owned()
-    } else {
-        format!("; the nearest are: {}", nearest.join(", "))
+assur_words::errors!(CatalogueError, RowFault, LookupError);
+
+impl From<RegistryError> for CatalogueError {
+    fn from(error: RegistryError) -> Self {
+        Self::Registry(error)
+    }
+}
+
+impl From<CatalogueError> for LookupError {
+    fn from(error: CatalogueError) -> Self {
+        Self::Catalogue(error)
+    }
+}
+
+fn names(list: &[String]) -> Text {
+    assur_words::list(list.iter().map(|one| name(one.clone())))
+}
+
+impl Describe for CatalogueError {
+    fn describe(&self) -> Text {
+        let own = |letters: &String| name(letters.clone());
+        match self {
+            Self::Table { catalogue, reason } => {
+                text!("motor-table-unreadable", catalogue = own(catalogue), reason = own(reason))
+            }
+            Self::Empty(catalogue) => text!("motor-no-rows", catalogue = own(catalogue)),
+            Self::Row { catalogue, line, designation, fault } => text!(
+                "motor-bad-row",
+                catalogue = own(catalogue),
+                line = number(line),
+                designation = own(designation),
+                fault = fault.describe()
+            ),
+            Self::Registry(error) => error.describe(),
+            Self::UnknownName { name, known } => {
+                text!("motor-no-catalogue", name = own(name), known = names(known))
+            }
+        }
+    }
+}
+
+impl Describe for RowFault {
+    fn describe(&self) -> Text {
+        match self {
+            Self::OutOfRange { column, value, above, most } => text!(
+                "motor-out-of-range",
+                column = name(*column),
+                value = number(value),
+                above = number(above),
+                most = number(most)
+            ),
+            Self::Poles(poles) => text!("motor-bad-poles", poles = number(poles)),
+            Self::SynchronousSpeed { rpm, poles } => {
+                text!("motor-bad-synchronous", rpm = number(rpm), poles = number(poles))
+            }
+            Self::Duplicate => text!("motor-row-twice"),
+        }
+    }
+}
+
+impl Describe for LookupError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::NotFound { designation, catalogue, nearest } => text!(
+                "motor-not-found",
+                designation = name(designation.clone()),
+                catalogue = catalogue,
+                hint = if nearest.is_empty() {
+                    text!("motor-hint-list")
+                } else {
+                    text!("motor-hint-nearest", nearest = names(nearest))
+                }
+            ),
+            Self::Ambiguous { designation, catalogue, count, candidates } => text!(
+                "motor-ambiguous",
+                designation = name(designation.clone()),
+                count = *count,
+                catalogue = catalogue,
+                candidates = names(candidates),
+                more = name(if *count > candidates.len() { ", ..." } else { "" })
+            ),
+            Self::Catalogue(error) => error.describe(),
+        }
     }
 }

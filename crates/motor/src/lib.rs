@@ -55,6 +55,8 @@ mod table;
 mod usual;
 mod warning;
 
+assur_words::resources!();
+
 pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
 pub use catalogue::{CataloguePlugin, catalogues, find_catalogue, find_motor};
 pub use catalogue::{MotorFilter, list_motors};

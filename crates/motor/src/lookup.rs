@@ -1,5 +1,7 @@
 //! Finding one motor among rows by what someone typed.
 
+use assur_words::Text;
+
 use crate::designation::{normalize_latin, without_climate};
 use crate::{LookupError, Motor, normalize_designation, same_designation};
 
@@ -19,7 +21,7 @@ const SUGGESTED: usize = 3;
 /// # Errors
 ///
 /// [`LookupError::NotFound`] with the nearest designations; [`LookupError::Ambiguous`] if several rows fit.
-pub fn find_designation<'a, I>(rows: I, designation: &str, place: &str) -> Result<&'a Motor, LookupError>
+pub fn find_designation<'a, I>(rows: I, designation: &str, place: &Text) -> Result<&'a Motor, LookupError>
 where
     I: IntoIterator<Item = &'a Motor> + Clone,
 {
@@ -35,7 +37,7 @@ where
     }
     Err(LookupError::NotFound {
         designation: designation.to_owned(),
-        catalogue: place.to_owned(),
+        catalogue: place.clone(),
         nearest: nearest(rows, designation),
     })
 }
@@ -51,7 +53,7 @@ fn is_leading_words(row: &str, asked: &str) -> bool {
     ends.into_iter().any(|end| same_designation(&row[..end], asked))
 }
 
-fn ambiguous(found: &[&Motor], designation: &str, place: &str) -> LookupError {
+fn ambiguous(found: &[&Motor], designation: &str, place: &Text) -> LookupError {
     // Rows of several catalogues may share a designation: then only the catalogue tells them apart.
     let several_places = found.iter().any(|m| m.catalogue != found[0].catalogue);
     let show = |m: &&Motor| {
@@ -59,7 +61,7 @@ fn ambiguous(found: &[&Motor], designation: &str, place: &str) -> LookupError {
     };
     LookupError::Ambiguous {
         designation: designation.to_owned(),
-        catalogue: place.to_owned(),
+        catalogue: place.clone(),
         count: found.len(),
         candidates: found.iter().take(SHOWN).map(show).collect(),
     }

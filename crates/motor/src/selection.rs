@@ -2,6 +2,8 @@
 
 use std::cmp::Ordering;
 
+use assur_words::{Describe, Text, name, number, text};
+
 use crate::motor::rpm;
 use crate::{CharacteristicKind, Motor};
 
@@ -40,31 +42,21 @@ pub struct Selection<'a> {
 }
 
 /// Why no motor can be chosen.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum SelectionError {
     /// The request cannot be answered.
-    #[error("cannot choose a motor: {what} is {value}, must be finite and greater than 0")]
     Request {
         /// Which value, in words with its unit.
-        what: &'static str,
+        what: Text,
         /// The value.
         value: f64,
     },
     /// There is nothing to choose from.
-    #[error("cannot choose a motor: the list of motors is empty")]
     NoMotors,
     /// No row has the data for the characteristic (how many rows there are).
-    #[error(
-        "none of {0} motors prints its breakdown torque, which Kloss's formula needs; take another catalogue \
-         or the linear characteristic"
-    )]
     NoMaxTorqueRatio(usize),
     /// All are too fast.
-    #[error(
-        "no motor keeps the speed limit of {:.1} rpm: the slowest, {designation}, has {:.1} rpm, {:.1} rpm too many; \
-         raise max_motor_speed", rpm(*limit), rpm(*slowest), rpm(slowest - limit)
-    )]
     TooFast {
         /// The limit, rad/s.
         limit: f64,
@@ -74,10 +66,6 @@ pub enum SelectionError {
         designation: String,
     },
     /// All are too weak.
-    #[error(
-        "no motor gives {required:.1} W: the strongest that fits otherwise, {designation}, has {largest:.1} W, \
-         {:.1} W too little; take another catalogue, raise max_motor_speed or lower the load", required - largest
-    )]
     TooWeak {
         /// Required power, W.
         required: f64,
@@ -86,6 +74,35 @@ pub enum SelectionError {
         /// The motor that has it.
         designation: String,
     },
+}
+
+assur_words::errors!(SelectionError);
+
+impl Describe for SelectionError {
+    fn describe(&self) -> Text {
+        let tenths = |value: f64| number(format_args!("{value:.1}"));
+        match self {
+            Self::Request { what, value } => {
+                text!("motor-select-not-positive", what = what, value = number(value))
+            }
+            Self::NoMotors => text!("motor-select-no-motors"),
+            Self::NoMaxTorqueRatio(count) => text!("motor-select-no-ratio", count = *count),
+            Self::TooFast { limit, slowest, designation } => text!(
+                "motor-select-too-fast",
+                limit = tenths(rpm(*limit)),
+                designation = name(designation.clone()),
+                slowest = tenths(rpm(*slowest)),
+                excess = tenths(rpm(slowest - limit))
+            ),
+            Self::TooWeak { required, largest, designation } => text!(
+                "motor-select-too-weak",
+                required = tenths(*required),
+                designation = name(designation.clone()),
+                largest = tenths(*largest),
+                lack = tenths(required - largest)
+            ),
+        }
+    }
 }
 
 /// The smallest rated power that suffices among `motors`.
@@ -123,11 +140,11 @@ fn better(a: &Motor, b: &Motor) -> Ordering {
 impl SelectionRequest {
     fn validate(&self) -> Result<(), SelectionError> {
         let named = [
-            ("the required power (W)", self.required_power),
-            ("the input speed (rad/s)", self.input_speed.abs()),
-            ("the limit of the motor speed (rad/s)", self.max_motor_speed.unwrap_or(1.0)),
+            (text!("motor-select-power"), self.required_power),
+            (text!("motor-select-speed"), self.input_speed.abs()),
+            (text!("motor-select-limit"), self.max_motor_speed.unwrap_or(1.0)),
         ];
-        let bad = named.into_iter().find(|&(_, value)| !(value > 0.0 && value.is_finite()));
+        let bad = named.into_iter().find(|(_, value)| !(*value > 0.0 && value.is_finite()));
         bad.map_or(Ok(()), |(what, value)| Err(SelectionError::Request { what, value }))
     }
 

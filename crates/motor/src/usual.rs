@@ -1,10 +1,12 @@
 //! The unevenness that kinds of machines usually have.
 
+use assur_words::{Text, text};
+
 /// Admissible unevenness (max - min)/mean of the speed of a kind of machine.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct UsualUnevenness {
     /// The kind of machine.
-    pub machine: &'static str,
+    pub machine: Text,
     /// Least and greatest usual value.
     pub range: [f64; 2],
 }
@@ -13,21 +15,21 @@ pub struct UsualUnevenness {
 pub const USUAL_SOURCE: &str = "R. S. Khurmi, J. K. Gupta: A Textbook of Machine Design, table 22.2";
 
 /// The usual unevenness by kind of machine, the least uniform ones first; from [`USUAL_SOURCE`].
-pub const USUAL_UNEVENNESS: [UsualUnevenness; 11] = {
-    const fn usual(machine: &'static str, least: f64, greatest: f64) -> UsualUnevenness {
+pub static USUAL_UNEVENNESS: [UsualUnevenness; 11] = {
+    const fn usual(machine: Text, least: f64, greatest: f64) -> UsualUnevenness {
         UsualUnevenness { machine, range: [least, greatest] }
     }
     [
-        usual("crushing machines", 0.2, 0.2),
-        usual("hammering machines", 0.2, 0.2),
-        usual("punching, shearing and power presses", 0.10, 0.15),
-        usual("pumps", 0.03, 0.05),
-        usual("machine tools", 0.03, 0.03),
-        usual("engines with belt transmission", 0.03, 0.03),
-        usual("paper, textile and weaving machines", 0.025, 0.025),
-        usual("rolling mills and mining machines", 0.025, 0.025),
-        usual("gear wheel transmissions", 0.02, 0.02),
-        usual("electrical machines", 0.003, 0.003),
-        usual("electrical machines, driven directly", 0.002, 0.002),
+        usual(text!("motor-usual-crushing"), 0.2, 0.2),
+        usual(text!("motor-usual-hammering"), 0.2, 0.2),
+        usual(text!("motor-usual-presses"), 0.10, 0.15),
+        usual(text!("motor-usual-pumps"), 0.03, 0.05),
+        usual(text!("motor-usual-tools"), 0.03, 0.03),
+        usual(text!("motor-usual-belt"), 0.03, 0.03),
+        usual(text!("motor-usual-paper"), 0.025, 0.025),
+        usual(text!("motor-usual-rolling"), 0.025, 0.025),
+        usual(text!("motor-usual-gears"), 0.02, 0.02),
+        usual(text!("motor-usual-electrical"), 0.003, 0.003),
+        usual(text!("motor-usual-electrical-direct"), 0.002, 0.002),
     ]
 };

@@ -1,17 +1,15 @@
 //! Warnings about a motor that can be used nevertheless.
 
+use assur_words::{Describe, Text, name, number, text};
+
 use crate::motor::rpm;
 use crate::{Characteristic, Motor};
 
 /// A remark on the drive, with its numbers. Speeds and torques are those of the motor shaft.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum MotorWarning {
     /// The motor is loaded beyond its breakdown torque, or would have to be.
-    #[error(
-        "the motor works at {:.1} rpm with {torque:.3} N*m, beyond its breakdown torque of {breakdown_torque:.3} N*m; \
-         it would stall: take a larger motor or a larger flywheel", rpm(*speed)
-    )]
     BeyondBreakdown {
         /// The worst working speed, rad/s.
         speed: f64,
@@ -21,10 +19,6 @@ pub enum MotorWarning {
         breakdown_torque: f64,
     },
     /// The motor cannot start under that load.
-    #[error(
-        "starting torque {available:.3} N*m is less than the {required:.3} N*m of the load at rest \
-         (by {:.3} N*m): start without load or take a larger motor", required - available
-    )]
     StartingTorque {
         /// Starting torque of the motor, N·m.
         available: f64,
@@ -32,10 +26,6 @@ pub enum MotorWarning {
         required: f64,
     },
     /// The motor becomes too hot in continuous duty.
-    #[error(
-        "root mean square torque {rms:.3} N*m exceeds the rated torque {rated:.3} N*m by {:.1} %: \
-         the motor overheats in continuous duty", 100.0 * (rms / rated - 1.0)
-    )]
     RmsTorque {
         /// Root mean square torque over a cycle, N·m.
         rms: f64,
@@ -43,11 +33,40 @@ pub enum MotorWarning {
         rated: f64,
     },
     /// The rotor counts as massless.
-    #[error("the rotor inertia of {designation} is not in its catalogue: it is not modelled")]
     RotorInertiaUnknown {
         /// The motor.
-        designation: String,
+        designation: Text,
     },
+}
+
+impl Describe for MotorWarning {
+    fn describe(&self) -> Text {
+        let torque_of = |torque: f64| number(format_args!("{torque:.3}"));
+        let tenths = |value: f64| number(format_args!("{value:.1}"));
+        match *self {
+            Self::BeyondBreakdown { speed, torque, breakdown_torque } => text!(
+                "motor-beyond-breakdown",
+                speed = tenths(rpm(speed)),
+                torque = torque_of(torque),
+                breakdown = torque_of(breakdown_torque)
+            ),
+            Self::StartingTorque { available, required } => text!(
+                "motor-starting-torque",
+                available = torque_of(available),
+                required = torque_of(required),
+                lack = torque_of(required - available)
+            ),
+            Self::RmsTorque { rms, rated } => text!(
+                "motor-rms-torque",
+                rms = torque_of(rms),
+                rated = torque_of(rated),
+                excess = tenths(100.0 * (rms / rated - 1.0))
+            ),
+            Self::RotorInertiaUnknown { ref designation } => {
+                text!("motor-rotor-inertia-unknown", designation = designation)
+            }
+        }
+    }
 }
 
 /// Whether one of the working speeds (rad/s, of the motor shaft) is beyond the breakdown point; the worst one.
@@ -104,6 +123,6 @@ pub fn check_rms(characteristic: &Characteristic, rms: f64) -> Option<MotorWarni
 
 /// Whether the rotor can be modelled.
 pub fn check_rotor_inertia(motor: &Motor) -> Option<MotorWarning> {
-    let designation = motor.designation.clone();
+    let designation = name(motor.designation.clone());
     motor.rotor_inertia.is_none().then_some(MotorWarning::RotorInertiaUnknown { designation })
 }

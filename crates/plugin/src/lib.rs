@@ -2,26 +2,31 @@
 //!
 //! `inventory` returns the entries in the order of linking, which is arbitrary; results must not depend on it.
 
+pub use assur_words::Text;
+use assur_words::{Describe, list, name, text};
 pub use inventory;
 use inventory::Collect;
 
+assur_words::resources!();
+
 /// A registry entry that plugins submit.
 pub trait Registered: Collect {
-    /// The sort of entry, for messages: `force analyzer`.
-    const WHAT: &'static str;
+    /// The sort of entry, for messages: force analyzer.
+    const WHAT: Text;
 
     /// Its stable identifier, which users write, and the crate that registers it.
     fn registration(&self) -> (&'static str, &'static str);
 }
 
-/// Makes a registry of a type: its entries are collected, and go by the named field; they have a field `crate_name`, too.
+/// Makes a registry of a type: its entries are collected, and go by the named field; they have a field `crate_name`, too. The
+/// text says what an entry is.
 #[macro_export]
 macro_rules! registry {
-    ($entry:ty, $what:literal, $name:ident) => {
+    ($entry:ty, $what:expr, $name:ident) => {
         $crate::inventory::collect!($entry);
 
         impl $crate::Registered for $entry {
-            const WHAT: &'static str = $what;
+            const WHAT: $crate::Text = $what;
 
             fn registration(&self) -> (&'static str, &'static str) {
                 (self.$name, self.crate_name)
@@ -31,13 +36,12 @@ macro_rules! registry {
 }
 
 /// A plugin that is missing, or registered twice.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RegistryError {
     /// Two plugins have the same name: a mistake of the build.
-    #[error("two plugins are registered as {what} `{name}`: {first} and {second}; rename one")]
     Duplicate {
         /// The sort of entry.
-        what: &'static str,
+        what: Text,
         /// The name.
         name: &'static str,
         /// The first crate.
@@ -46,32 +50,56 @@ pub enum RegistryError {
         second: &'static str,
     },
     /// Two plugins fit one thing equally well: a mistake of the build.
-    #[error(
-        "two plugins registered as {what} fit the same thing: `{}` of {} and `{}` of {}; leave one out, or declare one more \
-         precisely",
-        first.0, first.1, second.0, second.1
-    )]
     Ambiguous {
         /// The sort of entry.
-        what: &'static str,
+        what: Text,
         /// Name and crate of the first one.
         first: (&'static str, &'static str),
         /// Name and crate of the second one.
         second: (&'static str, &'static str),
     },
     /// Nothing is registered: a mistake of the build.
-    #[error("no {0} is registered; the program must link the plugins (`use assur_all as _;`)")]
-    Empty(&'static str),
+    Empty(Text),
     /// Nothing has this name.
-    #[error("no {what} is called `{name}`; there are: {}", known.join(", "))]
     Unknown {
         /// The sort of entry.
-        what: &'static str,
+        what: Text,
         /// The unknown name.
         name: String,
         /// The registered names.
         known: Vec<&'static str>,
     },
+}
+
+assur_words::errors!(RegistryError);
+
+impl Describe for RegistryError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Duplicate { what, name: of, first, second } => text!(
+                "plugin-twice",
+                what = what,
+                name = name(*of),
+                first = name(*first),
+                second = name(*second)
+            ),
+            Self::Ambiguous { what, first, second } => text!(
+                "plugin-ambiguous",
+                what = what,
+                first = name(first.0),
+                first_crate = name(first.1),
+                second = name(second.0),
+                second_crate = name(second.1)
+            ),
+            Self::Empty(what) => text!("plugin-empty", what = what),
+            Self::Unknown { what, name: asked, known } => text!(
+                "plugin-unknown",
+                what = what,
+                name = name(asked.clone()),
+                known = list(known.iter().map(|known| name(*known)))
+            ),
+        }
+    }
 }
 
 /// All registered entries of a kind, sorted by name.

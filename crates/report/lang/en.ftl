@@ -21,18 +21,22 @@ fact-checks-hold-partly = checks that hold for what there is
 fact-checks-fail = checks that FAIL
 fact-mean-speed = mean speed
 fact-unevenness = unevenness
-fact-dynamic-unevenness = dynamic unevenness (Artobolevsky)
+fact-dynamic-unevenness = dynamic unevenness
 fact-least-speed = least speed
 fact-greatest-speed = greatest speed
 fact-cycle-time = time of a cycle
-fact-excess-work = excess work between least and greatest speed
+fact-excess-work = excess work
 fact-mean-resistance = mean resisting moment, reduced to the input
+fact-mean-driving = mean driving moment of the loads, reduced to the input
 fact-resistance-work = net work that the loads take in a cycle
+fact-net-driving-work = net work that the loads do in a cycle
 fact-driving-work = work of driving loads over a cycle
 fact-resisting-work = work of resisting loads over a cycle
 fact-kinetic-energy = kinetic energy with flywheel and rotor
-fact-driving-moment = constant driving moment
+fact-driving-moment = driving moment
+fact-braking-moment = resisting moment of the drive
 fact-required-power = required power
+fact-power-taken = power that the drive takes up
 fact-motor = motor
 fact-motor-given = given by its rated data
 fact-catalogue = catalogue
@@ -66,7 +70,7 @@ given-moment = moment on { $link }
 given-brake = brake on { $link }, radius { $radius }, coefficient of friction { $friction }; the value is the pressing force
 given-spring = spring and damper between { $one } and { $other }
 given-spring-data = { $stiffness }, free length { $length }, damping { $damping }
-given-contact = contact force on the arc of { $link }, radius { $radius }
+given-contact = contact force on the arc of { $link }, radius { $radius }, coefficient of friction { $friction }
 given-table = table over { $over } ({ $by }; { $unit }): { $rows }
 given-over-coordinate = the input coordinate
 given-over-time = time
@@ -152,6 +156,7 @@ head-mean-speeds = Mean speeds, SI
 head-meaning = Meaning
 head-method = Method
 head-motor = Motor
+head-number = No.
 head-of = Of
 head-on = On
 head-order = Order
@@ -209,7 +214,7 @@ report-columns-shown = ... { $shown } of { $all } columns shown; all are in the 
 report-results = Results
 report-structure = Structure
 report-links = Moving links: { $count } ({ $links }), input link { $input }
-report-chebyshev = Mobility by Chebyshev's formula: W = 3*{ $links } - 2*{ $pairs } = { $mobility }
+report-chebyshev = Mobility by Chebyshev's formula:
 report-mobility-by-rank = Mobility by the rank of the constraints in the first position: { $mobility }
 report-note = Note: { $note }
 report-formula = Formula: { $formula }
@@ -217,7 +222,7 @@ report-class = Class of the mechanism: { $class }
 report-pairs = Pairs (R: turning, P: sliding)
 report-multiple-joint = R, multiple joint
 report-groups = Assur groups in solving order (way: the assembly in the first position, counted from 0)
-report-task = Geometry and masses
+report-task = Task
 report-task-text = The mechanism is calculated in { $positions ->
         [one] { $positions } position
        *[other] { $positions } positions
@@ -356,3 +361,266 @@ plan-at-infinity = at infinity, in this direction
 plan-no-relative-motion = no motion against each other
 plan-causes = Reactions by cause; the shares sum to the whole up to { $residual }
 plan-balancing = balancing
+
+# The explanatory note.
+note-title = Explanatory note
+note-author = Author
+note-group = Group
+note-variant = Variant
+note-figure = Figure { $number }. { $caption }
+note-table = Table { $number }. { $caption }
+note-main-results = Main results; greatest values are those of the calculated positions
+note-place = position { $position }, { $at }
+note-mechanism-moving = The mechanism over one cycle; on paper: { $at }
+note-input-link = Input link { $link }
+note-with-group = with group { $number }, { $kind }
+note-assembly = The mechanism assembled group by group, the new links in red: { $place }
+note-kinematics = Kinematics
+note-kinematics-text = Positions, transfer functions (first and second derivatives by the input coordinate), velocities and accelerations are found group by group. A length in a drawing, multiplied by its scale factor μ, is the true one. In the plans p is the pole; a small letter is the image of the point, with a prime that of the point of the guide under it; relative parts are dotted.
+note-mechanism-at = The mechanism: { $place }
+note-velocity-plan = Velocity plans: { $place }
+note-acceleration-plan = Acceleration plans: { $place }
+note-transfer = Transfer functions: { $of }
+note-forces = Forces
+note-forces-text = Reactions are found by the force analyzer { $analyzer }, from the last group back to the input link; inertia loads are added by D'Alembert's principle. In the polygons F are loads, R reactions of the pairs; the dotted line is the reaction within the group.
+note-loads-drawn = Loads over the cycle: a force along its direction, a moment counter-clockwise, a spring by its tension
+note-force-polygon = { $title }: { $place }
+note-polygon-vectors = { $title }: vectors
+note-position = Position
+note-force = Force
+note-reaction-curve = Reaction over the cycle and its hodograph: { $of }
+note-balancing-curve = Balancing load over the cycle
+note-motion-curves = Quantities of the motion
+note-dynamics = Dynamics
+note-dynamics-text = The periodic regime is found from the equation of motion of the input link, turn by turn, until the speed at the end of a turn is that of its beginning.
+note-regime = The regime
+note-speed-and-moments = Speed of the input link, moments and energies over the cycle
+note-link-of-reduction = The link of reduction with the reduced force F and the reduced mass m: { $place }
+note-shares-drawn = Reduced moment of inertia over the cycle, each share upon those before
+note-energy-mass = Energy-mass diagram with the lines of the greatest and the least speed, which touch it
+note-iteration-drawn = Iteration to the periodic regime, and trials of ratio and flywheel
+note-characteristic = Characteristic of the motor
+note-working = Working of position { $position }
+note-checks-text = Each result is checked by a residual, which must stay below a limit derived from the precision of the numbers; both are relative.
+note-model = Model and its limits
+note-model-text = Links are rigid, motion is plane, pairs have no clearance and no friction. What the task does not name is not modelled: links without a mass have no weight and no inertia.
+note-no-position = Positions without an assembly: { $positions }.
+note-no-forces = Positions without forces: { $positions }. At the first: { $reason }.
+note-too-many = a note shows at most { $most } positions of a scene of { $parts } links, points, slides and loads, and this one has { $count }; lower `positions` in [input]
+note-no-results = there are no results to write a note of
+
+# Words for keys of the drive and of events.
+drive-excess-work = excess work
+drive-excess-work-less-inertia = excess work, less the inertia of the links
+drive-mertsalov = Mertsalov's method
+drive-wittenbauer = Wittenbauer's method
+drive-exact = exact solution
+drive-input-shaft = input shaft
+drive-motor-shaft = shaft of the motor
+drive-kloss = Kloss's formula
+drive-linear = straight line
+event-coordinate = bound of a load along the coordinate
+event-speed = bound of a load in speed
+event-time = bound of a load in time
+event-reversal = reversal
+event-rest = rest
+event-held = speed held
+event-release = release
+
+# What is calculated, and how.
+explain-stages = Stages
+explain-modelled = Modelled
+explain-not-modelled = Not modelled
+explain-run = { $stage }: run: { $reason }; method: { $method }
+explain-left-out = { $stage }: left out: { $reason }
+explain-mobility = Mobility by Chebyshev's formula: W = 3*{ $links } - 2*{ $pairs } = { $mobility }
+explain-not-needed = not needed for what is asked for
+explain-carries-nothing = carries no load: its reactions are zero
+explain-singular-at = singular at: { $place }
+explain-and-more = { $names } and { $count } more
+explain-stage-structure = structure
+explain-structure = groups and their order are what everything else follows
+explain-matching = equations counted and matched to unknowns, strongly connected parts are the groups; mobility by Chebyshev's formula, not by the rank of the constraints, for which all groups would have to be placed
+explain-matching-and-rank = equations counted and matched to unknowns, strongly connected parts are the groups; mobility by Chebyshev's formula and by the rank of the constraints (singular values) in the first position
+explain-stage-positions = positions (PF0)
+explain-positions = { $positions ->
+        [one] { $positions } position
+       *[other] { $positions } positions
+    } over { $over }; { $needed } of { $groups } groups are needed for what is asked for
+explain-not-solved = not solved, nor looked at whether they can be assembled: { $groups }
+explain-input-alone = the input link alone
+explain-group-by-group = group after group by the registered kinds ({ $kinds }); the assembly is followed by continuity from the first position
+explain-angle-of = the angle of `{ $link }`
+explain-displacement-of = the displacement of `{ $link }`
+explain-stage-transfer = transfer functions (PF1, PF2)
+explain-derivatives-input = of the input link, exact
+explain-derivatives-constraints = derivatives of the constraints of each group by the input coordinate, not by differences
+explain-derivatives-both = derivatives of the closed forms of each group by the input coordinate, of the constraints where a kind iterates, not by differences
+explain-derivatives-closed = derivatives of the closed forms of each group by the input coordinate, not by differences
+explain-order-0 = orders up to 0: nothing that is asked for needs derivatives; saves PF1 and PF2 of { $groups ->
+        [one] { $groups } group
+       *[other] { $groups } groups
+    }
+explain-order-1 = orders up to 1, for: { $what }; nothing needs PF2; saves PF2 of { $groups ->
+        [one] { $groups } group
+       *[other] { $groups } groups
+    }
+explain-order-2 = orders up to 2, for: { $what }
+explain-stage-velocities = velocities and accelerations
+explain-has-motion = the scene has a `[motion]`
+explain-add-motion = no motion is given; add `[motion]` with a speed
+explain-no-rates-asked = `[output]` asks for no link, point or slide
+explain-stage-reduction = reduction to the input link
+explain-sums = sums over masses and loads with the transfer functions of their points (S eqs. 1-3)
+explain-no-reaction-asked = `[output]` asks for no reaction
+explain-nothing-to-reduce = no link has a mass and nothing loads the links
+explain-reduced = J, dJ/dq and Q of all moving links and loads make the equation of motion
+explain-reduced-without-mass = Q of all loads; no link has a mass: J is zero, and dJ/dq is not computed
+explain-reduced-constant = J and Q of all moving links and loads make the equation of motion; J is the same at every coordinate, as { $links } alone has mass and turns or slides with the coordinate, or rests: dJ/dq is exactly zero and not computed
+explain-stage-motion = equation of motion
+explain-no-motion = no motion is given
+explain-prescribed = speed and acceleration are prescribed; `kind = "transient"` or "steady" would find them
+explain-transient = the motion follows from an initial state
+explain-integrator = integrator `{ $method }`
+explain-steady = the periodic regime is wanted: J w dw/dq + J' w^2/2 = Q + M over one cycle
+explain-shooting = shooting: the speed over the cycle by collocation of order 15 between all jumps of the loads, a Newton step on the speed at the start; no integrator in time
+explain-stage-drive = drive and flywheel
+explain-no-drive = no motor, reducer or flywheel is given; add `[drive]`
+explain-drive-useless = `[drive]` has no use where the motion is prescribed or absent
+explain-drive-given = the scene has a `[drive]`, all of it given
+explain-drive-wanted = the scene has a `[drive]`; wanted: { $what }
+explain-wanted-moment = the constant moment that makes the work of a cycle zero
+explain-wanted-motor = the motor
+explain-wanted-ratio = the gear ratio
+explain-wanted-flywheel = the flywheel
+explain-least-motor = the least rated power that suffices and keeps the greatest motor speed (S stage 5)
+explain-kloss = torque over speed by Kloss's formula
+explain-linear = torque over speed as the straight line through synchronous and rated speed
+explain-constant-moment = a constant moment on the input link
+explain-no-torque = no torque
+explain-newton-search = ratio and flywheel by a Newton search in which every trial has its own periodic regime (S stage 6); beside it the flywheel by E eqs. 9 and 10, Mertsalov and the energy-mass diagram
+explain-stage-inertia = inertia loads
+explain-inertia = links with mass move at a known speed
+explain-dalembert = -m a at the center of mass and -I e (d'Alembert)
+explain-static = no motion is given: the force analysis is static
+explain-no-mass = no link has a mass
+explain-stage-reactions = reactions
+explain-loads-act = loads act on the links
+explain-links-have-inertia = the links have inertia
+explain-reactions-zero = the scene has a `[motion]`, but neither mass nor load: every reaction is zero
+explain-analyzer = force analyzer `{ $analyzer }` (`assur plugins` lists others)
+explain-no-load = there is neither a load nor a motion; add `gravity`, `[[force]]` or `[motion]`
+explain-idle-as-one-system = { $groups }: no load reaches it, but this method solves the mechanism as one system (`groups` would leave it out)
+explain-idle = { $idle } of { $all } groups not solved, as no load reaches them (no weight, mass in motion, force, moment, spring, contact or balancing load on their links, nor on a group behind them), so that their reactions are exactly zero: { $groups }
+explain-stage-balancing = balancing load
+explain-with-reactions = it is found together with the reactions
+explain-balance-moment = a moment on `{ $link }`, from `[balance]`
+explain-balance-force = a force on `{ $link }`, from `[balance]`
+explain-input-moment = a moment on the input link `{ $link }`
+explain-input-force = a force on the input link `{ $link }`
+explain-equilibrium-of-input = equilibrium of the input link, which comes last
+explain-stage-checks = checks
+explain-checks-need-all = `[output]` leaves groups out; the checks need the whole mechanism (`assur check`)
+explain-residuals = the residuals show how far the numbers can be trusted
+explain-checks = closure of every pair, derivatives against differences, equilibrium of every link, agreement of two analyzers, Lagrange-d'Alembert, virtual power against the balancing load
+
+# What is modelled.
+model-links = links
+model-links-how = { $count ->
+        [one] { $count } moving link
+       *[other] { $count } moving links
+    }, rigid, in one plane
+model-pairs = pairs
+model-pairs-how = { $pins ->
+        [one] { $pins } pin
+       *[other] { $pins } pins
+    } and { $slides ->
+        [one] { $slides } slide
+       *[other] { $slides } slides
+    }, ideal: no play, no friction
+model-masses = masses
+model-masses-how = of { $count ->
+        [one] { $count } link
+       *[other] { $count } links
+    }, { $sum } in all, at their centers of mass
+model-weights-how = gravity ({ $gravity })
+model-motion = motion
+model-prescribed = speed and acceleration of the input are prescribed, the same in every position; time counts from the first position and follows from both
+model-prescribed-with-inertia = speed and acceleration of the input are prescribed, the same in every position; time counts from the first position and follows from both; inertia loads follow from them
+model-transient = found from the initial state: masses and loads against each other
+model-steady = the periodic regime: the speed comes back after every cycle, run-up is not looked at
+model-against-motion = always against the motion of its point
+model-turns-with-link = in a direction that turns with the link
+model-fixed-direction = in a fixed direction
+model-at-point = at a point of `{ $link }`
+model-brake = a shoe on the disc of `{ $link }`, its moment always against the rotation, the pressing force { $law }
+model-moment = on `{ $link }`, { $law }
+model-spring = between `{ $one }` and `{ $other }`, massless, along the line between its ends, linear, { $damped }
+model-undamped = without damping
+model-damped = with damping
+model-constant = constant
+model-over-coordinate = by a table over the input coordinate
+model-over-speed = by a table over the input speed, which is counted along the direction of the input
+model-over-time = by a table over time
+model-formula-speed = by a formula, whose `w` is the input speed along the direction of the input
+model-formula = by a formula
+model-stroke = by tables over the stroke of the point, forward and back
+model-contact = an arc on a straight line of the ground, { $touches }, with the force that is given; { $rubs }
+model-contact-smooth = without friction (add `friction` to the `[[contact]]`)
+model-contact-against-sliding = its friction is a given part of the force, against the sliding of the arc
+model-contact-rough = its friction is a given part of the force, in a given sense
+model-contact-interval = in its interval
+model-contact-always = in every position
+model-drive = drive
+model-drive-motor = the motor's torque by its steady characteristic over speed, through the gear ratio, at the input shaft
+model-drive-balance = a constant torque at the input shaft, which makes the work of a cycle zero
+model-drive-constant = a constant torque at the input shaft, along the direction of the input
+model-drive-none = no torque: the drive has neither `motor` nor `torque`
+model-rotor = of the motor, at the input shaft with the square of the gear ratio
+model-losses = a constant efficiency of the reducer, { $efficiency }, whatever speed and load
+model-flywheel = a constant moment of inertia on its shaft
+
+# What is not modelled.
+missing-mass = mass of { $links }
+missing-mass-how = the scene gives none, so they have neither weight nor inertia loads; add `mass`, `center` and `inertia` to the link
+missing-inertia = moment of inertia of { $links }
+missing-inertia-how = the scene gives none; add `inertia` (about the center of mass) to the link
+missing-inertia-needless = the scene gives none, and none is missed: sliding on the ground, it never turns
+missing-weights = weights
+missing-weights-mass = there is gravity, but no link has a mass; add `mass` to the links
+missing-weights-gravity = the scene gives no gravity (a horizontal mechanism needs none); add `gravity = "9.81 m/s^2"`
+missing-weights-both = the scene gives neither gravity nor masses; add `gravity = "9.81 m/s^2"` and `mass` to the links
+missing-velocities = velocities and inertia loads
+missing-velocities-how = the scene gives no motion; add `[motion]` with a speed
+missing-fluctuation = fluctuation of the input speed
+missing-fluctuation-how = the motion is prescribed, whatever moment it takes; `kind = "steady"` or "transient" in `[motion]` finds the speed from masses and loads
+missing-run-up = run-up and standstill
+missing-run-up-how = the periodic regime alone is looked at; `kind = "transient"` in `[motion]` follows the motion from an initial state
+missing-loads = working loads
+missing-loads-how = the scene gives none; add `[[force]]`, `[[moment]]`, `[[spring]]` or `[[contact]]`
+missing-damping = damping, resistance of air and oil
+missing-damping-how = the scene gives none; add a `[[spring]]` with `damping`, or a load over the speed
+missing-drive = motor, reducer, rotor inertia, drive losses and flywheel
+missing-drive-useless = `[drive]` has no use with a motion that is prescribed or absent; take `kind = "steady"` or "transient"
+missing-drive-how = the scene gives no drive; add `[drive]` with `motor` and `flywheel`
+missing-drive-prescribed = the input is moved as it is prescribed, by the balancing load; add `[drive]` with `motor` and `flywheel`, and `kind = "steady"` or "transient" to `[motion]`
+missing-rotor = rotor inertia
+missing-rotor-how = the rated data give none; add `inertia` to `motor`
+missing-rotor-no-motor = the drive has no motor; name one with `motor` in `[drive]`
+missing-electrical = electrical transients of the motor
+missing-electrical-how = its torque follows the speed at once, by the steady characteristic; they can't be included
+missing-reducer = inertia and elasticity of the reducer
+missing-reducer-how = the ratio is rigid and massless; add its inertia to `flywheel`, reduced to that shaft
+missing-losses = drive losses
+missing-losses-how = the reducer has no losses; add `efficiency` to `[drive]` (it counts with a motor)
+missing-flywheel = flywheel
+missing-flywheel-how = the drive has none; add `flywheel` to `[drive]`
+missing-friction = friction in pairs
+missing-friction-how = the pairs are ideal, so their reactions do no work, and the reactions themselves make no friction; a known friction force is a `[[force]]` with `against_motion = true`
+missing-friction-given = the pairs are ideal, so their reactions do no work, and the reactions themselves make no friction; { $forces }, against the motion, may stand for some of it, with the size that the scene gives
+missing-elasticity = elasticity of links
+missing-elasticity-how = the links are rigid; an elastic part can be two links with a `[[spring]]` between them only where the mobility stays 1
+missing-clearance = clearance in pairs, impacts
+missing-clearance-how = pins and guides fit exactly; it can't be included (where a force in a guide changes its sign, the results report it)
+missing-spatial = forces across the plane
+missing-spatial-how = the mechanism and all loads lie in one plane; it can't be included

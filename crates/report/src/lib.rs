@@ -4,14 +4,12 @@
 //! the text report converts (degrees, millimeters).
 
 pub mod csv;
-mod explain;
 mod fold;
 pub mod json;
 mod template;
 pub mod text;
 pub mod topic;
 
-pub use explain::explain;
 pub use fold::to_ascii;
 
 assur_words::resources!();

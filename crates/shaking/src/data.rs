@@ -3,6 +3,7 @@
 use assur_force::LoadError;
 use assur_kinematics::PositionError;
 use assur_mechanism::Mechanism;
+use assur_words::{Describe, Text, text};
 use serde::Serialize;
 
 /// Shaking force and moment of a mechanism over its cycle.
@@ -119,28 +120,45 @@ pub struct AtPosition {
 }
 
 /// Why the shaking force of a scene is not found.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum ShakingError {
     /// The positions are no closed cycle.
-    #[error("the shaking force is found over a cycle: give `[input] cycle` instead of `to`")]
     NoCycle,
     /// Nothing moves.
-    #[error(
-        "the shaking force needs a motion over the cycle: give `[motion]` of the kind prescribed or steady"
-    )]
     NoMotion,
     /// No link has a mass.
-    #[error(
-        "no moving link has a mass or a moment of inertia, so there is no shaking force: give `[link.NAME] mass`"
-    )]
     NoMass,
     /// A load can't be compiled.
-    #[error(transparent)]
-    Load(#[from] LoadError),
+    Load(LoadError),
     /// A position of the cycle has no solution.
-    #[error(transparent)]
-    Position(#[from] PositionError),
+    Position(PositionError),
+}
+
+assur_words::errors!(ShakingError);
+
+impl From<LoadError> for ShakingError {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
+    }
+}
+
+impl From<PositionError> for ShakingError {
+    fn from(error: PositionError) -> Self {
+        Self::Position(error)
+    }
+}
+
+impl Describe for ShakingError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::NoCycle => text!("shaking-no-cycle"),
+            Self::NoMotion => text!("shaking-no-motion"),
+            Self::NoMass => text!("shaking-no-mass"),
+            Self::Load(error) => error.describe(),
+            Self::Position(error) => error.describe(),
+        }
+    }
 }
 
 impl ShakingError {

@@ -18,6 +18,8 @@ mod samples;
 mod scaling;
 mod study;
 
+assur_words::resources!();
+
 pub use data::ShakingError;
 pub use data::{AtPosition, Balanced, Counterweight, Criterion, Harmonic, Proof, Shaking, Size};
 pub use study::shaking;

@@ -4,8 +4,8 @@ use std::collections::{HashMap, HashSet, VecDeque};
 
 use assur_group::{GroupFrame, Pair, plugin_for};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId};
+use assur_words::{Text, name, text};
 
-use crate::error::some;
 use crate::frame::{Incidence, frame_of, input_pair, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{Counted, Group, Mobility, NamedPair, Structure, StructureError, name_of, roman};
@@ -116,10 +116,8 @@ fn refuse_other_mobility(
             Err(StructureError::Surplus { counted, pairs, links })
         }
         (surplus, false) => {
-            let also = surplus.map_or(String::new(), |(pairs, _)| {
-                format!(" (while the pairs {} have one constraint too many)", some(&pairs, str::to_owned))
-            });
-            Err(StructureError::Loose { counted, links: loose, also })
+            let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);
+            Err(StructureError::Loose { counted, links: loose, surplus })
         }
     }
 }
@@ -149,15 +147,15 @@ fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Re
 }
 
 /// The pairs of a group in letters and names: `inner R B, outer R A, P ram/ground`.
-fn pattern(mechanism: &Mechanism, frame: &GroupFrame, pairs: &[NamedPair]) -> String {
+fn pattern(mechanism: &Mechanism, frame: &GroupFrame, pairs: &[NamedPair]) -> Text {
     let named = |list: &[Pair]| {
         let names = list.iter().map(|pair| {
             let letter = if pair.is_slide() { "P" } else { "R" };
-            format!("{letter} {}", name_of(mechanism, pairs[pair.id].source))
+            name(format!("{letter} {}", name_of(mechanism, pairs[pair.id].source)))
         });
-        names.collect::<Vec<_>>().join(", ")
+        assur_words::list(names)
     };
-    format!("inner {}; outer {}", named(&frame.inner), named(&frame.outer))
+    text!("structure-pattern", inner = named(&frame.inner), outer = named(&frame.outer))
 }
 
 fn formula(mechanism: &Mechanism, groups: &[Group]) -> String {

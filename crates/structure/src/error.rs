@@ -1,6 +1,7 @@
 //! Errors in decomposing a mechanism.
 
 use assur_group::{BuildError, RegistryError};
+use assur_words::{Describe, Text, joined, list, name, number, text};
 
 /// The mobility count that an error shows.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,29 +13,19 @@ pub struct Counted {
 }
 
 /// Why a mechanism can't be decomposed into groups.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum StructureError {
     /// Some links can move while the input is fixed.
-    #[error(
-        "mobility {} ({}), but one input moves the mechanism: {} can still move while the input is fixed{also}; \
-         join {} to another link by one more pair, or leave out what hangs there",
-        counted.mobility, counted.formula, listed("link", "links", links), if links.len() == 1 { "it" } else { "them" }
-    )]
     Loose {
         /// The count.
         counted: Counted,
         /// The links that are loose.
         links: Vec<String>,
-        /// Addition for surplus pairs elsewhere; may be empty.
-        also: String,
+        /// Pairs elsewhere of which one is surplus.
+        surplus: Vec<String>,
     },
     /// Some pairs constrain what is already fixed.
-    #[error(
-        "mobility {} ({}), must be 1: {} one constraint too many on {}; take one pair or one link away there \
-         (a passive link that only repeats a motion must be left out of the scene)",
-        counted.mobility, counted.formula, surplus(pairs), listed("link", "links", links)
-    )]
     Surplus {
         /// The count.
         counted: Counted,
@@ -44,11 +35,6 @@ pub enum StructureError {
         links: Vec<String>,
     },
     /// No plugin solves a group.
-    #[error(
-        "{} form a group of class {}, order {order} ({pattern}); no plugin is registered for it \
-         (see `assur plugins`; another input link may give other groups)",
-        listed("link", "links", links), crate::roman(*class)
-    )]
     NoPlugin {
         /// Its links.
         links: Vec<String>,
@@ -57,19 +43,17 @@ pub enum StructureError {
         /// Its order.
         order: u8,
         /// Its pairs by letter and name.
-        pattern: String,
+        pattern: Text,
     },
     /// The lengths don't form a group of the kind.
-    #[error("{group}: {source}")]
     Build {
         /// The group.
-        group: String,
+        group: Text,
         /// What is wrong.
         source: BuildError,
     },
     /// The registry of groups is faulty.
-    #[error(transparent)]
-    Registry(#[from] RegistryError),
+    Registry(RegistryError),
 }
 
 impl StructureError {
@@ -87,22 +71,60 @@ impl StructureError {
 /// Most names that a message lists.
 const MOST_NAMES: usize = 24;
 
-fn listed(one: &str, many: &str, names: &[String]) -> String {
-    let noun = if names.len() == 1 { one } else { many };
-    format!("{noun} {}", some(names, |name| format!("`{name}`")))
+/// The first of some names in their quotes, and how many there are.
+fn some(names: &[String], quote: &str) -> Text {
+    let first = names.iter().take(MOST_NAMES).map(|found| name(format!("{quote}{found}{quote}")));
+    let first = list(first);
+    if names.len() <= MOST_NAMES {
+        return first;
+    }
+    text!("structure-some", names = first, shown = MOST_NAMES, total = names.len())
 }
 
-/// The first of some names, and how many there are.
-pub(crate) fn some(names: &[String], shown: impl Fn(&str) -> String) -> String {
-    let first: Vec<_> = names.iter().take(MOST_NAMES).map(|name| shown(name)).collect();
-    let more = if names.len() > MOST_NAMES {
-        format!(" ... ({MOST_NAMES} of {} shown)", names.len())
-    } else {
-        String::new()
-    };
-    first.join(", ") + &more
+fn links_named(links: &[String]) -> Text {
+    text!("structure-links-named", count = links.len(), links = some(links, "`"))
 }
 
-fn surplus(pairs: &[String]) -> String {
-    format!("{} give{}", listed("pair", "pairs", pairs), if pairs.len() == 1 { "s" } else { "" })
+assur_words::errors!(StructureError);
+
+impl From<RegistryError> for StructureError {
+    fn from(error: RegistryError) -> Self {
+        Self::Registry(error)
+    }
+}
+
+impl Describe for StructureError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Loose { counted, links, surplus } => text!(
+                "structure-loose",
+                mobility = number(counted.mobility),
+                formula = name(counted.formula.clone()),
+                links = links_named(links),
+                count = links.len(),
+                also = if surplus.is_empty() {
+                    Text::default()
+                } else {
+                    text!("structure-loose-also", pairs = some(surplus, ""))
+                }
+            ),
+            Self::Surplus { counted, pairs, links } => text!(
+                "structure-surplus",
+                mobility = number(counted.mobility),
+                formula = name(counted.formula.clone()),
+                pairs = text!("structure-pairs", count = pairs.len(), pairs = some(pairs, "`")),
+                count = pairs.len(),
+                links = links_named(links)
+            ),
+            Self::NoPlugin { links, class, order, pattern } => text!(
+                "structure-no-plugin",
+                links = links_named(links),
+                class = name(crate::roman(*class)),
+                order = number(order),
+                pattern = pattern
+            ),
+            Self::Build { group, source } => joined(": ", [group.clone(), source.describe()]),
+            Self::Registry(error) => error.describe(),
+        }
+    }
 }

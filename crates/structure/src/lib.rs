@@ -11,6 +11,8 @@ mod frame;
 mod graph;
 mod taken_apart;
 
+assur_words::resources!();
+
 pub use error::{Counted, StructureError};
 pub use taken_apart::{Group, Mobility, NamedPair, Structure, name_of, roman};
 

@@ -1,7 +1,8 @@
 //! A mechanism decomposed into its pairs and groups.
 
 use assur_group::{GroupFrame, GroupPlugin, Pair, SeenPair};
-use assur_mechanism::{LinkId, Mechanism, Name, PairId};
+use assur_mechanism::{Mechanism, Name, PairId};
+use assur_words::{Text, list, name, text};
 
 /// A mechanism decomposed into its pairs and groups.
 #[derive(Debug, Clone)]
@@ -72,10 +73,10 @@ impl Structure {
     }
 
     /// `group 1 (RRR rod, rocker)`, for messages.
-    pub fn group_name(&self, mechanism: &Mechanism, group: usize) -> String {
+    pub fn group_name(&self, mechanism: &Mechanism, group: usize) -> Text {
         let found = &self.groups[group];
-        let names = link_names(mechanism, &found.frame.links);
-        format!("group {} ({} {})", group + 1, found.plugin.kind, names.join(", "))
+        let links = found.frame.links.iter().map(|&link| Text::from(&mechanism.links[link].name));
+        text!("structure-group", number = group + 1, kind = name(found.plugin.kind), links = list(links))
     }
 }
 
@@ -95,10 +96,6 @@ pub fn name_of(mechanism: &Mechanism, pair: PairId) -> &Name {
         PairId::Pin(point) => &mechanism.points[point].name,
         PairId::Slide(slide) => &mechanism.slides[slide].name,
     }
-}
-
-fn link_names<'a>(mechanism: &'a Mechanism, links: &[LinkId]) -> Vec<&'a str> {
-    links.iter().map(|&link| mechanism.links[link].name.as_str()).collect()
 }
 
 /// Roman numeral of a class.

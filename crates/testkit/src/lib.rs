@@ -23,6 +23,7 @@ use assur_group::{
     kernel_of,
 };
 use assur_number::Dd;
+use assur_words::Text;
 
 use case::Case;
 use sample::Sample;
@@ -74,6 +75,9 @@ pub fn judge(name: &str) -> Result<(), Fault> {
     tried.enough()
 }
 
+/// The words of a kind of a test.
+const TEST: Text = Text::message("test", Vec::new());
+
 /// The entry of a kind that has nothing but its pattern: it iterates, and finds the assembly near its start.
 pub const fn iterated(name: &'static str, pattern: Pattern) -> GroupPlugin {
     GroupPlugin {
@@ -81,13 +85,13 @@ pub const fn iterated(name: &'static str, pattern: Pattern) -> GroupPlugin {
         kind: name,
         number: 0,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "a kind of a test",
+        summary: TEST,
         pattern,
-        ways: Ways { most: 1, varies: false, words: "the one near the start" },
+        ways: Ways { most: 1, varies: false, words: TEST },
         iterates: true,
-        singular: "where its determinant is 0",
+        singular: TEST,
         force_angle: ForceAngle::DEFAULT,
-        source: "a test",
+        source: TEST,
         builders: Builders::of::<Iterated>(),
     }
 }

@@ -23,7 +23,7 @@ pub struct WorkingPlugin {
     pub reactions: Write,
 }
 
-assur_plugin::registry!(WorkingPlugin, "working of group", group);
+assur_plugin::registry!(WorkingPlugin, assur_plugin::Text::message("group-working-sort", Vec::new()), group);
 
 /// The working of a kind of group; `None` if the kind provides none.
 ///

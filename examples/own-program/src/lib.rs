@@ -4,3 +4,6 @@
 #![doc = include_str!("../../../docs/plugins.md")]
 
 mod triad;
+
+// The words of its plugin: lang/en.ftl, lang/uk.ftl, lang/ru.ftl.
+assur_words::resources!();

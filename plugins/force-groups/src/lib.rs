@@ -13,13 +13,16 @@ use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, group_by
 use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
+use assur_words::{Text, text};
+
+assur_words::resources!();
 
 assur_force::inventory::submit! {
     AnalyzerPlugin {
         name: "groups",
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "group by group from the last to the input link: every reaction and the balancing load",
-        source: "S stage 9: kinetostatics of Assur groups",
+        summary: text!("force-groups"),
+        source: text!("force-groups.source"),
         instance: &Groups,
         gives_reactions: true,
         by_groups: true,
@@ -32,7 +35,7 @@ assur_force::inventory::submit! {
 pub struct Groups;
 
 impl ForceAnalyzer for Groups {
-    fn supports(&self, _linkage: &Linkage) -> Result<(), String> {
+    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
         Ok(())
     }
 

@@ -5,6 +5,7 @@ use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::Value;
+use assur_words::{Text, joined, name, quantity, text};
 
 use crate::deliver::{at_a, at_b};
 use crate::layout::{End, Layout};
@@ -15,13 +16,13 @@ const PARALLEL: f64 = 1e-12;
 
 /// What the drawing needs besides [`Setting`] and [`Unknowns`].
 #[derive(Debug)]
-pub(crate) struct Scene<'a> {
-    coupler: &'a str,
-    third: &'a str,
-    a: &'a str,
-    b: &'a str,
-    o: &'a str,
-    end: &'a str,
+pub(crate) struct Scene {
+    coupler: Text,
+    third: Text,
+    a: Text,
+    b: Text,
+    o: Text,
+    end: Text,
     /// Points of action of the coupler's loads, m: K is one of them where possible.
     places: Vec<[f64; 2]>,
     /// Force directly on the ground, N.
@@ -29,16 +30,16 @@ pub(crate) struct Scene<'a> {
     third_load: [f64; 2],
 }
 
-impl<'a> Scene<'a> {
+impl Scene {
     pub(crate) fn of(
         layout: &Layout,
-        linkage: &'a Linkage,
+        linkage: &Linkage,
         bodies: &[Body<f64>],
         loads: &[Wrench<f64>],
     ) -> Self {
         let mechanism = &linkage.mechanism;
-        let name = |link: usize| mechanism.links[link].name.as_str();
-        let pair = |id: usize| linkage.structure.pair_name(mechanism, id);
+        let link = |link: usize| Text::from(&mechanism.links[link].name);
+        let pair = |id: usize| Text::from(linkage.structure.pair_name(mechanism, id));
         let forces = mechanism.forces.iter().filter(|force| force.at.link == layout.coupler);
         let mut places: Vec<_> = forces.map(|force| bodies[layout.coupler].point(force.at.at)).collect();
         for contact in mechanism.contacts.iter().filter(|contact| contact.center.link == layout.coupler) {
@@ -62,8 +63,8 @@ impl<'a> Scene<'a> {
             End::Pin(pin) => pin.id,
         };
         Self {
-            coupler: name(layout.coupler),
-            third: name(layout.third),
+            coupler: link(layout.coupler),
+            third: link(layout.third),
             a: pair(layout.a.id),
             b: pair(layout.b.id),
             o: pair(layout.o.id),
@@ -104,11 +105,11 @@ impl Pole {
 fn push<const N: usize>(
     draft: &mut Vec<Step>,
     (drawing, kind): (Drawing, VectorKind),
-    steps: [(&str, [f64; 2], [f64; 2], String); N],
+    steps: [(&'static str, [f64; 2], [f64; 2], Text); N],
 ) {
     let unit = if matches!(kind, VectorKind::Point | VectorKind::Line) { "m" } else { "N" };
-    draft.extend(steps.map(|(name, start, vector, note)| Step {
-        name: name.to_owned(),
+    draft.extend(steps.map(|(symbol, start, vector, note)| Step {
+        name: name(symbol),
         kind,
         drawing,
         start,
@@ -119,7 +120,7 @@ fn push<const N: usize>(
 }
 
 /// All steps in order.
-pub(crate) fn draw(scene: &Scene<'_>, at: &Setting, found: &Unknowns) -> Construction {
+pub(crate) fn draw(scene: &Scene, at: &Setting, found: &Unknowns) -> Construction {
     let mut draft = Vec::new();
     let pole = Pole::of(at);
     loads(&mut draft, scene, at);
@@ -131,38 +132,34 @@ pub(crate) fn draw(scene: &Scene<'_>, at: &Setting, found: &Unknowns) -> Constru
     // A pole far off the paper is of no use to lay forces off from.
     let near = |place: &[f64; 2]| (place[0] - at.a[0]).hypot(place[1] - at.a[1]) < 100.0 * crank;
     let corner = pole.place(at).filter(near).unwrap_or(at.a);
-    let title =
-        format!("Longitudinal reactions: pole of `{}`, balancing force at {}", scene.coupler, scene.a);
+    let title = text!("force-longitudinal-title", coupler = &scene.coupler, point = &scene.a);
     Construction { title, corner, steps: draft }
 }
 
 /// F and its components.
-fn loads(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting) {
-    let (third, b) = (scene.third, scene.b);
+fn loads(draft: &mut Vec<Step>, scene: &Scene, at: &Setting) {
+    let Scene { third, b, end, coupler, .. } = scene;
     if at.known != [0.0, 0.0] {
-        let (name, what) = if at.slider {
-            ("F3", format!("the loads of `{third}` along its guide act on the coupler at {b}"))
+        let (symbol, what) = if at.slider {
+            ("F3", text!("force-longitudinal-along-guide", third = third, point = b))
         } else {
-            let end = scene.end;
-            (
-                "R3t",
-                format!(
-                    "moments about {end}: the loads of `{third}` put this across it on the coupler at {b}"
-                ),
-            )
+            ("R3t", text!("force-longitudinal-across-rocker", end = end, third = third, point = b))
         };
-        push(draft, (Drawing::Mechanism, VectorKind::Load), [(name, at.b, at.known, what)]);
+        push(draft, (Drawing::Mechanism, VectorKind::Load), [(symbol, at.b, at.known, what)]);
     }
     let (k, couple) = point_of_action(scene, at);
-    let rest = if couple == 0.0 { String::new() } else { format!("; a couple of {couple:.6e} N m remains") };
-    let what = "the point at which the loads of the coupler are taken".to_owned();
+    let what = text!("force-longitudinal-point");
     push(draft, (Drawing::Mechanism, VectorKind::Point), [("K", k, [0.0; 2], what)]);
-    let what = format!("all that loads the coupler `{}`, as one force through K{rest}", scene.coupler);
+    let mut what = text!("force-longitudinal-load", coupler = coupler);
+    if couple != 0.0 {
+        let couple = quantity(format_args!("{couple:.6e}"), "N m");
+        what = joined("; ", [what, text!("force-longitudinal-couple", couple = couple)]);
+    }
     push(draft, (Drawing::Mechanism, VectorKind::Load), [("F", k, at.force, what)]);
 }
 
 /// K: a point of action of a load, if it is on the line of F and off the line KP; and the remaining couple.
-fn point_of_action(scene: &Scene<'_>, at: &Setting) -> ([f64; 2], f64) {
+fn point_of_action(scene: &Scene, at: &Setting) -> ([f64; 2], f64) {
     let action = at.action();
     if action.couple != 0.0 || at.force == [0.0, 0.0] {
         return (action.at, action.couple);
@@ -180,15 +177,14 @@ fn point_of_action(scene: &Scene<'_>, at: &Setting) -> ([f64; 2], f64) {
     (real.chain(made).find(sound).unwrap_or(action.at), 0.0)
 }
 
-fn lines(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, pole: Pole) {
-    let third = if at.slider { "the normal to the guide" } else { "the line of the rocker" };
+fn lines(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, pole: Pole) {
+    let third =
+        if at.slider { text!("force-longitudinal-normal") } else { text!("force-longitudinal-rocker") };
     let Some(place) = pole.place(at) else {
         let (crank, length) = at.crank();
         let along = scaled(2.0 * length, crank);
-        let first =
-            "the line of the crank; it is parallel to the other line, so that the pole P is at infinity"
-                .to_owned();
-        let second = format!("{third}; P is at infinity along it");
+        let first = text!("force-longitudinal-crank-parallel");
+        let second = text!("force-longitudinal-at-infinity", line = third);
         push(
             draft,
             (Drawing::Mechanism, VectorKind::Line),
@@ -196,16 +192,16 @@ fn lines(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, pole: Pole) {
         );
         return;
     };
-    let first = format!("the line of the crank, {}{}", scene.o, scene.a);
-    let second = format!("{third} through {}", scene.b);
+    let first = text!("force-longitudinal-crank-line", line = joined("", [scene.o.clone(), scene.a.clone()]));
+    let second = text!("force-longitudinal-through", line = third, point = &scene.b);
     let lines = [("OP", at.o, minus(place, at.o), first), ("BP", at.b, minus(place, at.b), second)];
     push(draft, (Drawing::Mechanism, VectorKind::Line), lines);
-    let what = format!("the pole: instant center of the coupler `{}`, where both lines meet", scene.coupler);
+    let what = text!("force-longitudinal-pole", coupler = &scene.coupler);
     push(draft, (Drawing::Mechanism, VectorKind::Point), [("P", place, [0.0; 2], what)]);
 }
 
 /// F along KA and KP, and the balancing force.
-fn resolution(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Unknowns, pole: Pole) {
+fn resolution(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, found: &Unknowns, pole: Pole) {
     let (k, couple) = point_of_action(scene, at);
     let (to_a, to_p) = (minus(at.a, k), pole.from(k, at));
     let turn = cross(to_a, to_p);
@@ -216,25 +212,27 @@ fn resolution(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Un
         let unit = scaled(to_a[0].hypot(to_a[1]) / to_p[0].hypot(to_p[1]), to_p);
         let line = pole.place(at).map_or(unit, |place| minus(place, k));
         let lines = [
-            ("KA", k, to_a, format!("from K to {}", scene.a)),
-            ("KP", k, line, "from K to the pole".to_owned()),
+            ("KA", k, to_a, text!("force-longitudinal-to-point", point = &scene.a)),
+            ("KP", k, line, text!("force-longitudinal-to-pole")),
         ];
         push(draft, (Drawing::Mechanism, VectorKind::Line), lines);
     }
     let (along, _) = at.crank();
     let across = scaled(dot(part_a, perp(along)), perp(along));
-    let through_pole = "the part of F along KP: it goes through the pole and does no work".to_owned();
-    let moved = format!("the part of F along KA, moved along its line to {}", scene.a);
-    let cancelled = "its component across the crank, which the balancing force cancels".to_owned();
-    let parts = [
-        ("F(KP)", k, part_p, through_pole),
-        ("F(KA)", at.a, part_a, moved),
-        ("F(KA) across", at.a, across, cancelled),
-    ];
+    let through_pole = text!("force-longitudinal-part-pole");
+    let moved = text!("force-longitudinal-part-moved", point = &scene.a);
+    let cancelled = text!("force-longitudinal-part-across");
+    let parts =
+        [("F(KP)", k, part_p, through_pole), ("F(KA)", at.a, part_a, moved), ("", at.a, across, cancelled)];
     push(draft, (Drawing::Mechanism, VectorKind::Part), parts);
-    let rest = if couple == 0.0 { "" } else { " together with the couple of the coupler" };
-    let what =
-        format!("the balancing force at {}, opposite to the component across the crank{rest}", scene.a);
+    if let Some(last) = draft.last_mut() {
+        last.name = text!("force-longitudinal-across");
+    }
+    let what = if couple == 0.0 {
+        text!("force-longitudinal-balancing", point = &scene.a)
+    } else {
+        text!("force-longitudinal-balancing-with-couple", point = &scene.a)
+    };
     push(draft, (Drawing::Mechanism, VectorKind::Balancing), [("Fb", at.a, found.fb, what)]);
 }
 
@@ -242,44 +240,41 @@ fn resolution(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Un
 fn polygon(draft: &mut Vec<Step>, at: &Setting, found: &Unknowns) {
     let after = plus(at.force, found.fb);
     let last = plus(after, found.r1);
-    let mut side = |kind, name, start, vector, note: &str| {
-        push(draft, (Drawing::Polygon, kind), [(name, start, vector, note.to_owned())]);
+    let mut side = |kind, symbol, start, vector, note| {
+        push(draft, (Drawing::Polygon, kind), [(symbol, start, vector, note)]);
     };
-    side(VectorKind::Load, "F", [0.0; 2], at.force, "laid off from the pole: the force F");
-    side(VectorKind::Balancing, "Fb", at.force, found.fb, "from its end the balancing force");
-    let closing = "the closing side: the polar reaction, F + Fb + RP = 0";
+    side(VectorKind::Load, "F", [0.0; 2], at.force, text!("force-longitudinal-polygon-load"));
+    side(VectorKind::Balancing, "Fb", at.force, found.fb, text!("force-longitudinal-polygon-balancing"));
+    let closing = text!("force-longitudinal-polygon-closing");
     side(VectorKind::Closing, "RP", after, opposite(after), closing);
-    let along = "RP resolved: along the crank, the longitudinal reaction R1";
+    let along = text!("force-longitudinal-polygon-crank");
     side(VectorKind::Reaction, "R1", after, found.r1, along);
-    let other = "and along the other line, the longitudinal reaction R3; it ends in the pole";
+    let other = text!("force-longitudinal-polygon-other");
     side(VectorKind::Reaction, "R3", last, found.r3, other);
 }
 
-fn reactions(draft: &mut Vec<Step>, scene: &Scene<'_>, at: &Setting, found: &Unknowns) {
+fn reactions(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, found: &Unknowns) {
     let Scene { third, a, b, o, end, .. } = scene;
     let (ra, rb) = (at_a(found), at_b(at, found));
     let on_b = if at.known == [0.0, 0.0] {
-        format!("R3: the pin {b} on the coupler")
+        text!("force-longitudinal-on-b", pin = b)
     } else {
-        format!("R3 with what the loads of `{third}` put there: the pin {b} on the coupler")
+        text!("force-longitudinal-on-b-loaded", third = third, pin = b)
     };
-    let (name, kind, at_end) = if at.slider {
-        ("RG", "guide", scaled(dot(minus(found.r3, scene.third_load), at.line), at.line))
+    let (symbol, at_end, what) = if at.slider {
+        let across = scaled(dot(minus(found.r3, scene.third_load), at.line), at.line);
+        ("RG", across, text!("force-longitudinal-guide-on", end = end, third = third))
     } else {
-        ("RC", "pin", minus(rb, scene.third_load))
+        let what = text!("force-longitudinal-pin-on", end = end, third = third);
+        ("RC", minus(rb, scene.third_load), what)
     };
     let steps = [
-        ("R1", at.a, found.r1, "longitudinal reaction of the crank".to_owned()),
-        ("R3", at.b, found.r3, format!("longitudinal reaction of `{third}`")),
-        ("RA", at.a, ra, format!("Fb + R1: the pin {a} on the coupler")),
+        ("R1", at.a, found.r1, text!("force-longitudinal-of-crank")),
+        ("R3", at.b, found.r3, text!("force-longitudinal-of-third", third = third)),
+        ("RA", at.a, ra, text!("force-longitudinal-on-a", pin = a)),
         ("RB", at.b, rb, on_b),
-        (
-            "RO",
-            at.o,
-            minus(ra, scene.crank_load),
-            format!("RA less the loads of the crank: the pin {o} on the crank"),
-        ),
-        (name, at.c, at_end, format!("the {kind} {end} on `{third}`")),
+        ("RO", at.o, minus(ra, scene.crank_load), text!("force-longitudinal-on-o", pin = o)),
+        (symbol, at.c, at_end, what),
     ];
     push(draft, (Drawing::Mechanism, VectorKind::Reaction), steps);
 }

@@ -4,6 +4,7 @@ use assur_group::plane::minus;
 use assur_group::{Pair, PinJoint, SlideJoint};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId};
+use assur_words::{Text, name, text};
 
 /// The roles of links and pairs.
 #[derive(Debug, Clone, Copy)]
@@ -33,36 +34,30 @@ impl Layout {
     /// # Errors
     ///
     /// Why the mechanism has no such layout, as a clause.
-    pub(crate) fn of(linkage: &Linkage) -> Result<Self, String> {
+    pub(crate) fn of(linkage: &Linkage) -> Result<Self, Text> {
         let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
         let crank = mechanism.input.link;
         let link = |id: LinkId| &mechanism.links[id].name;
         if matches!(mechanism.input.pair, InputPair::Slide(_)) {
-            return Err(format!("its input link `{}` slides; the method needs a crank", link(crank)));
+            return Err(text!("force-longitudinal-no-crank", link = link(crank)));
         }
         if mechanism.balance.is_some_and(|balance| balance != Balance::Moment(crank)) {
-            return Err(format!(
-                "`[balance]` puts the balancing load elsewhere than on the crank `{}`",
-                link(crank)
-            ));
+            return Err(text!("force-longitudinal-balance", link = link(crank)));
         }
         let [group] = structure.groups.as_slice() else {
-            return Err(format!("it has {} groups; the method needs one", structure.groups.len()));
+            return Err(text!("force-longitudinal-groups", groups = structure.groups.len()));
         };
         if !matches!(group.plugin.name, "rrp" | "rrr") {
-            return Err(format!("its group is of kind {}; the method needs RRP or RRR", group.plugin.kind));
+            return Err(text!("force-longitudinal-kind", kind = name(group.plugin.kind)));
         }
         let frame = &group.frame;
         let (Some(inner), Some(first), Some(last)) =
             (frame.inner.first(), outer_at(&frame.outer, crank), outer_at(&frame.outer, GROUND))
         else {
-            return Err(format!("its group is not carried by the crank `{}` and the ground", link(crank)));
+            return Err(text!("force-longitudinal-bodies", link = link(crank)));
         };
         if first.is_slide() {
-            return Err(format!(
-                "its slide is on the crank `{}`; the method needs a guide on the ground",
-                link(crank)
-            ));
+            return Err(text!("force-longitudinal-slide", link = link(crank)));
         }
         let coupler = first.other(crank);
         let third = last.other(GROUND);
@@ -80,7 +75,7 @@ impl Layout {
         };
         let [x, y] = minus(layout.a.at, layout.o.own);
         if x == 0.0 && y == 0.0 {
-            return Err(format!("the crank `{}` has no length", link(crank)));
+            return Err(text!("force-longitudinal-no-length", link = link(crank)));
         }
         Ok(layout)
     }
@@ -90,10 +85,10 @@ fn outer_at(outer: &[Pair], body: LinkId) -> Option<&Pair> {
     outer.iter().find(|pair| pair.joins(body))
 }
 
-fn pin(pair: &Pair, link: LinkId) -> Result<PinJoint<f64>, String> {
+fn pin(pair: &Pair, link: LinkId) -> Result<PinJoint<f64>, Text> {
     PinJoint::new(&pair.seen_from(link)).map_err(|error| error.what)
 }
 
-fn slide(pair: &Pair, link: LinkId) -> Result<SlideJoint<f64>, String> {
+fn slide(pair: &Pair, link: LinkId) -> Result<SlideJoint<f64>, Text> {
     SlideJoint::new(&pair.seen_from(link)).map_err(|error| error.what)
 }

@@ -31,18 +31,19 @@ mod stable;
 use assur_force::{AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions};
 use assur_group::{GroupError, Wrench};
 use assur_kinematics::{Linkage, Position};
+use assur_words::{Text, text};
 
 use layout::Layout;
 use setting::{Setting, Unknowns};
 
-const SOURCE: &str = "L: Vladimirov, Kuznetsov, longitudinal reactions, eqs. 1-12";
+assur_words::resources!();
 
 assur_force::inventory::submit! {
     AnalyzerPlugin {
         name: Form::Stable.name(),
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "longitudinal reactions of a crank with one group RRP or RRR, by moments about A: no pole at infinity",
-        source: SOURCE,
+        summary: text!("force-longitudinal"),
+        source: text!("force-longitudinal.source"),
         instance: &Longitudinal { form: Form::Stable },
         gives_reactions: true,
         by_groups: false,
@@ -54,8 +55,8 @@ assur_force::inventory::submit! {
     AnalyzerPlugin {
         name: Form::Published.name(),
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "longitudinal reactions as published: fails where the crank is parallel to the line of the third reaction",
-        source: SOURCE,
+        summary: text!("force-longitudinal-published"),
+        source: text!("force-longitudinal.source"),
         instance: &Longitudinal { form: Form::Published },
         gives_reactions: true,
         by_groups: false,
@@ -118,7 +119,7 @@ fn singular(linkage: &Linkage, coordinate: f64, health: f64) -> ForceError {
 }
 
 impl ForceAnalyzer for Longitudinal {
-    fn supports(&self, linkage: &Linkage) -> Result<(), String> {
+    fn supports(&self, linkage: &Linkage) -> Result<(), Text> {
         Layout::of(linkage).map(|_| ())
     }
 

@@ -7,6 +7,7 @@ use assur_force::ForceError;
 use assur_group::LEAST_HEALTH;
 use assur_group::plane::{cross, dot, minus, perp, plus, scaled};
 use assur_kinematics::Linkage;
+use assur_words::{Text, text};
 
 use crate::layout::{End, Layout};
 use crate::setting::{Setting, Unknowns};
@@ -84,10 +85,10 @@ impl Failure {
 }
 
 /// The two lines that meet in the pole.
-fn lines(linkage: &Linkage, layout: &Layout) -> String {
+fn lines(linkage: &Linkage, layout: &Layout) -> Text {
     let [crank, third] = [layout.crank, layout.third].map(|link| &linkage.mechanism.links[link].name);
     match layout.end {
-        End::Guide(_) => format!("the crank `{crank}` and the normal to the guide of `{third}`"),
-        End::Pin(_) => format!("the crank `{crank}` and the rocker `{third}`"),
+        End::Guide(_) => text!("force-longitudinal-lines-guide", crank = crank, third = third),
+        End::Pin(_) => text!("force-longitudinal-lines-rocker", crank = crank, third = third),
     }
 }

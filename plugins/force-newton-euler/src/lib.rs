@@ -12,15 +12,18 @@ use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions};
 use assur_group::Wrench;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::PairId;
+use assur_words::{Text, text};
 
 use system::{Solution, System};
+
+assur_words::resources!();
 
 assur_force::inventory::submit! {
     AnalyzerPlugin {
         name: "newton-euler",
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "one linear system for all links: every reaction and the balancing load, without groups",
-        source: "equilibrium of each link with its inertia loads (d'Alembert); sparse elimination with partial pivoting",
+        summary: text!("force-newton-euler"),
+        source: text!("force-newton-euler.source"),
         instance: &NewtonEuler,
         gives_reactions: true,
         by_groups: false,
@@ -33,13 +36,13 @@ assur_force::inventory::submit! {
 pub struct NewtonEuler;
 
 impl ForceAnalyzer for NewtonEuler {
-    fn supports(&self, linkage: &Linkage) -> Result<(), String> {
+    fn supports(&self, linkage: &Linkage) -> Result<(), Text> {
         let system = System::of(&linkage.mechanism, linkage.structure.scale);
         let (equations, unknowns) = system.size();
         if equations == unknowns {
             return Ok(());
         }
-        Err(format!("{equations} equations of equilibrium for {unknowns} unknown reactions"))
+        Err(text!("force-newton-euler-unbalanced", equations = equations, unknowns = unknowns))
     }
 
     fn solve(

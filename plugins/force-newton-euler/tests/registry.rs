@@ -15,7 +15,7 @@ fn registered_under_their_names() {
     let known: Vec<_> = analyzers().unwrap().iter().map(|plugin| plugin.name).collect();
     assert!(known.is_sorted());
     let error = find("graphical").unwrap_err();
-    let (what, name) = ("force analyzer", "graphical".to_owned());
+    let (what, name) = (assur_words::text!("force-sort"), "graphical".to_owned());
     assert_eq!(error, RegistryError::Unknown { what, name, known: known.clone() });
     let text = format!("no force analyzer is called `graphical`; there are: {}", known.join(", "));
     assert_eq!(error.to_string(), text);

@@ -5,6 +5,7 @@ use assur_group::plane::{opposite, perp, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{Balance, InputPair};
+use assur_words::{Text, name, quantity, text};
 
 /// A moment is shown as the arm of the force on its link up to this many typical lengths.
 const FAR: f64 = 1e2;
@@ -18,12 +19,12 @@ pub(crate) fn draw(
 ) -> Construction {
     let mut steps = images(linkage, position);
     for (link, load) in loads.iter().enumerate().skip(1) {
-        let what = format!("the loads of `{}`", linkage.mechanism.links[link].name);
-        let name = format!("F({})", linkage.mechanism.links[link].name);
-        steps.extend(on_lever(linkage, &position.bodies[link], load, VectorKind::Load, &name, &what));
+        let of = &linkage.mechanism.links[link].name;
+        let words = [name(format!("F({of})")), text!("force-lever-loads", link = of)];
+        steps.extend(on_lever(linkage, &position.bodies[link], load, VectorKind::Load, words));
     }
     steps.extend(balance(linkage, position, balancing));
-    let title = "Zhukovsky's lever: velocity plan for dq = 1, turned by a right angle clockwise".to_owned();
+    let title = text!("force-lever-title");
     Construction { title, corner: [0.0; 2], steps }
 }
 
@@ -40,13 +41,13 @@ fn images(linkage: &Linkage, position: &Position) -> Vec<Step> {
     let points = linkage.mechanism.points.iter().enumerate();
     points
         .map(|(id, point)| Step {
-            name: point.name.to_string(),
+            name: Text::from(&point.name),
             kind: VectorKind::Absolute,
             drawing: Drawing::Lever,
             start: [0.0; 2],
             vector: turned(linkage.point_motion(id, position).pf1),
             unit: unit(linkage),
-            note: format!("velocity of {} for dq = 1, turned", point.name),
+            note: text!("force-lever-image", point = &point.name),
         })
         .collect()
 }
@@ -58,8 +59,7 @@ fn on_lever(
     body: &Body<f64>,
     load: &Wrench<f64>,
     kind: VectorKind,
-    name: &str,
-    what: &str,
+    [name, what]: [Text; 2],
 ) -> Vec<Step> {
     let force = load.force();
     let square = force[0] * force[0] + force[1] * force[1];
@@ -67,7 +67,7 @@ fn on_lever(
     if load.m.abs() <= FAR * linkage.structure.scale * square.sqrt() && square > 0.0 {
         (arm, couple) = (scaled(-load.m / square, perp(force)), 0.0);
     }
-    let step = |name: String, start, vector, note| Step {
+    let step = |name: Text, start, vector, note| Step {
         name,
         kind,
         drawing: Drawing::Lever,
@@ -78,15 +78,18 @@ fn on_lever(
     };
     let mut steps = Vec::new();
     if square > 0.0 {
-        let note = format!("{what}, in the image of a point of their line of action");
-        steps.push(step(name.to_owned(), turned(body.first(arm)), force, note));
+        let note = text!("force-lever-on-line", what = &what);
+        steps.push(step(name.clone(), turned(body.first(arm)), force, note));
     }
     if couple != 0.0 && body.w1 != 0.0 {
         // A couple of two forces across a unit vector of the link: their images are w1 apart.
         let [start, end] = [[0.0; 2], [1.0, 0.0]].map(|arm| turned(body.first(arm)));
-        let note = |end: &str| format!("moment {couple:.6e} N m of {what}, {end} of two forces 1 m apart");
-        steps.push(step(format!("{name} couple 1"), start, [0.0, -couple], note("the first")));
-        steps.push(step(format!("{name} couple 2"), end, [0.0, couple], note("the second")));
+        let moment = quantity(format_args!("{couple:.6e}"), "N m");
+        let named = |number: usize| text!("force-lever-couple", name = &name, number = number);
+        let note = text!("force-lever-first", couple = &moment, what = &what);
+        steps.push(step(named(1), start, [0.0, -couple], note));
+        let note = text!("force-lever-second", couple = moment, what = what);
+        steps.push(step(named(2), end, [0.0, couple], note));
     }
     steps
 }
@@ -102,13 +105,14 @@ fn balance(linkage: &Linkage, position: &Position, size: f64) -> Vec<Step> {
             // The origin of a sliding input moves by the unit vector along the coordinate.
             InputPair::Slide(_) => Wrench { fx: size * body.x1, fy: size * body.y1, m: 0.0 },
         };
-        return on_lever(linkage, body, &load, kind, "balance", "the balancing load on the input link");
+        let words = [text!("force-lever-balance"), text!("force-lever-balancing-load")];
+        return on_lever(linkage, body, &load, kind, words);
     };
     let Wrench { fx, fy, m } = unit.wrench(bodies);
     let load = Wrench { fx: size * fx, fy: size * fy, m: size * m };
     let what = match mechanism.balance {
-        Some(Balance::Force { .. }) => "the balancing force",
-        _ => "the balancing moment",
+        Some(Balance::Force { .. }) => text!("force-lever-balancing-force"),
+        _ => text!("force-lever-balancing-moment"),
     };
-    on_lever(linkage, &bodies[unit.link], &load, kind, "balance", what)
+    on_lever(linkage, &bodies[unit.link], &load, kind, [text!("force-lever-balance"), what])
 }

@@ -13,13 +13,16 @@ mod lever;
 use assur_force::{AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions, UnitBalance, power};
 use assur_group::Wrench;
 use assur_kinematics::{Linkage, Position};
+use assur_words::{Text, text};
+
+assur_words::resources!();
 
 assur_force::inventory::submit! {
     AnalyzerPlugin {
         name: "virtual-power",
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "balancing load from the powers of all loads (Zhukovsky's lever); no reactions",
-        source: "principle of virtual power; Zhukovsky's lever",
+        summary: text!("force-virtual-power"),
+        source: text!("force-virtual-power.source"),
         instance: &VirtualPower,
         gives_reactions: false,
         by_groups: false,
@@ -45,7 +48,7 @@ fn balancing(
 }
 
 impl ForceAnalyzer for VirtualPower {
-    fn supports(&self, _linkage: &Linkage) -> Result<(), String> {
+    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
         Ok(())
     }
 

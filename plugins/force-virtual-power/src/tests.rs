@@ -109,8 +109,11 @@ fn images_are_velocities_turned_clockwise() {
     let drawn = VirtualPower.construction(&linkage, &position, &loads).unwrap().unwrap();
     let image = drawn.step(Drawing::Lever, "A").unwrap();
     assert!(image.vector[0].abs() < 1e-16 && (image.vector[1] - 0.06).abs() < 1e-16);
-    assert_eq!((image.unit, image.note.as_str()), ("m/rad", "velocity of A for dq = 1, turned"));
-    assert_eq!(drawn.title, "Zhukovsky's lever: velocity plan for dq = 1, turned by a right angle clockwise");
+    assert_eq!((image.unit, image.note.to_string().as_str()), ("m/rad", "velocity of A for dq = 1, turned"));
+    assert_eq!(
+        drawn.title.to_string(),
+        "Zhukovsky's lever: velocity plan for dq = 1, turned by a right angle clockwise"
+    );
 }
 
 #[test]

@@ -14,6 +14,7 @@ mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
 use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_words::text;
 
 pub use kernel::Prp;
 
@@ -27,19 +28,21 @@ impl ClosedKind for PrpKind {
     type Form<T: Number> = Prp<T>;
 }
 
+assur_words::resources!();
+
 inventory::submit! {
     GroupPlugin {
         name: "prp",
         kind: "PRP",
         number: 4,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "two links that slide on outer bodies and share a pin",
+        summary: text!("group-prp"),
         pattern: PATTERN,
-        ways: Ways { most: 1, varies: false, words: "one" },
+        ways: Ways { most: 1, varies: false, words: text!("group-prp.ways") },
         iterates: false,
-        singular: "the guides parallel",
-        force_angle: ForceAngle::of_sine("angle between the guides"),
-        source: "S stage 2; theory of two lines",
+        singular: text!("group-prp.singular"),
+        force_angle: ForceAngle::of_sine(text!("group-prp.angle")),
+        source: text!("group-prp.source"),
         builders: Builders::in_lanes::<PrpKind>(),
     }
 }

@@ -12,6 +12,7 @@ mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
 use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_words::text;
 
 pub use kernel::Rpp;
 
@@ -25,19 +26,21 @@ impl ClosedKind for RppKind {
     type Form<T: Number> = Rpp<T>;
 }
 
+assur_words::resources!();
+
 inventory::submit! {
     GroupPlugin {
         name: "rpp",
         kind: "RPP",
         number: 5,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "two links, an outer pin, a slide between them and an outer slide",
+        summary: text!("group-rpp"),
         pattern: PATTERN,
-        ways: Ways { most: 1, varies: false, words: "one" },
+        ways: Ways { most: 1, varies: false, words: text!("group-rpp.ways") },
         iterates: false,
-        singular: "the guides parallel",
-        force_angle: ForceAngle::of_sine("angle between the guides"),
-        source: "S stage 2; theory of two lines",
+        singular: text!("group-rpp.singular"),
+        force_angle: ForceAngle::of_sine(text!("group-rpp.angle")),
+        source: text!("group-rpp.source"),
         builders: Builders::in_lanes::<RppKind>(),
     }
 }

@@ -17,6 +17,7 @@ mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
 use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_words::text;
 
 pub use kernel::Rpr;
 
@@ -30,23 +31,25 @@ impl ClosedKind for RprKind {
     type Form<T: Number> = Rpr<T>;
 }
 
+assur_words::resources!();
+
 inventory::submit! {
     GroupPlugin {
         name: "rpr",
         kind: "RPR",
         number: 3,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "two links with outer pins and a slide between them",
+        summary: text!("group-rpr"),
         pattern: PATTERN,
-        ways: Ways { most: 2, varies: false, words: "0: the outer pin of the first link ahead of that of the second, in the direction of the guide; 1: behind it" },
+        ways: Ways { most: 2, varies: false, words: text!("group-rpr.ways") },
         iterates: false,
-        singular: "the distance of the outer pins equal to the offset of the guide (zero for a central guide)",
+        singular: text!("group-rpr.singular"),
         force_angle: ForceAngle {
-            words: "pressure angle of the line of the pins to the guide",
+            words: text!("group-rpr.angle"),
             of: kernel::pressure_angle,
             is_pressure: true,
         },
-        source: "S stage 2; theory of the right triangle",
+        source: text!("group-rpr.source"),
         builders: Builders::in_lanes::<RprKind>(),
     }
 }

@@ -5,6 +5,7 @@ use assur_group::{
     Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
 };
 use assur_number::Real;
+use assur_words::text;
 
 use crate::PATTERN;
 
@@ -92,8 +93,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let square = dot(rod, rod);
         let length = square.sqrt();
         if length.to_f64().is_nan() || length.to_f64() <= 0.0 {
-            let what = "the rod of a group RRP needs its two pins apart; their distance is 0";
-            return Err(BuildError::new(what).of_link(group.links[0]));
+            return Err(BuildError::new(text!("group-rrp-no-rod")).of_link(group.links[0]));
         }
         let size = frame.scale.max(length.to_f64());
         Ok(Self {

@@ -17,6 +17,7 @@ mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
 use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_words::text;
 
 pub use kernel::Rrp;
 
@@ -30,19 +31,21 @@ impl ClosedKind for RrpKind {
     type Form<T: Number> = Rrp<T>;
 }
 
+assur_words::resources!();
+
 inventory::submit! {
     GroupPlugin {
         name: "rrp",
         kind: "RRP",
         number: 2,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "two links, two pins and an outer slide",
+        summary: text!("group-rrp"),
         pattern: PATTERN,
-        ways: Ways { most: 2, varies: false, words: "0: the inner pin ahead of the foot of the outer pin, in the direction of the guide; 1: behind it" },
+        ways: Ways { most: 2, varies: false, words: text!("group-rrp.ways") },
         iterates: false,
-        singular: "the rod perpendicular to the guide",
-        force_angle: ForceAngle::of_cosine("pressure angle of the rod to the guide"),
-        source: "S stage 2; theory of circle and line",
+        singular: text!("group-rrp.singular"),
+        force_angle: ForceAngle::of_cosine(text!("group-rrp.angle")),
+        source: text!("group-rrp.source"),
         builders: Builders::in_lanes::<RrpKind>(),
     }
 }

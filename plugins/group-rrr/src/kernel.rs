@@ -3,6 +3,7 @@
 use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, Wrench};
 use assur_number::Real;
+use assur_words::text;
 
 use crate::PATTERN;
 
@@ -95,7 +96,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         let [l1, l2] = squares.map(Real::sqrt);
         let lengths = [l1.to_f64(), l2.to_f64()];
         if let Some(i) = lengths.iter().position(|&l| l.is_nan() || l <= 0.0) {
-            let what = format!("link {} of a group RRR needs its two pins apart; their distance is 0", i + 1);
+            let what = text!("group-rrr-no-link", link = i + 1);
             return Err(BuildError::new(what).of_link(group.links[i]));
         }
         let (sum, difference) = (l1 + l2, l1 - l2);

@@ -17,6 +17,7 @@ mod tests;
 
 use assur_group::PairSort::Pin;
 use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_words::text;
 
 pub use kernel::Rrr;
 
@@ -30,19 +31,21 @@ impl ClosedKind for RrrKind {
     type Form<T: Number> = Rrr<T>;
 }
 
+assur_words::resources!();
+
 inventory::submit! {
     GroupPlugin {
         name: "rrr",
         kind: "RRR",
         number: 1,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "two links, three pins",
+        summary: text!("group-rrr"),
         pattern: PATTERN,
-        ways: Ways { most: 2, varies: false, words: "0: the inner pin left of the line from the outer pin of the first link to that of the second; 1: right" },
+        ways: Ways { most: 2, varies: false, words: text!("group-rrr.ways") },
         iterates: false,
-        singular: "the links in one line, stretched or folded: sin(phi2 - phi1) = 0",
-        force_angle: ForceAngle::of_sine("transmission angle between the links"),
-        source: "S stage 2; theory of two circles",
+        singular: text!("group-rrr.singular"),
+        force_angle: ForceAngle::of_sine(text!("group-rrr.angle")),
+        source: text!("group-rrr.source"),
         builders: Builders::in_lanes::<RrrKind>(),
     }
 }

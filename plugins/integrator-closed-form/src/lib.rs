@@ -5,30 +5,29 @@ use assur_integrator::{
     Attempt, Cost, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Knob, Motion,
     MotionError, Node, Pace, Request, State, Step, Stepper, Steps, Suitability, Trajectory, inventory,
 };
+use assur_words::{Describe, Text, number, text};
 
 use crate::impulse::Impulse;
 
 mod impulse;
 mod speed;
 
+assur_words::resources!();
+
 /// The method.
 pub const CLOSED_FORM: IntegratorPlugin = IntegratorPlugin {
     name: "closed-form",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "J and M constant: uniformly accelerated motion, exact",
-    source: "D 3.12, 3.13",
+    summary: text!("integrator-closed-form"),
+    source: text!("integrator-closed-form.source"),
     order: 0,
     knob: Knob::None,
     stiff: false,
     suitability: |dependence, _| match dependence.case() {
-        1 => Ok(Suitability {
-            cost: Cost::ClosedForm,
-            reason: "uniformly accelerated motion has a closed form, exact",
-        }),
-        case => Err(format!(
-            "the closed form needs J and M constant (case 1 of D), and here it is case {case}: {}",
-            dependence.words()
-        )),
+        1 => Ok(Suitability { cost: Cost::ClosedForm, reason: text!("integrator-closed-form-suits") }),
+        case => {
+            Err(text!("integrator-closed-form-unfit", case = number(case), equation = dependence.describe()))
+        }
     },
     method: &Steps::<Parabola>::NEW,
 };
@@ -66,8 +65,8 @@ impl Stepper for Parabola {
 pub const QUADRATURE: IntegratorPlugin = IntegratorPlugin {
     name: "quadrature",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "J constant, M(t) or M(w): speed and displacement by quadrature over time, time and displacement by quadrature over the speed",
-    source: "D 3.21, case 2",
+    summary: text!("integrator-quadrature"),
+    source: text!("integrator-quadrature.source"),
     order: 0,
     knob: Knob::Tolerance,
     stiff: false,
@@ -77,19 +76,19 @@ pub const QUADRATURE: IntegratorPlugin = IntegratorPlugin {
 
 inventory::submit! { QUADRATURE }
 
-fn suitability(dependence: Dependence) -> Result<Suitability, String> {
+fn suitability(dependence: Dependence) -> Result<Suitability, Text> {
     let one = !(dependence.moment_on_speed && dependence.moment_on_time);
     if !dependence.inertia_constant || dependence.moment_on_coordinate || !one {
-        return Err(format!(
-            "the quadrature needs J constant and M constant, M(t) or M(w) (cases 1 and 2 of D), and here it is case {}: {}",
-            dependence.case(),
-            dependence.words()
+        return Err(text!(
+            "integrator-quadrature-unfit",
+            case = number(dependence.case()),
+            equation = dependence.describe()
         ));
     }
     let reason = if dependence.moment_on_speed {
-        "t = J * integral of dw / M(w) gives the motion by one quadrature over the speed"
+        text!("integrator-quadrature-over-speed")
     } else {
-        "the impulse of the moment gives the speed by one quadrature over time"
+        text!("integrator-quadrature-over-time")
     };
     Ok(Suitability { cost: Cost::Quadrature, reason })
 }

@@ -5,11 +5,14 @@
 //! speed and its acceleration.
 
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Steps, Suitability, inventory};
+use assur_words::{Text, text};
 
 mod dop853;
 mod dop853_table;
 mod dopri5;
 mod stages;
+
+assur_words::resources!();
 
 #[cfg(test)]
 mod tests;
@@ -17,7 +20,7 @@ mod tests;
 /// Tolerance above which steps of order 5 need fewer evaluations than steps of order 8.
 const LOOSE: f64 = 1e-4;
 
-fn steps(fits: bool, reason: &'static str) -> Suitability {
+fn steps(fits: bool, reason: Text) -> Suitability {
     Suitability { cost: if fits { Cost::Steps } else { Cost::OtherSteps }, reason }
 }
 
@@ -25,14 +28,12 @@ fn steps(fits: bool, reason: &'static str) -> Suitability {
 pub const DOPRI5: IntegratorPlugin = IntegratorPlugin {
     name: "dopri5",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "Dormand-Prince 5(4), explicit, adaptive, dense output of order 4",
-    source: "Hairer, Norsett, Wanner I, II.5",
+    summary: text!("integrator-dopri5"),
+    source: text!("integrator-dopri5.source"),
     order: 5,
     knob: Knob::Tolerance,
     stiff: false,
-    suitability: |_, tolerance| {
-        Ok(steps(tolerance > LOOSE, "a loose tolerance: cheap explicit steps of order 5 meet it"))
-    },
+    suitability: |_, tolerance| Ok(steps(tolerance > LOOSE, text!("integrator-dopri5-suits"))),
     method: &Steps::<dopri5::Dopri5>::NEW,
 };
 
@@ -40,13 +41,13 @@ pub const DOPRI5: IntegratorPlugin = IntegratorPlugin {
 pub const DOP853: IntegratorPlugin = IntegratorPlugin {
     name: "dop853",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "Dormand-Prince 8(5,3), explicit, adaptive, dense output of order 7",
-    source: "Hairer, Norsett, Wanner I, II.5 and II.6",
+    summary: text!("integrator-dop853"),
+    source: text!("integrator-dop853.source"),
     order: 8,
     knob: Knob::Tolerance,
     stiff: false,
     suitability: |_, tolerance| {
-        let reason = "a tight tolerance: explicit steps of order 8 meet it with the fewest evaluations";
+        let reason = text!("integrator-dop853-suits");
         Ok(steps(tolerance <= LOOSE, reason))
     },
     method: &Steps::<dop853::Dop853>::NEW,

@@ -6,30 +6,32 @@
 //! division by a speed of zero. There are no steps in time, so nothing drifts: the energy balance holds by construction.
 
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, inventory};
+use assur_words::{Describe, number, text};
 
 mod clock;
 mod march;
 mod panel;
 
+assur_words::resources!();
+
 /// The method.
 pub const ENERGY: IntegratorPlugin = IntegratorPlugin {
     name: "energy",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "energy form: speed from the work, quadrature in the coordinate; M(q) only",
-    source: "E eq. 1",
+    summary: text!("integrator-energy"),
+    source: text!("integrator-energy.source"),
     order: 0,
     knob: Knob::Tolerance,
     stiff: false,
     suitability: |dependence, _| {
         if dependence.is_work_of_coordinate() {
-            let reason =
-                "the work along the coordinate gives the speed by one quadrature, without steps in time";
+            let reason = text!("integrator-energy-suits");
             return Ok(Suitability { cost: Cost::Quadrature, reason });
         }
-        Err(format!(
-            "the energy form needs a moment that depends on the coordinate alone, and here it is case {} of D: {}",
-            dependence.case(),
-            dependence.words()
+        Err(text!(
+            "integrator-energy-unfit",
+            case = number(dependence.case()),
+            equation = dependence.describe()
         ))
     },
     method: &march::Energy,

@@ -4,6 +4,7 @@ use assur_integrator::{
     Curve, EventKind, IntegrationError, Integrator, Motion, MotionError, Request, Run, State, Trajectory,
     Until,
 };
+use assur_words::text;
 
 use crate::clock::{Clock, Rests};
 use crate::panel::{Panel, Values, factor};
@@ -199,7 +200,7 @@ impl March<'_> {
         let begin = self.run.node.state.time;
         let tolerance = self.tolerance().max(CLOCK_ROUNDING);
         let clock = Clock::measure(panel, (until, rests), (begin, latest), tolerance);
-        let clock = clock.map_err(|_| self.run.not_reached("creeps into an equilibrium without end"))?;
+        let clock = clock.map_err(|_| self.run.not_reached(text!("integrator-energy-creeps")))?;
         self.run.statistics.steps += 1;
         self.largest = self.largest.max(panel.most_energy());
         let end = clock.end();

@@ -9,24 +9,22 @@
 //! equation is not stiff, the explicit methods are better and cheaper.
 
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Steps, Suitability, inventory};
+use assur_words::text;
 
 mod collocation;
+
+assur_words::resources!();
 
 /// The method.
 pub const RADAU5: IntegratorPlugin = IntegratorPlugin {
     name: "radau5",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "Radau IIA of order 5, implicit, adaptive, dense output of order 3; for stiff motors",
-    source: "Hairer, Wanner II, IV.5 and IV.8",
+    summary: text!("integrator-radau5"),
+    source: text!("integrator-radau5.source"),
     order: 5,
     knob: Knob::Tolerance,
     stiff: true,
-    suitability: |_, _| {
-        Ok(Suitability {
-            cost: Cost::LastResort,
-            reason: "implicit steps of order 5, which stiffness does not shorten",
-        })
-    },
+    suitability: |_, _| Ok(Suitability { cost: Cost::LastResort, reason: text!("integrator-radau5-suits") }),
     method: &Steps::<collocation::Collocation>::NEW,
 };
 

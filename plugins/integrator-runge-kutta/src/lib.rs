@@ -4,19 +4,20 @@ use assur_integrator::{
     Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step, Stepper,
     Steps, Suitability, inventory,
 };
+use assur_words::text;
+
+assur_words::resources!();
 
 /// The method.
 pub const RK4: IntegratorPlugin = IntegratorPlugin {
     name: "rk4",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "classical Runge-Kutta at a fixed step",
-    source: "D 3.23; Kutta 1901",
+    summary: text!("integrator-rk4"),
+    source: text!("integrator-rk4.source"),
     order: 4,
     knob: Knob::Step,
     stiff: false,
-    suitability: |_, _| {
-        Ok(Suitability { cost: Cost::LastResort, reason: "steps of order 4 at a fixed length" })
-    },
+    suitability: |_, _| Ok(Suitability { cost: Cost::LastResort, reason: text!("integrator-rk4-suits") }),
     method: &Steps::<Classical>::NEW,
 };
 

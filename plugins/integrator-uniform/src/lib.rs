@@ -5,22 +5,20 @@ use assur_integrator::{
     Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper, Steps,
     Suitability, inventory,
 };
+use assur_words::text;
+
+assur_words::resources!();
 
 /// The method.
 pub const UNIFORM: IntegratorPlugin = IntegratorPlugin {
     name: "uniform",
     crate_name: env!("CARGO_PKG_NAME"),
-    summary: "uniformly accelerated intervals at a fixed step",
-    source: "D 3.23",
+    summary: text!("integrator-uniform"),
+    source: text!("integrator-uniform.source"),
     order: 1,
     knob: Knob::Step,
     stiff: false,
-    suitability: |_, _| {
-        Ok(Suitability {
-            cost: Cost::LastResort,
-            reason: "uniformly accelerated intervals of a fixed length",
-        })
-    },
+    suitability: |_, _| Ok(Suitability { cost: Cost::LastResort, reason: text!("integrator-uniform-suits") }),
     method: &Steps::<Interval>::NEW,
 };
 

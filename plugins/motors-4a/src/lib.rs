@@ -4,6 +4,9 @@
 //! and its breakdown torques are guaranteed minima.
 
 use assur_motor::{CataloguePlugin, CatalogueTable};
+use assur_words::text;
+
+assur_words::resources!();
 
 static TABLE: CatalogueTable = CatalogueTable::new(include_str!("../data/4a.csv"));
 
@@ -11,8 +14,8 @@ inventory::submit! {
     CataloguePlugin {
         name: "4A",
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "series 4A, closed (IP44), 0.06-90 kW, 2-8 poles; no rotor inertia",
-        source: "GOST 19523, as reprinted in textbooks on machine elements",
+        summary: text!("motors-4a"),
+        source: text!("motors-4a.source"),
         table: &TABLE,
     }
 }

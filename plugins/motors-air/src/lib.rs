@@ -3,6 +3,9 @@
 //! Where the numbers are from and what was checked: `data/README.md`. The series prints no rotor inertia here.
 
 use assur_motor::{CataloguePlugin, CatalogueTable};
+use assur_words::text;
+
+assur_words::resources!();
 
 static TABLE: CatalogueTable = CatalogueTable::new(include_str!("../data/air.csv"));
 
@@ -10,8 +13,8 @@ inventory::submit! {
     CataloguePlugin {
         name: "AIR",
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: "series AIR, 0.37-30 kW, 2-8 poles; no rotor inertia",
-        source: "textbook table of the series; list of the maker Polesyeelectromash",
+        summary: text!("motors-air"),
+        source: text!("motors-air.source"),
         table: &TABLE,
     }
 }

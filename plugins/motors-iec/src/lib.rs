@@ -4,10 +4,13 @@
 //! speed, breakdown torque, rotor inertia, mass and size together; `IE1-BN` prints no breakdown torque.
 
 use assur_motor::{CataloguePlugin, CatalogueTable};
+use assur_words::text;
+
+assur_words::resources!();
 
 /// Registers the catalogue of one file.
 macro_rules! catalogue {
-    ($name:literal, $file:literal, $summary:literal, $source:literal) => {
+    ($name:literal, $file:literal, $summary:expr, $source:expr) => {
         inventory::submit! {
             CataloguePlugin {
                 name: $name,
@@ -26,45 +29,35 @@ macro_rules! catalogue {
 catalogue!(
     "IE3-LSES",
     "iec_ie3_leroy_somer_lses.csv",
-    "Leroy-Somer LSES, aluminum, 0.12-55 kW, 2-6 poles; IE3, below 0.75 kW IE2; complete",
-    "Leroy-Somer IMfinity catalogue 5147 fr - 2023.08/j"
+    text!("motors-iec-lses"),
+    text!("motors-iec-lses.source")
 );
 catalogue!(
     "IE3-FLSES",
     "iec_ie3_leroy_somer_flses.csv",
-    "Leroy-Somer FLSES, cast iron, 0.75-110 kW, 2-6 poles; IE3; complete",
-    "Leroy-Somer IMfinity catalogue 5147 fr - 2023.08/j"
+    text!("motors-iec-flses"),
+    text!("motors-iec-flses.source")
 );
 catalogue!(
     "IE3-1LE1003",
     "iec_ie3_innomotics_1le1003.csv",
-    "Innomotics 1LE1003, aluminum, 0.12-45 kW, 2-8 poles; IE3; no length, no diameter",
-    "Innomotics Catalog D 81.1, edition 02/2026"
+    text!("motors-iec-1le1003"),
+    text!("motors-iec-1le1003.source")
 );
 catalogue!(
     "IE3-1LE1503",
     "iec_ie3_innomotics_1le1503.csv",
-    "Innomotics 1LE1503, cast iron, 0.09-110 kW, 2-8 poles; IE3; no length, no diameter",
-    "Innomotics Catalog D 81.1, edition 02/2026"
+    text!("motors-iec-1le1503"),
+    text!("motors-iec-1le1503.source")
 );
 catalogue!(
     "IE1-1LE1002",
     "iec_ie1_innomotics_1le1002.csv",
-    "Innomotics 1LE1002, aluminum, 0.09-37 kW, 2-8 poles; IE1; no length, no diameter",
-    "Innomotics Catalog D 81.1, edition 02/2026"
+    text!("motors-iec-1le1002"),
+    text!("motors-iec-1le1002.source")
 );
-catalogue!(
-    "DELPHI",
-    "iec_motive_delphi.csv",
-    "Motive Delphi, 0.06-110 kW, 2-8 poles; older classes eff1 and eff2; complete",
-    "Motive s.r.l., general catalogue Delphi series, 07-04 rev. 03"
-);
-catalogue!(
-    "IE1-BN",
-    "iec_ie1_bonfiglioli_bn.csv",
-    "Bonfiglioli BN, 0.06-30 kW, 2-6 poles; IE1; no breakdown torque: linear characteristic only",
-    "Bonfiglioli motor catalogue BN, R07 EN"
-);
+catalogue!("DELPHI", "iec_motive_delphi.csv", text!("motors-iec-delphi"), text!("motors-iec-delphi.source"));
+catalogue!("IE1-BN", "iec_ie1_bonfiglioli_bn.csv", text!("motors-iec-bn"), text!("motors-iec-bn.source"));
 
 #[cfg(test)]
 #[expect(clippy::float_cmp, reason = "whole kilowatts convert without rounding")]

@@ -109,7 +109,7 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     }
     let messages = analysis.failures.iter().map(|failure| &failure.message).chain(&analysis.no_motion);
     for message in messages {
-        clean("error", message, scene)?;
+        clean("error", &message.to_string(), scene)?;
     }
     let failed = analysis.checks.iter().find(|check| check.failed());
     match failed {

@@ -6,16 +6,16 @@ use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, Table};
 use assur_parquet as parquet;
 use assur_report::{csv, json, text as report};
-use assur_words::{name, text};
+use assur_words::text;
 
 use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
 use super::options::Format;
 use super::output::Output;
 use super::style::Style;
-use super::verdict::Verdict;
 use super::{plans, scene};
 use crate::progress::ProgressLine;
+use crate::verdict::Verdict;
 
 pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let form = Form::of(args)?;
@@ -24,13 +24,13 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let study = scene::study(scene, style)?;
     args.plans.refuse(args.format, &study)?;
     let line = ProgressLine::new(style.language);
-    let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::other)?;
+    let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
     let checks = study.checks(args.checked.checks.into(), &mut line.watch());
-    analysis.add_checks(checks.map_err(Fault::other)?);
+    analysis.add_checks(checks.map_err(Fault::told)?);
     let count = study.linkage.mechanism.input.positions;
     let positions = plans::chosen(&args.positions, form == Form::Text, &analysis, count)?;
     let added = args.plans.add(&study, scene, style, &mut analysis)?;
-    let verdict = Verdict::of(&analysis, &study, &scene.scene);
+    let verdict = Verdict::of(&analysis, &study, &scene.scene.as_path());
     if !verdict.writable {
         verdict.tell(style);
         return Ok(verdict.status());
@@ -48,7 +48,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     };
     drop(line);
     for note in &analysis.notes {
-        style.tell(text!("cli-note", note = name(note.clone())));
+        style.tell(text!("cli-note", note = note));
     }
     if form == Form::Parquet && !analysis.trajectory.is_empty() {
         style.tell(text!("cli-parquet-motion"));

@@ -9,8 +9,8 @@ use assur_working::WorkingError;
 use super::args::ExplainArgs;
 use super::fault::{Fault, Status};
 use super::style::Style;
-use super::verdict::Verdict;
 use super::{output, scene};
+use crate::verdict::Verdict;
 use crate::working;
 
 pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
@@ -26,8 +26,9 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     let plan = Plan::of(&mechanism, &structure, methods.by_groups);
     let equation = method_of_motion(&mechanism, structure.clone(), &options)
         .map_err(|error| scene::fault(path, &error))?;
-    let text = assur_report::explain(&mechanism, &structure, &plan, &methods, equation.as_deref());
-    output::print(&style.text(&text))?;
+    let words = style.words();
+    let text = assur_report::text::explain(&mechanism, &structure, &plan, &methods, equation.as_ref(), words);
+    output::print(&text)?;
     Ok(Status::Done)
 }
 
@@ -36,7 +37,7 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
     let path = &args.scene.scene;
     let fault = |error: &dyn std::fmt::Display| scene::in_file(path, name(error.to_string()));
     let study = scene::whole_study(&args.scene, style)?;
-    let verdict = Verdict::of_motion(&study, path);
+    let verdict = Verdict::of_motion(&study, &path.as_path());
     verdict.tell(style);
     let worked = match study.sample(index) {
         (Some(state), _) => working::of_sample(&study, index, state),

@@ -86,7 +86,13 @@ impl Fault {
         if let Self::Partial(_, status) = self { *status } else { Status::Bad }
     }
 
-    /// An error that says itself what it is.
+    /// An error that says itself what it is, in any language.
+    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
+    pub(crate) fn told(error: impl Describe) -> Self {
+        Self::Other(error.describe())
+    }
+
+    /// An error of a library, in its words.
     #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn other(what: impl ToString) -> Self {
         Self::Other(name(what.to_string()))

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use assur_mechanism::GROUND;
 use assur_report::{csv, json, text as report};
-use assur_words::{self as words, text};
+use assur_words::{self as words, Describe, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -12,7 +12,7 @@ use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use super::verdict::Verdict;
+use crate::verdict::Verdict;
 
 /// Arguments of `geometry`.
 #[derive(Debug, Clone, Args)]
@@ -41,12 +41,12 @@ pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
             Fault::Other(text!("cli-no-such-link", link = words::name(name.clone()), links = links))
         })?,
     };
-    let verdict = Verdict::of_positions(&linkage, path);
+    let verdict = Verdict::of_positions(&linkage, &path.as_path());
     verdict.tell(style);
     let found = match assur_geometry::geometry(&linkage, against) {
         Ok(found) => found,
         Err(error) => {
-            let (file, problem) = (words::name(path.display().to_string()), words::name(error.to_string()));
+            let (file, problem) = (words::name(path.display().to_string()), error.describe());
             style.tell(text!("cli-error-in", file = file, problem = problem));
             return Ok(Status::Failed);
         }

@@ -21,17 +21,17 @@ pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     let mut add = |sort: &'static str, name: &str, crate_name: &str, summary: &str| {
         rows.push([told(sort).as_str(), name, crate_name, summary].map(String::from).to_vec());
     };
-    for plugin in assur_group::groups().map_err(Fault::other)? {
-        add("cli-plugin-group", plugin.name, plugin.crate_name, plugin.summary);
+    for plugin in assur_group::groups().map_err(Fault::told)? {
+        add("cli-plugin-group", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
     }
-    for plugin in assur_force::analyzers().map_err(Fault::other)? {
-        add("cli-plugin-analyzer", plugin.name, plugin.crate_name, plugin.summary);
+    for plugin in assur_force::analyzers().map_err(Fault::told)? {
+        add("cli-plugin-analyzer", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
     }
-    for plugin in assur_integrator::integrators().map_err(Fault::other)? {
-        add("cli-plugin-integrator", plugin.name, plugin.crate_name, plugin.summary);
+    for plugin in assur_integrator::integrators().map_err(Fault::told)? {
+        add("cli-plugin-integrator", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
     }
-    for plugin in catalogues().map_err(Fault::other)? {
-        add("cli-plugin-catalogue", plugin.name, plugin.crate_name, plugin.summary);
+    for plugin in catalogues().map_err(Fault::told)? {
+        add("cli-plugin-catalogue", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
     }
     let head = ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what"].map(told);
     output::print(&columns(&head.each_ref().map(String::as_str), &rows, style.ascii))?;
@@ -50,8 +50,8 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
         poles: args.poles,
         designation: args.designation.clone(),
     };
-    let all = catalogues().map_err(Fault::other)?;
-    let motors = list_motors(&all, &filter).map_err(Fault::other)?;
+    let all = catalogues().map_err(Fault::told)?;
+    let motors = list_motors(&all, &filter).map_err(Fault::told)?;
     let header = [
         text!("cli-plugin-catalogue"),
         text!("cli-motor-motor"),

@@ -60,6 +60,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
+/// The command line with its commands and options.
+#[cfg(test)]
+pub(crate) fn program() -> clap::Command {
+    Cli::command()
+}
+
 /// Help and version go to standard output, errors of usage to standard error.
 fn refused(error: &clap::Error) -> ExitCode {
     let plain = error.render().to_string();

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, PositionPlans};
 use assur_mechanism::MOST_PARTS_KEPT;
-use assur_words::{self as words, text};
+use assur_words::{self as words, Describe, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -100,7 +100,7 @@ impl PlanArgs {
         if self.by_cause
             && let Err(error) = study.add_causes(analysis)
         {
-            style.tell(text!("cli-no-causes", problem = words::name(error.to_string())));
+            style.tell(text!("cli-no-causes", problem = error.describe()));
             status = Status::Failed;
         }
         if self.plans.is_empty() {
@@ -116,7 +116,7 @@ impl PlanArgs {
             match study.sheet(index) {
                 Ok(sheet) => analysis.cycle.plans.push(PositionPlans { index, sheet }),
                 Err(error) => {
-                    let problem = words::name(error.to_string());
+                    let problem = error.describe();
                     style.tell(text!("cli-no-plans", position = words::number(index), problem = problem));
                     status = Status::Failed;
                 }

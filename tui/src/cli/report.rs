@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use assur_words::{Language, Text, name, text};
+use assur_words::{Describe, Language, Text, name, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -50,7 +50,8 @@ pub(crate) fn run(args: &ReportArgs, language: Option<&str>, style: Style) -> Re
     let status = verdict.proved();
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
     let figures = format!("{stem}-figures");
-    let written = note::write(&mut state, &note, form, &figures).map_err(Fault::other)?;
+    let written =
+        note::write(&mut state, &note, form, &figures).map_err(|error| Fault::Other(error.describe()))?;
     if !written.figures.is_empty() {
         let folder = args.output.with_file_name(&figures);
         let names: Vec<&str> = written.figures.iter().map(|(name, _)| name.as_str()).collect();
@@ -74,5 +75,7 @@ pub(crate) fn of_text(file: &str, text: &str, methods: [Option<String>; 2]) -> R
     let scene = Scene::read(Source::File(file.into()), text)?;
     let language = Language::find(note.language).unwrap_or_else(Language::english);
     let mut state = still::analyzed(scene, methods, true, language);
-    note::write(&mut state, &note, Form::Html, "").map(|written| written.text).map_err(name)
+    note::write(&mut state, &note, Form::Html, "")
+        .map(|written| written.text)
+        .map_err(|error| error.describe())
 }

@@ -7,15 +7,15 @@ use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_scene::SceneErrors;
 use assur_structure::Structure;
-use assur_words::{Text, name};
+use assur_words::{Describe, Text, name};
 
 use super::fault::Fault;
 use super::options::{MethodArgs, SceneArgs};
 use super::style::Style;
-use super::verdict::Verdict;
 use crate::files::{self, FileError};
 use crate::progress::ProgressLine;
 use crate::screen::state::State;
+use crate::verdict::Verdict;
 
 /// Reads a scene file.
 pub(crate) fn read(path: &Path) -> Result<Mechanism, Fault> {
@@ -64,7 +64,7 @@ pub(crate) fn fault(path: &Path, error: &AnalysisError) -> Fault {
         let mechanism = assur_scene::read(&path.display().to_string(), &files::read(path).ok()?).ok()?;
         at_key(path, &error.key(&mechanism)?, &error.to_string())
     };
-    located().unwrap_or_else(|| in_file(path, name(error.to_string())))
+    located().unwrap_or_else(|| in_file(path, error.describe()))
 }
 
 /// A fault that is found while calculating, at a key of the scene; `None` if the scene has no such key.
@@ -78,14 +78,14 @@ pub(crate) fn at_key(path: &Path, key: &[String], message: &str) -> Option<Fault
 /// Calculates the results of a scene, for a command that gives others: what they lack, those lack too.
 pub(crate) fn verdict(calculation: &Calculation, path: &Path, style: Style) -> Result<Verdict, Fault> {
     let analysis =
-        calculation.analyze(&mut ProgressLine::new(style.language).watch()).map_err(Fault::other)?;
-    Ok(Verdict::of(&analysis, calculation, path))
+        calculation.analyze(&mut ProgressLine::new(style.language).watch()).map_err(Fault::told)?;
+    Ok(Verdict::of(&analysis, calculation, &path))
 }
 
 /// What the results lack that the views and the note are made of.
 pub(crate) fn verdict_of(state: &State, args: &SceneArgs, style: Style) -> Result<Verdict, Fault> {
     if let Some(found) = state.found() {
-        return Ok(Verdict::of(&found.analysis, found.plans.calculation(), &args.scene));
+        return Ok(Verdict::of(&found.analysis, found.plans.calculation(), &args.scene.as_path()));
     }
     // The same calculation, which says why there is none, and where.
     verdict(&study(args, style)?, &args.scene, style)
@@ -99,10 +99,10 @@ pub(crate) fn linkage(path: &Path) -> Result<Linkage, Fault> {
 /// The requested methods, which must exist even if the scene does not use them.
 pub(crate) fn options(methods: &MethodArgs) -> Result<Options, Fault> {
     if let Some(method) = &methods.analyzer {
-        assur_force::find(method).map_err(Fault::other)?;
+        assur_force::find(method).map_err(Fault::told)?;
     }
     if let Some(method) = methods.integrator.as_deref().filter(|method| *method != "auto") {
-        assur_integrator::find(method).map_err(Fault::other)?;
+        assur_integrator::find(method).map_err(Fault::told)?;
     }
     Ok(Options { analyzer: methods.analyzer.clone(), integrator: methods.integrator.clone() })
 }

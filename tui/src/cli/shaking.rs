@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use assur_report::{csv, json, text};
-use assur_words::{Describe, name};
+use assur_words::Describe;
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
         Err(error) => {
             let key = error.key(&calculation.linkage.mechanism);
             let located = key.and_then(|key| scene::at_key(path, &key, &error.to_string()));
-            let fault = located.unwrap_or_else(|| scene::in_file(path, name(error.to_string())));
+            let fault = located.unwrap_or_else(|| scene::in_file(path, error.describe()));
             if !error.is_no_solution() {
                 return Err(fault);
             }

@@ -11,14 +11,14 @@ use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use super::verdict::Verdict;
 use crate::progress::ProgressLine;
+use crate::verdict::Verdict;
 
 pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene;
     let output = Output::of(args.output.as_deref(), path)?;
     let linkage = scene::linkage(path)?;
-    let verdict = Verdict::of_positions(&linkage, path);
+    let verdict = Verdict::of_positions(&linkage, &path.as_path());
     verdict.tell(style);
     let line = ProgressLine::new(style.language);
     let found = stability(linkage.mechanism, &mut |done, total| {

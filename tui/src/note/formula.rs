@@ -1,10 +1,12 @@
 //! The working of a position as equations.
 
+use assur_book::{Block, Document, Term};
+use assur_words::{name, number, text, unit};
 use assur_working::WorkingError;
 use assur_worksheet::{Entry, Line};
 
-use super::Context;
-use super::document::{Block, Term};
+use super::NoteError;
+use super::context::Context;
 use crate::words::Words;
 
 /// Functions of the working.
@@ -22,38 +24,36 @@ const GREEK: [(&str, &str); 8] = [
 ];
 
 /// The equations of the first chosen position.
-pub(super) fn blocks(context: &mut Context<'_>) -> Result<Vec<Block>, String> {
+pub(super) fn working(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
     let words = context.words;
-    let (Some(found), Some(&position)) = (context.state.found(), context.positions.first()) else {
-        return Ok(Vec::new());
-    };
-    let plans = found.plans.at(position);
-    let mut blocks = vec![Block::Heading(words.with("working", &[("position", position.to_string())]))];
+    let position = context.positions[0];
+    let plans = context.found()?.plans.at(position);
+    page.heading(text!("note-working", position = number(position)));
     let sections = match plans.working() {
         Ok(sections) => sections,
         Err(error @ WorkingError::Load { .. }) => {
-            blocks.push(Block::Text(words.phrase(&error.to_string())));
-            return Ok(blocks);
+            page.paragraph(name(words.phrase(&error.to_string())));
+            return Ok(());
         }
-        Err(error) => return Err(error.to_string()),
+        Err(error) => return Err(NoteError::Working(name(error.to_string()))),
     };
     // The first section repeats title and structure.
     for section in sections.iter().skip(1) {
-        blocks.push(Block::Subheading(words.phrase(&section.title)));
-        blocks.extend(section.entries.iter().map(|entry| match entry {
+        page.blocks.push(Block::Subheading(name(words.phrase(&section.title))));
+        page.blocks.extend(section.entries.iter().map(|entry| match entry {
             // An equation without numbers.
             Entry::Note(text) if text.starts_with('(') => Block::Equation(symbols(words, text)),
-            Entry::Note(text) => Block::Text(remark(words, text)),
+            Entry::Note(text) => Block::Paragraph(name(remark(words, text))),
             Entry::Given { name, result, unit, .. } => {
                 let mut terms = symbols(words, name);
                 terms.extend(equals(symbols(words, result)));
-                terms.extend(unit_of(words, unit));
+                terms.extend(unit_of(unit));
                 Block::Equation(terms)
             }
             Entry::Line(line) => Block::Equation(equation(words, line)),
         }));
     }
-    Ok(blocks)
+    Ok(())
 }
 
 /// A remark with Greek letters and subscripts.
@@ -82,8 +82,8 @@ fn equals(terms: Vec<Term>) -> impl Iterator<Item = Term> {
     std::iter::once(Term::Sign(" = ".to_owned())).chain(terms)
 }
 
-fn unit_of(words: &Words, unit: &str) -> Option<Term> {
-    (!unit.is_empty()).then(|| Term::Unit(words.unit(unit)))
+fn unit_of(symbol: &str) -> Option<Term> {
+    (!symbol.is_empty()).then(|| Term::Unit(unit(symbol.to_owned())))
 }
 
 /// Name, formula, formula with numbers, result with its unit; what would repeat the part before it is left out.
@@ -100,7 +100,7 @@ fn equation(words: &Words, line: &Line) -> Vec<Term> {
         }
         before = part;
     }
-    terms.extend(unit_of(words, &line.unit));
+    terms.extend(unit_of(&line.unit));
     terms
 }
 
@@ -122,7 +122,7 @@ fn symbols(words: &Words, text: &str) -> Vec<Term> {
             (symbol(words, name), behind)
         } else if letter.is_ascii_digit() {
             let end = number_end(rest);
-            (Term::Number(words.number(&rest[..end])), &rest[end..])
+            (Term::Number(number(&rest[..end])), &rest[end..])
         } else if letter == '^' {
             let (power, behind) =
                 rest[1..].split_at(rest[1..].find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len() - 1));
@@ -150,14 +150,16 @@ fn number_end(text: &str) -> usize {
     exponent.map_or(end, |length| end + 1 + length)
 }
 
-fn symbol(words: &Words, name: &str) -> Term {
-    match name {
-        "sqrt" => Term::Function("√".to_owned()),
-        name if FUNCTIONS.contains(&name) => Term::Function(name.to_owned()),
-        name => {
-            let (letters, below) = named(words, name);
-            Term::Name(letters, below)
-        }
+fn symbol(words: &Words, symbol: &str) -> Term {
+    match symbol {
+        "sqrt" => Term::Function("√"),
+        other => match FUNCTIONS.into_iter().find(|function| *function == other) {
+            Some(function) => Term::Function(function),
+            None => {
+                let (letters, below) = named(words, other);
+                Term::Name(letters, name(below))
+            }
+        },
     }
 }
 

@@ -1,11 +1,12 @@
 //! A note as one HTML file that reads on a screen and prints on A4.
 
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
+use assur_book::{Block, Term};
 use assur_figure::svg::{self, escaped};
+use assur_words::{Text, text};
 
-use super::document::{self, Block, Cover, Term};
-use crate::words::Words;
+use super::sheet::{self, Grid, Sheet};
 
 /// Time of one turn of an animation, s.
 pub(super) const TURN: f64 = 6.0;
@@ -30,95 +31,89 @@ th, td { border: 0.3mm solid #666; padding: 0.6mm 1.5mm; text-align: left; } th 
 pub(super) const SHORT: usize = 16;
 
 /// The file.
-pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
+pub(super) fn write(sheet: &Sheet<'_>) -> String {
+    let line = |text: &Text| rich(&sheet.line(text));
     let mut text = format!(
         "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<style>{STYLE}</style>\n\
          </head>\n<body>\n<section class=\"cover\"><p>{}</p><h1>{}</h1><table>",
-        words.language,
-        escaped(&cover.title),
-        escaped(&words.get("explanatory-note")),
-        escaped(&cover.title)
+        sheet.language.code,
+        escaped(sheet.title),
+        line(&text!("note-title")),
+        escaped(sheet.title)
     );
-    for (id, value) in &cover.rows {
-        let _ = write!(text, "<tr><td>{}:</td><td>{}</td></tr>", escaped(&words.get(id)), escaped(value));
+    for (what, who) in &sheet.author {
+        let _ = write!(text, "<tr><td>{}:</td><td>{}</td></tr>", line(what), escaped(who));
     }
     text.push_str("</table></section>\n");
     let [mut parts, mut figures, mut tables] = [0_usize; 3];
-    for block in blocks {
-        match block {
+    for block in &sheet.document.blocks {
+        let _ = match block {
+            Block::Title(_) => Ok(()),
             Block::Heading(title) => {
                 parts += 1;
-                let _ = writeln!(text, "<h2>{parts}. {}</h2>", rich(title));
+                writeln!(text, "<h2>{parts}. {}</h2>", line(title))
             }
-            Block::Subheading(title) => {
-                let _ = writeln!(text, "<h3>{}</h3>", rich(title));
-            }
-            Block::Text(paragraph) => {
-                let _ = writeln!(text, "<p>{}</p>", rich(paragraph));
-            }
-            Block::Equation(terms) => {
-                let _ = writeln!(text, "<p class=\"eq\">{}</p>", equation(terms));
-            }
-            Block::Picture { frames, size, caption } => {
+            Block::Subheading(title) => writeln!(text, "<h3>{}</h3>", line(title)),
+            Block::Paragraph(words) => writeln!(text, "<p>{}</p>", line(words)),
+            Block::Equation(terms) => writeln!(text, "<p class=\"eq\">{}</p>", equation(sheet, terms)),
+            Block::Figure { frames, size, caption } => {
                 figures += 1;
-                let drawn = svg::animate(frames, *size, TURN, words.spoken());
-                let number = format!("{} {figures}", words.get("figure"));
-                let caption = rich(caption);
-                let _ =
-                    writeln!(text, "<figure>{drawn}<figcaption>{number}. {caption}</figcaption></figure>");
+                let drawn = svg::animate(frames, *size, TURN, sheet.language);
+                let caption = rich(&sheet.numbered("note-figure", figures, caption));
+                writeln!(text, "<figure>{drawn}<figcaption>{caption}</figcaption></figure>")
             }
-            Block::Table { caption, head, rows } => {
+            Block::Table(_) | Block::Facts { .. } => {
                 tables += 1;
-                let caption = format!("{} {tables}. {}", words.get("table"), rich(caption));
-                table(&mut text, &caption, head, rows);
+                block.as_table().map_or(Ok(()), |of| {
+                    let caption = rich(&sheet.numbered("note-table", tables, &of.caption));
+                    table(&mut text, &caption, &sheet.grid(&of))
+                })
             }
-        }
+        };
     }
     text.push_str("</body>\n</html>\n");
     text
 }
 
-fn table(text: &mut String, caption: &str, head: &[String], rows: &[Vec<String>]) {
-    let class = if rows.len() <= SHORT { " class=\"short\"" } else { "" };
-    let _ = write!(text, "<table{class}><caption>{caption}</caption><thead><tr>");
-    for cell in head {
-        let _ = write!(text, "<th>{}</th>", rich(cell));
+fn table(text: &mut String, caption: &str, grid: &Grid) -> fmt::Result {
+    let class = if grid.rows.len() <= SHORT { " class=\"short\"" } else { "" };
+    write!(text, "<table{class}><caption>{caption}</caption><thead><tr>")?;
+    for cell in &grid.head {
+        write!(text, "<th>{}</th>", rich(cell))?;
     }
     text.push_str("</tr></thead><tbody>");
-    for cells in rows {
+    for cells in &grid.rows {
         text.push_str("<tr>");
-        for (column, cell) in cells.iter().enumerate() {
-            let class = if is_of_numbers(rows, column) { " class=\"n\"" } else { "" };
-            let _ = write!(text, "<td{class}>{}</td>", rich(cell));
+        for (cell, right) in cells.iter().zip(&grid.right) {
+            let class = if *right { " class=\"n\"" } else { "" };
+            write!(text, "<td{class}>{}</td>", rich(cell))?;
         }
         text.push_str("</tr>");
     }
     text.push_str("</tbody></table>\n");
-}
-
-/// Whether a column has numbers and dashes alone, so that it stands at the right.
-pub(super) fn is_of_numbers(rows: &[Vec<String>], column: usize) -> bool {
-    rows.iter().all(|cells| cells.get(column).is_some_and(|cell| is_number(cell)))
-}
-
-fn is_number(cell: &str) -> bool {
-    let mut signs = cell.chars();
-    signs.next().is_some_and(|c| c.is_ascii_digit() || "+−–".contains(c))
-        && signs.all(|c| c.is_ascii_digit() || ".,·−⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c))
+    Ok(())
 }
 
 /// A text with subscripts.
 fn rich(text: &str) -> String {
-    document::rich(text, escaped, |low| format!("<sub>{}</sub>", escaped(low)))
+    sheet::rich(text, escaped, |low| format!("<sub>{}</sub>", escaped(low)))
 }
 
-fn equation(terms: &[Term]) -> String {
+fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
+    let line = |text: &Text| escaped(&sheet.line(text));
     let term = |term: &Term| match term {
         Term::Name(letters, below) if below.is_empty() => format!("<i>{}</i>", escaped(letters)),
-        Term::Name(letters, below) => format!("<i>{}</i><sub>{}</sub>", escaped(letters), escaped(below)),
-        Term::Function(text) | Term::Number(text) | Term::Sign(text) => escaped(text),
+        Term::Name(letters, below) => format!("<i>{}</i><sub>{}</sub>", escaped(letters), line(below)),
+        Term::Function(text) => escaped(text),
+        Term::Number(text) => line(text),
+        Term::Sign(text) => escaped(&sign(text)),
         Term::Power(power) => format!("<sup>{}</sup>", escaped(power)),
-        Term::Unit(unit) => format!(" {}", escaped(unit)),
+        Term::Unit(unit) => format!(" {}", line(unit)),
     };
     terms.iter().map(term).collect()
+}
+
+/// Operators with the signs of print.
+fn sign(text: &str) -> String {
+    text.replace('*', "·").replace('-', "−")
 }

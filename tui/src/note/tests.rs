@@ -1,5 +1,6 @@
 //! Tests of `note`.
 
+mod facts;
 mod numbers;
 
 use std::collections::BTreeSet;

@@ -2,11 +2,12 @@
 
 use std::fmt::Write;
 
+use assur_book::{Block, Term};
 use assur_figure::svg;
+use assur_words::{Text, text};
 
-use super::document::{self, Block, Cover, Term};
-use super::html::{SHORT, is_of_numbers};
-use crate::words::Words;
+use super::html::SHORT;
+use super::sheet::{self, Grid, Sheet};
 
 const STYLE: &str = "#set page(paper: \"a4\", margin: (left: 25mm, right: 15mm, y: 20mm), numbering: \"1\")
 #set text(font: (\"Libertinus Serif\", \"Liberation Serif\"), size: 11pt)
@@ -16,56 +17,57 @@ const STYLE: &str = "#set page(paper: \"a4\", margin: (left: 25mm, right: 15mm, 
 ";
 
 /// The file.
-pub(super) fn write(cover: &Cover, blocks: &[Block], words: &Words) -> String {
-    let (language, title) = (words.language, rich(&cover.title));
+pub(super) fn write(sheet: &Sheet<'_>) -> String {
+    let line = |text: &Text| rich(&sheet.line(text));
+    let (language, title) = (sheet.language.code, rich(sheet.title));
     let mut text = format!("{STYLE}#set text(lang: \"{language}\")\n#align(center + horizon)[\n");
     let _ = writeln!(
         text,
         "  #text(16pt)[{}]\n\n  #text(20pt, weight: \"bold\")[{title}]\n]",
-        rich(&words.get("explanatory-note"))
+        line(&text!("note-title"))
     );
-    for (id, value) in &cover.rows {
-        let _ = writeln!(text, "#align(right)[{}: {}]", rich(&words.get(id)), rich(value));
+    for (what, who) in &sheet.author {
+        let _ = writeln!(text, "#align(right)[{}: {}]", line(what), rich(who));
     }
     text.push_str("#pagebreak()\n\n");
-    for block in blocks {
+    for block in &sheet.document.blocks {
         let _ = match block {
-            Block::Heading(title) => writeln!(text, "= {}\n", rich(title)),
-            Block::Subheading(title) => writeln!(text, "== {}\n", rich(title)),
-            Block::Text(paragraph) => writeln!(text, "{}\n", rich(paragraph)),
-            Block::Equation(terms) => writeln!(text, "#h(8mm)${}$\n", equation(terms)),
+            Block::Title(_) => Ok(()),
+            Block::Heading(title) => writeln!(text, "= {}\n", line(title)),
+            Block::Subheading(title) => writeln!(text, "== {}\n", line(title)),
+            Block::Paragraph(words) => writeln!(text, "{}\n", line(words)),
+            Block::Equation(terms) => writeln!(text, "#h(8mm)${}$\n", equation(sheet, terms)),
             // Paper does not move.
-            Block::Picture { frames, size, caption } => {
-                let first = svg::animate(&frames[..1.min(frames.len())], *size, 0.0, words.spoken());
-                let drawn = quoted(&first);
+            Block::Figure { frames, size, caption } => {
+                let first = &frames[..1.min(frames.len())];
+                let drawn = quoted(&svg::animate(first, *size, 0.0, sheet.language));
+                let (width, caption) = (size[0], line(caption));
                 writeln!(
                     text,
-                    "#figure(image(bytes({drawn}), format: \"svg\", width: {}mm), caption: [{}])\n",
-                    size[0],
-                    rich(caption)
+                    "#figure(image(bytes({drawn}), format: \"svg\", width: {width}mm), caption: [{caption}])\n"
                 )
             }
-            Block::Table { caption, head, rows } => {
-                let figure = format!("#figure({}, caption: [{}])", table(head, rows), rich(caption));
-                match rows.len() {
+            Block::Table(_) | Block::Facts { .. } => block.as_table().map_or(Ok(()), |of| {
+                let grid = sheet.grid(&of);
+                let figure = format!("#figure({}, caption: [{}])", table(&grid), line(&of.caption));
+                match grid.rows.len() {
                     0..=SHORT => writeln!(text, "{figure}\n"),
                     _ => writeln!(text, "#[#show figure: set block(breakable: true)\n{figure}]\n"),
                 }
-            }
+            }),
         };
     }
     text
 }
 
-fn table(head: &[String], rows: &[Vec<String>]) -> String {
+fn table(grid: &Grid) -> String {
     let cells = |cells: &[String]| {
         cells.iter().flat_map(|cell| ["[".to_owned(), rich(cell), "], ".to_owned()]).collect::<String>()
     };
-    let columns =
-        (0..head.len()).map(|column| if is_of_numbers(rows, column) { "right, " } else { "left, " });
-    let mut text = format!("table(columns: {}, align: ({}),\n", head.len(), columns.collect::<String>());
-    let _ = writeln!(text, "  table.header({}),", cells(head));
-    for row in rows {
+    let columns: String = grid.right.iter().map(|right| if *right { "right, " } else { "left, " }).collect();
+    let mut text = format!("table(columns: {}, align: ({columns}),\n", grid.head.len());
+    let _ = writeln!(text, "  table.header({}),", cells(&grid.head));
+    for row in &grid.rows {
         let _ = writeln!(text, "  {}", cells(row));
     }
     text + ")"
@@ -78,27 +80,28 @@ fn quoted(text: &str) -> String {
 
 /// A text in which nothing is markup but its subscripts.
 fn rich(text: &str) -> String {
-    document::rich(text, |part| format!("#{};", quoted(part)), |low| format!("#sub({})", quoted(low)))
+    sheet::rich(text, |part| format!("#{};", quoted(part)), |low| format!("#sub({})", quoted(low)))
 }
 
-fn equation(terms: &[Term]) -> String {
+fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
     let term = |term: &Term| match term {
         Term::Name(letters, below) => {
             let primes = letters.trim_start_matches(|c: char| c.is_alphabetic());
             let letters = letters.trim_end_matches(primes);
             let letters = if letters.chars().count() > 1 { quoted(letters) } else { letters.to_owned() };
             let primes = "'".repeat(primes.chars().map(|c| if c == '″' { 2 } else { 1 }).sum());
-            let below = if below.is_empty() { String::new() } else { format!("_{}", quoted(below)) };
+            let below =
+                if below.is_empty() { String::new() } else { format!("_{}", quoted(&sheet.line(below))) };
             format!("{letters}{primes}{below} ")
         }
-        Term::Function(text) if text == "√" => "√".to_owned(),
+        Term::Function("√") => "√".to_owned(),
         Term::Function(text) => format!("op({})", quoted(text)),
-        Term::Number(text) => quoted(text) + " ",
+        Term::Number(text) => quoted(&sheet.line(text)) + " ",
         Term::Power(power) => format!("^{power} "),
         Term::Sign(text) => {
-            text.replace('/', "\\/").replace('·', " dot ").replace('−', "-").replace('"', "\\\"")
+            text.replace('/', "\\/").replace(['·', '*'], " dot ").replace('−', "-").replace('"', "\\\"")
         }
-        Term::Unit(unit) => format!(" space {}", quoted(unit)),
+        Term::Unit(unit) => format!(" space {}", quoted(&sheet.line(unit))),
     };
     terms.iter().map(term).collect()
 }

@@ -5,6 +5,7 @@ mod courses;
 mod forces;
 mod frames;
 mod keys;
+mod language;
 mod lists;
 mod pictures;
 mod random;

@@ -87,11 +87,11 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> R
     let failed = |text: Text| Report::Analyzed { number, found: Err(text) };
     let calculation = match Calculation::of(mechanism.clone(), &options, &mut watch) {
         Ok(calculation) => calculation,
-        Err(error) => return failed(name(error.to_string())),
+        Err(error) => return failed(error.describe()),
     };
     let analysis = match calculation.analyze(&mut watch) {
         Ok(analysis) => analysis,
-        Err(stopped) => return failed(name(stopped.to_string())),
+        Err(stopped) => return failed(stopped.describe()),
     };
     let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
     let ending = calculation.ending(&analysis.positions);

@@ -33,7 +33,7 @@ fn calculations(
 }
 
 fn one(all: &[Check], name: &str) -> Option<Check> {
-    all.iter().find(|check| check.name == name).cloned()
+    all.iter().find(|check| check.name.to_string() == name).cloned()
 }
 
 /// Whether a check holds as it is and fails with twice its limit.

@@ -1,9 +1,8 @@
 //! Notes on the assembly: where assembly modes meet, end, or run through infinity.
 
-use std::fmt::Write;
-
 use assur_group::{GroupError, Order};
 use assur_mechanism::{Motion, Range};
+use assur_words::{Describe, Text, joined, list, number, quantity, text};
 
 use super::Listed;
 use crate::Calculation;
@@ -14,7 +13,7 @@ const SAME: f64 = 1e-6;
 impl Calculation {
     /// Where assembly modes meet; the motion passes through without any sign in the numbers but a great condition
     /// number.
-    pub(super) fn change_points(&self) -> Option<String> {
+    pub(super) fn change_points(&self) -> Option<Text> {
         let linkage = &self.linkage;
         let mut places: Vec<(f64, Vec<usize>)> = Vec::new();
         for point in linkage.change_points().filter(|point| self.visits(point.coordinate)) {
@@ -25,31 +24,23 @@ impl Calculation {
                 None => places.push((coordinate, vec![group])),
             }
         }
-        let words: Vec<String> = places.iter().map(|(at, groups)| self.change_point(*at, groups)).collect();
+        if places.is_empty() {
+            return None;
+        }
+        let words = places.iter().map(|(at, groups)| self.change_point(*at, groups));
+        let mut note = vec![text!("analysis-change-points", places = joined("; ", words))];
         let input = &linkage.mechanism.input;
         let across = |index: &usize| linkage.is_interpolated(input.coordinate(*index));
         let positions: Listed = (0..input.positions).filter(across).collect();
-        let interpolated = if positions.is_empty() {
-            String::new()
-        } else {
-            format!(
-                " In {} the equations of the group say nothing or little (0/0): the motion there is interpolated \
-                 from both sides.",
-                positions.words()
-            )
-        };
-        (!words.is_empty()).then(|| {
-            format!(
-                "Change points, where two ways of assembly meet: {}. A real mechanism may go on in either way there; \
-                 calculated is the smooth motion.{interpolated}",
-                words.join("; ")
-            )
-        })
+        if !positions.is_empty() {
+            note.push(text!("analysis-interpolated", positions = positions.words()));
+        }
+        Some(joined(" ", note))
     }
 
     /// Positions that can be assembled, but are beyond a gap, seen from the first position. The gap may be too narrow
     /// to contain a position; if it contains one, the error of that position says where the mechanism can be assembled.
-    pub(super) fn barriers(&self) -> Option<String> {
+    pub(super) fn barriers(&self) -> Option<Text> {
         let linkage = &self.linkage;
         let input = &linkage.mechanism.input;
         // Nothing is solved again if no position is beyond a gap.
@@ -70,44 +61,34 @@ impl Calculation {
             return None;
         }
         let gap = match failure.source {
-            GroupError::NoAssembly { gap_m } => format!("it misses by {:.3e} mm or more", gap_m * 1e3),
-            other => other.to_string(),
+            GroupError::NoAssembly { gap_m } => {
+                text!("analysis-misses", gap = quantity(format_args!("{:.3e}", gap_m * 1e3), "mm"))
+            }
+            other => other.describe(),
         };
-        let mut note = format!(
-            "Behind {} {} can't be assembled ({gap}): the motion from the first position ends there.",
-            self.show(end),
-            linkage.structure.group_name(&linkage.mechanism, failure.group)
-        );
+        let group = linkage.structure.group_name(&linkage.mechanism, failure.group);
+        let mut note = vec![text!("analysis-barrier", end = self.show(end), group = group, gap = gap)];
         if !back.is_empty() {
-            let are = if back.is_single() { "is" } else { "are" };
-            let _ = write!(note, " {} {are} reached by turning back only.", back.words());
+            note.push(text!("analysis-turning-back", count = back.count(), numbers = back.words()));
         }
         if !beyond.is_empty() {
-            let are = if beyond.is_single() { "is a place" } else { "are places" };
-            let _ = write!(note, " {} {are} of the mechanism, but not of that motion.", beyond.words());
+            note.push(text!("analysis-other-motion", count = beyond.count(), numbers = beyond.words()));
         }
-        Some(note)
+        Some(joined(" ", note))
     }
 
     /// Where links run through infinity: beyond it, the positions belong to another assembly.
-    pub(super) fn poles(&self) -> Option<String> {
+    pub(super) fn poles(&self) -> Option<Text> {
         let linkage = &self.linkage;
-        let words: Vec<String> = linkage
-            .poles()
-            .iter()
-            .filter(|(at, _)| self.visits(*at))
+        let poles = linkage.poles();
+        let poles = poles.iter().filter(|(at, _)| self.visits(*at));
+        let places: Vec<Text> = poles
             .map(|(at, group)| {
-                let name = linkage.structure.group_name(&linkage.mechanism, *group);
-                format!("{} ({name})", self.show(*at))
+                let group = linkage.structure.group_name(&linkage.mechanism, *group);
+                text!("analysis-place", place = self.show(*at), group = group)
             })
             .collect();
-        (!words.is_empty()).then(|| {
-            format!(
-                "Links run through infinity, since guides turn parallel: {}. No mechanism gets from one side to the other; \
-                 positions on both are calculated.",
-                words.join("; ")
-            )
-        })
+        (!places.is_empty()).then(|| text!("analysis-poles", places = joined("; ", places)))
     }
 
     /// Whether two coordinates are one place of the input link. A mechanism whose cycle takes several turns passes each
@@ -138,23 +119,26 @@ impl Calculation {
     }
 
     /// A coordinate as shown to a reader.
-    fn show(&self, coordinate: f64) -> String {
+    fn show(&self, coordinate: f64) -> Text {
         if self.linkage.angular() {
             // A place within rounding of a whole turn is 0.
             let degrees = coordinate.rem_euclid(std::f64::consts::TAU).to_degrees();
-            format!("{:.4} deg", if degrees > 359.999_95 { 0.0 } else { degrees })
+            let shown = if degrees > 359.999_95 { 0.0 } else { degrees };
+            quantity(format_args!("{shown:.4}"), "deg")
         } else {
-            format!("{:.4} mm", coordinate * 1e3)
+            quantity(format_args!("{:.4}", coordinate * 1e3), "mm")
         }
     }
 
-    fn change_point(&self, coordinate: f64, groups: &[usize]) -> String {
+    fn change_point(&self, coordinate: f64, groups: &[usize]) -> Text {
         let linkage = &self.linkage;
         let place = self.show(coordinate);
         let group = linkage.structure.group_name(&linkage.mechanism, groups[0]);
         match groups.len() {
-            1 => format!("{place} ({group})"),
-            count => format!("{place} ({group} and {} more)", count - 1),
+            1 => text!("analysis-place", place = place, group = group),
+            count => {
+                text!("analysis-place-of-several", place = place, group = group, more = count - 1)
+            }
         }
     }
 }
@@ -175,16 +159,19 @@ impl Runs {
         self.0.is_empty()
     }
 
-    fn is_single(&self) -> bool {
-        matches!(self.0[..], [[first, last]] if first == last)
+    /// How many positions; 2 stands for more of them.
+    fn count(&self) -> usize {
+        if matches!(self.0[..], [[first, last]] if first == last) { 1 } else { 2 }
     }
 
-    /// "Positions 3, 11 to 47", "Position 3".
-    fn words(&self) -> String {
-        let part = |[first, last]: &[usize; 2]| {
-            if first == last { first.to_string() } else { format!("{first} to {last}") }
-        };
-        let plural = if self.is_single() { "" } else { "s" };
-        format!("Position{plural} {}", self.0.iter().map(part).collect::<Vec<_>>().join(", "))
+    /// "3, 11 to 47".
+    fn words(&self) -> Text {
+        list(self.0.iter().map(|[first, last]| {
+            if first == last {
+                number(first)
+            } else {
+                text!("analysis-run", first = number(first), last = number(last))
+            }
+        }))
     }
 }

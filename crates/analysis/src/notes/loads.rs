@@ -2,8 +2,9 @@
 
 use assur_group::Order;
 use assur_mechanism::{Motion, Over, Spring, Value, passage};
+use assur_words::{Text, quantity, text};
 
-use super::{Listed, counted};
+use super::Listed;
 use crate::Calculation;
 use crate::results::{Column, Owner, Quantity, Table};
 
@@ -12,7 +13,7 @@ const STILL: f64 = 1e-12;
 
 impl Calculation {
     /// Loads whose value is zero in every position, and moments on links that do not turn.
-    pub(crate) fn idle_loads(&self, positions: &Table) -> Vec<String> {
+    pub(crate) fn idle_loads(&self, positions: &Table) -> Vec<Text> {
         let (schema, mechanism) = (positions.schema(), &self.linkage.mechanism);
         let all = |column: Column, test: fn(f64) -> bool| {
             let found = schema.find(column).filter(|column| positions.has(*column));
@@ -21,27 +22,21 @@ impl Calculation {
         let mut notes = Vec::new();
         for owner in schema.owners(Quantity::Load) {
             if all(Column::of(Quantity::Load, owner), |value| value == 0.0) {
-                notes.push(format!(
-                    "Load `{}` never acts: its value is zero in every position (a table or formula that is zero over the cycle, or \
-                     a load against the motion of what always rests).",
-                    schema.name(owner)
-                ));
+                notes.extend(schema.named(owner).map(|load| text!("analysis-load-idle", load = load)));
             }
         }
         for moment in mechanism.moments.iter().filter(|moment| moment.brake.is_none()) {
             let turns = Column::of(Quantity::Transfer(1), Owner::Link(moment.link));
             if all(turns, |pf1| pf1.abs() <= STILL) {
-                notes.push(format!(
-                    "Moment `{}` does no work: link `{}` does not turn, so reactions alone carry it.",
-                    moment.name, mechanism.links[moment.link].name
-                ));
+                let link = &mechanism.links[moment.link].name;
+                notes.push(text!("analysis-moment-idle", load = &moment.name, link = link));
             }
         }
         notes
     }
 
     /// Positions that lie before time zero of a prescribed motion, or that it never reaches, where a load depends on time.
-    pub(super) fn positions_out_of_time(&self) -> Vec<String> {
+    pub(super) fn positions_out_of_time(&self) -> Vec<Text> {
         let mechanism = &self.linkage.mechanism;
         let Some(Motion::Prescribed { speed, acceleration }) = mechanism.motion else { return Vec::new() };
         let forces = mechanism.forces.iter().map(|force| &force.value);
@@ -60,18 +55,10 @@ impl Calculation {
         }
         let mut notes = Vec::new();
         if before > 0 {
-            notes.push(format!(
-                "The prescribed motion passes {} before time 0, which is that of the first position: loads over time take there what \
-                 they have at negative times.",
-                counted("position", before)
-            ));
+            notes.push(text!("analysis-before-time-zero", count = before));
         }
         if never > 0 {
-            notes.push(format!(
-                "The prescribed motion never reaches {}: it turns back before; loads over time take there the time of the turning \
-                 point.",
-                counted("position", never)
-            ));
+            notes.push(text!("analysis-never-reached", count = never));
         }
         notes
     }
@@ -88,7 +75,7 @@ fn depends_on_time(value: &Value) -> bool {
 impl Calculation {
     /// Springs whose ends meet in positions of the scene: there they have no direction and give no force, even with a
     /// free length.
-    pub(super) fn springs_without_direction(&self) -> Vec<String> {
+    pub(super) fn springs_without_direction(&self) -> Vec<Text> {
         /// Ends nearer to each other than this part of the scale of the mechanism meet.
         const NEAR: f64 = 1e-12;
         let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
@@ -105,12 +92,11 @@ impl Calculation {
             let found: Listed =
                 (0..mechanism.input.positions).filter(|index| meets(spring, *index)).collect();
             (!found.is_empty()).then(|| {
-                format!(
-                    "The ends of spring `{}` meet in {}: it has no direction and gives no force there, though its free length \
-                     is {} m; place one end elsewhere.",
-                    spring.name,
-                    found.words(),
-                    spring.length
+                text!(
+                    "analysis-spring-without-direction",
+                    spring = &spring.name,
+                    positions = found.words(),
+                    length = quantity(spring.length, "m")
                 )
             })
         });

@@ -10,6 +10,7 @@ pub(crate) use needs::is_heavy;
 use assur_group::Order;
 use assur_mechanism::{LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
 use assur_structure::Structure;
+use assur_words::Text;
 
 /// The content of results, in the order of the scene.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -41,7 +42,7 @@ pub struct Plan {
     /// Highest order of transfer functions that is calculated.
     pub order: Order,
     /// The reason for that order, in words.
-    pub order_for: Vec<&'static str>,
+    pub order_for: Vec<Text>,
     /// Velocities and accelerations are wanted.
     pub velocities: bool,
     /// Inertia, its derivative and loads are reduced to the input link.

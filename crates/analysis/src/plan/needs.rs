@@ -3,6 +3,7 @@
 use assur_group::Order;
 use assur_mechanism::{Balance, GROUND, LinkId, Mechanism, PairId, Place};
 use assur_structure::Structure;
+use assur_words::{Text, text};
 
 use crate::plan::{Plan, Wanted};
 
@@ -95,25 +96,22 @@ fn earliest(mechanism: &Mechanism, structure: &Structure, point: usize) -> Place
 }
 
 /// The order for a plan whose stages are decided, with its reason in words.
-pub(crate) fn order(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> (Order, Vec<&'static str>) {
+pub(crate) fn order(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> (Order, Vec<Text>) {
     let shows = !plan.wanted.has_no_motion();
     let second = [
-        (shows, "results show them"),
-        (plan.velocities, "accelerations in the results"),
-        (plan.reduction && !plan.inertia_constant, "dJ/dq"),
-        (plan.inertia_loads && heavy_groups(mechanism, structure), "accelerations of masses"),
-        (
-            (plan.reduction || plan.forces) && opposed(mechanism),
-            "whether a point is at rest on which a load acts against the motion",
-        ),
+        (shows, text!("analysis-order-shown")),
+        (plan.velocities, text!("analysis-order-accelerations")),
+        (plan.reduction && !plan.inertia_constant, text!("analysis-order-inertia")),
+        (plan.inertia_loads && heavy_groups(mechanism, structure), text!("analysis-order-masses")),
+        ((plan.reduction || plan.forces) && opposed(mechanism), text!("analysis-order-rest")),
     ];
     let first = [
-        (plan.reduction, "the virtual power of loads and masses"),
-        (plan.forces && plan.groups_carrying.contains(&true), "the force analysis"),
-        (plan.forces && !plan.by_groups, "the force analysis"),
+        (plan.reduction, text!("analysis-order-power")),
+        (plan.forces && plan.groups_carrying.contains(&true), text!("analysis-order-forces")),
+        (plan.forces && !plan.by_groups, text!("analysis-order-forces")),
     ];
-    let reasons = |list: &[(bool, &'static str)]| -> Vec<&'static str> {
-        list.iter().filter_map(|(needs, why)| needs.then_some(*why)).collect()
+    let reasons = |list: &[(bool, Text)]| -> Vec<Text> {
+        list.iter().filter_map(|(needs, why)| needs.then(|| why.clone())).collect()
     };
     match (reasons(&second), reasons(&first)) {
         (why, _) if !why.is_empty() => (Order::Second, why),

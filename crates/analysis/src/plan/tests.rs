@@ -4,6 +4,7 @@ use assur_all as _;
 use assur_group::Order;
 use assur_mechanism::Mechanism;
 use assur_structure::Structure;
+use assur_words::text;
 
 use crate::plan::Plan;
 
@@ -131,7 +132,10 @@ fn the_order_is_what_something_needs() {
     assert_eq!((crank.order, crank.inertia_constant), (Order::First, true));
     // Masses behind need PF2 even at rest, as dJ/dq is told; and in motion.
     let heavy = shaper_with(|text| STILL(&text), reactions);
-    assert_eq!((heavy.order, heavy.order_for.clone()), (Order::Second, vec!["dJ/dq"]));
+    assert_eq!(
+        (heavy.order, heavy.order_for.clone()),
+        (Order::Second, vec![text!("analysis-order-inertia")])
+    );
     // A load against the motion looks at PF2 to see where its point stands.
     let against = |text: String| {
         massless(&text, &[]).replace("angle = \"0 deg\"\nvalue", "against_motion = true\nvalue")
@@ -142,7 +146,7 @@ fn the_order_is_what_something_needs() {
     assert_eq!((none.order, none.groups_needed.clone()), (Order::Place, vec![false, false]));
     // Transfer functions are told wherever a link is.
     let told = shaper_with(|text| STILL(&massless(&text, &[])), "[output]\nlinks = [\"rocker\"]\n");
-    assert_eq!((told.order, told.order_for.clone()), (Order::Second, vec!["results show them"]));
+    assert_eq!((told.order, told.order_for.clone()), (Order::Second, vec![text!("analysis-order-shown")]));
 }
 
 #[test]

@@ -4,6 +4,8 @@ mod twice;
 
 pub(crate) use twice::twice_the_limit;
 
+use assur_words::Text;
+
 use super::{Balance, Between, Worst};
 
 const INTERVALS: usize = super::INTERVALS[1];
@@ -62,7 +64,8 @@ fn what_lies_between_two_points_proves_nothing() {
             (vec![0.0; 9], vec![0.0; 9], vec![0.0; 9], vec![between; 8]);
         let found = Balance { step: 1.0, kinetic, power, rounding, unresolved: 0.0, by_speed, between };
         let Worst { residual, limit, .. } = found.worst(1e-9);
-        let check = assur_check::Check::of("work", residual, limit, "", "");
+        let check =
+            assur_check::Check::of(Text::default(), residual, limit, Text::default(), Text::default());
         (check.judged, check.ok)
     };
     assert_eq!(seen(Between::Unseen), (false, false));
@@ -80,6 +83,6 @@ fn after_a_pole_the_accuracy_of_the_speed_proves_nothing_and_before_it_all() {
         let Worst { residual, limit, widest } = found.worst(1e-9);
         (residual <= limit, limit > 0.1, widest)
     };
-    assert!(matches!(seen(12), (true, true, Worst::OF_MOTION)));
+    assert_eq!(seen(12), (true, true, Worst::OF_MOTION));
     assert!(!seen(2).0);
 }

@@ -1,10 +1,10 @@
 //! The whole result.
 
-use std::borrow::Cow;
-
 use assur_check::Check;
 use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
 use assur_integrator::{Event, State, Statistics};
+use assur_mechanism::Name;
+use assur_words::{Text, text};
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -35,9 +35,9 @@ pub struct Analysis {
     /// How a transient motion was found.
     pub integration: Option<Integration>,
     /// Why the requested motion is not found; results that do not depend on it are given nevertheless.
-    pub no_motion: Option<String>,
+    pub no_motion: Option<Text>,
     /// What had to be left out, and what was decided during the calculation.
-    pub notes: Vec<String>,
+    pub notes: Vec<Text>,
     /// Reactions over the cycle, contacts, plans.
     pub cycle: Cycle,
     /// Checks of the numbers.
@@ -77,7 +77,7 @@ pub struct Failure {
     /// Its coordinate, rad or m.
     pub coordinate: f64,
     /// What is missing, where and by how much.
-    pub message: String,
+    pub message: Text,
     /// The key of the scene that is at fault, step by step, where there is one.
     #[serde(skip)]
     pub key: Option<Vec<String>>,
@@ -123,9 +123,9 @@ pub struct Integration {
     /// D's case of the equation, 1 to 5 (D 3.21).
     pub case: u8,
     /// What inertia and moment depend on: `J(q), M(q, w)`.
-    pub equation: String,
+    pub equation: Text,
     /// Why this integrator.
-    pub reason: String,
+    pub reason: Text,
     /// Requested relative tolerance.
     pub tolerance: f64,
     /// Cost of the solution.
@@ -173,13 +173,15 @@ pub enum Residual {
 
 impl Residual {
     /// Its name: `group 0`, `global`.
-    pub fn name(self, owner: Owner) -> Cow<'static, str> {
+    pub fn name(self, owner: Owner) -> Name {
         match (self, owner) {
-            (Self::Equilibrium, Owner::Group(group)) => format!("group {group}").into(),
-            (Self::Equilibrium, _) => "equilibrium".into(),
+            (Self::Equilibrium, Owner::Group(group)) => {
+                text!("analysis-residual-group", number = group).into()
+            }
+            (Self::Equilibrium, _) => text!("analysis-residual-equilibrium").into(),
             (Self::TestPf, _) => "TestPf".into(),
-            (Self::Dynamics, _) => "dynamics".into(),
-            (Self::Global, _) => "global".into(),
+            (Self::Dynamics, _) => text!("analysis-residual-dynamics").into(),
+            (Self::Global, _) => text!("analysis-residual-global").into(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 use assur_motor::{FlywheelSize, RatedData};
+use assur_words::Text;
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -63,6 +64,16 @@ pub struct RegimeReport {
     pub trials: Vec<Trial>,
     /// Over a cycle: speeds, moments and inertia (S figs. 8, 9, 12); the end of the cycle is the last row.
     pub course: Vec<RegimePoint>,
+}
+
+impl RegimeReport {
+    /// Whether the loads drive and the drive resists: over a cycle the loads do more work than they take.
+    pub fn loads_drive(&self) -> bool {
+        /// A mean moment below this part of the greatest is rounding.
+        const ROUNDING: f64 = 1e-9;
+        let greatest = self.course.iter().map(|row| row.load.abs()).fold(0.0, f64::max);
+        self.mean_resistance < -ROUNDING * greatest
+    }
 }
 
 /// The energy-mass diagram (Wittenbauer): the work of all moments over the reduced inertia of the links, between the two
@@ -148,7 +159,7 @@ pub struct MotorReport {
     pub runners_up: Vec<RunnerUp>,
     /// Warnings: values that the source does not give, limits that are near.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Text>,
 }
 
 /// How the motor works in the regime; speeds and torques of its own shaft.

@@ -32,7 +32,7 @@ pub struct Schema {
     angular: bool,
     balances_by_moment: bool,
     /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
-    pub causes: Vec<String>,
+    pub causes: Vec<Name>,
 }
 
 impl Schema {
@@ -136,7 +136,7 @@ impl Schema {
     }
 
     /// The name of a link.
-    pub fn link(&self, link: LinkId) -> &str {
+    pub fn link(&self, link: LinkId) -> &Name {
         &self.links[link]
     }
 

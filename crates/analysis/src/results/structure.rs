@@ -2,6 +2,7 @@
 
 use assur_group::{Order, Pair};
 use assur_kinematics::{Linkage, mobility_in};
+use assur_words::{Text, number, text};
 use serde::Serialize;
 
 /// Mobility, groups and formula.
@@ -14,7 +15,7 @@ pub struct StructureReport {
     pub mobility_by_rank: Option<usize>,
     /// What a difference of the two means, in words.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub note: Option<String>,
+    pub note: Option<Text>,
     /// Class of the mechanism.
     pub class: u8,
     /// `I(ground,crank) -> II3(stone2,rocker)`.
@@ -72,14 +73,11 @@ fn rank(linkage: &Linkage) -> Option<usize> {
     Some(mobility_in(linkage, &position))
 }
 
-fn note(counted: i64, found: usize) -> Option<String> {
+fn note(counted: i64, found: usize) -> Option<Text> {
     if i64::try_from(found) == Ok(counted) {
         return None;
     }
-    Some(format!(
-        "Chebyshev's formula counts mobility {counted}, but in the first position the constraints leave {found}: it is a \
-         singular position (links in one line, or parallel guides), or some constraints repeat others there"
-    ))
+    Some(text!("analysis-other-mobility", counted = number(counted), found = found))
 }
 
 fn group(linkage: &Linkage, index: usize) -> GroupReport {

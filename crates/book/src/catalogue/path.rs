@@ -23,8 +23,8 @@ pub const KEYS: &str = "time coordinate speed acceleration work_driving work_res
 /// The name of the owner of a column; of a residual its own.
 fn owner(schema: &Schema, column: Column) -> Cow<'_, str> {
     match column.quantity {
-        Quantity::Residual(of) => of.name(column.owner),
-        _ => schema.name(column.owner),
+        Quantity::Residual(of) => of.name(column.owner).into(),
+        _ => schema.name(column.owner).into(),
     }
 }
 

@@ -25,7 +25,7 @@ pub fn owner(schema: &Schema, column: Column) -> Text {
         // Results count groups from 0, readers from 1.
         Owner::Group(group) => text!("owner-group", number = group + 1),
         Owner::Load(_) => text!("owner-load", name = own()),
-        _ => own(),
+        _ => own().into(),
     }
 }
 
@@ -60,7 +60,7 @@ pub fn further(column: Column) -> Text {
 
 /// A column as the head of a table: `D.x'`, `A>rod.Fx`; no two columns have the same.
 pub fn short(schema: &Schema, column: Column) -> Text {
-    let own = || schema.name(column.owner).into_owned();
+    let own = || schema.name(column.owner).to_string();
     let symbol = symbol(column);
     let dotted =
         |of: String, symbol: &str| name(if symbol.is_empty() { of } else { format!("{of}.{symbol}") });

@@ -154,5 +154,5 @@ fn twice_what_passes(what: &str, at: &impl Fn(f64) -> Check, gross: f64) -> f64 
 
 /// The check of a name among those that were collected.
 fn named(all: impl IntoIterator<Item = Collector>, name: &str) -> Option<Check> {
-    all.into_iter().filter_map(Collector::into_check).find(|check| check.name == name)
+    all.into_iter().filter_map(Collector::into_check).find(|check| check.name.to_string() == name)
 }

@@ -12,6 +12,8 @@
 //! The last one is exact where the moments depend on the coordinate alone: the straight line of the greatest speed and
 //! that of the least touch the energy-mass diagram from either side.
 
+use assur_words::text;
+
 use super::collocation::{RULE, S, Values};
 use super::extremes::{Piece, extremes};
 use super::path::{Coefficients, Panel};
@@ -109,13 +111,13 @@ impl WorkDiagram {
         let mertsalov = (high - low) * by - constant_inertia - rotor;
         let wittenbauer = self.wittenbauer(speed, unevenness).0 - rotor;
         vec![
-            row("excess-work", "J = A/(w² δ), A with a constant drive, E eq. 10", excess),
-            row("excess-work-less-inertia", "the same less other inertia, E eq. 9", less_inertia),
-            row("mertsalov", "J = range(A - Jv w²/2)/(w² δ) less constant inertia", mertsalov),
-            row("wittenbauer", "tangents of the energy-mass diagram, constant drive", wittenbauer),
+            row("excess-work", text!("dynamics-flywheel-excess-work"), excess),
+            row("excess-work-less-inertia", text!("dynamics-flywheel-less-inertia"), less_inertia),
+            row("mertsalov", text!("dynamics-flywheel-mertsalov"), mertsalov),
+            row("wittenbauer", text!("dynamics-flywheel-wittenbauer"), wittenbauer),
             FlywheelByMethod {
                 method: "exact",
-                formula: "periodic solution with the drive",
+                formula: text!("dynamics-flywheel-exact"),
                 flywheel: exact,
                 difference: Some(0.0),
             },

@@ -1,5 +1,6 @@
 //! How a regime was found, and the flywheel by other methods.
 
+use assur_words::Text;
 use serde::Serialize;
 
 /// One cycle of the iteration to the periodic regime (S fig. 10).
@@ -32,12 +33,12 @@ pub struct Trial {
 }
 
 /// A flywheel by one method.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FlywheelByMethod {
     /// Name: `excess-work`, `excess-work-less-inertia`, `mertsalov`, `wittenbauer`, `exact`.
     pub method: &'static str,
     /// Formula and source.
-    pub formula: &'static str,
+    pub formula: Text,
     /// Moment of inertia on the flywheel's own shaft, without the rotor, kg m²; negative where the method finds that the
     /// machine has more inertia than needed.
     pub flywheel: f64,

@@ -1,6 +1,7 @@
 //! From a request to a regime: first guesses, the search, refinement.
 
 use assur_integrator::Motion;
+use assur_words::text;
 
 use super::collocation::RULE;
 use super::diagram::{FlywheelTask, WorkDiagram};
@@ -41,14 +42,14 @@ fn check_repeats(path: &mut Path<'_>, panels: &[Panel], speed: f64) -> Result<()
         path.enter(x + length, speed)?;
         let after = path.reduced(x + length, speed)?;
         let compared = [
-            ("inertia", before.inertia, after.inertia, inertia),
+            (text!("dynamics-inertia"), before.inertia, after.inertia, inertia),
             (
-                "inertia's derivative",
+                text!("dynamics-inertia-derivative"),
                 before.slope,
                 after.slope,
                 (before.slope * length).abs().max(inertia) / length,
             ),
-            ("moment", before.moment_at(speed), after.moment, moment),
+            (text!("dynamics-moment"), before.moment_at(speed), after.moment, moment),
         ];
         for (what, before, after, size) in compared {
             if (before - after).abs() > SAME * size {

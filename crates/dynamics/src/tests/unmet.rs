@@ -112,7 +112,7 @@ fn a_cycle_after_which_the_machine_is_another_is_refused() {
     for part in ["100 deg", "500 deg"] {
         let error = found(part).unwrap_err();
         assert!(
-            matches!(error, DynamicsError::NotRepeating { what: "inertia" | "inertia's derivative", .. }),
+            matches!(&error, DynamicsError::NotRepeating { what, .. } if ["inertia", "inertia's derivative"].contains(&what.to_string().as_str())),
             "{part}: {error}"
         );
     }
@@ -128,6 +128,9 @@ fn a_cycle_after_which_the_machine_is_another_is_refused() {
     }
     for once in ["5*step(q - 7)", "-q"] {
         let error = loaded(once).unwrap_err();
-        assert!(matches!(error, DynamicsError::NotRepeating { what: "moment", .. }), "{once}: {error}");
+        assert!(
+            matches!(&error, DynamicsError::NotRepeating { what, .. } if what.to_string() == "moment"),
+            "{once}: {error}"
+        );
     }
 }

@@ -39,8 +39,23 @@ fn a_turn_has_its_quarters() {
 }
 
 #[test]
+fn ticks_have_the_digits_of_their_step() {
+    assert_eq!(texts(Kind::Linear, [104.4, 105.1], 3), ["104.50", "104.75", "105.00"]);
+    assert_eq!(texts(Kind::Linear, [0.0, 100.0], 4), ["0", "25", "50", "75", "100"]);
+    assert_eq!(
+        texts(Kind::Linear, [123_450.0, 123_460.0], 5),
+        ["123450", "123452", "123454", "123456", "123458", "123460"]
+    );
+    assert_eq!(
+        texts(Kind::Linear, [1.0e-7, 1.2e-7], 4),
+        ["1.00e-7", "1.05e-7", "1.10e-7", "1.15e-7", "1.20e-7"]
+    );
+    assert_eq!(texts(Kind::Linear, [1.0e7, 3.0e7], 2), ["1e7", "2e7", "3e7"]);
+}
+
+#[test]
 fn other_ticks_are_round() {
-    assert_eq!(texts(Kind::Linear, [-0.13, 0.12], 5), ["-0.1", "-0.05", "0", "0.05", "0.1"]);
+    assert_eq!(texts(Kind::Linear, [-0.13, 0.12], 5), ["-0.10", "-0.05", "0", "0.05", "0.10"]);
     assert_eq!(texts(Kind::Linear, [3.0, 3.0], 5), Vec::<String>::new());
     assert_eq!(texts(Kind::Whole, [1.0, 4.0], 9), ["1", "2", "3", "4"]);
     assert_eq!(texts(Kind::Whole, [0.0, 100.0], 5), ["0", "20", "40", "60", "80", "100"]);

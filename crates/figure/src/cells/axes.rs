@@ -92,7 +92,8 @@ fn vertical(map: &Map<'_>, language: &Language) -> Vec<Spot> {
     if low < 0.0 && high > 0.0 && zero > 0 && zero + 1 < rows {
         labels.push((zero, 0.0));
     }
-    let least = ROUNDING * low.abs().max(high.abs());
+    // Where equal ratios are drawn, a small number is as good as a great one.
+    let least = if map.y.kind == Kind::Logarithmic { 0.0 } else { ROUNDING * low.abs().max(high.abs()) };
     let line =
         (0..rows)
             .map(|row| Spot { column: LABELS - 1, row: row + 1, text: "│".to_owned(), ink: Ink::Text });

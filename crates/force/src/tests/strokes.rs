@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use super::{applied, at, bodies, compiled, fixture, near};
 use crate::grid::{Bodies, GRID, Span};
 use crate::stroke::{NoStroke, Stroke};
+use assur_kinematics::PositionError;
 use assur_mechanism::Place;
 
 const R: f64 = 0.06;
@@ -127,7 +128,7 @@ fn two_reversals_close_together_are_found() {
         let mut body = assur_group::Body::<f64>::ground();
         let u = q - c;
         (body.x, body.x1, body.x2) = (u * u * u / 3.0 - d * d * u, u * u - d * d, 2.0 * u);
-        Ok::<_, String>(body)
+        Ok::<_, PositionError>(body)
     };
     let flat = assur_mechanism::Table::constant(1.0);
     let span = Span { from: 0.0, length: 1.0, periodic: false, cells: GRID };
@@ -153,7 +154,7 @@ fn a_point_that_runs_through_infinity_has_no_stroke() {
         let mut body = |q: f64| {
             let mut body = assur_group::Body::<f64>::ground();
             [body.x, body.x1, body.x2] = motion(q - c);
-            Ok::<_, String>(body)
+            Ok::<_, PositionError>(body)
         };
         let span = Span { from: 0.0, length: 1.0, periodic: false, cells: GRID };
         match Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], [&span, &span], 1.0) {

@@ -9,46 +9,42 @@ impl Integrator for Nothing {
     }
 }
 
-const ANY: IntegratorPlugin = IntegratorPlugin {
-    name: "any",
-    crate_name: "test",
-    summary: "",
-    source: "",
-    order: 4,
-    knob: Knob::Tolerance,
-    stiff: false,
-    suitability: |_, _| Ok(Suitability { cost: Cost::LastResort, reason: "it can" }),
-    method: &Nothing,
-};
-static CLOSED: IntegratorPlugin = IntegratorPlugin {
-    name: "closed",
-    order: 0,
-    suitability: |dependence, _| match dependence.case() {
-        1 => Ok(Suitability { cost: Cost::ClosedForm, reason: "exact" }),
-        case => Err(format!("not for case {case}")),
-    },
-    ..ANY
-};
-static LOW: IntegratorPlugin = IntegratorPlugin {
-    name: "low",
-    order: 2,
-    suitability: |_, tolerance| {
-        let cost = if tolerance > 1e-4 { Cost::Steps } else { Cost::OtherSteps };
-        Ok(Suitability { cost, reason: "few stages" })
-    },
-    ..ANY
-};
-static HIGH: IntegratorPlugin = IntegratorPlugin {
-    name: "high",
-    order: 8,
-    suitability: |_, tolerance| {
-        let cost = if tolerance > 1e-4 { Cost::OtherSteps } else { Cost::Steps };
-        Ok(Suitability { cost, reason: "many stages" })
-    },
-    ..ANY
-};
-static STIFF: IntegratorPlugin = IntegratorPlugin { name: "implicit", order: 5, stiff: true, ..ANY };
-static SPARE: IntegratorPlugin = ANY;
+type Suits = fn(&Dependence, f64) -> Result<Suitability, Text>;
+
+const NONE: Text = Text::message("", Vec::new());
+
+const fn method(name: &'static str, order: u8, stiff: bool, suitability: Suits) -> IntegratorPlugin {
+    IntegratorPlugin {
+        name,
+        crate_name: "test",
+        summary: NONE,
+        source: NONE,
+        order,
+        knob: Knob::Tolerance,
+        stiff,
+        suitability,
+        method: &Nothing,
+    }
+}
+
+fn anything(_: &Dependence, _: f64) -> Result<Suitability, Text> {
+    Ok(Suitability { cost: Cost::LastResort, reason: NONE })
+}
+
+static CLOSED: IntegratorPlugin = method("closed", 0, false, |dependence, _| match dependence.case() {
+    1 => Ok(Suitability { cost: Cost::ClosedForm, reason: name("exact") }),
+    _ => Err(NONE),
+});
+static LOW: IntegratorPlugin = method("low", 2, false, |_, tolerance| {
+    let cost = if tolerance > 1e-4 { Cost::Steps } else { Cost::OtherSteps };
+    Ok(Suitability { cost, reason: NONE })
+});
+static HIGH: IntegratorPlugin = method("high", 8, false, |_, tolerance| {
+    let cost = if tolerance > 1e-4 { Cost::OtherSteps } else { Cost::Steps };
+    Ok(Suitability { cost, reason: NONE })
+});
+static STIFF: IntegratorPlugin = method("implicit", 5, true, anything);
+static SPARE: IntegratorPlugin = method("any", 4, false, anything);
 
 fn equation(inertia_constant: bool, [q, w, t]: [bool; 3]) -> Dependence {
     Dependence { inertia_constant, moment_on_coordinate: q, moment_on_speed: w, moment_on_time: t }
@@ -67,7 +63,7 @@ fn cases_are_those_of_d() {
         (equation(false, [true, true, false]), 5, "J(q), M(q, w)"),
         (equation(false, [false, false, true]), 5, "J(q), M(t)"),
     ] {
-        assert_eq!((dependence.case(), dependence.words().as_str()), (case, words));
+        assert_eq!((dependence.case(), dependence.describe().to_string().as_str()), (case, words));
     }
 }
 
@@ -90,7 +86,7 @@ fn methods_are_ranked_by_cost_then_by_order() {
 #[test]
 fn the_reason_names_the_case_and_nothing_suitable_is_an_error() {
     let choice = ranked(&[&CLOSED], equation(true, [false; 3]), 1e-6).unwrap();
-    assert_eq!(choice.first.reason, "case 1 of D (J constant, M constant): exact");
+    assert_eq!(choice.first.reason.to_string(), "case 1 of D (J constant, M constant): exact");
     assert!(choice.stiff.is_none() && choice.others.is_empty());
     let error = ranked(&[&CLOSED], equation(false, [true, true, false]), 1e-6).unwrap_err().to_string();
     assert_eq!(error, "no linked integrator can treat this equation (J(q), M(q, w))");

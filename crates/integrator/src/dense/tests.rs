@@ -16,7 +16,7 @@ fn hermite_reproduces_a_coordinate_of_degree_five() {
     for k in 0..=8 {
         let t = 0.3 + 0.1 * f64::from(k);
         let found = dense.at((t - 0.3) / 0.8);
-        assert!((found.coordinate - node(t).state.coordinate).abs() < 1e-14, "{found}");
+        assert!((found.coordinate - node(t).state.coordinate).abs() < 1e-14, "{found:?}");
     }
     // The speed is a cubic: exact at the ends, not between.
     assert!((dense.at(1.0).speed - node(1.1).state.speed).abs() < 1e-14);
@@ -44,7 +44,7 @@ fn cubics_reproduce_a_motion_of_degree_three() {
     let dense = Dense::cubic(&node(0.3), &node(1.1), 0.8);
     for theta in [0.0, 0.1, 0.5, 0.7, 1.0] {
         let (found, wanted) = (dense.at(theta), node(0.3 + 0.8 * theta).state);
-        assert!((found.coordinate - wanted.coordinate).abs() < 1e-14, "{theta}: {found}");
-        assert!((found.speed - wanted.speed).abs() < 1e-14, "{theta}: {found}");
+        assert!((found.coordinate - wanted.coordinate).abs() < 1e-14, "{theta}: {found:?}");
+        assert!((found.speed - wanted.speed).abs() < 1e-14, "{theta}: {found:?}");
     }
 }

@@ -1,3 +1,5 @@
+use assur_words::Text;
+
 use crate::catalogue::named;
 use crate::{CataloguePlugin, CatalogueTable};
 
@@ -5,8 +7,10 @@ static TABLE: CatalogueTable = CatalogueTable::new(
     "designation,poles,rated_power_kw,synchronous_speed_rpm,rated_speed_rpm,source\n4А1У3,4,1,1500,1400,x\n",
 );
 
+const NONE: Text = Text::message("", Vec::new());
+
 const fn plugin(name: &'static str, crate_name: &'static str) -> CataloguePlugin {
-    CataloguePlugin { name, crate_name, summary: "", source: "", table: &TABLE }
+    CataloguePlugin { name, crate_name, summary: NONE, source: NONE, table: &TABLE }
 }
 
 static A: CataloguePlugin = plugin("4A", "crate-a");

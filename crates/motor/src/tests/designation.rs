@@ -1,3 +1,4 @@
+use assur_words::name;
 use proptest::prelude::*;
 
 use super::motors;
@@ -34,7 +35,8 @@ fn the_climatic_version_may_be_left_out_or_added() {
         "4А100L2У3,2,5.5,3000,2880,2.2",
         "АИР71В4,4,0.75,1500,1390,2.2",
     ]);
-    let find = |text: &str| find_designation(&rows, text, "catalogue TEST").unwrap().designation.clone();
+    let find =
+        |text: &str| find_designation(&rows, text, &name("catalogue TEST")).unwrap().designation.clone();
     assert_eq!(find("4A100L4"), "4А100L4У3");
     assert_eq!(find("4А100l4 у3"), "4А100L4У3");
     assert_eq!(find("4A100L4UHL4"), "4А100L4У3");
@@ -48,7 +50,7 @@ fn what_was_appended_to_a_type_may_be_left_out_where_one_row_remains() {
         "LSES 80 LG 4p 0.9 kW,4,0.9,1500,1430,2.2",
         "LSES 80 L 2p 0.75 kW,2,0.75,3000,2850,2.2",
     ]);
-    let find = |text| find_designation(&rows, text, "catalogue TEST");
+    let find = |text| find_designation(&rows, text, &name("catalogue TEST"));
     assert_eq!(find("lses80l").unwrap().designation, "LSES 80 L 2p 0.75 kW");
     assert_eq!(
         find("LSES 80 LG").unwrap_err().to_string(),
@@ -63,12 +65,12 @@ fn what_was_appended_to_a_type_may_be_left_out_where_one_row_remains() {
 fn an_unknown_designation_suggests_the_nearest() {
     let rows =
         motors(&["4А90L4У3,4,2.2,1500,1425,2.2", "4А100L4У3,4,4,1500,1430,2.2", "4А250М8У3,8,45,750,740,2"]);
-    let error = find_designation(&rows, "4A100L5", "catalogue TEST").unwrap_err();
+    let error = find_designation(&rows, "4A100L5", &name("catalogue TEST")).unwrap_err();
     assert_eq!(
         error.to_string(),
         "no motor `4A100L5` in catalogue TEST; the nearest are: 4А100L4У3, 4А90L4У3"
     );
-    let error = find_designation(&rows, "", "catalogue TEST").unwrap_err();
+    let error = find_designation(&rows, "", &name("catalogue TEST")).unwrap_err();
     assert_eq!(error.to_string(), "no motor `` in catalogue TEST; see the list of motors");
 }
 
@@ -83,6 +85,6 @@ proptest! {
     fn latin_is_always_ascii_and_lookup_never_panics(text in "\\PC{0,20}") {
         prop_assert!(latin_designation(&text).is_ascii());
         let rows = motors(&["4А100L4У3,4,4,1500,1430,2.2", "ТИП Ж 2p,2,4,3000,2880,2.2"]);
-        let _ = find_designation(&rows, &text, "catalogue TEST");
+        let _ = find_designation(&rows, &text, &name("catalogue TEST"));
     }
 }

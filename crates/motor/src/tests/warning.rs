@@ -1,4 +1,5 @@
 use approx::assert_relative_eq;
+use assur_words::Describe;
 
 use super::{kloss, linear, motors};
 use crate::{
@@ -49,7 +50,7 @@ fn root_mean_square_of_a_shaping_cycle() {
     assert_eq!(rms_torque([]), 0.0);
     let c = kloss();
     assert_eq!(check_rms(&c, c.rated_torque), None);
-    let text = check_rms(&c, 1.1 * c.rated_torque).unwrap().to_string();
+    let text = check_rms(&c, 1.1 * c.rated_torque).unwrap().describe().to_string();
     assert!(text.contains("by 10.0 %"), "{text}");
 }
 
@@ -57,7 +58,7 @@ fn root_mean_square_of_a_shaping_cycle() {
 fn a_rotor_without_inertia_is_said_to_be_left_out() {
     let rows = motors(&["x,4,1.1,1500,1410,2.2"]);
     assert_eq!(
-        check_rotor_inertia(&rows[0]).unwrap().to_string(),
+        check_rotor_inertia(&rows[0]).unwrap().describe().to_string(),
         "the rotor inertia of x is not in its catalogue: it is not modelled"
     );
 }

@@ -4,6 +4,7 @@ use assur_analysis::results::{
     Analysis, Check, Cycle, Dynamics, Failure, InputReport, Integration, StructureReport, Table,
 };
 use assur_book::catalogue;
+use assur_words::Text;
 use serde::Serialize;
 
 use super::rows::{self, POSITIONS, Rows, TRAJECTORY};
@@ -36,9 +37,9 @@ struct Tail<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     integration: Option<&'a Integration>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    no_motion: Option<&'a str>,
-    #[serde(skip_serializing_if = "<[String]>::is_empty")]
-    notes: &'a [String],
+    no_motion: Option<&'a Text>,
+    #[serde(skip_serializing_if = "<[Text]>::is_empty")]
+    notes: &'a [Text],
     #[serde(flatten)]
     cycle: &'a Cycle,
     #[serde(skip_serializing_if = "<[Check]>::is_empty")]
@@ -50,7 +51,7 @@ impl<'a> Tail<'a> {
         Self {
             dynamics: analysis.dynamics.as_ref(),
             integration: analysis.integration.as_ref(),
-            no_motion: analysis.no_motion.as_deref(),
+            no_motion: analysis.no_motion.as_ref(),
             notes: &analysis.notes,
             cycle: &analysis.cycle,
             checks: &analysis.checks,

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use assur_book::{Block, Document, Fact, Printed, Table};
+use assur_book::{Block, Document, Fact, Printed, Table, Term};
 use assur_words::{Language, Text, text};
 use textwrap::Options;
 use textwrap::WordSeparator::AsciiSpace;
@@ -68,8 +68,9 @@ impl Page<'_> {
             Block::Paragraph(words) => self.paragraph(words),
             Block::Facts { caption, facts } => self.facts(caption, facts),
             Block::Table(table) => self.table(table),
-            // Lines have no drawings, and no equations.
-            Block::Figure { .. } | Block::Equation(_) => {}
+            Block::Equation(terms) => self.equation(terms),
+            // Lines have no drawings.
+            Block::Figure { .. } => {}
         }
     }
 
@@ -89,13 +90,29 @@ impl Page<'_> {
     /// A line that names the table below it.
     fn caption(&mut self, caption: &Text) {
         if !caption.is_empty() {
-            self.text.extend(["\n", &self.style.line(caption), "\n"]);
+            self.text.push('\n');
+            self.paragraph(caption);
         }
     }
 
     /// Words, broken into lines.
     fn paragraph(&mut self, words: &Text) {
         self.text += &wrap(&self.style.line(words), 0, 2);
+    }
+
+    fn equation(&mut self, terms: &[Term]) {
+        let line = terms.iter().fold(String::new(), |line, term| {
+            line + &match term {
+                Term::Name(letters, below) if below.is_empty() => letters.clone(),
+                Term::Name(letters, below) => format!("{letters}_{}", self.style.line(below)),
+                Term::Function(text) => (*text).to_owned(),
+                Term::Power(text) => format!("^{text}"),
+                Term::Sign(text) => text.clone(),
+                Term::Number(text) => self.style.line(text),
+                Term::Unit(text) => format!(" {}", self.style.line(text)),
+            }
+        });
+        self.text += &wrap(&line, 2, 4);
     }
 
     fn facts(&mut self, caption: &Text, facts: &[Fact]) {
@@ -159,10 +176,12 @@ impl Page<'_> {
         let count = |blocks: &[Vec<Ready>]| blocks.iter().map(Vec::len).sum::<usize>();
         let (all, shown) = (count(blocks), count(&blocks[..blocks.len().min(most)]));
         let lines: Vec<_> = match blocks {
-            [] => vec![grid(keys.iter().collect(), rows)],
-            blocks => {
-                blocks.iter().take(most).map(|block| grid(keys.iter().chain(block).collect(), rows)).collect()
-            }
+            [] => vec![grid(&keys.iter().collect::<Vec<_>>(), rows)],
+            blocks => blocks
+                .iter()
+                .take(most)
+                .map(|block| grid(&keys.iter().chain(block).collect::<Vec<_>>(), rows))
+                .collect(),
         };
         self.text += &lines.join("\n");
         let mut shortened = |text: Text| self.text.extend([self.style.line(&text).as_str(), "\n"]);
@@ -178,6 +197,8 @@ impl Page<'_> {
         let right = column.is_of_numbers();
         let cells: Vec<_> = column.cells.iter().map(|cell| self.style.line(cell)).collect();
         let [head, unit] = [column.head, assur_words::unit(column.unit)].map(|text| self.style.line(&text));
+        // Lines have no subscripts.
+        let head = head.replace("_{", "").replace('}', "");
         let width = cells.iter().chain([&head, &unit]).map(|text| text.width()).max().unwrap_or(0);
         Ready { head, unit, cells, width, right }
     }
@@ -199,7 +220,7 @@ fn total(columns: &[Ready]) -> usize {
 }
 
 /// Heads, units, a line, and rows.
-fn grid(columns: Vec<&Ready>, rows: usize) -> String {
+fn grid(columns: &[&Ready], rows: usize) -> String {
     let mut text = String::new();
     let mut line = |cell: &dyn Fn(&Ready) -> String| {
         let mut line = String::new();
@@ -233,7 +254,7 @@ pub fn columns(head: &[&str], rows: &[Vec<String>], ascii: bool) -> String {
         Ready { head, unit: String::new(), cells, width, right }
     };
     let all: Vec<_> = head.iter().enumerate().map(column).collect();
-    grid(all.iter().collect(), rows.len())
+    grid(&all.iter().collect::<Vec<_>>(), rows.len())
 }
 
 /// Broken into lines of the report's width; all but the first are indented by `indent` columns.
@@ -242,7 +263,7 @@ pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
 }
 
 /// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.
-pub(crate) fn wrap(words: &str, first: usize, rest: usize) -> String {
+pub(super) fn wrap(words: &str, first: usize, rest: usize) -> String {
     // A space that does not break keeps the digits of a number together.
     let words: Vec<_> = words.split_ascii_whitespace().collect();
     let indents = [first, rest].map(|columns| " ".repeat(columns));

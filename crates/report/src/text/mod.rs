@@ -4,18 +4,22 @@
 
 mod layout;
 
+use assur_analysis::Methods;
+use assur_analysis::plan::Plan;
 use assur_analysis::results::{Analysis, Check, MotorAdvice};
 use assur_book::Document;
 use assur_diagram::Sheet;
 use assur_geometry::Geometry;
 use assur_kinematics::Linkage;
+use assur_mechanism::Mechanism;
 use assur_shaking::Shaking;
+use assur_structure::Structure;
+use assur_words::Text;
 
 use crate::json::NotFinite;
 use crate::json::analysis::finite as finite_analysis;
 use crate::json::finite;
 use crate::topic::{self, Source};
-pub(crate) use layout::wrap;
 pub use layout::{Style, columns, wrapped, written};
 
 /// The lines of the blocks that a topic adds to a document.
@@ -49,6 +53,18 @@ pub fn checks(checks: &[Check], style: Style<'_>) -> String {
 /// The motors that suit a scene, the best first, out of `count`.
 pub fn advice(motors: &[MotorAdvice], count: usize, style: Style<'_>) -> String {
     lines(style, |page| topic::advice(motors, count, page))
+}
+
+/// What is calculated for a scene and how, what is modelled and what is not; see [`topic::explain`].
+pub fn explain(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    methods: &Methods,
+    equation: Option<&Text>,
+    style: Style<'_>,
+) -> String {
+    lines(style, |page| topic::explain(mechanism, structure, plan, methods, equation, page))
 }
 
 /// All plans of a position, one table after the other.

@@ -33,15 +33,15 @@ fn words_break_at_the_width_and_are_never_lost() {
 
 fn check(name: &'static str, left_out: usize, judged: bool, ok: bool) -> Check {
     Check {
-        name,
+        name: assur_words::name(name),
         residual: 1e-12,
         limit: 1e-9,
         at: Some(3),
-        place: "link rod".to_owned(),
-        reason: "",
+        place: assur_words::name("link rod"),
+        reason: assur_words::Text::default(),
         sample: None,
         left_out,
-        why_left_out: if left_out > 0 { "too close" } else { "" },
+        why_left_out: assur_words::name(if left_out > 0 { "too close" } else { "" }),
         judged,
         ok,
     }

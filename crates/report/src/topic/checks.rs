@@ -2,7 +2,7 @@
 
 use assur_analysis::results::Check;
 use assur_book::{Cell, Column, Digits, Document, Table, Unit, row};
-use assur_words::{Text, list, name, number, text};
+use assur_words::{Text, list, number, text};
 
 /// The checks, one row each: name, largest residual, where, limit, whether it holds, or that nothing could be checked;
 /// below, how many positions were checked where not all were, and in which of them checks were not possible, and why.
@@ -17,8 +17,8 @@ pub fn checks(checks: &[Check], page: &mut Document) {
         Column::of(text!("head-result")),
     ];
     let row = |check: &Check| {
-        let place = (!check.place.is_empty()).then(|| name(check.place.clone()));
-        row![name(check.name), check.residual, check.at.map(number), place, check.limit, verdict(check)]
+        let place = (!check.place.is_empty()).then(|| check.place.clone());
+        row![check.name.clone(), check.residual, check.at.map(number), place, check.limit, verdict(check)]
     };
     page.table(Table::list(Text::default(), heads).rows(checks.iter().map(row)));
     sampled(checks).into_iter().chain(not_judged(checks)).for_each(|line| page.paragraph(line));
@@ -30,8 +30,8 @@ fn sampled(checks: &[Check]) -> Vec<Text> {
     for check in checks {
         let Some(sample) = check.sample else { continue };
         match kinds.iter_mut().find(|kind| kind.0 == sample) {
-            Some((_, names)) => names.push(name(check.name)),
-            None => kinds.push((sample, vec![name(check.name)])),
+            Some((_, names)) => names.push(check.name.clone()),
+            None => kinds.push((sample, vec![check.name.clone()])),
         }
     }
     let sentence = |([checked, of], names): ([usize; 2], Vec<Text>)| {
@@ -66,17 +66,18 @@ fn verdict(check: &Check) -> Cell {
 pub fn not_judged(checks: &[Check]) -> Vec<Text> {
     let mut kinds: Vec<(usize, Text, Vec<Text>)> = Vec::new();
     for check in checks.iter().filter(|check| check.left_out > 0) {
-        let (count, why) = (check.left_out, name(check.why_left_out));
+        let (count, why) = (check.left_out, check.why_left_out.clone());
         match kinds.iter_mut().find(|kind| kind.0 == count && kind.1 == why) {
-            Some((_, _, names)) => names.push(name(check.name)),
-            None => kinds.push((count, why, vec![name(check.name)])),
+            Some((_, _, names)) => names.push(check.name.clone()),
+            None => kinds.push((count, why, vec![check.name.clone()])),
         }
     }
     let sentence = |(count, why, names): (usize, Text, Vec<Text>)| {
         text!("report-not-judged-in", count = count, checks = list(names), reason = why)
     };
     let alone = checks.iter().filter(|check| check.verdict().is_none() && check.left_out == 0);
-    let alone = alone
-        .map(|check| text!("report-not-judged", check = name(check.name), reason = name(check.why_left_out)));
+    let alone = alone.map(|check| {
+        text!("report-not-judged", check = check.name.clone(), reason = check.why_left_out.clone())
+    });
     kinds.into_iter().map(sentence).chain(alone).collect()
 }

@@ -2,7 +2,8 @@
 
 use assur_analysis::results::{Event, Integration, Owner, Quantity, Table as Results};
 use assur_book::{Column, Document, Table, Unit, named, row};
-use assur_words::{name, number, text};
+use assur_integrator::EventKind;
+use assur_words::{Text, name, number, text};
 
 use super::forces::{force, has_reactions, shown};
 use super::units::{FORCE, JOULE, SECOND};
@@ -17,7 +18,7 @@ const EVENTS: usize = 20;
 pub fn no_motion(source: &Source<'_>, page: &mut Document) {
     if let Some(problem) = &source.analysis.no_motion {
         page.heading(text!("report-motion"));
-        page.paragraph(text!("report-no-motion", reason = name(problem.clone())));
+        page.paragraph(text!("report-no-motion", reason = problem));
     }
 }
 
@@ -35,9 +36,9 @@ pub fn motion_over_time(source: &Source<'_>, page: &mut Document) {
 
 fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
     let case = number(found.case);
-    page.paragraph(text!("report-equation", equation = name(found.equation.clone()), case = case));
+    page.paragraph(text!("report-equation", equation = &found.equation, case = case));
     let method = name(found.method.clone());
-    page.paragraph(text!("report-integrator", method = method, reason = name(found.reason.clone())));
+    page.paragraph(text!("report-integrator", method = method, reason = &found.reason));
     let cost = &found.statistics;
     page.paragraph(text!(
         "report-integration-cost",
@@ -145,7 +146,7 @@ fn holding(source: &Source<'_>, page: &mut Document) {
 fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
     let row = |event: &Event| {
         let Event { kind, state } = event;
-        row![name(kind.to_string()), state.time, state.coordinate, state.speed]
+        row![words_of(*kind), state.time, state.coordinate, state.speed]
     };
     let shown = found.events.iter().take(EVENTS);
     let caption = text!("report-events", shown = shown.len(), all = found.events.len());
@@ -156,6 +157,20 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
         Column::short(text!("head-speed"), source.units.rates[0]),
     ];
     page.table(Table::list(caption, heads).rows(shown.map(row)));
+}
+
+/// What happened.
+fn words_of(kind: EventKind) -> Text {
+    match kind {
+        EventKind::Coordinate => text!("event-coordinate"),
+        EventKind::Speed => text!("event-speed"),
+        EventKind::Time => text!("event-time"),
+        EventKind::Reversal => text!("event-reversal"),
+        EventKind::Rest => text!("event-rest"),
+        EventKind::Held => text!("event-held"),
+        EventKind::Release => text!("event-release"),
+        other => name(other.to_string()),
+    }
 }
 
 /// The greatest reaction of each pair over the samples.

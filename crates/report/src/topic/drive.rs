@@ -29,7 +29,7 @@ pub fn drive(source: &Source<'_>, page: &mut Document) {
     }
     if let Some(motor) = &found.motor {
         for warning in &motor.warnings {
-            page.paragraph(text!("report-warning", warning = name(warning.clone())));
+            page.paragraph(text!("report-warning", warning = warning));
         }
         runners_up(motor, page);
     }
@@ -57,7 +57,7 @@ fn motor_facts(motor: &MotorReport) -> Vec<Fact> {
         some("fact-motor-mass", motor.mass, KILOGRAM),
         some("fact-motor-length", motor.length, LENGTH),
         some("fact-motor-diameter", motor.diameter, LENGTH),
-        Some(Fact::text("fact-characteristic", name(work.characteristic))),
+        Some(Fact::text("fact-characteristic", characteristic(work.characteristic))),
         some("fact-rated-torque", Some(work.rated_torque), MOMENT),
         some("fact-breakdown-torque", work.breakdown_torque, MOMENT),
         Some(Fact::range("fact-working-speed", work.speed, TURNING[0])),
@@ -68,6 +68,28 @@ fn motor_facts(motor: &MotorReport) -> Vec<Fact> {
     .into_iter()
     .flatten()
     .collect()
+}
+
+/// The words of a method by its key.
+fn method(key: &'static str) -> Text {
+    match key {
+        "excess-work" => text!("drive-excess-work"),
+        "excess-work-less-inertia" => text!("drive-excess-work-less-inertia"),
+        "mertsalov" => text!("drive-mertsalov"),
+        "wittenbauer" => text!("drive-wittenbauer"),
+        "exact" => text!("drive-exact"),
+        other => name(other),
+    }
+}
+
+/// The words of a characteristic by its key.
+fn characteristic(key: &'static str) -> Text {
+    if key == "kloss" { text!("drive-kloss") } else { text!("drive-linear") }
+}
+
+/// The words of a shaft by its key.
+fn shaft(key: &'static str) -> Text {
+    if key == "input" { text!("drive-input-shaft") } else { text!("drive-motor-shaft") }
 }
 
 /// Columns that say which motor it is: name, catalogue, power, speed.
@@ -98,7 +120,7 @@ fn flywheels(found: &Dynamics, page: &mut Document) {
         Column::of(text!("head-formula")),
     ];
     let row =
-        |one: &FlywheelByMethod| row![name(one.method), one.flywheel, one.difference, name(one.formula)];
+        |one: &FlywheelByMethod| row![method(one.method), one.flywheel, one.difference, one.formula.clone()];
     page.table(
         Table::list(text!("report-flywheel-methods"), heads).rows(found.flywheel_methods.iter().map(row)),
     );
@@ -116,7 +138,7 @@ fn flywheels(found: &Dynamics, page: &mut Document) {
     for one in &found.flywheel_places {
         let kept = if one.ok { text!("report-kept") } else { text!("report-exceeded") };
         table.row(row![
-            name(one.shaft),
+            shaft(one.shaft),
             one.inertia,
             one.diameter,
             one.width,
@@ -163,10 +185,10 @@ fn compared(motors: &[MotorAdvice], page: &mut Document) {
     page.table(Table::list(text!("report-motors"), columns).rows(motors.iter().map(row)));
     let heads = [text!("head-machine"), text!("head-unevenness")].map(Column::of);
     let mut table = Table::list(text!("report-usual", source = name(USUAL_SOURCE)), heads);
-    for usual in USUAL_UNEVENNESS {
+    for usual in &USUAL_UNEVENNESS {
         let [least, most] = usual.range.map(|value| Unit::NONE.number(value));
         let range: Text = if least == most { least } else { text!("fact-range", least = least, most = most) };
-        table.row([Cell::from(name(usual.machine)), Cell::from(range)]);
+        table.row([Cell::from(usual.machine.clone()), Cell::from(range)]);
     }
     page.table(table);
 }

@@ -24,10 +24,12 @@ pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
         "fact-mean-speed",
         "fact-unevenness",
         "fact-required-power",
+        "fact-power-taken",
         "fact-motor",
         "fact-rated-power",
         "fact-gear-ratio",
         "fact-driving-moment",
+        "fact-braking-moment",
         "fact-flywheel",
     ];
     facts.extend(regime::facts(analysis).into_iter().filter(|fact| main.contains(&fact.id)));
@@ -75,7 +77,7 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let name = schema.name(Owner::Pair(pair));
         for on in links.into_iter().map(|link| schema.link(link)) {
             let all = &analysis.cycle.reaction_extremes;
-            let here = all.iter().find(|one| one.joint == name && one.on == on);
+            let here = all.iter().find(|one| one.joint == name && on == one.on.as_str());
             let Some(found) = here.filter(|one| one.greatest > 0.0) else { continue };
             let fact = Fact::number("fact-greatest-reaction", found.greatest, FORCE);
             facts.push(fact.of("pair", named(&name)).of("link", named(on)).at(&[found.coordinate], place));
@@ -135,7 +137,8 @@ fn checks(analysis: &Analysis) -> Option<Fact> {
     if checks.is_empty() {
         return None;
     }
-    let failed: Vec<_> = checks.iter().filter(|check| check.failed()).map(|check| name(check.name)).collect();
+    let failed: Vec<_> =
+        checks.iter().filter(|check| check.failed()).map(|check| check.name.clone()).collect();
     if !failed.is_empty() {
         return Some(Fact::text("fact-checks-fail", list(failed)));
     }

@@ -134,7 +134,9 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
         let name = schema.name(Owner::Pair(pair));
         for on in links.into_iter().map(|link| schema.link(link)) {
             let all = &source.analysis.cycle.reaction_extremes;
-            let Some(found) = all.iter().find(|one| one.joint == name && one.on == on) else { continue };
+            let Some(found) = all.iter().find(|one| one.joint == name && on == one.on.as_str()) else {
+                continue;
+            };
             let position = number(found.index);
             table.row(row![named(&name), named(on), found.greatest, position, found.coordinate, found.rms]);
         }
@@ -212,8 +214,8 @@ pub fn causes(source: &Source<'_>, page: &mut Document) {
 /// Projections and modulus.
 fn components(source: &Source<'_>, force: Values) -> Vec<Column> {
     vec![
-        source.column(name("Rx"), FORCE, force.part(Part::X)),
-        source.column(name("Ry"), FORCE, force.part(Part::Y)),
+        source.column(name("R_{x}"), FORCE, force.part(Part::X)),
+        source.column(name("R_{y}"), FORCE, force.part(Part::Y)),
         Column::numbers(name("R"), FORCE, modulus(&source.positions, force)),
     ]
 }
@@ -256,8 +258,8 @@ pub fn inertia_loads(source: &Source<'_>, page: &mut Document) {
 fn wrench(source: &Source<'_>, force: Quantity, moment: Quantity, owner: Owner) -> Vec<Column> {
     let force = Values::of(force, owner);
     vec![
-        source.column(name("Fx"), FORCE, force.part(Part::X)),
-        source.column(name("Fy"), FORCE, force.part(Part::Y)),
+        source.column(name("F_{x}"), FORCE, force.part(Part::X)),
+        source.column(name("F_{y}"), FORCE, force.part(Part::Y)),
         source.column(name("M"), MOMENT, Values::of(moment, owner)),
     ]
 }

@@ -23,7 +23,7 @@ pub fn loads_given(source: &Source<'_>, page: &mut Document) {
     }
     for force in &mechanism.forces {
         let what = list([at(mechanism, force.at), direction(force.direction)]);
-        rows.row(row![&force.name, what, law(mechanism, &force.value, NEWTON)]);
+        rows.row(row![Text::from(&force.name), what, law(mechanism, &force.value, NEWTON)]);
     }
     for moment in &mechanism.moments {
         let link = link_name(mechanism, moment.link);
@@ -34,7 +34,7 @@ pub fn loads_given(source: &Source<'_>, page: &mut Document) {
                 (text!("given-brake", link = link, radius = radius, friction = friction), NEWTON)
             }
         };
-        rows.row(row![&moment.name, what, law(mechanism, &moment.value, unit)]);
+        rows.row(row![Text::from(&moment.name), what, law(mechanism, &moment.value, unit)]);
     }
     for spring in &mechanism.springs {
         let [one, other] = spring.ends.map(|end| link_name(mechanism, end.link));
@@ -44,12 +44,17 @@ pub fn loads_given(source: &Source<'_>, page: &mut Document) {
             length = LENGTH.show(spring.length),
             damping = Unit::of("N·s/m", 1.0).show(spring.damping)
         );
-        rows.row(row![&spring.name, text!("given-spring", one = one, other = other), data]);
+        rows.row(row![Text::from(&spring.name), text!("given-spring", one = one, other = other), data]);
     }
     for contact in &mechanism.contacts {
         let (link, radius) = (link_name(mechanism, contact.center.link), LENGTH.show(contact.radius));
-        let what = text!("given-contact", link = link, radius = radius);
-        rows.row(row![&contact.name, what, law(mechanism, &contact.force, NEWTON)]);
+        let what = text!(
+            "given-contact",
+            link = link,
+            radius = radius,
+            friction = Unit::NONE.number(contact.friction)
+        );
+        rows.row(row![Text::from(&contact.name), what, law(mechanism, &contact.force, NEWTON)]);
     }
     page.table(rows);
 }

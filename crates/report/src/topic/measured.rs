@@ -115,7 +115,7 @@ fn force_angles(found: &Geometry, units: &Units, page: &mut Document) {
         let [at_least, at_most] = [ends.at_min, ends.at_max].map(|at| units.coordinate.show(at));
         page.paragraph(text!(
             "geometry-force-angle",
-            group = name(group.clone()),
+            group = group,
             what = name(at.what.to_string()),
             least = least,
             at_least = at_least,
@@ -147,7 +147,7 @@ fn rests(found: &Geometry, units: &Units, page: &mut Document) {
 
 /// Number and coordinate of the positions.
 fn keys(found: &Geometry, units: &Units) -> Vec<Column> {
-    let numbers = Column::counted(name("No."), found.positions.iter().map(|at| at.index));
+    let numbers = Column::counted(text!("head-number"), found.positions.iter().map(|at| at.index));
     let coordinate =
         Column::each(&found.positions, text!("head-coordinate"), units.coordinate, |at| at.coordinate);
     vec![numbers, coordinate]

@@ -4,6 +4,7 @@ mod checks;
 mod contact;
 mod course;
 mod drive;
+mod explain;
 mod facts;
 mod forces;
 mod given;
@@ -26,6 +27,7 @@ pub use checks::{checks, not_judged};
 pub use contact::contacts;
 pub use course::{motion_over_time, no_motion};
 pub use drive::{advice, drive};
+pub use explain::explain;
 pub use facts::summary;
 pub use forces::{
     balancing, balancing_at_positions, causes, inertia_loads, loads, reactions, reactions_at_positions,
@@ -64,7 +66,7 @@ impl<'a> Source<'a> {
 
     /// Number and coordinate of the positions.
     fn keys(&self) -> Vec<Column> {
-        let numbers = Column::counted(name("No."), self.positions.numbers().iter().copied());
+        let numbers = Column::counted(text!("head-number"), self.positions.numbers().iter().copied());
         let coordinate = each(&self.positions, Values::COORDINATE);
         vec![numbers, Column::numbers(named(&self.analysis.input.link), self.units.coordinate, coordinate)]
     }
@@ -81,7 +83,18 @@ impl<'a> Source<'a> {
 
     /// The name of an owner.
     fn name(&self, owner: Owner) -> Text {
-        named(&self.positions.schema().name(owner))
+        let mechanism = self.mechanism;
+        let load = |load| {
+            let forces = mechanism.forces.iter().map(|load| &load.name);
+            let moments = mechanism.moments.iter().map(|load| &load.name);
+            let springs = mechanism.springs.iter().map(|load| &load.name);
+            let contacts = mechanism.contacts.iter().map(|load| &load.name);
+            forces.chain(moments).chain(springs).chain(contacts).nth(load).map(Text::from)
+        };
+        match owner {
+            Owner::Load(number) => load(number).unwrap_or_default(),
+            other => named(&self.positions.schema().name(other)),
+        }
     }
 }
 
@@ -153,12 +166,22 @@ fn forces_of(source: &Source<'_>, page: &mut Document) {
 /// What was decided during the calculation, and what has no solution.
 fn remarks(source: &Source<'_>, page: &mut Document) {
     let analysis = source.analysis;
-    let failures: Vec<_> = analysis.failures.iter().map(|failure| name(failure.message.clone())).collect();
-    let notes: Vec<_> = analysis.notes.iter().map(|note| name(note.clone())).collect();
+    let failures: Vec<_> = analysis.failures.iter().map(|failure| failure.message.clone()).collect();
+    let notes = analysis.notes.clone();
     for (heading, lines) in [(text!("report-notes"), notes), (text!("report-failures"), failures)] {
         if !lines.is_empty() {
             page.heading(heading);
-            lines.into_iter().for_each(|line| page.paragraph(line));
+            for line in lines {
+                page.paragraph(line);
+            }
         }
+    }
+}
+
+impl Source<'_> {
+    /// `position 6, 45 deg`.
+    pub fn place(&self, position: usize) -> Text {
+        let at = self.units.coordinate.show(self.mechanism.input.coordinate(position));
+        text!("note-place", position = assur_words::number(position), at = at)
     }
 }

@@ -152,8 +152,8 @@ pub fn rates_of_points(source: &Source<'_>, page: &mut Document) {
 /// Velocity and acceleration of a point, each with its modulus.
 fn of_point(source: &Source<'_>, owner: Owner) -> Group {
     let columns = [
-        (["vx", "vy", "v"], Quantity::Velocity, MOVING[0]),
-        (["ax", "ay", "a"], Quantity::Acceleration, MOVING[1]),
+        (["v_{x}", "v_{y}", "v"], Quantity::Velocity, MOVING[0]),
+        (["a_{x}", "a_{y}", "a"], Quantity::Acceleration, MOVING[1]),
     ]
     .map(|([x, y, size], quantity, unit)| {
         let values = Values::of(quantity, owner);

@@ -19,6 +19,11 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
     let ([rate, _], place, moment) = (units.rates, units.coordinate, units.reduced[2]);
     let (figures, regime) = (&found.figures, &found.regime);
     let some = |id, value: Option<f64>, unit: Unit| value.map(|value| Fact::number(id, value, unit));
+    // What is positive where the drive drives has another name, and the other sign, where the loads drive.
+    let loads_drive = regime.loads_drive();
+    let one_of = |[usual, other]: [&'static str; 2], value: Option<f64>, unit| {
+        if loads_drive { some(other, value.map(|value| -value), unit) } else { some(usual, value, unit) }
+    };
     let is_motor = |motor: &&MotorReport| !motor.designation.is_empty();
     let motor = found.motor.as_ref().filter(is_motor);
     let speed_min = Fact::number("fact-least-speed", figures.speed_min, rate);
@@ -32,13 +37,13 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
         Some(speed_max.at(&[figures.coordinate_at_max], place)),
         some("fact-cycle-time", Some(regime.cycle_time), SECOND),
         some("fact-excess-work", Some(figures.excess_work), JOULE),
-        some("fact-mean-resistance", Some(regime.mean_resistance), moment),
-        some("fact-resistance-work", Some(regime.resistance_work), JOULE),
+        one_of(["fact-mean-resistance", "fact-mean-driving"], Some(regime.mean_resistance), moment),
+        one_of(["fact-resistance-work", "fact-net-driving-work"], Some(regime.resistance_work), JOULE),
         some("fact-driving-work", driving, JOULE),
         some("fact-resisting-work", resisting, JOULE),
         energies(analysis).map(|range| Fact::range("fact-kinetic-energy", range, JOULE)),
-        some("fact-driving-moment", figures.torque, moment),
-        some("fact-required-power", required_power(found, regime), POWER),
+        one_of(["fact-driving-moment", "fact-braking-moment"], figures.torque, moment),
+        one_of(["fact-required-power", "fact-power-taken"], required_power(found, regime), POWER),
         motor.map(|motor| Fact::text("fact-motor", name(motor.designation.clone()))),
         some("fact-rated-power", found.motor.as_ref().map(|motor| motor.rated.power), POWER),
         some("fact-gear-ratio", figures.ratio, Unit::NONE),

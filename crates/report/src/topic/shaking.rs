@@ -129,7 +129,7 @@ fn positions(found: &Shaking, page: &mut Document) {
     let column = |head: Text, unit: Unit, value: &dyn Fn(&AtPosition) -> f64| {
         Column::each(&found.positions, head, unit, value)
     };
-    let numbers = Column::counted(name("No."), found.positions.iter().map(|at| at.index));
+    let numbers = Column::counted(text!("head-number"), found.positions.iter().map(|at| at.index));
     let coordinate = column(text!("head-coordinate"), units.coordinate, &|at| at.coordinate);
     let mut columns = vec![
         column(name("Fx"), FORCE, &|at| at.force[0]),

@@ -1,9 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
-use assur_analysis::results::GroupReport;
-use assur_book::{Column, Document, Table, Unit, link_name, listed, named, row};
+use assur_analysis::results::{GroupReport, StructureReport};
+use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, listed, named, row};
 use assur_structure::roman;
-use assur_words::{list, name, text};
+use assur_words::{Text, list, name, number, text};
 
 use super::Source;
 
@@ -13,21 +13,29 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let names: Vec<_> = mechanism.links.iter().skip(1).map(|link| link.name.as_str()).collect();
     let input = named(&source.analysis.input.link);
     page.paragraph(text!("report-links", count = names.len(), links = listed(names), input = input));
-    page.paragraph(text!(
-        "report-chebyshev",
-        links = name(structure.moving_links.to_string()),
-        pairs = name(structure.pairs.to_string()),
-        mobility = assur_words::number(structure.mobility)
-    ));
+    page.paragraph(text!("report-chebyshev"));
+    page.blocks.push(Block::Equation(chebyshev(structure)));
     if let Some(found) = structure.mobility_by_rank {
-        page.paragraph(text!("report-mobility-by-rank", mobility = assur_words::number(found)));
+        page.paragraph(text!("report-mobility-by-rank", mobility = number(found)));
     }
     if let Some(note) = &structure.note {
-        page.paragraph(text!("report-note", note = name(note.clone())));
+        page.paragraph(text!("report-note", note = note));
     }
     let class = name(roman(structure.class));
     page.paragraph(text!("report-formula", formula = name(structure.formula.clone())));
     page.paragraph(text!("report-class", class = class));
+}
+
+/// W = 3 n - 2 p5.
+fn chebyshev(structure: &StructureReport) -> Vec<Term> {
+    let name = |letter: &str, below: &'static str| Term::Name(letter.to_owned(), name(below));
+    let sign = |text: &str| Term::Sign(text.to_owned());
+    let [links, pairs] = [structure.moving_links, structure.pairs].map(|count| Term::Number(number(count)));
+    let [three, two] = [3, 2].map(|factor| Term::Number(number(factor)));
+    let mut terms = vec![name("W", ""), sign(" = "), three.clone(), name("n", ""), sign(" - "), two.clone()];
+    terms.extend([name("p", "5"), sign(" = "), three, sign("*"), links, sign(" - "), two, sign("*"), pairs]);
+    terms.extend([sign(" = "), Term::Number(number(structure.mobility))]);
+    terms
 }
 
 /// The kinematic pairs.
@@ -38,7 +46,7 @@ pub fn pairs(source: &Source<'_>, page: &mut Document) {
     for pin in mechanism.points.iter().filter(|point| point.is_pin()) {
         let links = list(pin.places.iter().map(|place| link_name(mechanism, place.link)));
         let sort = if pin.places.len() > 2 { text!("report-multiple-joint") } else { name("R") };
-        table.row(row![&pin.name, sort, links, pin.places.len() - 1]);
+        table.row(row![Text::from(&pin.name), sort, links, pin.places.len() - 1]);
     }
     for slide in &mechanism.slides {
         let links = list([slide.link, slide.on].map(|link| link_name(mechanism, link)));
@@ -67,13 +75,13 @@ pub fn groups(source: &Source<'_>, page: &mut Document) {
             index + 1,
             &group.kind,
             name(roman(group.class)),
-            (group.number > 0).then(|| assur_words::number(group.number)),
-            assur_words::number(group.order),
+            (group.number > 0).then(|| number(group.number)),
+            number(group.order),
             names(&group.links),
             names(&group.inner),
             names(&group.outer),
-            assur_words::number(group.way),
-            assur_words::number(group.ways),
+            number(group.way),
+            number(group.ways),
         ]
     };
     let columns = heads.map(|head| Column::short(head, Unit::NONE));

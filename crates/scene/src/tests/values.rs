@@ -363,3 +363,25 @@ fn a_formula_has_a_unit_and_faults_with_their_column() {
     assert!(fault("{ formula = \"q\", axis = 0 }").0.contains("no use"));
     assert!(fault("{ formula = \"q\", table = 0 }").0.contains("unknown key"));
 }
+
+#[test]
+fn friction_against_the_sliding_is_a_table_of_one_number() {
+    let shipped = fixtures();
+    let press = &shipped.iter().find(|(name, _)| name.starts_with("press-compression")).unwrap().1;
+    let formula = "{ formula = \"8*(-70*pi/180 - q)*9/(2*pi)\", unit = \"deg\" }";
+    let refused = |friction: &str, angle: &str| {
+        let text = press.replace("{ against_sliding = 0.1 }", friction).replace(formula, angle);
+        read("test.toml", &text).unwrap_err().to_string()
+    };
+    assert!(refused("{ against_sliding = -0.1 }", "0").contains("`against_sliding`"));
+    assert!(refused("{ against = 0.1 }", "0").contains("unknown key `against`"));
+    assert!(refused("{}", "0").contains("friction against the sliding needs `against_sliding`"));
+    let follows = "{ over = \"time\", table = [[0, 0], [1, 0.1]] }";
+    assert!(
+        refused("{ against_sliding = 0.1 }", follows)
+            .contains("`angle` depends on more than the input coordinate")
+    );
+    assert!(refused("{ against_sliding = 0.1 }", "{ formula = \"0.01*w\" }").contains("depends on more"));
+    let table = "{ over = \"angle\", table = [[-2, 0.1], [-1, 0]] }";
+    assert!(read("test.toml", &press.replace(formula, table)).unwrap().contacts[0].against_sliding);
+}

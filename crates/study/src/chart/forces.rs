@@ -125,7 +125,7 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
         }
         entries.push(match plugin.instance.supports(linkage) {
             Ok(()) => loaded.work.entry(row, 1, registered(loaded, plugin)),
-            Err(why) => Entry::refused(row, why),
+            Err(why) => Entry::refused(row, why.to_string()),
         });
     }
     let by_rank = all.iter().filter(|plugin| plugin.by_groups).min_by_key(|plugin| plugin.rank);

@@ -25,7 +25,7 @@ pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, 
     let mut entries = Vec::new();
     for plugin in integrators()? {
         if let Err(why) = (plugin.suitability)(&task.motion.dependence(), task.request.tolerance) {
-            entries.push(Entry::refused(row(plugin.name, Setting::default()), why));
+            entries.push(Entry::refused(row(plugin.name, Setting::default()), why.to_string()));
             continue;
         }
         for (setting, request) in settings(plugin, task, references.duration, options) {

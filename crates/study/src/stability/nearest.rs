@@ -29,7 +29,7 @@ pub struct GroupHealth {
     /// Number of the scene's position that is nearest.
     pub position: usize,
     /// What the angle is.
-    pub angle_of: &'static str,
+    pub angle_of: assur_words::Text,
     /// Worst value of that angle over the cycle, rad.
     pub angle: f64,
     /// Whether two assembly modes meet there: a change point, through which the motion passes.
@@ -108,11 +108,11 @@ fn at(linkage: &Linkage, group: usize, q: f64, position: &mut Position) -> Resul
     let health = position.health[group].abs();
     let force_angle = &found.plugin.force_angle;
     Ok(GroupHealth {
-        place: linkage.structure.group_name(&linkage.mechanism, group),
+        place: linkage.structure.group_name(&linkage.mechanism, group).to_string(),
         health,
         coordinate: q,
         position: position_near.unwrap_or(0),
-        angle_of: force_angle.words,
+        angle_of: force_angle.words.clone(),
         angle: (force_angle.of)(&found.frame, &position.bodies, health),
         change_point: linkage.is_interpolated(q),
     })

@@ -108,6 +108,9 @@ impl<const MISTAKE: u8> GroupKind for Kind<MISTAKE> {
     }
 }
 
+/// The words of an entry of a test.
+const TEST: assur_words::Text = assur_words::Text::message("a test", Vec::new());
+
 macro_rules! faulty {
     ($($name:literal: $mistake:ident),*) => {$(
         inventory::submit! {
@@ -116,13 +119,13 @@ macro_rules! faulty {
                 kind: "RRR",
                 number: 1,
                 crate_name: env!("CARGO_PKG_NAME"),
-                summary: "RRR with a mistake",
+                summary: TEST,
                 pattern: Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] },
-                ways: Ways { most: 2, varies: false, words: "as RRR" },
+                ways: Ways { most: 2, varies: false, words: TEST },
                 iterates: false,
-                singular: "as RRR",
+                singular: TEST,
                 force_angle: ForceAngle::DEFAULT,
-                source: "a test",
+                source: TEST,
                 builders: Builders::of::<Kind<$mistake>>(),
             }
         }

@@ -81,7 +81,7 @@ fn a_pole_at_infinity_is_a_direction() {
     let drawn = drawn(&compile(&text), 0.0);
     assert!(drawn.step(Drawing::Mechanism, "P").is_none());
     assert_eq!(
-        drawn.step(Drawing::Mechanism, "OP").unwrap().note,
+        drawn.step(Drawing::Mechanism, "OP").unwrap().note.to_string(),
         "the line of the crank; it is parallel to the other line, so that the pole P is at infinity"
     );
     let part = |name| vector(&drawn, Drawing::Mechanism, name);
@@ -95,7 +95,7 @@ fn a_pole_at_infinity_is_a_direction() {
 fn the_steps_come_in_the_order_of_the_paper() {
     let linkage = compile(&fixture("press.toml"));
     let drawn = drawn(&linkage, -1.9);
-    let names: Vec<_> = drawn.steps.iter().map(|step| step.name.as_str()).collect();
+    let names: Vec<_> = drawn.steps.iter().map(|step| step.name.to_string()).collect();
     assert_eq!(
         names,
         [

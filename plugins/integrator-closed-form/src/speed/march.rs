@@ -1,6 +1,7 @@
 //! Panel after panel along the speed, through pieces, to the end.
 
 use assur_integrator::{IntegrationError, Motion, MotionError, Request, Run, State, Trajectory, Until};
+use assur_words::{number, text};
 
 use super::panel::{Panel, Passage};
 use crate::QUADRATURE;
@@ -78,9 +79,10 @@ impl March<'_> {
         let State { time, speed, .. } = self.run.node.state;
         IntegrationError::Unsupported {
             integrator: QUADRATURE.name,
-            reason: format!(
-                "no polynomial in the speed follows the moment near w = {speed:e} (t = {time:e} s) to this tolerance; a method \
-                 in steps of time does"
+            reason: text!(
+                "integrator-quadrature-too-fine",
+                speed = number(format_args!("{speed:e}")),
+                time = number(format_args!("{time:e}"))
             ),
         }
     }

@@ -1,6 +1,7 @@
 //! How the motion through a panel ends.
 
 use assur_integrator::{EventKind, IntegrationError, State, Until};
+use assur_words::text;
 
 use super::march::March;
 use super::panel::{Panel, Passage};
@@ -85,9 +86,9 @@ impl March<'_> {
     fn settles(&self, panel: &Panel) -> IntegrationError {
         let at_rest = panel.pole().is_some_and(|pole| pole.speed == 0.0);
         self.run.not_reached(if at_rest {
-            "creeps to rest without end"
+            text!("integrator-creeps")
         } else {
-            "settles at a speed, which it approaches without end"
+            text!("integrator-quadrature-settles")
         })
     }
 

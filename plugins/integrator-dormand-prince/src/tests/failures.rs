@@ -24,10 +24,6 @@ fn stiffness_is_suspected_with_its_number() {
 /// The mechanism ends at q = 1.
 struct Wall;
 
-#[derive(Debug, thiserror::Error)]
-#[error("no assembly")]
-struct NoAssembly;
-
 impl Motion for Wall {
     fn dependence(&self) -> Dependence {
         assur_problems::BY_COORDINATE
@@ -39,7 +35,7 @@ impl Motion for Wall {
 
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
         if state.coordinate > 1.0 {
-            return Err(MotionError::mechanism(NoAssembly));
+            return Err(MotionError::Mechanism(assur_words::name("no assembly")));
         }
         Ok(Reduced { inertia: 1.0, inertia_derivative: 0.0, moment: 1.0 })
     }

@@ -67,44 +67,45 @@ fn the_numbers_of_the_note_are_those_of_the_json() {
     let mut compared = 0;
     for position in [3, 27] {
         let row = &json["positions"][position];
+        // The rows of the position; its number stands behind the owner.
         let of = |words: &str| {
-            let here = format!("position {position},");
-            tables
-                .iter()
-                .find(|table| table.caption.contains(words) && table.caption.contains(&here))
-                .unwrap()
+            let table = tables.iter().find(|table| table.caption.contains(words)).unwrap();
+            let column = table.head.iter().position(|head| head == "No.").unwrap();
+            let here = position.to_string();
+            table.rows.iter().filter(move |cells| cells[column] == here)
         };
-        for cells in &of("accelerations of the points").rows {
+        for cells in of("accelerations of the points") {
             let [v, a] = ["velocities", "accelerations"].map(|key| &row[key]["points"][&cells[0]]);
-            for (cell, value) in [(1, &v[0]), (2, &v[1]), (4, &a[0]), (5, &a[1])] {
+            for (cell, value) in [(3, &v[0]), (4, &v[1]), (6, &a[0]), (7, &a[1])] {
                 same(&cells[cell], value);
                 compared += 1;
             }
         }
-        for cells in &of("accelerations of the links").rows {
-            same(&cells[1], &row["velocities"]["links"][&cells[0]]);
-            same(&cells[2], &row["accelerations"]["links"][&cells[0]]);
+        for cells in of("accelerations (ε) of the links") {
+            same(&cells[3], &row["velocities"]["links"][&cells[0]]);
+            same(&cells[4], &row["accelerations"]["links"][&cells[0]]);
             compared += 2;
         }
-        for cells in &of("Reactions").rows {
-            if cells[0] == "balancing load" {
-                same(&cells[6], &row["balancing"]);
-                continue;
-            }
-            let force = &row["reactions"][&cells[0]][&cells[1]];
-            same(&cells[2], &force[0]);
-            same(&cells[3], &force[1]);
+        for cells in of("Reactions of the pairs") {
+            let (pair, link) = cells[0].split_once(" on ").unwrap();
+            let force = &row["reactions"][pair][link];
+            same(&cells[3], &force[0]);
+            same(&cells[4], &force[1]);
             compared += 2;
+        }
+        for cells in of("keeps the mechanism in its motion") {
+            same(&cells[2], &row["balancing"]);
+            compared += 1;
         }
     }
     let regime = tables.iter().find(|table| table.caption.ends_with("The regime")).unwrap();
-    assert_eq!(regime.head, ["Quantity", "Value", "Unit"]);
+    assert_eq!(regime.head, ["Quantity", "Value", "Unit", "At"]);
     for (what, key) in [
-        ("Mean speed", "mean_speed"),
-        ("Unevenness", "unevenness"),
-        ("Required power", "required_power"),
-        ("Gear ratio", "ratio"),
-        ("Moment of inertia of the flywheel", "flywheel"),
+        ("mean speed", "mean_speed"),
+        ("unevenness", "unevenness"),
+        ("required power", "required_power"),
+        ("gear ratio", "ratio"),
+        ("moment of inertia of the flywheel", "flywheel"),
     ] {
         let row = regime.rows.iter().find(|row| row[0] == what).unwrap();
         same(&row[1], &json["dynamics"][key]);

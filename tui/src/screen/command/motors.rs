@@ -3,7 +3,7 @@
 use assur_mechanism::Torque;
 use assur_motor::{Candidate, MotorFilter, SelectionRequest, catalogues, list_motors, rpm, select};
 use assur_scene::{Dimension, edit, quantity};
-use assur_words::{self as words, Text, name, number, text};
+use assur_words::{self as words, Describe, Text, name, number, text};
 
 use super::whatif;
 use crate::number::digits;
@@ -63,9 +63,8 @@ fn suitable(state: &State) -> Result<(Text, Vec<Choice>), Text> {
         characteristic: *characteristic,
     };
     let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
-    let all =
-        catalogues().and_then(|all| list_motors(&all, &filter)).map_err(|error| name(error.to_string()))?;
-    let found = select(all, &request).map_err(|error| name(error.to_string()))?;
+    let all = catalogues().and_then(|all| list_motors(&all, &filter)).map_err(|error| error.describe())?;
+    let found = select(all, &request).map_err(|error| error.describe())?;
     // The load on the shaft of another motor, with the ratio that this one needs.
     let work = dynamics.motor.as_ref().map(|motor| &motor.work);
     let load = work.map(|work| work.starting_load * dynamics.figures.ratio.unwrap_or(1.0));

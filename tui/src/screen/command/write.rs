@@ -114,7 +114,11 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
         },
         (View::Checks, _, Some(found)) => {
             let header = ["check", "residual", "limit", "where", "position", "ok"];
-            bytes(csv::write(&header, found.analysis.checks.iter().map(row), false))
+            let checks = &found.analysis.checks;
+            let words: Vec<_> =
+                checks.iter().map(|check| [&check.name, &check.place].map(ToString::to_string)).collect();
+            let rows = checks.iter().zip(&words).map(|(check, words)| row(check, words));
+            bytes(csv::write(&header, rows, false))
         }
         (View::Working, ..) => Err(text!("say-working-is-text")),
         (View::Accuracy, ..) => match state.measured.as_ref().map(|measured| &measured.chart) {
@@ -130,11 +134,11 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
 }
 
 /// A check as a row; the last cell is empty where the check is not conclusive.
-fn row(check: &Check) -> [Cell<'_>; 6] {
+fn row<'a>(check: &Check, [name, place]: &'a [String; 2]) -> [Cell<'a>; 6] {
     let ok = check.verdict().map_or(Cell::Empty, |ok| Cell::Text(if ok { "true" } else { "false" }));
     let at = check.at.map_or(Cell::Empty, |at| Cell::Number(at as f64));
     let [residual, limit] = [check.residual, check.limit].map(finite);
-    [Cell::Text(check.name), residual, limit, Cell::Text(&check.place), at, ok]
+    [Cell::Text(name), residual, limit, Cell::Text(place), at, ok]
 }
 
 /// A number; an empty cell where it is not determined.

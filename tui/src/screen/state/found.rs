@@ -7,6 +7,7 @@ use assur_mechanism::PointId;
 use super::gather::{Gather, RATES, Reaction};
 use super::plans::Planner;
 use super::series::Series;
+use crate::verdict::{Nowhere, Verdict};
 
 /// The results of one analysis, with its series.
 #[derive(Debug)]
@@ -17,6 +18,8 @@ pub(crate) struct Found {
     pub(crate) analysis: Analysis,
     /// The end of the cycle, to which the curves lead.
     pub(crate) ending: Table,
+    /// What is missing, or not proved.
+    pub(crate) verdict: Verdict,
     /// All its series over the positions.
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
@@ -39,12 +42,14 @@ impl Found {
         gather.others();
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
-        Self { analyzer, analysis, ending, series, reactions, plans, fastest, motion }
+        let verdict = Verdict::of(&analysis, plans.calculation(), &Nowhere);
+        Self { analyzer, verdict, analysis, ending, series, reactions, plans, fastest, motion }
     }
 
     /// Adds the checks, and the residuals as series.
     pub(crate) fn take_checks(&mut self, checks: Checks) {
         self.analysis.add_checks(checks);
+        self.verdict = Verdict::of(&self.analysis, self.plans.calculation(), &Nowhere);
         let table = &self.analysis.positions;
         let mut gather = Gather { table, ending: &self.ending, series: std::mem::take(&mut self.series) };
         let all = table.schema().columns().iter();

@@ -92,7 +92,7 @@ impl Gather<'_> {
         let schema = self.table.schema();
         let mut found = Vec::new();
         for (id, on) in pairs(schema) {
-            let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_owned());
+            let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_string());
             let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
             let (name, series) = (catalogue::owner(schema, force), self.add_all(force));
             let moment = self.add(Column::of(Quantity::Moment, Owner::Pair(id)));

@@ -9,7 +9,7 @@ use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{MOST_PARTS_DRAWN, Range};
 use assur_scene::edit::{Document, SceneValue};
-use assur_words::{Language, Text, joined, name, number, quantity, text};
+use assur_words::{Describe, Language, Text, joined, name, number, quantity, text};
 
 use super::found::Found;
 use super::outline::Outline;
@@ -113,7 +113,7 @@ impl Scene {
         let linkage = Linkage::compile(mechanism).map_err(|error| {
             let located = crate::files::located(&file, text, &error).map(|errors| name(errors.to_string()));
             located.unwrap_or_else(|| {
-                joined("\n  ", [text!("told-error", problem = name(error.to_string())), name(file.clone())])
+                joined("\n  ", [text!("told-error", problem = error.describe()), name(file.clone())])
             })
         })?;
         Ok(Self::of(source, text, linkage))
@@ -211,13 +211,13 @@ fn solve(linkage: &Linkage, index: usize) -> (Option<Position>, Option<Broken>) 
 /// Why a position does not exist, the most important first: what, by how much, where.
 fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let GroupError::NoAssembly { gap_m } = error.source else {
-        return text!("say-no-assembly", reason = name(error.to_string()));
+        return text!("say-no-assembly", reason = error.describe());
     };
     let (unit, factor) = coordinate_unit(linkage);
     let at = quantity(plain(factor * error.coordinate), unit);
     let place = text!("position-at", position = number(index), at = at);
     let gap = quantity(format_args!("{:.4}", 1e3 * gap_m), "mm");
-    let group = name(linkage.structure.group_name(&linkage.mechanism, error.group));
+    let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     text!("say-misses", gap = gap, place = place, group = group)
 }
 

@@ -75,7 +75,9 @@ fn courses(json: &Value, links: &[&str]) -> Vec<Points> {
     over(&regime["course"], "coordinate", &mut all);
     if let Some(mean) = regime["mean_resistance"].as_f64() {
         let rows = regime["course"].as_array().unwrap();
-        all.push(rows.iter().map(|row| [row["coordinate"].as_f64().unwrap(), mean]).collect());
+        let of = |mean: f64| rows.iter().map(|row| [row["coordinate"].as_f64().unwrap(), mean]).collect();
+        // Where the loads drive, it is the mean of their moment.
+        all.extend([of(mean), of(-mean)]);
     }
     shares(json, links, &mut all);
     all

@@ -89,7 +89,8 @@ fn a_warning_of_the_drive_is_on_its_first_part() {
     assert!(text(&state, 80, 24).contains(" ! starting torque"));
     let scene = state.scene.as_mut().unwrap();
     let dynamics = scene.found.as_mut().unwrap().analysis.dynamics.as_mut().unwrap();
-    dynamics.motor.as_mut().unwrap().warnings = vec![format!("the torque is {}", "too small ".repeat(9))];
+    dynamics.motor.as_mut().unwrap().warnings =
+        vec![assur_words::name(format!("the torque is {}", "too small ".repeat(9)))];
     let frame = text(&state, 80, 24);
     let line = frame.lines().find(|line| line.starts_with(" ! the torque is too small")).unwrap();
     assert!(line.ends_with("…  (Tab Tab: whole)"), "{line}");

@@ -39,7 +39,7 @@ pub(crate) fn text(state: &State, scene: &Scene) -> Text {
         (View::Motion | View::Drive, Some(reason)) => not_found(reason, "\n"),
         (View::Forces | View::Plans, None) if is_transient => text!("forces-over-time"),
         (View::Forces | View::Plans, Some(reason)) => {
-            joined("\n", [text!("no-forces-found"), name(reason.clone())])
+            joined("\n", [text!("no-forces-found"), reason.clone()])
         }
         (View::Motion, None) => text!("add-motion", key = key()),
         (View::Drive, None) => text!("add-drive", key = key()),
@@ -49,6 +49,6 @@ pub(crate) fn text(state: &State, scene: &Scene) -> Text {
 }
 
 /// Why there is no motion.
-pub(super) fn not_found(reason: &str, between: &'static str) -> Text {
-    joined(between, [text!("no-motion-found"), name(reason.to_owned())])
+pub(super) fn not_found(reason: &Text, between: &'static str) -> Text {
+    joined(between, [text!("no-motion-found"), reason.clone()])
 }

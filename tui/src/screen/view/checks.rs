@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Check, Quantity};
 use assur_figure::{Figure, Ink, Stroke};
-use assur_words::{self as words, name, text};
+use assur_words::{self as words, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -19,7 +19,7 @@ const TITLES: [&str; 5] = [
     "check-column-position",
 ];
 /// Columns of the texts in 80 columns; more room goes to the place.
-const WIDTHS: [u16; 6] = [30, 10, 10, 14, 7, 7];
+const WIDTHS: [u16; 6] = [30, 11, 11, 13, 6, 7];
 /// Rows that the curve of a residual below the table needs.
 const CURVE: u16 = 10;
 
@@ -76,7 +76,7 @@ fn draw_row(state: &State, check: &Check, chosen: bool, area: Rect, buffer: &mut
     let at = check.at.map_or_else(|| "-".to_owned(), |at| at.to_string());
     let [residual, limit] =
         [check.residual, check.limit].map(|size| state.told(words::number(format_args!("{size:.2e}"))));
-    let [name, place] = [name(check.name), name(check.place.clone())].map(|text| state.told(text));
+    let [name, place] = [&check.name, &check.place].map(|text| state.told(text.clone()));
     let cells = [&name, &residual, &limit, &place, &at];
     let columns = columns(area.width);
     for (text, (column, width)) in cells.into_iter().zip(columns) {

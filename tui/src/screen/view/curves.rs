@@ -65,7 +65,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 
 fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
     let series = &scene.series[orders[order]];
-    let mut value = quantity(number(series.at(state.position)), series.unit.clone());
+    let mut value = quantity(series.bare(state.position), series.unit.clone());
     let mut curves = vec![(series, Stroke::Solid, ink)];
     if let Some(compared) = &state.compared
         && let Some(other) = compared.series(series)

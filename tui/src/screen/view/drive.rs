@@ -15,8 +15,8 @@ use crate::number::digits;
 use crate::screen::draw::{cut, paint, put, put_lines, short, table, wrapped};
 use crate::screen::state::{Part, Role, Scene, State, View};
 
-/// Second column of the view.
-const RIGHT: u16 = 46;
+/// Second column of the view, unless the first one is wider.
+const RIGHT: usize = 46;
 /// Rows that the plots below the numbers need.
 const PLOTS: u16 = 12;
 
@@ -44,7 +44,9 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             let left = motor_and_flywheel(state, dynamics);
             let rows = short(left.len().max(12)) + 1;
             put_lines(buffer, area, 1, state, &left);
-            put_lines(buffer, area, RIGHT, state, &numbers(state, dynamics, angular));
+            let wide = left.iter().map(|(_, line)| line.width() + 3).max();
+            let right = short(wide.unwrap_or_default().max(RIGHT));
+            put_lines(buffer, area, right, state, &numbers(state, &found.analysis));
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
                 paint(state, &figure(state, scene, 2), below, buffer);
@@ -60,7 +62,7 @@ fn warned(state: &State, dynamics: &Dynamics, area: Rect, buffer: &mut Buffer) -
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     let more = state.told(text!("drive-warning-more", key = name(state.keys.first("part"))));
     let room = usize::from(area.width.saturating_sub(6)).saturating_sub(more.width());
-    let first = state.told(name(first.clone()));
+    let first = state.told(first.clone());
     put(buffer, line, 1, 0, &format!("! {}  {more}", cut(&first, room)), state.look.theme.style(Role::Bad));
     rest
 }
@@ -101,10 +103,11 @@ fn motor_and_flywheel(state: &State, dynamics: &Dynamics) -> Vec<Line> {
         dynamics.flywheel.map(|inertia| text!("drive-flywheel", flywheel = told(inertia, 6, "kg m2")));
     lines.extend(ratio.into_iter().chain(flywheel).map(|text| (Role::Header, state.told(text))));
     let sizes = dynamics.flywheel_methods.iter().map(|row| {
-        let off = row.difference.map_or_else(Text::default, |part| {
-            joined(" ", [number(format_args!("{:+.2}", 1e2 * part)), name("%")])
-        });
-        (name(row.method.to_string()), joined("  ", [told(row.flywheel, 5, ""), off]))
+        let off = row
+            .difference
+            .map_or_else(String::new, |part| state.told(number(format_args!("{:+.2}", 1e2 * part))) + " %");
+        let size = state.told(told(row.flywheel, 5, ""));
+        (name(row.method.to_string()), name(format!("{size:>9} {off:>8}")))
     });
     lines.extend(aligned(state, sizes.collect()));
     if lines.is_empty() {
@@ -189,7 +192,7 @@ fn places_and_motors(state: &State, dynamics: &Dynamics) -> Vec<Line> {
     }
     lines.push((Role::Plain, String::new()));
     for warning in &motor.warnings {
-        let rows = wrapped(&state.told(name(warning.clone())), 75);
+        let rows = wrapped(&state.told(warning.clone()), 75);
         lines.extend(rows.into_iter().map(|row| (Role::Plain, format!("! {row}"))));
     }
     lines

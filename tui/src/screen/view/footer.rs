@@ -62,11 +62,13 @@ pub(super) fn calculating(state: &State, running: &Running) -> Text {
     }
 }
 
-/// Why this position, or else another one, can't be assembled.
+/// Why this position can't be assembled, or else what the results lack or don't prove.
 fn failure(state: &State) -> Option<&Text> {
     let scene = state.scene.as_ref()?;
-    let here = scene.broken.get(state.position)?.as_ref();
-    here.or_else(|| scene.broken.iter().flatten().next()).map(|broken| &broken.why)
+    let here = scene.broken.get(state.position)?.as_ref().map(|broken| &broken.why);
+    let first = || scene.broken.iter().flatten().next().map(|broken| &broken.why);
+    let told = || state.found()?.verdict.messages().next();
+    here.or_else(first).or_else(told)
 }
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.

@@ -2,6 +2,7 @@
 
 use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
 use assur_figure::{Axis, Cursor, Figure, Panel};
+use assur_report::topic::regime_facts;
 use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -20,7 +21,7 @@ const NUMBERS: u16 = 30;
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
     let dynamics = found.analysis.dynamics.as_ref();
-    let lines = dynamics.map(|d| numbers(state, d, found.analysis.input.angular)).unwrap_or_default();
+    let lines = numbers(state, &found.analysis);
     let (role, text) = heading(scene, found);
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
@@ -102,26 +103,25 @@ fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
     all.map(panel).into_iter().chain(energies).collect()
 }
 
-/// The numbers of the regime, one a line.
-pub(super) fn numbers(state: &State, dynamics: &Dynamics, angular: bool) -> Vec<(Role, String)> {
-    let speed = speed_unit(angular);
-    let degrees = |q: f64| if angular { q.to_degrees() } else { 1e3 * q };
-    let place = if angular { "deg" } else { "mm" };
-    let all: [(&'static str, Option<f64>, &'static str); 10] = [
-        ("regime-mean-speed", Some(dynamics.figures.mean_speed), speed),
-        ("regime-unevenness", Some(dynamics.figures.unevenness), ""),
-        ("regime-least-speed", Some(dynamics.figures.speed_min), speed),
-        ("regime-at", Some(degrees(dynamics.figures.coordinate_at_min)), place),
-        ("regime-greatest-speed", Some(dynamics.figures.speed_max), speed),
-        ("regime-at", Some(degrees(dynamics.figures.coordinate_at_max)), place),
-        ("regime-excess-work", Some(dynamics.figures.excess_work), "J"),
-        ("regime-dynamic-unevenness", dynamics.figures.dynamic_unevenness, ""),
-        ("regime-torque", dynamics.figures.torque, "N m"),
-        ("regime-required-power", Some(dynamics.figures.required_power), "W"),
+/// The numbers of the regime that have room beside its curves, one a line.
+pub(super) fn numbers(state: &State, analysis: &Analysis) -> Vec<(Role, String)> {
+    let shown = [
+        "fact-mean-speed",
+        "fact-unevenness",
+        "fact-least-speed",
+        "fact-greatest-speed",
+        "fact-excess-work",
+        "fact-dynamic-unevenness",
+        "fact-driving-moment",
+        "fact-braking-moment",
+        "fact-required-power",
+        "fact-power-taken",
     ];
-    let line = |(id, value, unit): (&'static str, Option<f64>, &'static str)| {
-        let told = state.told(joined(" ", [text!(id), quantity(digits(value?, 5), unit)]));
-        Some((Role::Plain, if id == "regime-at" { format!("  {told}") } else { told }))
-    };
-    all.into_iter().filter_map(line).collect()
+    let facts = regime_facts(analysis).into_iter().filter(|fact| shown.contains(&fact.id));
+    let lines = facts.flat_map(|fact| {
+        let place = joined(" ", [text!("regime-at"), fact.place()]);
+        let place = (!fact.at.is_empty()).then(|| format!("  {}", state.told(place)));
+        std::iter::once(state.told(joined(" ", [fact.what(), fact.with_unit()]))).chain(place)
+    });
+    lines.map(|line| (Role::Plain, line)).collect()
 }

@@ -3,7 +3,7 @@
 use assur_diagram::{Plan, PlanVector, construction_plan};
 use assur_figure::{Bounds, Figure, Frame, Ink, Panel};
 use assur_force::{Construction, Drawing, Step, VectorKind};
-use assur_words::{Text, joined, name, number, quantity, text, unit};
+use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -61,7 +61,7 @@ fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
                 None => nothing(text!("plans-no-construction")),
             };
         }
-        (Err(error), _) => return nothing(name(error.to_string())),
+        (Err(error), _) => return nothing(error.describe()),
         (Ok(sheet), _) => sheet,
     };
     let plan = match state.part(View::Plans) {
@@ -95,7 +95,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
             Figure { title: plan.title.clone(), columns: panels.len(), panels, legend: Vec::new() }
         }
         Shown::Construction(construction, last) => {
-            let (method, step) = (name(construction.title.clone()), number(last + 1));
+            let (method, step) = (construction.title.clone(), number(last + 1));
             let title = text!("plans-step", construction = method, step = step);
             let panel = panel_of_steps(construction, last);
             Figure { title, columns: 1, panels: panel.into_iter().collect(), legend: Vec::new() }
@@ -212,7 +212,7 @@ fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
 /// The chosen step of a construction, with the sentence that explains it.
 fn list_of_steps(state: &State, construction: &Construction, last: usize, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
-    let mut rows: Vec<(Role, String)> = wrapped(&state.told(name(construction.title.clone())), width)
+    let mut rows: Vec<(Role, String)> = wrapped(&state.told(construction.title.clone()), width)
         .into_iter()
         .map(|line| (Role::Header, line))
         .collect();
@@ -223,31 +223,37 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     let Some(step) = construction.steps.get(last) else { return };
     let size = quantity(digits(step.vector[0].hypot(step.vector[1]), 5), step.unit.to_owned());
     let kind = name(format!("({})", step.kind));
-    rows.push((Role::Key, state.told(joined(" ", [name(step.name.clone()), kind, size]))));
-    rows.extend(
-        wrapped(&state.told(name(step.note.clone())), width).into_iter().map(|line| (Role::Plain, line)),
-    );
+    rows.push((Role::Key, state.told(joined(" ", [step.name.clone(), kind, size]))));
+    rows.extend(wrapped(&state.told(step.note.clone()), width).into_iter().map(|line| (Role::Plain, line)));
     lines(state, &rows, list, buffer);
 }
 
-/// The drawing of the last step with the steps up to it.
+/// The drawing of the last step with the steps up to it, on the place that all its steps take.
 fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
     let drawing = construction.steps.get(last)?.drawing;
     let plan = construction_plan(construction, drawing)?;
     let mut items = plan.items.iter();
-    let steps = construction.steps.iter().take(last + 1).filter(|step| step.drawing == drawing);
-    let vector = |step: &Step| {
+    let steps = construction.steps.iter().enumerate().filter(|(_, step)| step.drawing == drawing);
+    let mut vector = |step: &Step| {
         let (from, to, ink) = match step.kind {
             VectorKind::Point => (step.start, step.start, Ink::Trace),
             _ => items.next().map(|item| (item.start, item.end, ink(item.kind)))?,
         };
-        Some(Vector { from, to, name: name(step.name.clone()), ink })
+        Some(Vector { from, to, name: step.name.clone(), ink })
     };
-    let vectors: Vec<Vector> = steps.filter_map(vector).collect();
+    let all: Vec<(usize, Vector)> =
+        steps.filter_map(|(number, step)| Some((number, vector(step)?))).collect();
+    let place = Bounds::around(all.iter().flat_map(|(_, vector)| [vector.from, vector.to]));
+    let made = all.into_iter().take_while(|(number, _)| *number <= last);
+    let vectors: Vec<Vector> = made.map(|(_, vector)| vector).collect();
     let symbol = match drawing {
         Drawing::Mechanism => "l",
         Drawing::Polygon => "F",
         Drawing::Lever => "v",
     };
-    Some(plots::vectors(Text::default(), &vectors, (&plan.unit, symbol), None))
+    let mut panel = plots::vectors(Text::default(), &vectors, (&plan.unit, symbol), None);
+    if let Frame::Plane { bounds, .. } = &mut panel.frame {
+        *bounds = place;
+    }
+    Some(panel)
 }

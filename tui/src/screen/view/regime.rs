@@ -50,13 +50,17 @@ fn axis(scene: &Scene) -> (Axis, f64) {
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
 pub(super) fn moments(state: &State, scene: &Scene, regime: &RegimeReport) -> Panel {
-    // The resistance is shown against the motion, as its mean is.
+    // What drives is shown along the motion, and the resistance against it, as its mean is. Driving is what does work over the cycle.
     let sense = scene.linkage.mechanism.input.sign();
-    let lines = vec![
-        (text!("regime-motor"), over(regime, |row| Some(sense * row.drive))),
-        (text!("regime-resistance"), over(regime, |row| Some(-sense * row.load))),
-        (text!("regime-mean"), over(regime, |_| Some(regime.mean_resistance))),
-    ];
+    let drive = |sign: f64| over(regime, |row| Some(sign * sense * row.drive));
+    let load = |sign: f64| over(regime, |row| Some(sign * sense * row.load));
+    let mean = |sign: f64| (text!("regime-mean"), over(regime, |_| Some(sign * regime.mean_resistance)));
+    let lines = if regime.loads_drive() {
+        let driving = (text!("regime-driving-loads"), load(1.0));
+        vec![driving, (text!("regime-resistance"), drive(-1.0)), mean(-1.0)]
+    } else {
+        vec![(text!("regime-motor"), drive(1.0)), (text!("regime-resistance"), load(-1.0)), mean(1.0)]
+    };
     plots::curves(text!("regime-moments"), lines, axis(scene), Some(cursor(state, scene).into()))
 }
 

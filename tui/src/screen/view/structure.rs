@@ -44,7 +44,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             "structure-nearest",
             determinant = number(digits(health, LEAST)),
             position = number(at),
-            group = name(structure.group_name(&scene.linkage.mechanism, group)),
+            group = structure.group_name(&scene.linkage.mechanism, group),
         );
         let nearest = cut(&state.told(nearest), usize::from(top.width.saturating_sub(2)));
         put(buffer, top, 1, 2, &nearest, theme.style(Role::Plain));
@@ -83,19 +83,21 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         let (with, next) = (words::joined("", with), name(state.keys.first("join")));
         lines.push((false, state.told(text!("structure-drawn", groups = with, key = next))));
     }
+    let room = usize::from(width).saturating_sub(INDENT);
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
-        let named = state.told(name(linkage.structure.group_name(mechanism, index)));
+        let named = state.told(linkage.structure.group_name(mechanism, index));
         lines.push((chosen, format!("{sign}{named}")));
         if let Some((health, at)) = scene.least_health(index) {
             let (least, at) = (number(digits(health, LEAST)), number(at));
             let least = state.told(text!("structure-least", determinant = least, position = at));
-            lines.push((false, format!("{:INDENT$}{least}", "")));
+            lines.extend(
+                wrapped(&least, room).into_iter().map(|line| (false, format!("{:INDENT$}{line}", ""))),
+            );
         }
         if chosen {
             let rows = details(state, scene, group, index).into_iter();
-            let room = usize::from(width).saturating_sub(INDENT);
             let rows = rows.flat_map(|line| wrapped(&state.told(line), room));
             lines.extend(rows.map(|line| (false, format!("{:INDENT$}{line}", ""))));
         }
@@ -117,7 +119,7 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     );
     let mut lines = vec![
         kind,
-        text!("structure-links", links = links),
+        text!("structure-view-links", links = links),
         text!("structure-inner", pairs = pairs(&group.frame.inner)),
         text!("structure-outer", pairs = pairs(&group.frame.outer)),
     ];
@@ -131,7 +133,7 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     let plugin = group.plugin;
     let (own, home) = (name(plugin.name), name(plugin.crate_name));
     lines.push(text!("structure-plugin", name = own, crate_name = home));
-    lines.push(text!("structure-source", source = name(plugin.source)));
-    lines.push(text!("structure-singular", places = name(plugin.singular)));
+    lines.push(text!("structure-source", source = &plugin.source));
+    lines.push(text!("structure-singular", places = &plugin.singular));
     lines
 }

@@ -2,6 +2,7 @@
 
 use assur_check::Check;
 use assur_dynamics::Transient;
+use assur_words::Text;
 
 use super::super::{Balance, INTERVALS, Worst};
 use crate::Calculation;
@@ -17,7 +18,7 @@ pub(crate) fn twice_the_limit(calculation: &Calculation, found: &Transient) -> O
     let own = 2.0 * calculation.tolerance() * (trajectory.statistics.steps + 1) as f64;
     let check = |balance: &Balance| {
         let Worst { residual, limit, .. } = balance.worst(own);
-        Check::of("work", residual, limit, "", "")
+        Check::of(Text::default(), residual, limit, Text::default(), Text::default())
     };
     let sound = check(&balance);
     let size = balance.kinetic.iter().copied().fold(0.0, f64::max);

@@ -33,7 +33,7 @@ struct Wrong {
 }
 
 impl ForceAnalyzer for Wrong {
-    fn supports(&self, linkage: &Linkage) -> Result<(), String> {
+    fn supports(&self, linkage: &Linkage) -> Result<(), assur_words::Text> {
         self.sound.supports(linkage)
     }
 
@@ -66,7 +66,10 @@ impl ForceAnalyzer for Wrong {
 }
 
 fn wrong(sound: &AnalyzerPlugin, victim: Victim, error: f64) -> AnalyzerPlugin {
-    AnalyzerPlugin { instance: Box::leak(Box::new(Wrong { sound: sound.instance, victim, error })), ..*sound }
+    AnalyzerPlugin {
+        instance: Box::leak(Box::new(Wrong { sound: sound.instance, victim, error })),
+        ..sound.clone()
+    }
 }
 
 fn checked<'a>(

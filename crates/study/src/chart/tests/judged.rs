@@ -59,7 +59,7 @@ fn a_brake_is_judged_by_the_formula() {
         let found = References::find(&Task { request, ..task.clone() }).unwrap();
         // D 3.22: rest after 50 s and 2500 rad.
         let end = found.judge_of("rk4").unwrap().end;
-        assert!((end.time - 50.0).abs() < 1e-12 && (end.coordinate - 2500.0).abs() < 1e-10, "{end}");
+        assert!((end.time - 50.0).abs() < 1e-12 && (end.coordinate - 2500.0).abs() < 1e-10, "{end:?}");
     });
 }
 

@@ -47,7 +47,7 @@ impl Case {
             ..Request::new(self.initial, self.until)
         };
         if let Err(why) = (plugin.suitability)(&motion.dependence(), TOLERANCE) {
-            let row = self.subject(plugin.name, f64::NAN).row_or(Err(why), true);
+            let row = self.subject(plugin.name, f64::NAN).row_or(Err(why.to_string()), true);
             // Once a walk is enough.
             return self.is_first.then_some(Row { bound: 0.0, ..row });
         }

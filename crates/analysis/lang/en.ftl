@@ -1,0 +1,97 @@
+analysis-work = work and kinetic energy
+    .reason = change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes from the change of the power), the rounding of coordinate and speed, and the tolerance of every step or the error of fixed steps, which is one of the speed and counts for more where the reduced inertia is greater
+analysis-cycle = cycle in time
+    .reason = a cycle run once more in time from the speed of the regime: relative difference of the speed at its end or of its duration, the one that is nearer to its limit; limit: the tolerance of every step, a part of the greatest speed, which counts for more where the machine is slow, and the residual of the regime
+analysis-wide-quadrature = the power changes so much between the instants at which it is added up that its work is not known to a tenth
+analysis-wide-rounding = all that moves is of the size of what the rounding of the coordinate does to the moments
+analysis-wide-motion = the accuracy of the motion, a part of its greatest speed in every step, is worth more than a tenth of the energy: the tolerance is loose, or the reduced inertia grows without limit near a singular position
+analysis-energy = energy
+    .reason = a hundred times the tolerance of the integration (four times the error of fixed steps), whose errors add up over the motion, and what the rounding of the coordinate and of its own terms makes of the potential energy; more where the reduced inertia is much greater than where the motion is fastest
+analysis-kinetic-and-potential = kinetic and potential
+analysis-periodicity = periodicity
+    .reason = the cycle closes to the rounding of its energy
+analysis-speed-over-cycle = speed over a cycle
+analysis-mean-speed = mean speed
+    .reason = the search ends below 1e-10
+analysis-of-extremes = (max - min) / mean
+analysis-unevenness = unevenness
+    .reason = the search ends below 1e-10 of the speed
+analysis-unevenness-of-motor = unevenness of the motor
+    .reason = the least or the greatest speed of the motor against the end of its section, in parts of the section
+analysis-stable-section = stable section of its characteristic
+analysis-unfit = force analyzer `{ $method }` can't do this scene: { $reason }
+analysis-infinite = the steady regime has no finite speed and acceleration at the coordinate { $coordinate }: the machine has no inertia there, or loads grow beyond measure; give its links mass and inertia, or a `flywheel`
+analysis-stopped = stopped on request
+analysis-at-position = position { $number }: { $error }
+analysis-equation = case { $case } of D ({ $equation })
+analysis-integrator-named = integrator `{ $method }`, { $reason }: { $summary }; { $equation }
+analysis-integrator = integrator `{ $method }`, { $reason }
+analysis-if-stiff = where an explicit method finds the equation stiff, `{ $method }`
+analysis-order-shown = results show them
+analysis-order-accelerations = accelerations in the results
+analysis-order-inertia = dJ/dq
+analysis-order-masses = accelerations of masses
+analysis-order-rest = whether a point is at rest on which a load acts against the motion
+analysis-order-power = the virtual power of loads and masses
+analysis-order-forces = the force analysis
+analysis-other-mobility = Chebyshev's formula counts mobility { $counted }, but in the first position the constraints leave { $found }: it is a singular position (links in one line, or parallel guides), or some constraints repeat others there
+analysis-positions = { $count ->
+        [one] position
+       *[other] positions
+    } { $numbers }{ $more }
+analysis-and-more = {" "}and { $more } more
+analysis-lost = the mechanism stands at a change point (determinant of a group below 1e-5): constraints of a group coincide there and its reactions are not determined
+analysis-no-reactions = No reactions in { $positions }: { analysis-lost }.
+analysis-no-reactions-of-samples = No reactions at { $count ->
+        [one] { $count } sample
+       *[other] { $count } samples
+    } of the motion: { analysis-lost }.
+analysis-no-forces = No forces at { $count ->
+        [one] { $count } sample
+       *[other] { $count } samples
+    } of the motion; at the first: { $reason }.
+analysis-unrest = The motion does not come to rest for good ({ $why }); it ends at its first turning point, as with `until = "turn"`.
+analysis-other-mean-speed = The requested mean speed of { $wanted } is not met: with the given ratio it is { $found }. Power, flywheel and the course are those of the regime found.
+analysis-other-mean-speed-by-moment = The requested mean speed of { $wanted } is not met: with the given moment it is { $found }. Power, flywheel and the course are those of the regime found.
+analysis-loads-drive = The loads drive: over a cycle they do { $work } of work, and the motor has to brake with { $power }.
+analysis-more-failures = { $more } more failures are not listed.
+analysis-drive-unused = `[drive]` is not used: the motion is prescribed or absent; take `kind = "steady"` or "transient".
+analysis-integrator-unused-steady = Integrator `{ $method }` is not used: the steady regime is found by collocation over the cycle, not by steps in time.
+analysis-integrator-unused = Integrator `{ $method }` is not used: the scene asks for no motion from an initial state.
+analysis-step-unused = `step` of [motion] is not used: integrator `{ $method }` chooses its steps by the tolerance; methods with a fixed step: { $fixed }.
+analysis-load-idle = Load `{ $load }` never acts: its value is zero in every position (a table or formula that is zero over the cycle, or a load against the motion of what always rests).
+analysis-moment-idle = Moment `{ $load }` does no work: link `{ $link }` does not turn, so reactions alone carry it.
+analysis-before-time-zero = The prescribed motion passes { $count ->
+        [one] { $count } position
+       *[other] { $count } positions
+    } before time 0, which is that of the first position: loads over time take there what they have at negative times.
+analysis-never-reached = The prescribed motion never reaches { $count ->
+        [one] { $count } position
+       *[other] { $count } positions
+    }: it turns back before; loads over time take there the time of the turning point.
+analysis-spring-without-direction = The ends of spring `{ $spring }` meet in { $positions }: it has no direction and gives no force there, though its free length is { $length }; place one end elsewhere.
+analysis-change-points = Change points, where two ways of assembly meet: { $places }. A real mechanism may go on in either way there; calculated is the smooth motion.
+analysis-interpolated = In { $positions } the equations of the group say nothing or little (0/0): the motion there is interpolated from both sides.
+analysis-place = { $place } ({ $group })
+analysis-place-of-several = { $place } ({ $group } and { $more } more)
+analysis-barrier = Behind { $end } { $group } can't be assembled ({ $gap }): the motion from the first position ends there.
+analysis-misses = it misses by { $gap } or more
+analysis-turning-back = { $count ->
+        [one] Position { $numbers } is
+       *[other] Positions { $numbers } are
+    } reached by turning back only.
+analysis-other-motion = { $count ->
+        [one] Position { $numbers } is a place
+       *[other] Positions { $numbers } are places
+    } of the mechanism, but not of that motion.
+analysis-run = { $first } to { $last }
+analysis-poles = Links run through infinity, since guides turn parallel: { $places }. No mechanism gets from one side to the other; positions on both are calculated.
+analysis-residual-group = group { $number }
+analysis-residual-equilibrium = equilibrium
+analysis-residual-dynamics = dynamics
+analysis-residual-global = global
+analysis-load-named = { $name } (load)
+analysis-listed-backwards = The positions are listed from { $from } to { $to }, and the input moves the other way: arrows of velocities point against the order of the positions. With `direction = "{ $direction }"` in [input] the motion follows the list.
+analysis-arc-never-slides = The arc of `{ $contact }` never slides, so that it has no friction.
+analysis-arc-rolls = The arc of `{ $contact }` rolls without sliding in { $positions }: its friction has the sense there that it has just after.
+analysis-friction-pushes = The friction of `{ $contact }` pushes with the sliding in { $positions }: its sign is the one given. With `friction = { "{" } against_sliding = { $friction } { "}" }` it is found.

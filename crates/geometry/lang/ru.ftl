@@ -1,0 +1,1 @@
+geometry-part-of-cycle = движение измеряется за весь цикл (`[input] from` и `to` выбирают его часть): { $cause }

@@ -1,0 +1,14 @@
+group-sort = вид группы Ассура
+group-default-angle = угол, синус которого равен определителю
+group-no-assembly = группу невозможно собрать: не хватает { $gap }
+group-singular = особое положение ({ $determinant })
+group-singular-start = начальное приближение особое ({ $determinant }): задайте больше точек в `[assembly]`
+group-determinant = безразмерный определитель { $health }
+group-determinant-not-finite = её определитель не имеет конечного значения
+group-wrong-count = звеньев { $links }, требуется пар { $needed }, в группе их { $pairs }
+group-too-large = общее решение берёт 2, 4, 6 или 8 звеньев с тремя парами на каждые два; в этой группе звеньев { $links }, пар { $pairs }, и ей нужен собственный вид
+group-slide-not-pin = пара { $pair } поступательная, а не вращательная
+group-pin-not-slide = пара { $pair } вращательная, а не поступательная
+group-other-pattern = звенья и пары группы не те, что у вида
+group-single-numbers = формулы этого вида различают случаи по отдельным числам
+group-working-sort = расчёт группы

@@ -1,0 +1,5 @@
+kinematics-position = position { $number }
+kinematics-coordinate = coordinate { $coordinate }: { $cause }
+kinematics-range = the mechanism can be assembled from { $low } to { $high }
+kinematics-no-range = it can't be assembled in the first position: check the lengths{ $units }, or start elsewhere (`input.from`)
+kinematics-units = {" "}and their units (a number without one is in meters)

@@ -1,0 +1,5 @@
+kinematics-position = положение { $number }
+kinematics-coordinate = координата { $coordinate }: { $cause }
+kinematics-range = механизм можно собрать от { $low } до { $high }
+kinematics-no-range = в первом положении его нельзя собрать: проверьте длины{ $units } или начните с другого места (`input.from`)
+kinematics-units = {" "}и их единицы (число без единицы — в метрах)

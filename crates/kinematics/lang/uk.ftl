@@ -1,0 +1,5 @@
+kinematics-position = положення { $number }
+kinematics-coordinate = координата { $coordinate }: { $cause }
+kinematics-range = механізм можна зібрати від { $low } до { $high }
+kinematics-no-range = у першому положенні його не можна зібрати: перевірте довжини{ $units } або почніть з іншого місця (`input.from`)
+kinematics-units = {" "}та їхні одиниці (число без одиниці — у метрах)

@@ -1,0 +1,64 @@
+motor-sort = каталог двигателей
+motor-table-unreadable = каталог `{ $catalogue }`: таблицу не удаётся прочитать: { $reason }
+motor-no-rows = каталог `{ $catalogue }` не имеет строк
+motor-bad-row = каталог `{ $catalogue }`, строка { $line }, `{ $designation }`: { $fault }
+motor-no-catalogue = нет каталога двигателей `{ $name }`; есть: { $known }
+motor-out-of-range = { $column } = { $value }, должно быть больше { $above } и не больше { $most }
+motor-bad-poles = poles = { $poles }, должно быть чётным и положительным
+motor-bad-synchronous = synchronous_speed_rpm = { $rpm } не соответствует { $poles } полюсам при 50 Гц или 60 Гц
+motor-row-twice = обозначение встречается в таблице дважды
+motor-not-found = нет двигателя `{ $designation }` { $catalogue }; { $hint }
+motor-hint-list = см. список двигателей
+motor-hint-nearest = ближайшие: { $nearest }
+motor-ambiguous = обозначению `{ $designation }` соответствует двигателей { $catalogue } — { $count }: { $candidates }{ $more }; укажите обозначение полностью
+motor-in-catalogue = в каталоге { $name }
+motor-in-any-catalogue = во всех каталогах
+motor-beyond-breakdown = двигатель работает при { $speed } об/мин с { $torque } Н·м, за пределом критического момента { $breakdown } Н·м; он остановился бы: возьмите более мощный двигатель или больший маховик
+motor-starting-torque = пусковой момент { $available } Н·м меньше { $required } Н·м нагрузки в состоянии покоя (на { $lack } Н·м): пускайте без нагрузки или возьмите более мощный двигатель
+motor-rms-torque = среднеквадратичный момент { $rms } Н·м превышает номинальный { $rated } Н·м на { $excess } %: в длительном режиме двигатель перегревается
+motor-rotor-inertia-unknown = момента инерции ротора нет в каталоге ({ $designation }): он не учтён
+motor-rated-not-positive = номинальное значение двигателя: { $what } = { $value }, должно быть конечным и больше 0
+motor-rated-power = мощность (Вт)
+motor-rated-synchronous = синхронная скорость (рад/с)
+motor-rated-speed = скорость (рад/с)
+motor-rated-inertia = момент инерции ротора (кг·м²)
+motor-no-slip = номинальная скорость { $rated } рад/с не меньше синхронной { $synchronous } рад/с (на { $excess } рад/с): асинхронный двигатель требует скольжения; проверьте обе скорости
+motor-bad-torque-ratio = отношение критического момента к номинальному { $ratio }, должно быть конечным и больше 1 (обычно от 1,7 до 4)
+motor-no-torque-ratio = критический момент двигателя неизвестен: задайте `max_torque_ratio` или возьмите линейную характеристику
+motor-select-not-positive = двигатель выбрать невозможно: { $what } = { $value }, должно быть конечным и больше 0
+motor-select-power = требуемая мощность (Вт)
+motor-select-speed = скорость входа (рад/с)
+motor-select-limit = предел скорости двигателя (рад/с)
+motor-select-no-motors = двигатель выбрать невозможно: список двигателей пуст
+motor-select-no-ratio = ни для одного из двигателей ({ $count }) не приведён критический момент, нужный для формулы Клосса; возьмите другой каталог или линейную характеристику
+motor-select-too-fast = ни один двигатель не укладывается в предел скорости { $limit } об/мин: самый медленный, { $designation }, имеет { $slowest } об/мин, на { $excess } об/мин больше; увеличьте `max_motor_speed`
+motor-select-too-weak = ни один двигатель не даёт { $required } Вт: самый мощный из прочих подходящих, { $designation }, имеет { $largest } Вт, не хватает { $lack } Вт; возьмите другой каталог, увеличьте `max_motor_speed` или уменьшите нагрузку
+motor-flag-cos-phi = два источника дают разный cos φ; оставлено пустым
+motor-flag-current-removed = напечатанный ток не может быть верным; удалён
+motor-flag-current-power = напечатанные ток, КПД и cos φ расходятся более чем на 8 %
+motor-flag-completed = буква или цифра типа потеряна при перепечатке и восстановлена
+motor-flag-repaired = буква или цифра типа перепечатана неверно и исправлена
+motor-flag-swapped = один источник путает этот тип с соседним
+motor-flag-inertia-removed = напечатанный момент инерции ротора не может быть верным; удалён
+motor-flag-inertia-frame = момент инерции ротора уменьшается с ростом габарита; так напечатано, проверьте перед использованием
+motor-flag-inertia-power = момент инерции ротора уменьшается с мощностью в одном габарите; так напечатано, проверьте перед использованием
+motor-flag-maker-torque = в перечне изготовителя вместо этого такая кратность критического момента
+motor-flag-mass = масса уменьшается с мощностью в одном габарите; так напечатано, проверьте перед использованием
+motor-flag-power = напечатано 22,5 кВт; в таблице обмоток 22 кВт
+motor-flag-slip-large = напечатанное скольжение свыше 12 %
+motor-flag-single-source = КПД, cos φ и масса опираются на одну перепечатку
+motor-flag-slip-range = номинальное скольжение вне пределов 0,5–12 %; так напечатано
+motor-flag-slip-speed = напечатанные скольжение и скорость расходятся более чем на 0,7 пункта; оставлены оба
+motor-flag-speed = два источника дают разную номинальную скорость
+motor-flag-start = пусковой момент больше максимального
+motor-usual-crushing = дробилки
+motor-usual-hammering = молоты
+motor-usual-presses = дыропробивные машины, ножницы и прессы
+motor-usual-pumps = насосы
+motor-usual-tools = металлорежущие станки
+motor-usual-belt = двигатели с ремённой передачей
+motor-usual-paper = бумажные, текстильные и ткацкие машины
+motor-usual-rolling = прокатные станы и горные машины
+motor-usual-gears = зубчатые передачи
+motor-usual-electrical = электрические машины
+motor-usual-electrical-direct = электрические машины с непосредственным приводом

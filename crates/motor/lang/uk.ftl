@@ -1,0 +1,64 @@
+motor-sort = каталог двигунів
+motor-table-unreadable = каталог `{ $catalogue }`: таблицю не вдається прочитати: { $reason }
+motor-no-rows = каталог `{ $catalogue }` не має рядків
+motor-bad-row = каталог `{ $catalogue }`, рядок { $line }, `{ $designation }`: { $fault }
+motor-no-catalogue = немає каталогу двигунів `{ $name }`; є: { $known }
+motor-out-of-range = { $column } = { $value }, має бути більше за { $above } і не більше за { $most }
+motor-bad-poles = poles = { $poles }, має бути парним і додатним
+motor-bad-synchronous = synchronous_speed_rpm = { $rpm } не відповідає { $poles } полюсам при 50 Гц або 60 Гц
+motor-row-twice = позначення трапляється в таблиці двічі
+motor-not-found = немає двигуна `{ $designation }` { $catalogue }; { $hint }
+motor-hint-list = див. перелік двигунів
+motor-hint-nearest = найближчі: { $nearest }
+motor-ambiguous = позначенню `{ $designation }` відповідає двигунів { $catalogue } — { $count }: { $candidates }{ $more }; вкажіть позначення повністю
+motor-in-catalogue = у каталозі { $name }
+motor-in-any-catalogue = у всіх каталогах
+motor-beyond-breakdown = двигун працює при { $speed } об/хв із { $torque } Н·м, за межею критичного моменту { $breakdown } Н·м; він зупинився б: візьміть потужніший двигун або більший маховик
+motor-starting-torque = пусковий момент { $available } Н·м менший за { $required } Н·м навантаження у стані спокою (на { $lack } Н·м): пускайте без навантаження або візьміть потужніший двигун
+motor-rms-torque = середньоквадратичний момент { $rms } Н·м перевищує номінальний { $rated } Н·м на { $excess } %: у тривалому режимі двигун перегрівається
+motor-rotor-inertia-unknown = моменту інерції ротора немає в каталозі ({ $designation }): його не враховано
+motor-rated-not-positive = номінальне значення двигуна: { $what } = { $value }, має бути скінченним і більшим за 0
+motor-rated-power = потужність (Вт)
+motor-rated-synchronous = синхронна швидкість (рад/с)
+motor-rated-speed = швидкість (рад/с)
+motor-rated-inertia = момент інерції ротора (кг·м²)
+motor-no-slip = номінальна швидкість { $rated } рад/с не менша за синхронну { $synchronous } рад/с (на { $excess } рад/с): асинхронний двигун потребує ковзання; перевірте обидві швидкості
+motor-bad-torque-ratio = відношення критичного моменту до номінального { $ratio }, має бути скінченним і більшим за 1 (зазвичай від 1,7 до 4)
+motor-no-torque-ratio = критичний момент двигуна невідомий: задайте `max_torque_ratio` або візьміть лінійну характеристику
+motor-select-not-positive = двигун вибрати неможливо: { $what } = { $value }, має бути скінченним і більшим за 0
+motor-select-power = потрібна потужність (Вт)
+motor-select-speed = швидкість входу (рад/с)
+motor-select-limit = межа швидкості двигуна (рад/с)
+motor-select-no-motors = двигун вибрати неможливо: перелік двигунів порожній
+motor-select-no-ratio = для жодного з двигунів ({ $count }) не подано критичного моменту, потрібного для формули Клосса; візьміть інший каталог або лінійну характеристику
+motor-select-too-fast = жоден двигун не вкладається в межу швидкості { $limit } об/хв: найповільніший, { $designation }, має { $slowest } об/хв, на { $excess } об/хв забагато; збільште `max_motor_speed`
+motor-select-too-weak = жоден двигун не дає { $required } Вт: найпотужніший із решти придатних, { $designation }, має { $largest } Вт, бракує { $lack } Вт; візьміть інший каталог, збільште `max_motor_speed` або зменште навантаження
+motor-flag-cos-phi = два джерела дають різний cos φ; залишено порожнім
+motor-flag-current-removed = надрукований струм не може бути правильним; вилучено
+motor-flag-current-power = надруковані струм, ККД і cos φ розходяться більш ніж на 8 %
+motor-flag-completed = літеру чи цифру типу втрачено під час передруку і відновлено
+motor-flag-repaired = літеру чи цифру типу передруковано хибно і виправлено
+motor-flag-swapped = одне джерело плутає цей тип із сусіднім
+motor-flag-inertia-removed = надрукований момент інерції ротора не може бути правильним; вилучено
+motor-flag-inertia-frame = момент інерції ротора зменшується зі зростанням габариту; так надруковано, перевірте перед використанням
+motor-flag-inertia-power = момент інерції ротора зменшується з потужністю в одному габариті; так надруковано, перевірте перед використанням
+motor-flag-maker-torque = у переліку виробника натомість така кратність критичного моменту
+motor-flag-mass = маса зменшується з потужністю в одному габариті; так надруковано, перевірте перед використанням
+motor-flag-power = надруковано 22,5 кВт; у таблиці обмоток 22 кВт
+motor-flag-slip-large = надруковане ковзання понад 12 %
+motor-flag-single-source = ККД, cos φ і маса спираються на один передрук
+motor-flag-slip-range = номінальне ковзання поза межами 0,5–12 %; так надруковано
+motor-flag-slip-speed = надруковані ковзання і швидкість розходяться більш ніж на 0,7 пункту; залишено обидва
+motor-flag-speed = два джерела дають різну номінальну швидкість
+motor-flag-start = пусковий момент більший за максимальний
+motor-usual-crushing = дробарки
+motor-usual-hammering = молоти
+motor-usual-presses = дірокольні машини, ножиці та преси
+motor-usual-pumps = насоси
+motor-usual-tools = металорізальні верстати
+motor-usual-belt = двигуни з пасовою передачею
+motor-usual-paper = паперові, текстильні та ткацькі машини
+motor-usual-rolling = прокатні стани і гірничі машини
+motor-usual-gears = зубчасті передачі
+motor-usual-electrical = електричні машини
+motor-usual-electrical-direct = електричні машини з безпосереднім приводом

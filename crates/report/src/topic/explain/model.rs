@@ -1,0 +1,147 @@
+//! What the model of a scene contains.
+
+use assur_book::{Unit, link_name};
+use assur_mechanism::{Contact, Direction, Drive, LinkId, Mechanism, Motion, Motor, Over, Torque, Value};
+use assur_words::{Text, list as listed, number, text};
+
+use super::words::{Remark, remark};
+
+/// The parts of the model that the scene defines.
+pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
+    let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
+    let mut list = vec![
+        remark(text!("model-links"), text!("model-links-how", count = mechanism.links.len() - 1)),
+        remark(text!("model-pairs"), text!("model-pairs-how", pins = pins, slides = mechanism.slides.len())),
+    ];
+    masses(mechanism, &mut list);
+    motion(mechanism, &mut list);
+    loads(mechanism, &mut list);
+    if let Some(drive) = used_drive(mechanism) {
+        drive_remarks(drive, &mut list);
+    }
+    list
+}
+
+/// Moving links with a mass.
+pub(super) fn heavy(mechanism: &Mechanism) -> Vec<LinkId> {
+    (1..mechanism.links.len()).filter(|id| mechanism.links[*id].mass > 0.0).collect()
+}
+
+/// The drive, if the motion uses it.
+pub(super) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
+    let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
+    mechanism.drive.as_ref().filter(|_| found)
+}
+
+/// Whether a motor has a rotor with inertia; rated data may give none.
+pub(super) fn has_rotor(motor: &Motor) -> bool {
+    match motor {
+        Motor::Rated(rated) => rated.inertia.is_some_and(|inertia| inertia > 0.0),
+        Motor::Auto | Motor::Designation(_) => true,
+    }
+}
+
+fn masses(mechanism: &Mechanism, list: &mut Vec<Remark>) {
+    let heavy = heavy(mechanism);
+    if heavy.is_empty() {
+        return;
+    }
+    let sum: f64 = heavy.iter().map(|id| mechanism.links[*id].mass).sum();
+    let how = text!("model-masses-how", count = heavy.len(), sum = Unit::of("kg", 1.0).show(sum));
+    list.push(remark(text!("model-masses"), how));
+    if let Some(gravity) = mechanism.gravity {
+        let gravity = Unit::of("m/s²", 1.0).show_all(&gravity);
+        list.push(remark(text!("missing-weights"), text!("model-weights-how", gravity = gravity)));
+    }
+}
+
+fn motion(mechanism: &Mechanism, list: &mut Vec<Remark>) {
+    let how = match mechanism.motion {
+        None => return,
+        Some(Motion::Prescribed { .. }) if heavy(mechanism).is_empty() => text!("model-prescribed"),
+        Some(Motion::Prescribed { .. }) => text!("model-prescribed-with-inertia"),
+        Some(Motion::Transient { .. }) => text!("model-transient"),
+        Some(Motion::Steady { .. }) => text!("model-steady"),
+    };
+    list.push(remark(text!("model-motion"), how));
+}
+
+fn loads(mechanism: &Mechanism, list: &mut Vec<Remark>) {
+    let link = |id: LinkId| link_name(mechanism, id);
+    for force in &mechanism.forces {
+        let direction = match force.direction {
+            Direction::AgainstMotion => text!("model-against-motion"),
+            Direction::Link(_) => text!("model-turns-with-link"),
+            Direction::Ground(_) => text!("model-fixed-direction"),
+        };
+        let at = text!("model-at-point", link = link(force.at.link));
+        list.push(remark((&force.name).into(), listed([at, law(&force.value), direction])));
+    }
+    for moment in &mechanism.moments {
+        let (on, law) = (link(moment.link), law(&moment.value));
+        let how = if moment.brake.is_some() {
+            text!("model-brake", link = on, law = law)
+        } else {
+            text!("model-moment", link = on, law = law)
+        };
+        list.push(remark((&moment.name).into(), how));
+    }
+    for spring in &mechanism.springs {
+        let [one, other] = spring.ends.map(|end| link(end.link));
+        let damped = if spring.damping == 0.0 { text!("model-undamped") } else { text!("model-damped") };
+        let how = text!("model-spring", one = one, other = other, damped = damped);
+        list.push(remark((&spring.name).into(), how));
+    }
+    for contact in &mechanism.contacts {
+        list.push(remark((&contact.name).into(), contact_words(contact)));
+    }
+}
+
+/// How the size of a load is given.
+fn law(value: &Value) -> Text {
+    match value {
+        Value::Constant(_) => text!("model-constant"),
+        Value::Table { over: Over::Coordinate, .. } => text!("model-over-coordinate"),
+        Value::Table { over: Over::Speed, .. } => text!("model-over-speed"),
+        Value::Table { over: Over::Time, .. } => text!("model-over-time"),
+        Value::Formula { formula, .. } if formula.used().speed => text!("model-formula-speed"),
+        Value::Formula { .. } => text!("model-formula"),
+        Value::Stroke { .. } => text!("model-stroke"),
+    }
+}
+
+fn contact_words(contact: &Contact) -> Text {
+    let rubs = if contact.friction == 0.0 {
+        text!("model-contact-smooth")
+    } else if contact.against_sliding {
+        text!("model-contact-against-sliding")
+    } else {
+        text!("model-contact-rough")
+    };
+    let touches = if contact.during.is_some() {
+        text!("model-contact-interval")
+    } else {
+        text!("model-contact-always")
+    };
+    text!("model-contact", touches = touches, rubs = rubs)
+}
+
+fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {
+    let torque = match &drive.torque {
+        Torque::Motor { .. } => text!("model-drive-motor"),
+        Torque::Balance => text!("model-drive-balance"),
+        Torque::Constant(_) => text!("model-drive-constant"),
+        Torque::None => text!("model-drive-none"),
+    };
+    list.push(remark(text!("model-drive"), torque));
+    if matches!(&drive.torque, Torque::Motor { motor, .. } if has_rotor(motor)) {
+        list.push(remark(text!("missing-rotor"), text!("model-rotor")));
+    }
+    if drive.efficiency < 1.0 {
+        let how = text!("model-losses", efficiency = number(drive.efficiency));
+        list.push(remark(text!("missing-losses"), how));
+    }
+    if drive.flywheel.is_some() {
+        list.push(remark(text!("missing-flywheel"), text!("model-flywheel")));
+    }
+}

@@ -1,0 +1,24 @@
+structure-group = группа { $number } ({ $kind } { $links })
+structure-links-named = { $count ->
+        [one] звено
+       *[other] звенья
+    } { $links }
+structure-pairs = { $count ->
+        [one] пара
+       *[other] пары
+    } { $pairs }
+structure-some = { $names } ... (показано { $shown } из { $total })
+structure-loose = подвижность { $mobility } ({ $formula }), а механизм движет один вход: { $links } { $count ->
+        [one] может
+       *[other] могут
+    } двигаться при неподвижном входе{ $also }; присоедините { $count ->
+        [one] его
+       *[other] их
+    } к другому звену ещё одной парой или уберите то, что там висит
+structure-loose-also = {" "}(в то же время пары { $pairs } имеют одну лишнюю связь)
+structure-surplus = подвижность { $mobility } ({ $formula }), а должна быть 1: { $pairs } { $count ->
+        [one] даёт
+       *[other] дают
+    } одну лишнюю связь; там { $links }; уберите оттуда одну пару или одно звено (пассивное звено, которое лишь повторяет движение, в сцену не вносят)
+structure-no-plugin = { $links } образуют группу класса { $class }, порядка { $order } ({ $pattern }); для неё не зарегистрирован плагин (см. `assur plugins`; другое входное звено может дать другие группы)
+structure-pattern = внутренние { $inner }; внешние { $outer }

@@ -1,0 +1,24 @@
+structure-group = група { $number } ({ $kind } { $links })
+structure-links-named = { $count ->
+        [one] ланка
+       *[other] ланки
+    } { $links }
+structure-pairs = { $count ->
+        [one] пара
+       *[other] пари
+    } { $pairs }
+structure-some = { $names } ... (показано { $shown } з { $total })
+structure-loose = рухомість { $mobility } ({ $formula }), а механізм рухає один вхід: { $links } { $count ->
+        [one] може
+       *[other] можуть
+    } рухатися при нерухомому вході{ $also }; приєднайте { $count ->
+        [one] її
+       *[other] їх
+    } до іншої ланки ще однією парою або приберіть те, що там висить
+structure-loose-also = {" "}(водночас пари { $pairs } мають одну зайву в’язь)
+structure-surplus = рухомість { $mobility } ({ $formula }), а має бути 1: { $pairs } { $count ->
+        [one] дає
+       *[other] дають
+    } одну зайву в’язь; там { $links }; приберіть звідти одну пару або одну ланку (пасивну ланку, що лише повторює рух, до сцени не вносять)
+structure-no-plugin = { $links } утворюють групу класу { $class }, порядку { $order } ({ $pattern }); для неї не зареєстровано плагіна (див. `assur plugins`; інша вхідна ланка може дати інші групи)
+structure-pattern = внутрішні { $inner }; зовнішні { $outer }

@@ -1,0 +1,2 @@
+force-groups = group by group from the last to the input link: every reaction and the balancing load
+    .source = S stage 9: kinetostatics of Assur groups

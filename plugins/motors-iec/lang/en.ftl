@@ -1,0 +1,14 @@
+motors-iec-lses = Leroy-Somer LSES, aluminum, 0.12-55 kW, 2-6 poles; IE3, below 0.75 kW IE2; complete
+    .source = Leroy-Somer IMfinity catalogue 5147 fr - 2023.08/j
+motors-iec-flses = Leroy-Somer FLSES, cast iron, 0.75-110 kW, 2-6 poles; IE3; complete
+    .source = Leroy-Somer IMfinity catalogue 5147 fr - 2023.08/j
+motors-iec-1le1003 = Innomotics 1LE1003, aluminum, 0.12-45 kW, 2-8 poles; IE3; no length, no diameter
+    .source = Innomotics Catalog D 81.1, edition 02/2026
+motors-iec-1le1503 = Innomotics 1LE1503, cast iron, 0.09-110 kW, 2-8 poles; IE3; no length, no diameter
+    .source = Innomotics Catalog D 81.1, edition 02/2026
+motors-iec-1le1002 = Innomotics 1LE1002, aluminum, 0.09-37 kW, 2-8 poles; IE1; no length, no diameter
+    .source = Innomotics Catalog D 81.1, edition 02/2026
+motors-iec-delphi = Motive Delphi, 0.06-110 kW, 2-8 poles; older classes eff1 and eff2; complete
+    .source = Motive s.r.l., general catalogue Delphi series, 07-04 rev. 03
+motors-iec-bn = Bonfiglioli BN, 0.06-30 kW, 2-6 poles; IE1; no breakdown torque: linear characteristic only
+    .source = Bonfiglioli motor catalogue BN, R07 EN

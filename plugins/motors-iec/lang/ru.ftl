@@ -1,0 +1,14 @@
+motors-iec-lses = Leroy-Somer LSES, алюминий, 0,12–55 кВт, 2–6 полюсов; IE3, до 0,75 кВт IE2; полные данные
+    .source = каталог Leroy-Somer IMfinity 5147 fr - 2023.08/j
+motors-iec-flses = Leroy-Somer FLSES, чугун, 0,75–110 кВт, 2–6 полюсов; IE3; полные данные
+    .source = каталог Leroy-Somer IMfinity 5147 fr - 2023.08/j
+motors-iec-1le1003 = Innomotics 1LE1003, алюминий, 0,12–45 кВт, 2–8 полюсов; IE3; без длины и диаметра
+    .source = каталог Innomotics D 81.1, издание 02/2026
+motors-iec-1le1503 = Innomotics 1LE1503, чугун, 0,09–110 кВт, 2–8 полюсов; IE3; без длины и диаметра
+    .source = каталог Innomotics D 81.1, издание 02/2026
+motors-iec-1le1002 = Innomotics 1LE1002, алюминий, 0,09–37 кВт, 2–8 полюсов; IE1; без длины и диаметра
+    .source = каталог Innomotics D 81.1, издание 02/2026
+motors-iec-delphi = Motive Delphi, 0,06–110 кВт, 2–8 полюсов; прежние классы eff1 и eff2; полные данные
+    .source = Motive s.r.l., общий каталог серии Delphi, 07-04 rev. 03
+motors-iec-bn = Bonfiglioli BN, 0,06–30 кВт, 2–6 полюсов; IE1; без критического момента: только линейная характеристика
+    .source = каталог двигателей Bonfiglioli BN, R07 EN

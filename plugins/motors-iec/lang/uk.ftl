@@ -1,0 +1,14 @@
+motors-iec-lses = Leroy-Somer LSES, алюміній, 0,12–55 кВт, 2–6 полюсів; IE3, до 0,75 кВт IE2; повні дані
+    .source = каталог Leroy-Somer IMfinity 5147 fr - 2023.08/j
+motors-iec-flses = Leroy-Somer FLSES, чавун, 0,75–110 кВт, 2–6 полюсів; IE3; повні дані
+    .source = каталог Leroy-Somer IMfinity 5147 fr - 2023.08/j
+motors-iec-1le1003 = Innomotics 1LE1003, алюміній, 0,12–45 кВт, 2–8 полюсів; IE3; без довжини і діаметра
+    .source = каталог Innomotics D 81.1, видання 02/2026
+motors-iec-1le1503 = Innomotics 1LE1503, чавун, 0,09–110 кВт, 2–8 полюсів; IE3; без довжини і діаметра
+    .source = каталог Innomotics D 81.1, видання 02/2026
+motors-iec-1le1002 = Innomotics 1LE1002, алюміній, 0,09–37 кВт, 2–8 полюсів; IE1; без довжини і діаметра
+    .source = каталог Innomotics D 81.1, видання 02/2026
+motors-iec-delphi = Motive Delphi, 0,06–110 кВт, 2–8 полюсів; давніші класи eff1 і eff2; повні дані
+    .source = Motive s.r.l., загальний каталог серії Delphi, 07-04 rev. 03
+motors-iec-bn = Bonfiglioli BN, 0,06–30 кВт, 2–6 полюсів; IE1; без критичного моменту: лише лінійна характеристика
+    .source = каталог двигунів Bonfiglioli BN, R07 EN

@@ -1,0 +1,282 @@
+//! What the calculating crates and the plugins say has no English left in another language.
+
+use assur_all as _;
+use assur_analysis::results::Analysis;
+use assur_analysis::{Calculation, Coverage, Options, unwatched};
+use assur_force::{ForceError, LoadError};
+use assur_group::{BuildError, GroupError, RegistryError};
+use assur_integrator::{Dependence, FixedStep, IntegrationError, MotionError, Request, State, Until};
+use assur_kinematics::{CompileError, PositionError};
+use assur_motor::{LookupError, MotorWarning, RatedDataError, SelectionError};
+use assur_words::{Describe, LANGUAGES, Language, Text, name, text};
+
+/// Signs of formulas, which are the same in every language.
+const SYMBOLS: [&str; 6] = ["sin", "cos", "max", "min", "dw", "inf"];
+
+/// Words in English letters, of two letters and more, but for what is quoted, bracketed or allowed.
+fn english(shown: &str, allowed: &[&str]) -> Vec<String> {
+    let mut rest = String::new();
+    let mut quote = None;
+    for letter in shown.chars() {
+        match (quote, letter) {
+            (None, '`' | '"' | '[') => quote = Some(if letter == '[' { ']' } else { letter }),
+            (Some(end), _) if letter == end => quote = None,
+            (Some(_), _) => {}
+            (None, _) => rest.push(letter),
+        }
+    }
+    let words = rest.split(|letter: char| !(letter.is_alphanumeric() || "'-_.".contains(letter)));
+    let words = words.map(|word| word.trim_matches(|letter: char| !letter.is_alphanumeric()));
+    // A symbol or a name of a method has a capital letter, a digit or one letter only.
+    let is_word = |word: &&str| {
+        word.len() > 1 && word.chars().all(|letter| letter.is_ascii_lowercase() || letter == '-')
+    };
+    words
+        .filter(is_word)
+        .filter(|word| !SYMBOLS.contains(word) && !allowed.contains(word))
+        .map(str::to_owned)
+        .collect()
+}
+
+/// Holds each text in both languages: it differs from English, and has no English words.
+fn hold<'a>(texts: impl IntoIterator<Item = &'a Text>, allowed: &[&str]) {
+    for text in texts {
+        for code in &LANGUAGES[1..] {
+            let shown = text.render(Language::find(code).unwrap());
+            let left = english(&shown, allowed);
+            assert!(left.is_empty(), "{code}: {left:?} in \"{shown}\"");
+        }
+    }
+}
+
+/// A fault of the syntax takes a text away, and nothing else tells.
+#[test]
+fn every_linked_text_is_read() {
+    let mut count = 0;
+    for resource in assur_words::inventory::iter::<assur_words::Resource> {
+        let language = Language::find(resource.language).unwrap();
+        let heads =
+            resource.texts.lines().filter(|line| line.starts_with(|letter: char| letter.is_alphabetic()));
+        for id in heads.filter_map(|line| line.split_once(" =")).map(|(id, _)| id) {
+            assert!(language.has(id), "{} of {} has a fault: `{id}`", resource.language, resource.crate_name);
+            count += 1;
+        }
+    }
+    assert!(count > 1000);
+}
+
+#[test]
+fn english_words_are_seen() {
+    assert_eq!(english("звено `rod` на ground, J(q), sin(phi2), TestPf", &[]), ["ground"]);
+    assert!(english("PF0, 4A, t = 1 с; радиус [input] \"turn\" dopri5", &[]).is_empty());
+}
+
+#[test]
+fn plugins_describe_themselves() {
+    let mut all = Vec::new();
+    for kind in assur_group::groups().unwrap() {
+        all.extend([&kind.summary, &kind.singular, &kind.ways.words, &kind.force_angle.words, &kind.source]);
+    }
+    for method in assur_force::analyzers().unwrap() {
+        all.extend([&method.summary, &method.source]);
+    }
+    for method in assur_integrator::integrators().unwrap() {
+        all.extend([&method.summary, &method.source]);
+    }
+    // Where numbers are printed is quoted as it is printed: authors, makers, titles.
+    let catalogues = assur_motor::catalogues().unwrap();
+    all.extend(catalogues.iter().map(|catalogue| &catalogue.summary));
+    all.extend(assur_motor::USUAL_UNEVENNESS.iter().map(|usual| &usual.machine));
+    assert!(all.len() > 70);
+    hold(all, &[]);
+}
+
+#[test]
+fn reasons_for_a_method_and_refusals() {
+    let mut all = Vec::new();
+    for [constant, q, w, t] in (0..16).map(|bits| [0, 1, 2, 3].map(|bit| bits >> bit & 1 == 1)) {
+        let dependence = Dependence {
+            inertia_constant: constant,
+            moment_on_coordinate: q,
+            moment_on_speed: w,
+            moment_on_time: t,
+        };
+        all.push(dependence.describe());
+        for method in assur_integrator::integrators().unwrap() {
+            let suits = (method.suitability)(&dependence, 1e-9);
+            all.push(suits.map_or_else(|why| why, |suits| suits.reason));
+        }
+        all.push(assur_integrator::choose("auto", &dependence, 1e-6).unwrap().first.reason);
+    }
+    hold(&all, &[]);
+}
+
+#[test]
+fn errors_of_an_integrator() {
+    let at = State { time: 1e9, coordinate: -0.5, speed: f64::NAN };
+    let source = || MotionError::Inertia(-1.5e-7);
+    let request = |until, step| Request {
+        fixed_step: step,
+        ..Request::new(State { time: 0.0, coordinate: 1.0, speed: 2.0 }, until)
+    };
+    let refused = [
+        Request { tolerance: 0.0, ..request(Until::Turn, None) },
+        Request { samples: 0, ..request(Until::Rest, None) },
+        Request { time_limit: -1.0, ..request(Until::Turn, None) },
+        Request { initial: at, ..request(Until::Turn, None) },
+        request(Until::Turn, Some(FixedStep::Time(-1.0))),
+        request(Until::Time(-1.0), None),
+        request(Until::Coordinate(1.0), None),
+        request(Until::Coordinate(1.0 + 1e-15), None),
+        request(Until::Coordinate(f64::INFINITY), None),
+    ];
+    let mut all: Vec<Text> = refused.iter().map(|request| request.check().unwrap_err().describe()).collect();
+    let steps = |stiffness| IntegrationError::TooManySteps { at, steps: 21, step: 1e-9, stiffness };
+    let errors = [
+        steps(None),
+        steps(Some(0.1)),
+        steps(Some(3.3)),
+        IntegrationError::StepTooSmall { at, step: 1e-15 },
+        IntegrationError::Unstable { at, step: 0.1, product: 5.0, allowed: 2.8 },
+        IntegrationError::EndOfRange { at, source: source() },
+        IntegrationError::Equation { at, source: MotionError::OutOfRange },
+        IntegrationError::Equation { at, source: MotionError::NotFinite { inertia: 0.0, moment: f64::NAN } },
+        IntegrationError::EmptyPiece { at },
+        IntegrationError::NoMethod(Dependence::default()),
+        IntegrationError::Registry(RegistryError::Empty(text!("integrator-sort"))),
+    ];
+    all.extend(errors.iter().map(Describe::describe));
+    let why = ["integrator-creeps", "integrator-swings", "integrator-endless", "integrator-rests"];
+    for (why, until) in
+        why.into_iter().zip([Until::Time(1.0), Until::Coordinate(2.0), Until::Turn, Until::Rest])
+    {
+        let until = request(until, None);
+        all.push(IntegrationError::not_reached(&until, at, Text::message(why, Vec::new())).describe());
+    }
+    hold(&all, &[]);
+}
+
+#[test]
+fn errors_of_groups_positions_and_loads() {
+    let gap = GroupError::NoAssembly { gap_m: 12.0 };
+    let groups = [
+        gap,
+        GroupError::Singular { health: 1e-17 },
+        GroupError::Singular { health: f64::NAN },
+        GroupError::SingularStart { health: 0.0 },
+        GroupError::Unfit { links: 2, pairs: 4 },
+        GroupError::Unfit { links: 12, pairs: 18 },
+    ];
+    let mut all: Vec<Text> = groups.iter().map(Describe::describe).collect();
+    let group = text!("structure-group", number = 1, kind = name("RRR"), links = name("А"));
+    for (range, angular) in [(None, true), (Some([0.1, 0.2]), false)] {
+        let (group_name, index) = (Box::new(group.clone()), Some(3));
+        all.push(
+            PositionError { group: 0, group_name, index, coordinate: 1.0, angular, source: gap, range }
+                .describe(),
+        );
+    }
+    let source = BuildError::new(text!("group-rrr-no-link", link = 1));
+    all.push(CompileError::Build { group: Box::new(group.clone()), source, link: None }.describe());
+    let load = || name("Б");
+    let function = || "sign".to_owned();
+    let loads = [
+        LoadError::NeedsMotion { name: load(), what: text!("force-damping") },
+        LoadError::StrokeOfMoment(load()),
+        LoadError::NoStroke { name: load(), travel: 1e-9 },
+        LoadError::InfiniteStroke { name: load(), coordinate: 1.0 },
+        LoadError::NotFinite { name: load(), coordinate: 1.0 },
+        LoadError::Unlocated { name: load(), function: function(), column: 7 },
+        LoadError::UnlocatedSliding(load()),
+        LoadError::ChangesTooOften { name: load(), function: function(), column: 7, most: 10 },
+        LoadError::NoPosition { name: load(), coordinate: 1.0, reason: gap.describe() },
+    ];
+    all.extend(loads.iter().map(Describe::describe));
+    let lines = text!("force-longitudinal-lines-guide", crank = name("А"), third = name("Б"));
+    let forces = [
+        ForceError::ChangePoint(1.0),
+        ForceError::Group { group, coordinate: 1.0, source: gap },
+        ForceError::Singular { coordinate: 1.0, health: 1e-17 },
+        ForceError::IdleBalance { load: load(), coordinate: 1.0, share: 0.0 },
+        ForceError::Parallel { coordinate: 1.0, lines, angle: 1e-9, instead: "longitudinal" },
+        ForceError::Unsupported { analyzer: "groups", reason: load() },
+    ];
+    all.extend(forces.iter().map(Describe::describe));
+    hold(&all, &[]);
+}
+
+#[test]
+fn errors_and_warnings_of_motors() {
+    let designation = || "4A100".to_owned();
+    let catalogue = || text!("motor-in-any-catalogue");
+    let lookups = [
+        LookupError::NotFound { designation: designation(), catalogue: catalogue(), nearest: Vec::new() },
+        LookupError::NotFound {
+            designation: designation(),
+            catalogue: catalogue(),
+            nearest: vec![designation()],
+        },
+        LookupError::Ambiguous {
+            designation: designation(),
+            catalogue: catalogue(),
+            count: 2,
+            candidates: vec![designation()],
+        },
+        assur_motor::find_catalogue("Б").unwrap_err().into(),
+    ];
+    let mut all: Vec<Text> = lookups.iter().map(Describe::describe).collect();
+    let selections = [
+        SelectionError::Request { what: text!("motor-select-power"), value: -1.0 },
+        SelectionError::NoMotors,
+        SelectionError::NoMaxTorqueRatio(3),
+        SelectionError::TooFast { limit: 1.0, slowest: 2.0, designation: designation() },
+        SelectionError::TooWeak { required: 2.0, largest: 1.0, designation: designation() },
+    ];
+    all.extend(selections.iter().map(Describe::describe));
+    let data = [
+        RatedDataError::NotPositive { what: text!("motor-rated-inertia"), value: 0.0 },
+        RatedDataError::NoSlip { rated_speed: 2.0, synchronous_speed: 1.0 },
+        RatedDataError::MaxTorqueRatio(0.5),
+        RatedDataError::NoMaxTorqueRatio,
+    ];
+    all.extend(data.iter().map(Describe::describe));
+    let warnings = [
+        MotorWarning::BeyondBreakdown { speed: 1.0, torque: 2.0, breakdown_torque: 3.0 },
+        MotorWarning::StartingTorque { available: 1.0, required: 2.0 },
+        MotorWarning::RmsTorque { rms: 2.0, rated: 1.0 },
+        MotorWarning::RotorInertiaUnknown { designation: name("4A100") },
+    ];
+    all.extend(warnings.iter().map(Describe::describe));
+    hold(&all, &[]);
+}
+
+/// A scene's results with all checks.
+fn calculated(scene: &str) -> Analysis {
+    let mechanism = assur_scene::read("scene.toml", scene).unwrap();
+    let found = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
+    let mut analysis = found.analyze(&mut unwatched).unwrap();
+    analysis.add_checks(found.checks(Coverage::Sample, &mut unwatched).unwrap());
+    analysis
+}
+
+#[test]
+fn checks_notes_and_failures_of_shipped_scenes() {
+    let mut checks = std::collections::BTreeSet::new();
+    for scene in ["slider-crank", "shaper-drive", "run-up"] {
+        let text = assur_fixtures::scene(scene);
+        let allowed: Vec<&str> =
+            text.split(|letter: char| !(letter.is_alphanumeric() || "-_".contains(letter))).collect();
+        let found = calculated(text);
+        let methods = assur_force::analyzers().unwrap();
+        let allowed: Vec<&str> =
+            allowed.into_iter().chain(methods.iter().map(|method| method.name)).collect();
+        let told = found
+            .checks
+            .iter()
+            .flat_map(|check| [&check.name, &check.place, &check.reason, &check.why_left_out]);
+        hold(told, &allowed);
+        hold(found.notes.iter().chain(found.failures.iter().map(|failure| &failure.message)), &allowed);
+        checks.extend(found.checks.iter().map(|check| check.name.to_string()));
+    }
+    assert!(checks.len() >= 10, "{checks:?}");
+}

@@ -1,0 +1,204 @@
+//! The parts of the note: topics of the report with figures between them.
+
+use assur_analysis::results::Failure;
+use assur_book::{Block, Document};
+use assur_figure::mechanism::Drawing;
+use assur_figure::{Figure, Item, Panel};
+use assur_mechanism::LinkId;
+use assur_report::topic;
+use assur_words::{Text, list, name, number, text};
+
+use super::context::Context;
+use super::{NoteError, forces, formula};
+use crate::screen::state::{Part, View};
+use crate::screen::view::mechanism;
+
+/// Pages of a mechanism, of several ones beside each other, and of plans, mm.
+const MECHANISM: [f64; 2] = [160.0, 110.0];
+const MECHANISMS: [f64; 2] = [165.0, 100.0];
+const PLANS: [f64; 2] = [165.0, 85.0];
+/// Pages of three curves, of two, and of one, mm.
+const TRANSFER: [f64; 2] = [160.0, 130.0];
+const CURVES: [f64; 2] = [160.0, 120.0];
+const CURVE: [f64; 2] = [160.0, 80.0];
+/// Page of the energy-mass diagram, and of the link of reduction, mm.
+const DIAGRAM: [f64; 2] = [130.0, 110.0];
+const LINK: [f64; 2] = [165.0, 75.0];
+/// Width of the assembly and height of a row of its panels, mm; panels beside each other, and in one figure.
+const PANELS: [f64; 2] = [165.0, 78.0];
+const COLUMNS: usize = 2;
+const MOST: usize = 6;
+
+/// The whole note.
+pub(super) fn document(context: &mut Context<'_>) -> Result<Document, NoteError> {
+    let mut page = Document::default();
+    let facts = topic::summary(&context.found()?.analysis, &context.scene()?.linkage);
+    page.heading(text!("report-results"));
+    page.facts(text!("note-main-results"), facts);
+    for part in [task, structure, kinematics, forces::forces, dynamics, formula::working, checks, limits] {
+        part(context, &mut page)?;
+    }
+    Ok(page)
+}
+
+/// The mechanism as it is given, drawn, moving.
+fn task(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    page.heading(text!("report-task"));
+    page.paragraph(topic::task_text(&context.source()?));
+    context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given])?;
+    let scene = context.scene()?;
+    let at = context.place(scene.first_position());
+    let exist: Vec<usize> = (0..scene.positions()).filter(|at| scene.poses[*at].is_some()).collect();
+    let frames: Option<Vec<_>> = exist
+        .into_iter()
+        .map(|position| context.figure(View::Mechanism, position, |_| {}).map(|(figure, _)| figure))
+        .collect();
+    page.blocks.extend(frames.filter(|frames| !frames.is_empty()).map(|frames| Block::Figure {
+        frames,
+        size: MECHANISM,
+        caption: text!("note-mechanism-moving", at = at),
+    }));
+    Ok(())
+}
+
+/// Mobility, pairs, groups, and the mechanism assembled group by group.
+fn structure(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    page.heading(text!("report-structure"));
+    context.tell(page, &[topic::mobility, topic::pairs, topic::groups])?;
+    let figure = assembly(context)?;
+    let size = [PANELS[0], PANELS[1] * figure.as_ref().map_or(1, Figure::rows) as f64];
+    let caption = text!("note-assembly", place = context.place(context.positions[0]));
+    page.figure(figure, size, caption);
+    Ok(())
+}
+
+/// The input link alone, then with the first group, with the second one, and so on; the new links are marked.
+fn assembly(context: &Context<'_>) -> Result<Option<Figure>, NoteError> {
+    let scene = context.scene()?;
+    let Some(pose) = &scene.poses[context.positions[0]] else { return Ok(None) };
+    let linkage = &scene.linkage;
+    let input = linkage.mechanism.input.link;
+    let mut hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
+    let mut panel = |title: Text, marked: &[LinkId]| {
+        hidden.retain(|link| !marked.contains(link));
+        let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(scene, marked) };
+        Panel { title, ..mechanism::plane(scene, drawing.items(pose)) }
+    };
+    let first = text!("note-input-link", link = Text::from(&linkage.mechanism.links[input].name));
+    let mut panels = vec![panel(first, &[input])];
+    for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
+        let kind = name(group.plugin.name.to_uppercase());
+        panels.push(panel(
+            text!("note-with-group", number = number(index + 1), kind = kind),
+            &group.frame.links,
+        ));
+    }
+    let columns = COLUMNS.min(panels.len());
+    Ok(Some(Figure { panels, columns, ..Figure::default() }))
+}
+
+/// The mechanism and its plans in the chosen positions, tables of rates, curves of the last quantity.
+fn kinematics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    page.heading(text!("note-kinematics"));
+    page.paragraph(text!("note-kinematics-text"));
+    let drawn = context.beside(View::Mechanism, |_| {});
+    page.figure(drawn, MECHANISMS, text!("note-mechanism-at", place = context.places()));
+    for (kind, caption) in [
+        (Part::Velocities, text!("note-velocity-plan", place = context.places())),
+        (Part::Accelerations, text!("note-acceleration-plan", place = context.places())),
+    ] {
+        let figure = context.beside(View::Plans, |state| {
+            state.parts.insert(View::Plans, kind);
+        });
+        page.figure(figure, PLANS, caption);
+    }
+    context.tell(page, &[topic::rates_of_points, topic::rates_of_links])?;
+    // The last quantity is that of the last slide, or of the last link: what the mechanism is for.
+    let last = context.scene()?.transfers.len().saturating_sub(1);
+    let curves = context.figure(View::Curves, context.positions[0], |state| state.chosen.transfer = last);
+    if let Some((figure, title)) = curves {
+        page.figure(Some(figure), TRANSFER, text!("note-transfer", of = title));
+    }
+    Ok(())
+}
+
+/// Numbers, iteration and curves of the regime; curves of the motion where there is no regime.
+fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    let facts = topic::regime_facts(&context.found()?.analysis);
+    if facts.is_empty() {
+        let Some(mut figure) = context.first(View::Motion, |_| {}) else { return Ok(()) };
+        figure.panels.retain(|panel| !is_zero(panel));
+        page.heading(text!("report-motion"));
+        page.figure(Some(figure), CURVES, text!("note-motion-curves"));
+        return Ok(());
+    }
+    page.heading(text!("note-dynamics"));
+    page.paragraph(text!("note-dynamics-text"));
+    page.facts(text!("note-regime"), facts);
+    let reduction = context.beside(View::Drive, |state| {
+        state.parts.insert(View::Drive, Part::Reduction);
+    });
+    let caption = text!("note-link-of-reduction", place = context.places());
+    for (view, part, size, caption) in [
+        (View::Motion, Part::Course, CURVES, text!("note-speed-and-moments")),
+        (View::Drive, Part::Inertia, CURVE, text!("note-shares-drawn")),
+        (View::Drive, Part::EnergyMass, DIAGRAM, text!("note-energy-mass")),
+        (View::Motion, Part::Iteration, CURVES, text!("note-iteration-drawn")),
+    ] {
+        let figure = context.first(view, |state| {
+            state.parts.insert(view, part);
+        });
+        page.figure(figure, size, caption);
+    }
+    page.figure(reduction, LINK, caption);
+    context.tell(page, &[topic::iteration, topic::drive])?;
+    // The second panel repeats the moments.
+    let drive = context.first(View::Drive, |_| {}).filter(|figure| figure.panels.len() > 1);
+    let drive = drive.map(|mut figure| {
+        figure.panels.truncate(1);
+        figure
+    });
+    page.figure(drive, CURVE, text!("note-characteristic"));
+    Ok(())
+}
+
+/// Whether all curves of a panel are zero, and show nothing.
+fn is_zero(panel: &Panel) -> bool {
+    panel.items.iter().flat_map(Item::points).all(|[_, y]| y == 0.0 || !y.is_finite())
+}
+
+/// Every check with its residual.
+fn checks(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    let found = context.found()?;
+    if !found.analysis.checks.is_empty() {
+        page.heading(text!("report-checks"));
+        page.paragraph(text!("note-checks-text"));
+        topic::checks(&found.analysis.checks, page);
+    }
+    Ok(())
+}
+
+/// What the model leaves out, what was decided on the way, and what could not be found.
+fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    page.heading(text!("note-model"));
+    page.paragraph(text!("note-model-text"));
+    let (analysis, poses) = (&context.found()?.analysis, &context.scene()?.poses);
+    analysis.notes.iter().for_each(|note| page.paragraph(name(context.words.phrase(note))));
+    let positions = |all: Vec<usize>| list(all.into_iter().map(number));
+    let missing = poses.iter().enumerate().filter(|(_, pose)| pose.is_none());
+    let missing: Vec<usize> = missing.map(|(position, _)| position).collect();
+    if !missing.is_empty() {
+        page.paragraph(text!("note-no-position", positions = positions(missing)));
+    }
+    let placed = |failure: &&Failure| poses.get(failure.index).is_some_and(Option::is_some);
+    let failures: Vec<&Failure> = analysis.failures.iter().filter(placed).collect();
+    if let Some(first) = failures.first() {
+        let reason = name(context.words.phrase(&first.message));
+        let all = positions(failures.iter().map(|failure| failure.index).collect());
+        page.paragraph(text!("note-no-forces", positions = all, reason = reason));
+    }
+    if let Some(why) = &analysis.no_motion {
+        page.paragraph(name(context.words.phrase(why)));
+    }
+    Ok(())
+}

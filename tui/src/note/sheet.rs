@@ -1,0 +1,77 @@
+//! What a form writes: texts and tables in the words of the language.
+
+use assur_book::{Document, Printed, Table};
+use assur_figure::svg::lowered;
+use assur_scene::Note;
+use assur_words::{Language, Text, name, text, unit};
+
+/// A note that a form writes.
+pub(super) struct Sheet<'a> {
+    /// The title of the scene.
+    pub(super) title: &'a str,
+    /// What the author says of himself, each behind its name.
+    pub(super) author: Vec<(Text, String)>,
+    pub(super) document: Document,
+    pub(super) language: &'a Language,
+}
+
+/// A table in words.
+pub(super) struct Grid {
+    pub(super) head: Vec<String>,
+    /// Which columns stand at the right.
+    pub(super) right: Vec<bool>,
+    pub(super) rows: Vec<Vec<String>>,
+}
+
+/// Who wrote a note.
+pub(super) fn author(note: &Note) -> Vec<(Text, String)> {
+    let rows = [
+        (text!("note-author"), &note.author),
+        (text!("note-group"), &note.group),
+        (text!("note-variant"), &note.variant),
+    ];
+    rows.into_iter().filter_map(|(what, who)| Some((what, who.clone()?))).collect()
+}
+
+impl Sheet<'_> {
+    pub(super) fn line(&self, text: &Text) -> String {
+        // Signs of print, in every language.
+        text.render(self.language).replace("->", "→")
+    }
+
+    /// The caption of a figure or a table with its number.
+    pub(super) fn numbered(&self, id: &'static str, number: usize, caption: &Text) -> String {
+        let values = vec![("number", name(number.to_string())), ("caption", caption.clone())];
+        self.line(&Text::message(id, values))
+    }
+
+    pub(super) fn grid(&self, table: &Table) -> Grid {
+        let (keys, groups) = table.printed();
+        let columns: Vec<Printed> = keys.into_iter().chain(groups.into_iter().flatten()).collect();
+        let head = |column: &Printed| {
+            let parts = [column.head.clone(), unit(column.unit)];
+            self.line(&assur_words::list(parts.into_iter().filter(|part| !part.is_empty())))
+        };
+        let cell = |column: &Printed, row: usize| {
+            column
+                .cells
+                .get(row)
+                .map(|cell| self.line(cell))
+                .map(|cell| if cell == "-" { "–".into() } else { cell })
+        };
+        let row = |row: usize| columns.iter().map(|column| cell(column, row).unwrap_or_default()).collect();
+        Grid {
+            head: columns.iter().map(head).collect(),
+            right: columns.iter().map(Printed::is_of_numbers).collect(),
+            rows: (0..table.height()).map(row).collect(),
+        }
+    }
+}
+
+/// A text with its subscripts in a form: what writes a text in which nothing is markup, and what writes a subscript.
+pub(super) fn rich(text: &str, plain: impl Fn(&str) -> String, low: impl Fn(&str) -> String) -> String {
+    let part = |(part, below): (&str, &str)| {
+        plain(part) + &if below.is_empty() { String::new() } else { low(below) }
+    };
+    lowered(text).map(part).collect()
+}

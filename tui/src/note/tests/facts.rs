@@ -1,0 +1,83 @@
+//! Every number that is told in several places is one fact, shown the same everywhere.
+
+use assur_report::json::analysis::to_json;
+use assur_report::text::{Style, report};
+use assur_report::topic::{regime_facts, summary};
+use assur_words::{LANGUAGES, Language};
+use serde_json::Value;
+
+use super::{Form, of, state};
+
+/// Scenes with a prescribed motion, a regime with a motor, a regime without, and a motion over time.
+const SCENES: [&str; 6] = ["shaper", "shaper-drive", "press", "slider-crank", "conveyor", "run-up"];
+
+/// A text as HTML has it.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[test]
+fn text_and_note_tell_every_fact_with_the_same_number() {
+    let mut compared = 0;
+    for scene in SCENES {
+        let state = state(scene);
+        let (analysis, linkage) = (&state.found().unwrap().analysis, &state.scene.as_ref().unwrap().linkage);
+        let facts = [summary(analysis, linkage), regime_facts(analysis)].concat();
+        for code in LANGUAGES {
+            let language = Language::find(code).unwrap();
+            let style = Style { language, ascii: false };
+            let text = report(analysis, linkage, Some(&[0]), style).unwrap();
+            let html = of(scene, code, Form::Html).text;
+            for fact in &facts {
+                let [what, value, unit] = [fact.what(), fact.value(), assur_words::unit(fact.unit.name)]
+                    .map(|text| text.render(language));
+                let told = |line: &str| {
+                    let rest = line.strip_prefix(&what).map(|rest| rest.trim_start_matches([' ', ':']));
+                    rest.is_some_and(|rest| rest.starts_with(&value) && rest.contains(&unit))
+                };
+                let words = value.split_whitespace().next().unwrap();
+                assert!(
+                    text.lines().any(told) || text.contains(&format!("{what}: {words}")),
+                    "{scene} {code}: {what} {value} {unit}"
+                );
+                let cell = |text: &str| format!(">{}</td>", escaped(&text.replace("->", "→")));
+                let row =
+                    html.split("<tr>").find(|row| row.contains(&cell(&what)) && row.contains(&cell(&value)));
+                assert!(row.is_some_and(|row| row.contains(&cell(&unit))), "{scene} {code}: {what} {value}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 200, "{compared}");
+}
+
+#[test]
+fn the_facts_of_a_regime_are_those_of_the_json() {
+    let state = state("shaper-drive");
+    let analysis = &state.found().unwrap().analysis;
+    let json: Value = serde_json::from_str(&to_json(analysis, false).unwrap()).unwrap();
+    let facts = regime_facts(analysis);
+    for (id, pointer) in [
+        ("fact-mean-speed", "mean_speed"),
+        ("fact-unevenness", "unevenness"),
+        ("fact-least-speed", "speed_min"),
+        ("fact-greatest-speed", "speed_max"),
+        ("fact-excess-work", "excess_work"),
+        ("fact-required-power", "required_power"),
+        ("fact-gear-ratio", "ratio"),
+        ("fact-flywheel", "flywheel"),
+        ("fact-cycle-time", "regime/cycle_time"),
+        ("fact-mean-resistance", "regime/mean_resistance"),
+        ("fact-multiplier", "regime/multiplier"),
+        ("fact-shaft-inertia", "regime/shaft_inertia"),
+        ("fact-rated-power", "motor/power"),
+    ] {
+        let fact = facts.iter().find(|fact| fact.id == id).unwrap_or_else(|| panic!("{id}"));
+        let wanted = json.pointer(&format!("/dynamics/{pointer}")).and_then(Value::as_f64);
+        let (assur_book::Value::Number(found), Some(wanted)) = (&fact.value, wanted) else {
+            panic!("{id}: {fact:?}, {wanted:?}")
+        };
+        // The reader of the test rounds the last digit.
+        assert!((found - wanted).abs() <= 1e-15 * wanted.abs(), "{id}: {found}, {wanted}");
+    }
+}

@@ -1,0 +1,231 @@
+//! No English word is left in another language: in no view, list or text report of any shipped scene, and in no text of the
+//! resources. What may be there in Latin letters comes from the scene, from the registries and from the command line.
+
+use std::collections::BTreeSet;
+
+use assur_fixtures::SCENES;
+use assur_words::{Language, Resource, inventory};
+
+use super::{opened, press, text};
+use crate::screen::command::COMMANDS;
+use crate::screen::state::{Key, SETTINGS, State, View};
+
+/// The languages that have letters of their own.
+const OTHERS: [&str; 2] = ["uk", "ru"];
+/// Symbols, signs of files and programs: no registry has them.
+const SYMBOLS: &str = "max abs sin cos tan atan2 sign step rms kor phi alpha beta delta sigma pi dq dw dt PF0 PF1 PF2 TestPf \
+                       Mmax Mn Typst Markdown HTML SVG PNG CSV JSON TOML Parquet UTF ASCII Braille Sobol kitty iTerm2 XDG_CONFIG_HOME HOME \
+                       NO_COLOR FILE SCENE KEY FOLDER NAME toml csv svg png txt html md typ parquet json new fg assur Ctrl \
+                       true false auto off on open set compare";
+
+/// The words of a text: runs of Latin letters, digits and underscores.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    let words = text.split(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_'));
+    words.filter(|word| word.contains(|letter: char| letter.is_ascii_alphabetic()))
+}
+
+/// Whether a word is a symbol, of one or two letters with digits; or symbols and signs side by side in a drawing.
+fn is_symbol(word: &str) -> bool {
+    let letters = || word.chars().filter(char::is_ascii_alphabetic);
+    let drawn = word.contains(|letter: char| letter.is_ascii_digit() || letter.is_ascii_uppercase());
+    let others: BTreeSet<char> = letters().filter(|letter| !"ovx".contains(*letter)).collect();
+    letters().count() <= 2 || others.is_empty() || drawn && others.len() <= 2
+}
+
+/// A text without what it quotes: lines of files in quotes and brackets, examples that are indented, keys before `=`.
+fn unquoted(text: &str) -> String {
+    let mut kept = String::new();
+    let mut end = None;
+    for letter in text.chars() {
+        match (end, letter) {
+            (Some(sign), _) if letter == sign || letter == '\n' => end = None,
+            (Some(_), _) => {}
+            (None, '`' | '"') => end = Some(letter),
+            (None, '[') => end = Some(']'),
+            (None, _) => kept.push(letter),
+        }
+    }
+    let before_sign = |line: &str| match line.split_once(" = ") {
+        Some((head, rest)) => format!("{} {rest}", head.rsplit_once(' ').map_or("", |(head, _)| head)),
+        None => line.to_owned(),
+    };
+    kept.lines().map(before_sign).collect::<Vec<_>>().join("\n")
+}
+
+/// What the registries, the keys and the command line name.
+fn of_the_program() -> BTreeSet<String> {
+    let mut all = format!("{SYMBOLS} {}", Key::names());
+    let mut add = |text: &str| all.extend([" ", text]);
+    for plugin in assur_group::groups().unwrap() {
+        [plugin.name, plugin.kind, plugin.crate_name].iter().for_each(|text| add(text));
+    }
+    for plugin in assur_force::analyzers().unwrap() {
+        [plugin.name, plugin.crate_name].iter().for_each(|text| add(text));
+    }
+    for plugin in assur_integrator::integrators().unwrap() {
+        [plugin.name, plugin.crate_name].iter().for_each(|text| add(text));
+    }
+    let catalogues = assur_motor::catalogues().unwrap();
+    catalogues.iter().for_each(|plugin| add(plugin.name));
+    for motor in assur_motor::list_motors(&catalogues, &assur_motor::MotorFilter::default()).unwrap() {
+        [&motor.designation, &motor.catalogue].iter().for_each(|text| add(text));
+    }
+    COMMANDS.iter().for_each(|command| add(command.name));
+    for setting in &SETTINGS {
+        add(setting.name);
+        setting.kind.words().iter().for_each(|word| add(word));
+    }
+    let program = crate::cli::program();
+    program.get_subcommands().for_each(|command| add(command.get_name()));
+    let options = program.get_subcommands().chain([&program]).flat_map(clap::Command::get_arguments);
+    for option in options {
+        option.get_long().into_iter().for_each(&mut add);
+        option.get_possible_values().iter().for_each(|value| add(value.get_name()));
+    }
+    SCENES.iter().for_each(|(name, _)| add(name));
+    words(&all).map(str::to_lowercase).collect()
+}
+
+/// What a scene names: its title, links, points, slides and loads.
+fn of_scene(state: &State) -> BTreeSet<String> {
+    let mechanism = &state.scene.as_ref().unwrap().linkage.mechanism;
+    let links = mechanism.links.iter().skip(1).map(|one| &one.name);
+    let points = mechanism.points.iter().map(|one| &one.name);
+    let slides = mechanism.slides.iter().map(|one| &one.name);
+    let forces = mechanism.forces.iter().map(|one| &one.name);
+    let moments = mechanism.moments.iter().map(|one| &one.name);
+    let springs = mechanism.springs.iter().map(|one| &one.name);
+    let contacts = mechanism.contacts.iter().map(|one| &one.name);
+    let all = links.chain(points).chain(slides).chain(forces).chain(moments).chain(springs).chain(contacts);
+    // The words that the program gives are not those of the scene.
+    let own = all.map(|name| assur_words::Text::from(name).render(Language::find("ru").unwrap()));
+    let own = own.chain([mechanism.title.clone()]).collect::<Vec<_>>().join(" ");
+    words(&own).map(str::to_lowercase).collect()
+}
+
+/// The English words of a text.
+fn english(text: &str, allowed: &[&BTreeSet<String>]) -> Vec<String> {
+    let text = unquoted(text);
+    // A name may be cut at the edge of a view.
+    let begins = |all: &BTreeSet<String>, word: &str| {
+        all.range(word.to_lowercase()..).next().is_some_and(|known| known.starts_with(&word.to_lowercase()))
+    };
+    let known = |word: &str| is_symbol(word) || allowed.iter().any(|all| begins(all, word));
+    words(&text).filter(|word| !known(word)).map(str::to_owned).collect()
+}
+
+#[test]
+fn no_text_of_the_resources_has_english_words_in_another_language() {
+    let program = of_the_program();
+    for resource in inventory::iter::<Resource>.into_iter().filter(|one| OTHERS.contains(&one.language)) {
+        let mut kept = String::new();
+        for line in resource.texts.lines().filter(|line| !line.starts_with('#')) {
+            // Names of texts, of their attributes and of their values are no words.
+            let text =
+                line.split_once('=').filter(|(id, _)| !id.contains('{')).map_or(line, |(_, text)| text);
+            let mut depth = 0_usize;
+            for letter in text.chars() {
+                depth = if letter == '}' { depth.saturating_sub(1) } else { depth };
+                if depth == 0 && letter != '{' {
+                    kept.push(letter);
+                }
+                depth += usize::from(letter == '{');
+            }
+            kept.push('\n');
+        }
+        let kept = kept.replace("[one]", "").replace("[few]", "").replace("*[many]", "");
+        let found = english(&kept, &[&program]);
+        assert!(found.is_empty(), "{} {}: {found:?}", resource.crate_name, resource.language);
+    }
+}
+
+/// The views whose texts are made by the terminal UI alone.
+const OWN: [View; 5] = [View::Mechanism, View::Curves, View::Motion, View::Accuracy, View::Table];
+
+/// The English words in views of every shipped scene.
+fn english_in(views: &[View]) -> String {
+    let program = of_the_program();
+    let mut all = BTreeSet::new();
+    for (name, _) in SCENES {
+        let mut state = opened(name);
+        let scene = of_scene(&state);
+        for language in OTHERS {
+            state.look.language = language;
+            for &shown in views {
+                state.view = shown;
+                let parts = state.available_parts(shown);
+                for part in parts.into_iter().map(Some).chain([None]) {
+                    part.map(|part| state.parts.insert(shown, part));
+                    let found = english(&text(&state, 80, 24), &[&program, &scene]);
+                    all.extend(found.into_iter().map(|word| format!("{name} {shown:?} {part:?}: {word}")));
+                }
+            }
+        }
+    }
+    all.into_iter().collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn no_view_of_the_ui_alone_has_english_words_in_another_language() {
+    let found = english_in(&OWN);
+    assert!(found.is_empty(), "{found}");
+}
+
+#[test]
+#[ignore = "names of checks, causes and groups, of what is singular, and the working are English"]
+fn no_view_has_english_words_in_another_language() {
+    let found = english_in(&View::TABS);
+    assert!(found.is_empty(), "{found}");
+}
+
+#[test]
+fn help_and_lists_have_no_english_words_in_another_language() {
+    let program = of_the_program();
+    let mut state = opened("shaper-drive");
+    let scene = of_scene(&state);
+    for language in OTHERS {
+        state.look.language = language;
+        for keys in ["1 ?", "1 p", "6 p", "1 o"] {
+            press(&mut state, keys);
+            let found = english(&text(&state, 100, 400), &[&program, &scene]);
+            assert!(found.is_empty(), "{keys}: {found:?}");
+            press(&mut state, "Esc Esc");
+        }
+    }
+}
+
+#[test]
+fn a_quantity_is_found_in_the_language_that_is_shown() {
+    let mut state = opened("shaper");
+    for (language, typed) in [("ru", "с к о р о с т ь"), ("uk", "ш в и д к і с т ь")] {
+        state.look.language = language;
+        press(&mut state, &format!("p {typed}"));
+        let picker = state.picker.as_ref().unwrap();
+        assert!(!picker.left().is_empty() && picker.left().len() < picker.rows.len(), "{language}");
+        press(&mut state, "Esc");
+    }
+}
+
+#[test]
+#[ignore = "names of checks and of their places are English"]
+fn the_report_of_a_scene_has_no_english_words_in_another_language() {
+    let program = of_the_program();
+    let mut all = Vec::new();
+    for (name, _) in SCENES {
+        let state = opened(name);
+        let (scene, names) = (state.scene.as_ref().unwrap(), of_scene(&state));
+        let Some(found) = state.found() else { continue };
+        for language in OTHERS {
+            let language = Language::find(language).unwrap();
+            let style = assur_report::text::Style { language, ascii: false };
+            let report =
+                assur_report::text::report(&found.analysis, &scene.linkage, Some(&[0]), style).unwrap();
+            all.extend(
+                english(&report, &[&program, &names]).into_iter().map(|word| format!("{name}: {word}")),
+            );
+        }
+    }
+    all.sort();
+    all.dedup();
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}

@@ -1,0 +1,135 @@
+//! What of the results of a scene is missing or not proved: the one place in which what was calculated becomes what is told, by
+//! commands and in the terminal UI. No position or motion is lost in silence.
+
+use std::collections::BTreeSet;
+
+use assur_analysis::results::{Analysis, Check, Failure};
+use assur_analysis::{AnalysisError, Calculation, lost_positions};
+use assur_kinematics::Linkage;
+use assur_report::json::analysis::finite;
+use assur_words::{Describe, Text, list, name, number, text};
+
+/// Most failures that are told in full; of the others only the numbers.
+const MOST: usize = 3;
+/// Most numbers of further failures.
+const MOST_NUMBERS: usize = 100;
+
+/// Where a fault is told to be.
+pub(crate) trait Place {
+    /// A fault at a key of the scene; `None` where the place is not known.
+    fn at_key(&self, key: &[String], message: &str) -> Option<Text>;
+    /// An error of the calculation.
+    fn error(&self, error: &AnalysisError) -> Text;
+}
+
+/// Without a file.
+pub(crate) struct Nowhere;
+
+impl Place for Nowhere {
+    fn at_key(&self, _: &[String], _: &str) -> Option<Text> {
+        None
+    }
+
+    fn error(&self, error: &AnalysisError) -> Text {
+        text!("cli-error", problem = error.describe())
+    }
+}
+
+/// What is to be told of results, and how a command that has them ends.
+#[derive(Debug, Default)]
+pub(crate) struct Verdict {
+    /// Positions, a motion, or numbers that there are not; the first is the reason for the exit status.
+    losses: Vec<Text>,
+    /// Checks that fail, or that could judge nothing.
+    checks: Vec<Text>,
+    /// Whether a check fails, or none of several could judge anything.
+    unproved: bool,
+    /// Whether all numbers of the results are finite, so that they can be written.
+    pub(crate) writable: bool,
+}
+
+impl Verdict {
+    /// Of the results of a scene, with the checks that were made.
+    pub(crate) fn of(analysis: &Analysis, calculation: &Calculation, place: &dyn Place) -> Self {
+        let mut losses = failures(&analysis.failures, analysis.survey.failures, place);
+        losses.extend(no_motion(calculation, place));
+        let not_finite = finite(analysis).err();
+        let writable = not_finite.is_none();
+        losses.extend(not_finite.map(|problem| text!("cli-error", problem = name(problem.to_string()))));
+        let all = &analysis.checks;
+        let judged = all.is_empty() || all.iter().any(|check| check.verdict().is_some());
+        let mut checks = checks(all);
+        if !judged {
+            checks.push(text!("verdict-nothing-judged"));
+        }
+        Self { losses, checks, unproved: !judged || all.iter().any(Check::failed), writable }
+    }
+
+    /// Of the motion of a scene, for a command that calculates a single position or sample.
+    pub(crate) fn of_motion(calculation: &Calculation, place: &dyn Place) -> Self {
+        Self::of_losses(no_motion(calculation, place).into_iter().collect())
+    }
+
+    /// Of the positions of a mechanism, for a command that needs neither loads nor motion.
+    pub(crate) fn of_positions(linkage: &Linkage, place: &dyn Place) -> Self {
+        let (lost, count) = lost_positions(linkage);
+        Self::of_losses(failures(&lost, count, place))
+    }
+
+    fn of_losses(losses: Vec<Text>) -> Self {
+        Self { losses, checks: Vec::new(), unproved: false, writable: true }
+    }
+
+    /// Whether nothing is missing.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.losses.is_empty()
+    }
+
+    /// Whether nothing is missing, and no check fails.
+    pub(crate) fn is_proved(&self) -> bool {
+        self.is_complete() && !self.unproved
+    }
+
+    /// Everything that is to be told, what is missing first.
+    pub(crate) fn messages(&self) -> impl Iterator<Item = &Text> {
+        self.losses.iter().chain(&self.checks)
+    }
+}
+
+/// Positions without a solution, the first ones in full, each fault of the scene once with its place; `count`: how many
+/// there are.
+fn failures(failures: &[Failure], count: usize, place: &dyn Place) -> Vec<Text> {
+    let mut located = BTreeSet::new();
+    let message = |Failure { message, key, .. }: &Failure| {
+        let first = key.as_ref().filter(|key| located.insert((*key).clone()));
+        let placed = first.and_then(|key| place.at_key(key, &message.to_string()));
+        placed.unwrap_or_else(|| text!("cli-error", problem = message))
+    };
+    let mut told: Vec<Text> = failures.iter().take(MOST).map(message).collect();
+    if let Some(more) = count.checked_sub(MOST).filter(|more| *more > 0) {
+        let rest = failures.iter().skip(MOST).take(MOST_NUMBERS);
+        let rest: Vec<_> = rest.map(|failure| number(failure.index)).collect();
+        let dots = if rest.len() < more { Some(name("...")) } else { None };
+        told.push(text!(
+            "verdict-more-positions",
+            count = more,
+            positions = list(rest.into_iter().chain(dots))
+        ));
+    }
+    told
+}
+
+/// Why the requested motion is not found.
+fn no_motion(calculation: &Calculation, place: &dyn Place) -> Option<Text> {
+    calculation.no_motion.as_ref().map(|error| place.error(error))
+}
+
+fn checks(all: &[Check]) -> Vec<Text> {
+    let told =
+        |id: &'static str, check: &Check, reason: &Text| text!(id, check = &check.name, reason = reason);
+    let failed = all.iter().filter(|check| check.failed());
+    let failed = failed.map(|check| told("verdict-failed", check, &check.reason));
+    let open = all.iter().filter(|check| check.verdict().is_none());
+    let open = open.map(|check| told("verdict-not-judged", check, &check.why_left_out));
+    failed.chain(open).collect()
+}
