@@ -183,7 +183,7 @@ fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     page.heading(text!("note-model"));
     page.paragraph(text!("note-model-text"));
     let (analysis, poses) = (&context.found()?.analysis, &context.scene()?.poses);
-    analysis.notes.iter().for_each(|note| page.paragraph(name(context.words.phrase(note))));
+    analysis.notes.iter().for_each(|note| page.paragraph(Text::from(note)));
     let positions = |all: Vec<usize>| list(all.into_iter().map(number));
     let missing = poses.iter().enumerate().filter(|(_, pose)| pose.is_none());
     let missing: Vec<usize> = missing.map(|(position, _)| position).collect();
@@ -193,12 +193,12 @@ fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let placed = |failure: &&Failure| poses.get(failure.index).is_some_and(Option::is_some);
     let failures: Vec<&Failure> = analysis.failures.iter().filter(placed).collect();
     if let Some(first) = failures.first() {
-        let reason = name(context.words.phrase(&first.message));
+        let reason = Text::from(&first.message);
         let all = positions(failures.iter().map(|failure| failure.index).collect());
         page.paragraph(text!("note-no-forces", positions = all, reason = reason));
     }
     if let Some(why) = &analysis.no_motion {
-        page.paragraph(name(context.words.phrase(why)));
+        page.paragraph(Text::from(why));
     }
     Ok(())
 }
