@@ -98,7 +98,7 @@ fn a_spring_whose_ends_meet_is_told() {
 fn a_friction_that_pushes_with_the_sliding_is_told() {
     let of = |text: &str| {
         let notes = analyzed(text).notes;
-        notes.into_iter().filter(|note| note.contains("slid")).collect::<Vec<_>>()
+        notes.iter().map(ToString::to_string).filter(|note| note.contains("slid")).collect::<Vec<_>>()
     };
     let press = super::text("press");
     let all = "The friction of `contact 1 on rod` pushes with the sliding in positions 0, 1, 2, ";
@@ -124,7 +124,9 @@ fn a_friction_that_pushes_with_the_sliding_is_told() {
 #[test]
 fn a_list_against_the_motion_is_told() {
     let press = super::text("press");
-    let listed = |text: &str| analyzed(text).notes.into_iter().find(|note| note.contains("are listed"));
+    let listed = |text: &str| {
+        analyzed(text).notes.iter().map(ToString::to_string).find(|note| note.contains("are listed"))
+    };
     assert_eq!(listed(&press), None);
     assert_eq!(
         listed(&press.replace("direction = \"cw\"\n", "")).unwrap(),
