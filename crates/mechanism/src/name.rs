@@ -10,7 +10,7 @@ use serde::{Serialize, Serializer};
 /// A name of the scene, or one that the program gives, which has its own words in each language (`force 1 on rod`).
 ///
 /// As a string it is English: what results are found by.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Name {
     english: String,
     text: Text,
@@ -33,6 +33,12 @@ impl Deref for Name {
 
     fn deref(&self) -> &str {
         &self.english
+    }
+}
+
+impl fmt::Debug for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&self.english, f)
     }
 }
 

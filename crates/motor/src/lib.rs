@@ -24,6 +24,7 @@
 //!
 //! ```
 //! use assur_motor::{CataloguePlugin, CatalogueTable, find_motor};
+//! use assur_words::text;
 //!
 //! static TABLE: CatalogueTable = CatalogueTable::new(
 //!     // usually include_str!("../data/mine.csv")
@@ -33,8 +34,8 @@
 //!     CataloguePlugin {
 //!         name: "MINE",
 //!         crate_name: env!("CARGO_PKG_NAME"),
-//!         summary: "what motors these are",
-//!         source: "where they are printed",
+//!         summary: text!("mine-summary"), // what motors these are: in lang/*.ftl of the crate
+//!         source: text!("mine-source"), // where they are printed
 //!         table: &TABLE,
 //!     }
 //! }

@@ -60,7 +60,7 @@ fn analysis(angle: f64) -> Analysis {
             mobility_by_rank: None,
             note: None,
             class: 2,
-            formula: String::new(),
+            formula: "".into(),
             moving_links: 1,
             pairs: 1,
             groups: Vec::new(),

@@ -3,8 +3,8 @@
 use std::collections::{HashMap, HashSet, VecDeque};
 
 use assur_group::{GroupFrame, Pair, plugin_for};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId};
-use assur_words::{Text, name, text};
+use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, PairId};
+use assur_words::{Text, joined, name, text};
 
 use crate::frame::{Incidence, frame_of, input_pair, typical_length};
 use crate::graph::{Block, Graph, Node};
@@ -151,26 +151,26 @@ fn pattern(mechanism: &Mechanism, frame: &GroupFrame, pairs: &[NamedPair]) -> Te
     let named = |list: &[Pair]| {
         let names = list.iter().map(|pair| {
             let letter = if pair.is_slide() { "P" } else { "R" };
-            name(format!("{letter} {}", name_of(mechanism, pairs[pair.id].source)))
+            joined(" ", [name(letter), Text::from(name_of(mechanism, pairs[pair.id].source))])
         });
         assur_words::list(names)
     };
     text!("structure-pattern", inner = named(&frame.inner), outer = named(&frame.outer))
 }
 
-fn formula(mechanism: &Mechanism, groups: &[Group]) -> String {
-    let name = |link: LinkId| mechanism.links[link].name.as_str();
-    let mut text = format!("I({},{})", name(GROUND), name(mechanism.input.link));
-    for group in groups {
-        let links: Vec<_> = group.frame.links.iter().map(|&link| name(link)).collect();
-        let sort = if group.plugin.number > 0 {
-            format!("{}{}", roman(group.class), group.plugin.number)
-        } else {
-            format!("{}/{}", roman(group.class), group.order)
-        };
-        text.extend([" -> ", &sort, "(", &links.join(","), ")"]);
-    }
-    text
+fn formula(mechanism: &Mechanism, groups: &[Group]) -> Name {
+    let links = |sort: String, links: &[LinkId]| {
+        let names = links.iter().map(|&link| Text::from(&mechanism.links[link].name));
+        joined("", [name(sort + "("), joined(",", names), name(")")])
+    };
+    let input = links("I".to_owned(), &[GROUND, mechanism.input.link]);
+    let groups = groups.iter().map(|group| {
+        let class = roman(group.class);
+        let number = group.plugin.number;
+        let sort = if number > 0 { format!("{class}{number}") } else { format!("{class}/{}", group.order) };
+        links(sort, &group.frame.links)
+    });
+    joined(" -> ", std::iter::once(input).chain(groups)).into()
 }
 
 /// Class and order of a group according to Assur and Artobolevsky.

@@ -18,7 +18,7 @@ pub struct Structure {
     /// A typical length of the mechanism, m.
     pub scale: f64,
     /// Structural formula: `I(ground,crank) -> II3(stone2,rocker)`.
-    pub formula: String,
+    pub formula: Name,
 }
 
 /// Mobility by Chebyshev's formula, W = 3 n - 2 p.

@@ -3,7 +3,7 @@ sweep-vary = `{ $vary }`: { $problem }
 sweep-nothing-varied = nothing is varied: name a parameter, such as "link.crank.mass=1 kg..5 kg:9"
 sweep-twice = `{ $first }` and `{ $second }` are the same value of the scene: vary it once
 sweep-many-points = the sweep has { $points } points, at most { $most } are calculated: fewer values of each parameter
-sweep-uncounted-points = the sweep has too many points to count, at most { $most } are calculated: fewer values of each parameter
+sweep-uncounted-points = the sweep has too many points, at most { $most } are calculated: fewer values of each parameter
 sweep-many-parameters = the sample has { $count } parameters, at most { $most }: keep those that matter
 sweep-no-measure = there is no measure `{ $name }`: name some of { $measures }, or `default` or `all`
 sweep-all-refused = no point of the sweep can be calculated; the first, { $point }:

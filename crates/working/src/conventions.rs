@@ -17,7 +17,7 @@ impl Work<'_> {
             }
         };
         self.sheet.section(text!("working-title", title = title, of = of));
-        let formula = name(self.linkage.structure.formula.clone());
+        let formula = &self.linkage.structure.formula;
         self.sheet.note(text!("working-structure", formula = formula));
         self.sheet.section(text!("working-conventions"));
         self.remarks([

@@ -79,7 +79,7 @@ fn subscripts_are_words_of_a_language_and_names_are_not() {
     let q = sheet.given("q", 1.5, "kg·m²", assur_words::text!("worksheet-fixed"));
     sheet.work(Symbol::from("φ").of(assur_words::unit("deg")), &q.atan2(&x), "rad");
     let wanted = "Розрахунок\n----------\n  x′_S_m_n = −0,25 м\n  q = 1,5 кг·м²  (нерухома)\n  \
-                  φ_град = atan2(q; x′_S_m_n) = atan2(1,5; −0,25) = 1,73594 рад\n";
+                  φ_град = atan2(q; x′_S_m_n) = atan2(1,5; −0,25) = 1,73595 рад\n";
     assert_eq!(text(&sheet.sections, "uk"), wanted);
     let Some(Entry::Line(line)) = sheet.sections[0].entries.last() else { panic!("no line") };
     assert_eq!(Text::from(&line.symbol).to_string(), "φ_{deg}");

@@ -52,7 +52,9 @@ fn no_english_word_is_left_in_another_language() {
         let moments = mechanism.moments.iter().map(|load| load.name.as_str());
         let springs = mechanism.springs.iter().map(|load| load.name.as_str());
         let names = links.chain(points).chain(slides).chain(forces).chain(moments).chain(springs);
-        // The name of the check of the source, of the analyzer, of functions, kinds of groups.
+        // The name of the check of the source, of the analyzers, of functions, kinds of groups.
+        let analyzers = assur_force::analyzers().unwrap();
+        let names = names.chain(analyzers.iter().map(|plugin| plugin.name));
         let mut known: String = names.collect::<Vec<_>>().join(" ");
         known.extend([" TestPf atan2 groups ", &mechanism.title]);
         let known: BTreeSet<&str> = known.split(|c: char| !c.is_ascii_alphanumeric()).collect();

@@ -2,6 +2,7 @@
 
 use assur_group::{Order, Pair};
 use assur_kinematics::{Linkage, mobility_in};
+use assur_mechanism::Name;
 use assur_words::{Text, number, text};
 use serde::Serialize;
 
@@ -19,7 +20,7 @@ pub struct StructureReport {
     /// Class of the mechanism.
     pub class: u8,
     /// `I(ground,crank) -> II3(stone2,rocker)`.
-    pub formula: String,
+    pub formula: Name,
     /// Number of moving links.
     pub moving_links: usize,
     /// Number of pairs (a joint of k links counts k - 1).

@@ -41,7 +41,7 @@ pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
 fn structure(analysis: &Analysis) -> Vec<Fact> {
     let structure = &analysis.structure;
     vec![
-        Fact::text("fact-formula", name(structure.formula.clone())),
+        Fact::text("fact-formula", Text::from(&structure.formula)),
         Fact::text("fact-class", name(assur_structure::roman(structure.class))),
         Fact::text("fact-mobility", number(structure.mobility)),
     ]

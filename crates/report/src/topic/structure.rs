@@ -22,7 +22,7 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
         page.paragraph(text!("report-note", note = note));
     }
     let class = name(roman(structure.class));
-    page.paragraph(text!("report-formula", formula = name(structure.formula.clone())));
+    page.paragraph(text!("report-formula", formula = &structure.formula));
     page.paragraph(text!("report-class", class = class));
 }
 

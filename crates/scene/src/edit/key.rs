@@ -28,7 +28,7 @@ pub(super) enum Step {
 /// let key = Key::parse("force.cutting.value").unwrap();
 /// assert_eq!(key.to_string(), "force.cutting.value");
 /// assert_eq!(Key::parse("moment.brake.value.table[*][1]").unwrap().to_string(), "moment.brake.value.table[*][1]");
-/// assert!(Key::parse("link[x]").unwrap_err().starts_with("`[x]` is no element: write a whole number from 0"));
+/// assert!(Key::parse("link[x]").unwrap_err().to_string().starts_with("`[x]` is no element: write a whole number from 0"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Key(pub(super) Vec<Step>);

@@ -82,7 +82,10 @@ fn of_the_program() -> BTreeSet<String> {
         option.get_long().into_iter().for_each(&mut add);
         option.get_possible_values().iter().for_each(|value| add(value.get_name()));
     }
-    SCENES.iter().for_each(|(name, _)| add(name));
+    for (name, text) in SCENES {
+        add(name);
+        add(&assur_scene::read(name, text).unwrap().title);
+    }
     words(&all).map(str::to_lowercase).collect()
 }
 

@@ -59,7 +59,7 @@ fn describe_structure(mechanism: &Mechanism, structure: &Structure, plan: &Plan,
         pairs = number(count.pairs),
         mobility = number(count.value)
     ));
-    page.paragraph(text!("report-formula", formula = name(structure.formula.clone())));
+    page.paragraph(text!("report-formula", formula = &structure.formula));
     page.paragraph(text!("report-class", class = name(roman(structure.class()))));
     for (index, group) in structure.groups.iter().enumerate() {
         let left = match (plan.groups_needed[index], plan.forces && plan.by_groups) {
