@@ -1,12 +1,11 @@
 //! The construction behind a result: named vectors in the order in which they are drawn.
 
-use assur_words::Text;
+use assur_words::{Describe, Text, text};
 use serde::Serialize;
 
 /// What a vector of a plan or a step of a construction represents.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::Display)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-#[strum(serialize_all = "kebab-case")]
 pub enum VectorKind {
     /// A load of the scene.
     Load,
@@ -29,7 +28,6 @@ pub enum VectorKind {
     /// A point, whose vector is zero: a step of a construction, but no vector of a plan.
     Point,
     /// From the pole to the image of a point.
-    #[strum(serialize = "velocity")]
     Absolute,
     /// Velocity or acceleration of one point of a link relative to another.
     Relative,
@@ -39,6 +37,28 @@ pub enum VectorKind {
     Tangential,
     /// Coriolis part.
     Coriolis,
+}
+
+impl Describe for VectorKind {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Load => text!("vector-load"),
+            Self::Weight => text!("vector-weight"),
+            Self::Inertia => text!("vector-inertia"),
+            Self::Reaction => text!("vector-reaction"),
+            Self::Inner => text!("vector-inner"),
+            Self::Balancing => text!("vector-balancing"),
+            Self::Closing => text!("vector-closing"),
+            Self::Part => text!("vector-part"),
+            Self::Line => text!("vector-line"),
+            Self::Point => text!("vector-point"),
+            Self::Absolute => text!("vector-absolute"),
+            Self::Relative => text!("vector-relative"),
+            Self::Normal => text!("vector-normal"),
+            Self::Tangential => text!("vector-tangential"),
+            Self::Coriolis => text!("vector-coriolis"),
+        }
+    }
 }
 
 /// Which drawing a step belongs to.

@@ -411,10 +411,10 @@ note-no-results = there are no results to write a note of
 
 # Words for keys of the drive and of events.
 drive-excess-work = excess work
-drive-excess-work-less-inertia = excess work, less the inertia of the links
-drive-mertsalov = Mertsalov's method
-drive-wittenbauer = Wittenbauer's method
-drive-exact = exact solution
+drive-excess-work-less-inertia = excess work less links
+drive-mertsalov = Mertsalov
+drive-wittenbauer = Wittenbauer
+drive-exact = exact
 drive-input-shaft = input shaft
 drive-motor-shaft = shaft of the motor
 drive-kloss = Kloss's formula

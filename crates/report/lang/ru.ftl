@@ -408,10 +408,10 @@ note-no-results = нет результатов, о которых можно н
 
 # Слова для ключей привода и событий.
 drive-excess-work = избыточная работа
-drive-excess-work-less-inertia = избыточная работа, за вычетом инерции звеньев
-drive-mertsalov = метод Мерцалова
-drive-wittenbauer = метод Виттенбауэра
-drive-exact = точное решение
+drive-excess-work-less-inertia = изб. работа без звеньев
+drive-mertsalov = Мерцалов
+drive-wittenbauer = Виттенбауэр
+drive-exact = точно
 drive-input-shaft = вал входного звена
 drive-motor-shaft = вал двигателя
 drive-kloss = формула Клосса

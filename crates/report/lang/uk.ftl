@@ -408,10 +408,10 @@ note-no-results = немає результатів, про які можна н
 
 # Слова для ключів приводу та подій.
 drive-excess-work = надлишкова робота
-drive-excess-work-less-inertia = надлишкова робота, за вирахуванням інерції ланок
-drive-mertsalov = метод Мерцалова
-drive-wittenbauer = метод Віттенбауера
-drive-exact = точний розв'язок
+drive-excess-work-less-inertia = надл. робота без ланок
+drive-mertsalov = Мерцалов
+drive-wittenbauer = Віттенбауер
+drive-exact = точно
 drive-input-shaft = вал вхідної ланки
 drive-motor-shaft = вал двигуна
 drive-kloss = формула Клосса

@@ -75,8 +75,8 @@ fn clean(part: f64) -> f64 {
     if part.abs() < 1e-9 { 0.0 } else { part }
 }
 
-/// The words of a method by its key.
-fn method(key: &'static str) -> Text {
+/// The words of a method for the flywheel by its key.
+pub fn flywheel_method(key: &'static str) -> Text {
     match key {
         "excess-work" => text!("drive-excess-work"),
         "excess-work-less-inertia" => text!("drive-excess-work-less-inertia"),
@@ -92,8 +92,8 @@ fn characteristic(key: &'static str) -> Text {
     if key == "kloss" { text!("drive-kloss") } else { text!("drive-linear") }
 }
 
-/// The words of a shaft by its key.
-fn shaft(key: &'static str) -> Text {
+/// The words of the shaft of a flywheel by its key.
+pub fn flywheel_shaft(key: &'static str) -> Text {
     if key == "input" { text!("drive-input-shaft") } else { text!("drive-motor-shaft") }
 }
 
@@ -125,7 +125,7 @@ fn flywheels(found: &Dynamics, page: &mut Document) {
         Column::of(text!("head-formula")),
     ];
     let row = |one: &FlywheelByMethod| {
-        row![method(one.method), one.flywheel, one.difference.map(clean), one.formula.clone()]
+        row![flywheel_method(one.method), one.flywheel, one.difference.map(clean), one.formula.clone()]
     };
     page.table(
         Table::list(text!("report-flywheel-methods"), heads).rows(found.flywheel_methods.iter().map(row)),
@@ -144,7 +144,7 @@ fn flywheels(found: &Dynamics, page: &mut Document) {
     for one in &found.flywheel_places {
         let kept = if one.ok { text!("report-kept") } else { text!("report-exceeded") };
         table.row(row![
-            shaft(one.shaft),
+            flywheel_shaft(one.shaft),
             one.inertia,
             one.diameter,
             one.width,

@@ -26,7 +26,7 @@ use assur_words::{Text, name, text};
 pub use checks::{checks, not_judged};
 pub use contact::contacts;
 pub use course::{motion_over_time, no_motion};
-pub use drive::{advice, drive};
+pub use drive::{advice, drive, flywheel_method, flywheel_shaft};
 pub use explain::explain;
 pub use facts::summary;
 pub use forces::{

@@ -4,6 +4,7 @@
 use assur_analysis::results::{Dynamics, MotorReport, RunnerUp};
 use assur_figure::Figure;
 use assur_motor::FlywheelSize;
+use assur_report::topic::{flywheel_method, flywheel_shaft};
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -107,7 +108,7 @@ fn motor_and_flywheel(state: &State, dynamics: &Dynamics) -> Vec<Line> {
             .difference
             .map_or_else(String::new, |part| state.told(number(format_args!("{:+.2}", 1e2 * part))) + " %");
         let size = state.told(told(row.flywheel, 5, ""));
-        (name(row.method.to_string()), name(format!("{size:>9} {off:>8}")))
+        (flywheel_method(row.method), name(format!("{size:>9} {off:>8}")))
     });
     lines.extend(aligned(state, sizes.collect()));
     if lines.is_empty() {
@@ -151,7 +152,7 @@ fn places_and_motors(state: &State, dynamics: &Dynamics) -> Vec<Line> {
             [wheel.inertia, 1e3 * wheel.diameter, 1e3 * wheel.width, wheel.mass].map(|x| told(x, 5, ""));
         let [rim, most] = [wheel.rim_speed, wheel.admissible_rim_speed].map(|x| told(x, 4, ""));
         let verdict = if wheel.ok { text!("check-holds") } else { text!("check-fails") };
-        [name(wheel.shaft), inertia, diameter, width, mass, rim, most, verdict]
+        [flywheel_shaft(wheel.shaft), inertia, diameter, width, mass, rim, most, verdict]
     };
     let of = |letter, symbol| list([name(letter), unit(symbol)]);
     let head = [

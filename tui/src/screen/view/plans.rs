@@ -222,7 +222,7 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     rows.push((Role::Plain, state.told(told)));
     let Some(step) = construction.steps.get(last) else { return };
     let size = quantity(digits(step.vector[0].hypot(step.vector[1]), 5), step.unit.to_owned());
-    let kind = name(format!("({})", step.kind));
+    let kind = joined("", [name("("), step.kind.describe(), name(")")]);
     rows.push((Role::Key, state.told(joined(" ", [step.name.clone(), kind, size]))));
     rows.extend(wrapped(&state.told(step.note.clone()), width).into_iter().map(|line| (Role::Plain, line)));
     lines(state, &rows, list, buffer);
