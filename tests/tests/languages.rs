@@ -42,7 +42,7 @@ fn english(shown: &str, allowed: &[&str]) -> Vec<String> {
 fn hold<'a>(texts: impl IntoIterator<Item = &'a Text>, allowed: &[&str]) {
     for text in texts {
         for code in &LANGUAGES[1..] {
-            let shown = text.render(Language::find(code).unwrap());
+            let shown = text.render(Language::find(code).unwrap_or_else(|| panic!("{code}")));
             let left = english(&shown, allowed);
             assert!(left.is_empty(), "{code}: {left:?} in \"{shown}\"");
         }
@@ -252,10 +252,12 @@ fn errors_and_warnings_of_motors() {
 
 /// A scene's results with all checks.
 fn calculated(scene: &str) -> Analysis {
-    let mechanism = assur_scene::read("scene.toml", scene).unwrap();
-    let found = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
-    let mut analysis = found.analyze(&mut unwatched).unwrap();
-    analysis.add_checks(found.checks(Coverage::Sample, &mut unwatched).unwrap());
+    let mechanism = assur_scene::read("scene.toml", scene).unwrap_or_else(|error| panic!("{error}"));
+    let found = Calculation::of(mechanism, &Options::default(), &mut unwatched)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let mut analysis = found.analyze(&mut unwatched).unwrap_or_else(|error| panic!("{error}"));
+    let checks = found.checks(Coverage::Sample, &mut unwatched);
+    analysis.add_checks(checks.unwrap_or_else(|error| panic!("{error}")));
     analysis
 }
 

@@ -9,11 +9,26 @@ use assur_words::LANGUAGES;
 /// A text: the values that stand in it, with those of its attributes.
 type Texts = BTreeMap<String, BTreeSet<String>>;
 
+/// What is in a folder of the project.
+fn listed(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    entries.map(|entry| entry.unwrap_or_else(|error| panic!("{error}")).path()).collect()
+}
+
+fn content(file: &Path) -> String {
+    fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()))
+}
+
+/// The folder of the project.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
 /// Folders of the crates that bring texts along.
 fn speaking() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-    let members = ["crates", "plugins"].into_iter().flat_map(|of| fs::read_dir(root.join(of)).unwrap());
-    let members = members.map(|entry| entry.unwrap().path()).chain([root.join("tui")]);
+    let root = root();
+    let members = ["crates", "plugins"].into_iter().flat_map(|of| listed(&root.join(of)));
+    let members = members.chain([root.join("tui")]);
     members
         .filter(|path| {
             fs::read_to_string(path.join("src/lib.rs")).is_ok_and(|lib| lib.contains("resources!();"))
@@ -25,16 +40,16 @@ fn speaking() -> Vec<PathBuf> {
 fn texts(file: &Path) -> Texts {
     let mut found = Texts::new();
     let mut current = String::new();
-    let whole = fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    let whole = content(file);
     for line in whole.lines().filter(|line| !line.starts_with('#')) {
         if !line.starts_with([' ', '}', '\t']) && line.contains(" =") {
-            current = line.split(" =").next().unwrap().to_owned();
+            line.split(" =").next().unwrap_or_default().clone_into(&mut current);
             assert!(!found.contains_key(&current), "{}: `{current}` is there twice", file.display());
             found.insert(current.clone(), BTreeSet::new());
         }
         let values = line.split('$').skip(1);
-        let values =
-            values.map(|rest| rest.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap());
+        let values = values
+            .map(|rest| rest.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or_default());
         found.entry(current.clone()).or_default().extend(values.map(str::to_owned));
     }
     found.remove("");
@@ -63,12 +78,11 @@ fn every_language_has_every_text_with_its_values() {
 /// All sources of a folder without comments, one after another.
 fn sources(folder: &Path) -> String {
     let mut all = String::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
+    for path in listed(folder) {
         if path.is_dir() {
             all += &sources(&path);
         } else if path.extension().is_some_and(|end| end == "rs") {
-            let whole = fs::read_to_string(&path).unwrap();
+            let whole = content(&path);
             let code = whole.lines().filter(|line| !line.trim_start().starts_with("//"));
             all.extend(code.flat_map(|line| [line, "\n"]));
         }
@@ -78,10 +92,10 @@ fn sources(folder: &Path) -> String {
 
 #[test]
 fn every_text_is_used_and_every_identity_has_its_text() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let root = root();
     let code: String = ["crates", "plugins", "tui"].iter().map(|of| sources(&root.join(of))).collect();
     let files = speaking().into_iter().map(|member| member.join("lang/en.ftl"));
-    let resources: String = files.clone().map(|file| fs::read_to_string(file).unwrap()).collect();
+    let resources: String = files.clone().map(|file| content(&file)).collect();
     let all: BTreeSet<String> = files.flat_map(|file| texts(&file).into_keys()).collect();
     let used = |id: &str| {
         [format!("\"{id}\""), format!("\"{id}.")].iter().any(|literal| code.contains(literal))

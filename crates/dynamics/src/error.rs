@@ -140,7 +140,6 @@ fn scientific(value: f64) -> String {
 }
 
 impl Describe for DynamicsError {
-    #[expect(clippy::too_many_lines, reason = "one arm for each variant")]
     fn describe(&self) -> Text {
         match self {
             Self::NoMotion(kind) => text!("dynamics-no-motion", kind = name(*kind)),

@@ -58,6 +58,7 @@ pub fn plain(value: f64) -> String {
 
 /// A multiple of a step with the digits that the step has; very large and very small ones with an exponent.
 pub(crate) fn stepped(value: f64, step: f64) -> String {
+    #[expect(clippy::cast_possible_truncation, reason = "an exponent of f64")]
     let exponent = |number: f64| number.abs().log10().floor() as i32;
     if value == 0.0 || !(value.is_finite() && step.is_finite()) || step <= 0.0 {
         return plain(value);

@@ -62,8 +62,8 @@ enum Tree {
 }
 
 /// Letters of the formula, which no language changes.
-fn letters(of: impl ToString) -> Text {
-    words(of.to_string())
+fn letters(of: impl Into<String>) -> Text {
+    words(of.into())
 }
 
 pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {

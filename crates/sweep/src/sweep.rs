@@ -198,12 +198,11 @@ impl Sweep {
 
     /// The error of a sweep without a point that can be calculated: then the call is at fault, and there is no table.
     pub fn all_refused(&self, first: usize) -> SweepError {
-        let problem = match self.variants.read(&self.axes, &self.numbers(first)) {
-            Err(errors) => Refusal::Scene(errors),
-            Ok(_) => {
-                let message = self.row(first).status(0).map(|(_, message)| message.to_owned());
-                Refusal::Row(message.unwrap_or_default())
-            }
+        let problem = if let Err(errors) = self.variants.read(&self.axes, &self.numbers(first)) {
+            Refusal::Scene(errors)
+        } else {
+            let message = self.row(first).status(0).map(|(_, message)| message.to_owned());
+            Refusal::Row(message.unwrap_or_default())
         };
         SweepError::AllRefused { point: self.describe(first), problem }
     }

@@ -3,7 +3,7 @@
 use assur_force::{Cause, Loads};
 use assur_group::Wrench;
 use assur_group::plane::direction;
-use assur_mechanism::{Direction, LinkId, Name, Place};
+use assur_mechanism::{Direction, LinkId, Place};
 use assur_words::{Text, text};
 use assur_worksheet::{Expr, Load, Point, Symbol};
 
@@ -39,7 +39,7 @@ impl Work<'_> {
                 self.sheet.section(text!("working-inertia-loads"));
                 drive = None;
             }
-            let name = Name::from(cause.name(&self.linkage.mechanism));
+            let name = cause.name(&self.linkage.mechanism);
             self.sheet.note(text!("working-load-of", load = name));
             match cause {
                 Cause::Weight(link) => self.weight(link),

@@ -280,7 +280,7 @@ impl Sheet {
     /// Writes the known quantities of the outer pin of a group at its beginning.
     pub fn outline(&mut self, pin: &Point) {
         let shown = |order: usize| {
-            let [x, y] = pin.pf[order].each_ref().map(|part| printed(part));
+            let [x, y] = pin.pf[order].each_ref().map(printed);
             let vector = joined("", [name("("), x, text!("worksheet-between-arguments"), y, name(")")]);
             joined(" ", [vector, unit(self.units.length[order])])
         };

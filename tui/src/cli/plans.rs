@@ -135,7 +135,7 @@ pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
         } else {
             words::quantity(format_args!("{:.6}", plans.sheet.coordinate), "m")
         };
-        let (position, link) = (words::number(plans.index), words::name(analysis.input.link.to_string()));
+        let (position, link) = (words::number(plans.index), words::name(analysis.input.link.clone()));
         let heading = text!("cli-plans-of", position = position, link = link, at = coordinate);
         let heading = heading.render(style.language);
         let rule = "-".repeat(heading.chars().count());

@@ -34,7 +34,7 @@ pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
         Format::Text => style.text(&found.to_text()).into_owned(),
     };
     if let Some(failure) = &found.failure {
-        style.tell(text!("cli-error", problem = name(failure.to_string())));
+        style.tell(text!("cli-error", problem = name(failure.clone())));
     }
     let status = verdict.status().or(if found.is_ok() { Status::Done } else { Status::Failed });
     output.write(text, status).map(|()| status)

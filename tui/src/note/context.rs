@@ -36,7 +36,9 @@ impl Context<'_> {
     /// Adds topics.
     pub(super) fn tell(&self, page: &mut Document, topics: &[Topic]) -> Result<(), NoteError> {
         let source = self.source()?;
-        topics.iter().for_each(|topic| topic(&source, page));
+        for topic in topics {
+            topic(&source, page);
+        }
         Ok(())
     }
 

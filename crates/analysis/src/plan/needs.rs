@@ -111,7 +111,7 @@ pub(crate) fn order(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -
         (plan.forces && !plan.by_groups, text!("analysis-order-forces")),
     ];
     let reasons = |list: &[(bool, Text)]| -> Vec<Text> {
-        list.iter().filter_map(|(needs, why)| needs.then(|| why.clone())).collect()
+        list.iter().filter(|&(needs, _why)| *needs).map(|(_needs, why)| why.clone()).collect()
     };
     match (reasons(&second), reasons(&first)) {
         (why, _) if !why.is_empty() => (Order::Second, why),

@@ -24,7 +24,7 @@ pub const KEYS: &str = "time coordinate speed acceleration work_driving work_res
 fn owner(schema: &Schema, column: Column) -> Cow<'_, str> {
     match column.quantity {
         Quantity::Residual(of) => of.name(column.owner).into(),
-        _ => schema.name(column.owner).into(),
+        _ => schema.name(column.owner),
     }
 }
 

@@ -25,7 +25,7 @@ pub fn owner(schema: &Schema, column: Column) -> Text {
         // Results count groups from 0, readers from 1.
         Owner::Group(group) => text!("owner-group", number = group + 1),
         Owner::Load(_) => text!("owner-load", name = own()),
-        _ => own().into(),
+        _ => own(),
     }
 }
 

@@ -90,7 +90,7 @@ pub(super) fn draw(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<
     let spots = raster.spots().chain(labels.into_spots());
     let mut spots: Vec<_> = spots.map(|spot| Spot { row: spot.row + above, ..spot }).collect();
     spots.push(heading(&panel.title.render(look.language), 0, width));
-    if bounds.size() != [0.0; 2] {
+    if bounds.size().iter().any(|side| *side != 0.0) {
         let text = bar(map.unit, *factor, unit, look.language);
         spots.push(Spot { column: 0, row: height - below, text, ink: Ink::Dim });
     }

@@ -29,7 +29,7 @@ pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> (Vec<E
     let mut elements: Vec<Element> = heading(panel, room, language).into_iter().collect();
     elements.extend(drawn(&marks, plot, language));
     // What lies in one place has no scale.
-    if !symbol.is_empty() && bounds.size() != [0.0; 2] {
+    if !symbol.is_empty() && bounds.size().iter().any(|side| *side != 0.0) {
         let symbol = name(format!("μ_{{{symbol}}}"));
         let told = joined(" = ", [symbol, quantity(plain(scale), format!("{unit}/mm"))]).render(language);
         let corner = [room.left, room.top + room.height - 0.3 * LINE];

@@ -27,6 +27,7 @@ const fn method(name: &'static str, order: u8, stiff: bool, suitability: Suits) 
     }
 }
 
+#[expect(clippy::unnecessary_wraps, clippy::trivially_copy_pass_by_ref, reason = "the signature of an entry")]
 fn anything(_: &Dependence, _: f64) -> Result<Suitability, Text> {
     Ok(Suitability { cost: Cost::LastResort, reason: NONE })
 }

@@ -109,8 +109,7 @@ impl Page<'_> {
                 }
                 Term::Function(text) => (*text).to_owned(),
                 Term::Power(text) => format!("^{text}"),
-                Term::Sign(text) => self.style.line(text),
-                Term::Number(text) => self.style.line(text),
+                Term::Sign(text) | Term::Number(text) => self.style.line(text),
                 Term::Unit(text) => format!(" {}", self.style.line(text)),
             }
         });

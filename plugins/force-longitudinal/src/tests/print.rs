@@ -70,7 +70,7 @@ fn with_a_constant_angle_the_reactions_go_as_in_figure_2() {
     let all: Vec<Answer> = way().map(|degrees| at(CONSTANT, degrees)).collect();
     assert!(all.windows(2).all(|pair| pair[0].r1 < pair[1].r1 && pair[0].ra < pair[1].ra), "R1 and RA grow");
     assert!(all[16..].windows(2).all(|pair| pair[0].balancing_force > pair[1].balancing_force), "Fb falls");
-    assert_eq!([all[16].balancing_force, all[32].balancing_force].map(f64::round), [7576.0, 6702.0]);
+    assert!((all[16].balancing_force - 7576.0).abs() < 0.5 && (all[32].balancing_force - 6702.0).abs() < 0.5);
     // RB changes its side where F, at the angle of friction beyond a, passes through A.
     let rubs = PRESS.friction.atan();
     let lean = 4.0_f64.to_radians() + rubs - (PRESS.radius * rubs.sin() / PRESS.center).asin();
@@ -84,7 +84,7 @@ fn with_a_constant_angle_the_reactions_go_as_in_figure_2() {
 fn with_a_growing_angle_the_balancing_force_grows_to_the_end() {
     let all: Vec<Answer> = way().map(|degrees| at(COMPRESSION, degrees)).collect();
     assert!(all.windows(2).all(|pair| pair[0].balancing_force < pair[1].balancing_force), "Fb grows");
-    assert_eq!([all[0].balancing_force, all[32].balancing_force].map(f64::round), [944.0, 13_162.0]);
+    assert!((all[0].balancing_force - 944.0).abs() < 0.5 && (all[32].balancing_force - 13_162.0).abs() < 0.5);
     let side = |degrees: f64| at(COMPRESSION, degrees).r3 > 0.0;
     assert!(
         way().all(|degrees| side(degrees) == (degrees > 6.71)) && side(6.715) && !side(6.705),

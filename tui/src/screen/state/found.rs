@@ -43,7 +43,7 @@ impl Found {
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
         let verdict = Verdict::of(&analysis, plans.calculation(), &Nowhere);
-        Self { analyzer, verdict, analysis, ending, series, reactions, plans, fastest, motion }
+        Self { analyzer, analysis, ending, verdict, series, reactions, plans, fastest, motion }
     }
 
     /// Adds the checks, and the residuals as series.

@@ -61,30 +61,48 @@ fn of_the_program() -> BTreeSet<String> {
     let mut all = format!("{SYMBOLS} {AUTHORS} {}", Key::names());
     let mut add = |text: &str| all.extend([" ", text]);
     for plugin in assur_group::groups().unwrap() {
-        [plugin.name, plugin.kind, plugin.crate_name].iter().for_each(|text| add(text));
+        for text in [plugin.name, plugin.kind, plugin.crate_name] {
+            add(text);
+        }
     }
     for plugin in assur_force::analyzers().unwrap() {
-        [plugin.name, plugin.crate_name].iter().for_each(|text| add(text));
+        for text in [plugin.name, plugin.crate_name] {
+            add(text);
+        }
     }
     for plugin in assur_integrator::integrators().unwrap() {
-        [plugin.name, plugin.crate_name].iter().for_each(|text| add(text));
+        for text in [plugin.name, plugin.crate_name] {
+            add(text);
+        }
     }
     let catalogues = assur_motor::catalogues().unwrap();
-    catalogues.iter().for_each(|plugin| add(plugin.name));
-    for motor in assur_motor::list_motors(&catalogues, &assur_motor::MotorFilter::default()).unwrap() {
-        [&motor.designation, &motor.catalogue].iter().for_each(|text| add(text));
+    for plugin in &catalogues {
+        add(plugin.name);
     }
-    COMMANDS.iter().for_each(|command| add(command.name));
+    for motor in assur_motor::list_motors(&catalogues, &assur_motor::MotorFilter::default()).unwrap() {
+        for text in [&motor.designation, &motor.catalogue] {
+            add(text);
+        }
+    }
+    for command in COMMANDS {
+        add(command.name);
+    }
     for setting in &SETTINGS {
         add(setting.name);
-        setting.kind.words().iter().for_each(|word| add(word));
+        for word in setting.kind.words() {
+            add(word);
+        }
     }
     let program = crate::cli::program();
-    program.get_subcommands().for_each(|command| add(command.get_name()));
+    for command in program.get_subcommands() {
+        add(command.get_name());
+    }
     let options = program.get_subcommands().chain([&program]).flat_map(clap::Command::get_arguments);
     for option in options {
         option.get_long().into_iter().for_each(&mut add);
-        option.get_possible_values().iter().for_each(|value| add(value.get_name()));
+        for value in &option.get_possible_values() {
+            add(value.get_name());
+        }
     }
     for (name, text) in SCENES {
         add(name);
