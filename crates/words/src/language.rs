@@ -60,6 +60,12 @@ impl Language {
     pub fn render(&self, text: &Text) -> String {
         match &text.0 {
             Part::Message { id, values } => self.message(id, values),
+            Part::Short(text) => match &text.0 {
+                Part::Message { id, values } => self
+                    .own_message(&format!("{id}.short"), values)
+                    .unwrap_or_else(|| self.message(id, values)),
+                _ => self.render(text),
+            },
             Part::Name(letters) => letters.clone().into_owned(),
             Part::Number(digits) => self.number(digits),
             Part::Unit(symbol) => self.unit(symbol),
@@ -93,6 +99,13 @@ impl Language {
 
     /// In English where this language lacks it; the identity where no language has it.
     fn message(&self, id: &str, values: &[(&'static str, Text)]) -> String {
+        self.own_message(id, values).unwrap_or_else(|| {
+            if self.is_english() { id.to_owned() } else { Self::english().message(id, values) }
+        })
+    }
+
+    /// `None` where this language lacks it.
+    fn own_message(&self, id: &str, values: &[(&'static str, Text)]) -> Option<String> {
         let mut given = FluentArgs::new();
         for (name, value) in values {
             let value: FluentValue<'_> = match value.0 {
@@ -101,9 +114,7 @@ impl Language {
             };
             given.set(*name, value);
         }
-        self.formatted(id, &given).unwrap_or_else(|| {
-            if self.is_english() { id.to_owned() } else { Self::english().message(id, values) }
-        })
+        self.formatted(id, &given)
     }
 
     /// Digits with the signs of print of the language: minus, decimal sign, power of ten, no comma between thousands.

@@ -33,6 +33,12 @@ fn an_identity_that_no_language_has_is_shown_itself() {
 }
 
 #[test]
+fn a_text_without_a_short_form_is_shown_whole() {
+    assert_eq!(in_all(&crate::text!("unit-min").short()), ["min", "хв", "мин"]);
+    assert_eq!(in_all(&name("rod").short()), ["rod"; 3]);
+}
+
+#[test]
 fn every_language_is_read_without_a_fault() {
     for resource in inventory::iter::<Resource> {
         assert!(FluentResource::try_new(resource.texts.to_owned()).is_ok(), "{resource:?}");

@@ -25,6 +25,8 @@ pub(crate) enum Part {
     Unit(Cow<'static, str>),
     /// How many there are of something: chooses the grammatical number.
     Count(usize),
+    /// A message where there is little room.
+    Short(Box<Text>),
     /// Several texts with the same letters between them.
     Joined { between: &'static str, parts: Vec<Text> },
 }
@@ -50,8 +52,15 @@ impl Text {
             Part::Name(letters) | Part::Unit(letters) => letters.is_empty(),
             Part::Number(digits) => digits.is_empty(),
             Part::Joined { parts, .. } => parts.iter().all(Self::is_empty),
+            Part::Short(text) => text.is_empty(),
             Part::Message { .. } | Part::Count(_) => false,
         }
+    }
+
+    /// The same where there is little room: the attribute `.short` of its message, where a language has one.
+    #[must_use]
+    pub fn short(self) -> Self {
+        Self(Part::Short(Box::new(self)))
     }
 
     /// The text in a language.

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use assur_fixtures::SCENES;
-use assur_words::{Language, Resource, inventory};
+use assur_words::{LANGUAGES, Language, Resource, inventory};
 
 use super::{opened, press, text};
 use crate::screen::command::COMMANDS;
@@ -251,4 +251,23 @@ fn the_report_of_a_scene_has_no_english_words_in_another_language() {
     all.sort();
     all.dedup();
     assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+#[test]
+fn numbers_of_the_regime_are_whole_at_80_columns() {
+    let mut state = opened("shaper-drive");
+    let facts = assur_report::topic::regime_facts(&state.found().unwrap().analysis);
+    let shown = ["fact-unevenness", "fact-dynamic-unevenness", "fact-greatest-speed", "fact-required-power"];
+    for code in LANGUAGES {
+        state.look.language = code;
+        for view in [View::Motion, View::Drive] {
+            state.view = view;
+            let frame = text(&state, 80, 24);
+            for id in shown {
+                let fact = facts.iter().find(|fact| fact.id == id).unwrap();
+                let value = fact.with_unit().render(Language::find(code).unwrap());
+                assert!(frame.contains(&value), "{code} {view:?}: {value}: {frame}");
+            }
+        }
+    }
 }

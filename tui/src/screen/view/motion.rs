@@ -121,7 +121,7 @@ pub(super) fn numbers(state: &State, analysis: &Analysis) -> Vec<(Role, String)>
     let lines = facts.flat_map(|fact| {
         let place = joined(" ", [text!("regime-at"), fact.place()]);
         let place = (!fact.at.is_empty()).then(|| format!("  {}", state.told(place)));
-        std::iter::once(state.told(joined(" ", [fact.what(), fact.with_unit()]))).chain(place)
+        std::iter::once(state.told(joined(" ", [fact.what().short(), fact.with_unit()]))).chain(place)
     });
     lines.map(|line| (Role::Plain, line)).collect()
 }
