@@ -318,7 +318,7 @@ fn the_report_tells_motion_and_drive() {
         "Iteration to the periodic regime",
         "Trials of ratio and flywheel",
         "Drive and flywheel",
-        "Mertsalov's method",
+        "Mertsalov",
         "The two places of the flywheel",
         "Warning: starting torque",
         "reduced to point A",

@@ -10,7 +10,7 @@ use serde::{Serialize, Serializer};
 /// A name of the scene, or one that the program gives, which has its own words in each language (`force 1 on rod`).
 ///
 /// As a string it is English: what results are found by.
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(Clone, Eq)]
 pub struct Name {
     english: String,
     text: Text,
@@ -51,6 +51,19 @@ impl fmt::Display for Name {
 impl Serialize for Name {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.english)
+    }
+}
+
+impl PartialEq for Name {
+    /// What is found by the same letters is the same.
+    fn eq(&self, other: &Self) -> bool {
+        self.english == other.english
+    }
+}
+
+impl std::hash::Hash for Name {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.english.hash(state);
     }
 }
 

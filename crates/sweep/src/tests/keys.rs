@@ -53,7 +53,7 @@ fn a_parameter_that_is_written_otherwise_is_told() {
         ("link.crank.mass=..2:2", form),
         ("link.crank.mass=1..2:0", "N is `0`: write a whole number from 1"),
         ("link.crank.mass=1..2:-1", "N is `-1`: write a whole number from 1"),
-        ("link..mass=1..2:3", "a key consists of names joined by dots, such as link.crank.mass"),
+        ("link..mass=1..2:3", "a key consists of names joined by dots, such as `link.crank.mass`"),
         (
             "link[x].mass=1..2:3",
             "`[x]` is no element: write a whole number from 0, two of them as in `[1..2]`, or `[*]` for all",
