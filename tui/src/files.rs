@@ -103,12 +103,12 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
 
 /// An error of compiling at its line of the scene, if it concerns a link.
 pub(crate) fn located(file: &str, text: &str, error: &CompileError) -> Option<SceneErrors> {
-    assur_scene::fault_at(file, text, &error.key()?, name(error.to_string()))
+    assur_scene::fault_at(file, text, &error.key()?, error.describe())
 }
 
 /// An integrator of a scene that is not registered, at its line.
 pub(crate) fn integrator_fault(file: &str, text: &str, mechanism: &Mechanism) -> Option<SceneErrors> {
     let Some(Motion::Transient { integrator, .. }) = &mechanism.motion else { return None };
     let error = assur_integrator::find(integrator).err().filter(|_| integrator != "auto")?;
-    assur_scene::fault_at(file, text, &["motion", "integrator"], name(error.to_string()))
+    assur_scene::fault_at(file, text, &["motion", "integrator"], error.describe())
 }

@@ -18,7 +18,7 @@ use assur_force::{LoadError, Loads, State};
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::Mechanism;
-use assur_words::{Describe, Language, Text, name, text};
+use assur_words::{Describe, Language, Text, text};
 use assur_worksheet::{Reaction, RegistryError, Section, Sheet, Symbol, Units};
 
 assur_words::resources!();
@@ -66,11 +66,11 @@ impl Describe for WorkingError {
     fn describe(&self) -> Text {
         match self {
             Self::Index { index, last } => text!("working-no-position", position = *index, last = *last),
-            Self::Position(error) => name(error.to_string()),
+            Self::Position(error) => error.describe(),
             Self::Load { place, error } => {
-                text!("working-load", place = place.describe(), error = name(error.to_string()))
+                text!("working-load", place = place.describe(), error = error.describe())
             }
-            Self::Registry(error) => name(error.to_string()),
+            Self::Registry(error) => error.describe(),
         }
     }
 }

@@ -3,7 +3,7 @@
 use assur_analysis::plan::Plan;
 use assur_analysis::{method_of_motion, methods};
 use assur_structure::Structure;
-use assur_words::{Describe, name, number, text};
+use assur_words::{Describe, number, text};
 use assur_working::WorkingError;
 
 use super::args::ExplainArgs;
@@ -20,7 +20,7 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     }
     let mechanism = scene::read(&args.scene.scene)?;
     let path = &args.scene.scene;
-    let fault = |error: &dyn std::fmt::Display| scene::in_file(path, name(error.to_string()));
+    let fault = |error: &dyn Describe| scene::in_file(path, error.describe());
     let structure = Structure::of(&mechanism).map_err(|error| fault(&error))?;
     let methods = methods(&mechanism, &options);
     let plan = Plan::of(&mechanism, &structure, methods.by_groups);
@@ -35,7 +35,7 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
 /// Every equation of one position, or of one sample of a transient motion, with its numbers.
 fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fault> {
     let path = &args.scene.scene;
-    let fault = |error: &dyn std::fmt::Display| scene::in_file(path, name(error.to_string()));
+    let fault = |error: &dyn Describe| scene::in_file(path, error.describe());
     let study = scene::whole_study(&args.scene, style)?;
     let verdict = Verdict::of_motion(&study, &path.as_path());
     verdict.tell(style);

@@ -116,7 +116,7 @@ fn force_angles(found: &Geometry, units: &Units, page: &mut Document) {
         page.paragraph(text!(
             "geometry-force-angle",
             group = group,
-            what = name(at.what.to_string()),
+            what = &at.what,
             least = least,
             at_least = at_least,
             most = most,
