@@ -30,7 +30,7 @@ pub enum LoadError {
         /// Where the point is at infinity, rad or m.
         coordinate: f64,
     },
-    /// The formula of the load has no finite value in a state.
+    /// The formula of the load has no value in a state, or one beyond the range of loads.
     NotFinite {
         /// The load.
         name: Text,

@@ -10,6 +10,10 @@ use crate::grid::Span;
 use crate::state::Selection;
 use crate::stroke::Travel;
 
+/// The greatest size of a load by formula in SI: that of a force or moment given as a number (docs/ranges.md). Beyond it the
+/// rounding of a force across a guide outweighs all others.
+const MOST: f64 = 1e15;
+
 /// Relative difference below which an argument has the same value a cycle later.
 const REPEATS: f64 = 1e-9;
 
@@ -253,11 +257,13 @@ impl FormulaLaw {
         None
     }
 
-    /// Its value on given sides; `point`: its place, m.
+    /// Its value on given sides; `point`: its place, m. Beyond [`MOST`] it is not a number, as where it divides by zero.
     #[inline]
     pub(crate) fn value(&self, branches: Branches, state: &State, point: [f64; 2]) -> f64 {
         let place = self.travel.map_or(0.0, |travel| travel.part(point));
         let State { coordinate, speed, time, .. } = *state;
-        self.factor * self.formula.value_on(&Variables { coordinate, speed, time, place }, branches)
+        let value =
+            self.factor * self.formula.value_on(&Variables { coordinate, speed, time, place }, branches);
+        if value.abs() <= MOST { value } else { f64::NAN }
     }
 }

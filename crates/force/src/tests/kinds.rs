@@ -266,3 +266,20 @@ fn two_turns_within_a_cell_are_found() {
         }
     }
 }
+
+/// In a range of the coordinate the sense is that of the range: at q = 0, far outside of it, this arc slides the other way.
+#[test]
+fn the_sense_of_sliding_in_a_range_is_found_in_the_range() {
+    let press = assur_fixtures::SCENES.iter().find(|(name, _)| *name == "press-compression").unwrap().1;
+    let text = press.replace("formula = \"8*", "formula = \"-8*");
+    let reduced = |text: &str, degrees: f64| {
+        let ((linkage, loads), q) = (compiled(text), f64::to_radians(degrees));
+        loads.reduced(&at(q, -1.0), &bodies(&linkage, q)).moment
+    };
+    // By hand: K goes along (cos a, -sin a) by N' (cos a, -sin a) + R phi' > 0 over the whole range (0.0092 to 0.0121 m/rad), and
+    // the coordinate falls, so that the friction against the sliding acts along +(cos a, -sin a): the sign of a given 0.1.
+    let given = text.replace("{ against_sliding = 0.1 }", "0.1");
+    for degrees in [-70.0, -80.0, -90.0, -100.0, -110.0] {
+        near(reduced(&text, degrees), reduced(&given, degrees), 100.0);
+    }
+}
