@@ -81,20 +81,10 @@ impl<'a> Source<'a> {
         self.positions.schema().owners(quantity).into_iter().filter(wanted).collect()
     }
 
-    /// The name of an owner.
+    /// The name of an owner; of a group its index.
     fn name(&self, owner: Owner) -> Text {
-        let mechanism = self.mechanism;
-        let load = |load| {
-            let forces = mechanism.forces.iter().map(|load| &load.name);
-            let moments = mechanism.moments.iter().map(|load| &load.name);
-            let springs = mechanism.springs.iter().map(|load| &load.name);
-            let contacts = mechanism.contacts.iter().map(|load| &load.name);
-            forces.chain(moments).chain(springs).chain(contacts).nth(load).map(Text::from)
-        };
-        match owner {
-            Owner::Load(number) => load(number).unwrap_or_default(),
-            other => named(&self.positions.schema().name(other)),
-        }
+        let schema = self.positions.schema();
+        schema.named(owner).map_or_else(|| name(schema.name(owner).into_owned()), Text::from)
     }
 }
 
