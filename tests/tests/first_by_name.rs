@@ -41,6 +41,7 @@ const fn plugin(name: &'static str, gives_reactions: bool) -> AnalyzerPlugin {
         source: TEST,
         instance: &Wrong,
         gives_reactions,
+        treats_friction: false,
         by_groups: gives_reactions,
         rank: u8::MAX,
     }

@@ -3,7 +3,7 @@
 use assur_all as _;
 use assur_analysis::results::Analysis;
 use assur_analysis::{Calculation, Coverage, Options, unwatched};
-use assur_force::{ForceError, LoadError};
+use assur_force::{ForceError, LoadError, LoadFault};
 use assur_group::{BuildError, GroupError, RegistryError};
 use assur_integrator::{Dependence, FixedStep, IntegrationError, MotionError, Request, State, Until};
 use assur_kinematics::{CompileError, PositionError};
@@ -169,29 +169,27 @@ fn errors_of_groups_positions_and_loads() {
     ];
     let mut all: Vec<Text> = groups.iter().map(Describe::describe).collect();
     let group = text!("structure-group", number = 1, kind = name("RRR"), links = name("А"));
-    for (range, angular) in [(None, true), (Some([0.1, 0.2]), false)] {
+    let position = |range, angular| {
         let (group_name, index) = (Box::new(group.clone()), Some(3));
-        all.push(
-            PositionError { group: 0, group_name, index, coordinate: 1.0, angular, source: gap, range }
-                .describe(),
-        );
-    }
+        PositionError { group: 0, group_name, index, coordinate: 1.0, angular, source: gap, range }
+    };
+    all.extend([position(None, true), position(Some([0.1, 0.2]), false)].map(|error| error.describe()));
     let source = BuildError::new(text!("group-rrr-no-link", link = 1));
     all.push(CompileError::Build { group: Box::new(group.clone()), source, link: None }.describe());
     let load = || name("Б");
     let function = || "sign".to_owned();
     let loads = [
-        LoadError::NeedsMotion { name: load(), what: text!("force-damping") },
-        LoadError::StrokeOfMoment(load()),
-        LoadError::NoStroke { name: load(), travel: 1e-9 },
-        LoadError::InfiniteStroke { name: load(), coordinate: 1.0 },
-        LoadError::NotFinite { name: load(), coordinate: 1.0 },
-        LoadError::Unlocated { name: load(), function: function(), column: 7 },
-        LoadError::UnlocatedSliding(load()),
-        LoadError::ChangesTooOften { name: load(), function: function(), column: 7, most: 10 },
-        LoadError::NoPosition { name: load(), coordinate: 1.0, reason: gap.describe() },
+        LoadFault::NeedsMotion(text!("force-damping")),
+        LoadFault::StrokeOfMoment,
+        LoadFault::NoStroke(1e-9),
+        LoadFault::InfiniteStroke(1.0),
+        LoadFault::NotFinite(1.0),
+        LoadFault::Unlocated { function: function(), column: 7 },
+        LoadFault::UnlocatedSliding,
+        LoadFault::ChangesTooOften { function: function(), column: 7, most: 10 },
+        LoadFault::NoPosition(1.0, Box::new(position(None, true))),
     ];
-    all.extend(loads.iter().map(Describe::describe));
+    all.extend(loads.map(|fault| LoadError { load: load(), fault }.describe()));
     let lines = text!("force-longitudinal-lines-guide", crank = name("А"), third = name("Б"));
     let forces = [
         ForceError::ChangePoint(1.0),
@@ -277,7 +275,14 @@ fn checks_notes_and_failures_of_shipped_scenes() {
             .iter()
             .flat_map(|check| [&check.name, &check.place, &check.reason, &check.why_left_out]);
         hold(told, &allowed);
-        hold(found.notes.iter().chain(found.failures.iter().map(|failure| &failure.message)), &allowed);
+        hold(
+            found
+                .notes
+                .iter()
+                .map(|note| &note.text)
+                .chain(found.failures.iter().map(|failure| &failure.message)),
+            &allowed,
+        );
         checks.extend(found.checks.iter().map(|check| check.name.to_string()));
     }
     assert!(checks.len() >= 10, "{checks:?}");

@@ -108,3 +108,24 @@ fn every_text_is_used_and_every_identity_has_its_text() {
     let unknown: BTreeSet<_> = asked.filter(|id| *id != "no-such-text" && !all.contains(*id)).collect();
     assert!(unknown.is_empty(), "identities without a text: {unknown:?}");
 }
+
+/// A name is in no language, so a sentence may not be one: neither a literal nor the English of an error of ours.
+#[test]
+fn no_sentence_is_a_name() {
+    let code: String = ["crates", "plugins", "tui"].iter().map(|of| sources(&root().join(of))).collect();
+    let calls = code.split("name(").skip(1);
+    let literals = calls.filter_map(|call| call.strip_prefix("format!(").unwrap_or(call).strip_prefix('"'));
+    let is_word = |word: &&str| word.len() > 2 && word.chars().all(|letter| letter.is_ascii_lowercase());
+    let sentences: BTreeSet<_> = literals
+        .filter_map(|rest| rest.split('"').next())
+        .filter(|letters| letters.split(' ').filter(is_word).count() > 2)
+        .collect();
+    // Tests plant some, in rows that only they read.
+    let planted = [
+        "no digit is left, as the bound says: the step is too small, or too great",
+        "the scene does not compile",
+        "The configuration could not be used",
+    ];
+    let found: Vec<_> = sentences.into_iter().filter(|sentence| !planted.contains(sentence)).collect();
+    assert!(found.is_empty(), "{found:#?}");
+}

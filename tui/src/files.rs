@@ -8,10 +8,8 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use assur_kinematics::CompileError;
-use assur_mechanism::{Mechanism, Motion};
-use assur_scene::{SceneErrors, document};
-use assur_words::{Describe, Text, errors, name, number, quantity, text};
+use assur_scene::document;
+use assur_words::{Describe, Text, errors, name, number, quantity, text, text_of};
 
 pub(crate) use lock::{Lock, create_own, open_own};
 pub(crate) use stream::{is_stream, open_stream};
@@ -65,8 +63,8 @@ impl FileError {
 
     /// A file that can't be written, as whoever tried it says.
     #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
-    pub(crate) fn write(path: &Path, problem: impl ToString) -> Self {
-        Self::refused(path, name(problem.to_string()))
+    pub(crate) fn write(path: &Path, problem: io::Error) -> Self {
+        Self::refused(path, text_of(&problem))
     }
 }
 
@@ -82,7 +80,7 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
     let found = fs::File::open(path).and_then(|file| file.take(most as u64 + 1).read_to_end(&mut bytes));
     found.map_err(|problem| match problem.kind() {
         io::ErrorKind::NotFound => error(text!("file-missing")),
-        _ => error(text!("file-not-read", problem = name(problem.to_string()))),
+        _ => error(text!("file-not-read", problem = text_of(&problem))),
     })?;
     if bytes.len() > most {
         return Err(error(text!("file-too-large", most = quantity(most >> 20, "MiB"))));
@@ -99,16 +97,4 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
             .map_or_else(Text::default, |byte| text!("file-byte", byte = name(format!("0x{byte:02X}"))));
         error(text!("file-not-utf8", line = number(line), column = number(column), byte = byte))
     })
-}
-
-/// An error of compiling at its line of the scene, if it concerns a link.
-pub(crate) fn located(file: &str, text: &str, error: &CompileError) -> Option<SceneErrors> {
-    assur_scene::fault_at(file, text, &error.key()?, error.describe())
-}
-
-/// An integrator of a scene that is not registered, at its line.
-pub(crate) fn integrator_fault(file: &str, text: &str, mechanism: &Mechanism) -> Option<SceneErrors> {
-    let Some(Motion::Transient { integrator, .. }) = &mechanism.motion else { return None };
-    let error = assur_integrator::find(integrator).err().filter(|_| integrator != "auto")?;
-    assur_scene::fault_at(file, text, &["motion", "integrator"], error.describe())
 }

@@ -10,6 +10,7 @@ mod files;
 mod locale;
 mod note;
 mod progress;
+mod session;
 mod verdict;
 mod working;
 

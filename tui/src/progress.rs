@@ -1,20 +1,21 @@
 //! The clock of this machine; progress of a long calculation, in words and as a line on standard error.
 
+use std::fmt;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use assur_analysis::Progress;
 use assur_words::{Language, Text, number, quantity, text};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanCount, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use crate::number::plain;
 
 /// A calculation that ends sooner shows no line.
 const PATIENCE: Duration = Duration::from_secs(1);
 /// The line of work that can't be counted.
-const UNCOUNTED: &str = "{msg} ({elapsed})";
+const UNCOUNTED: &str = "{msg} ({since})";
 /// The line of work that is counted.
-const COUNTED: &str = "{msg} {wide_bar} {human_pos} of {human_len}, {per_sec}, {eta} left";
+const COUNTED: &str = "{msg} {wide_bar} {counted}";
 
 /// Progress of an analysis: what is done, and how much of how much where it can be counted.
 fn counted(progress: Progress) -> (Text, Option<[usize; 2]>) {
@@ -54,7 +55,7 @@ impl ProgressLine {
     pub(crate) fn new(language: &'static Language) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
             .with_message(text!("progress-calculating").render(language))
-            .with_style(style(UNCOUNTED));
+            .with_style(style(UNCOUNTED, language));
         let line = bar.clone();
         std::thread::spawn(move || {
             std::thread::sleep(PATIENCE);
@@ -71,7 +72,7 @@ impl ProgressLine {
     pub(crate) fn count(&self, what: &Text, done: usize, total: usize) {
         let (what, total) = (what.render(self.language), total as u64);
         if self.bar.length() != Some(total) || self.bar.message() != what {
-            self.bar.set_style(style(COUNTED));
+            self.bar.set_style(style(COUNTED, self.language));
             self.bar.set_message(what);
             self.bar.set_length(total);
             self.bar.set_position(done as u64);
@@ -88,7 +89,7 @@ impl ProgressLine {
             match counted(progress) {
                 (what, Some([done, total])) => self.count(&what, done, total),
                 (what, None) if self.since.elapsed() >= PATIENCE => {
-                    self.bar.set_style(style(UNCOUNTED));
+                    self.bar.set_style(style(UNCOUNTED, self.language));
                     self.bar.set_message(what.render(self.language));
                 }
                 _ => {}
@@ -98,8 +99,25 @@ impl ProgressLine {
     }
 }
 
-fn style(template: &str) -> ProgressStyle {
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_spinner())
+fn style(template: &str, language: &'static Language) -> ProgressStyle {
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_spinner());
+    let counted = move |state: &ProgressState, out: &mut dyn fmt::Write| {
+        let [done, all] = [state.pos(), state.len().unwrap_or(0)].map(|count| number(HumanCount(count)));
+        let rate = quantity(plain(state.per_sec()), "1/s");
+        let line =
+            text!("progress-counted", done = done, all = all, rate = rate, left = lasting(state.eta()));
+        let _ = out.write_str(&line.render(language));
+    };
+    let since = move |state: &ProgressState, out: &mut dyn fmt::Write| {
+        let _ = out.write_str(&lasting(state.elapsed()).render(language));
+    };
+    style.with_key("counted", counted).with_key("since", since)
+}
+
+/// A time in whole seconds, or in minutes.
+fn lasting(time: Duration) -> Text {
+    let seconds = time.as_secs();
+    if seconds < 120 { quantity(seconds, "s") } else { quantity(seconds / 60, "min") }
 }
 
 impl Drop for ProgressLine {

@@ -4,36 +4,17 @@
 use std::collections::BTreeSet;
 
 use assur_analysis::results::{Analysis, Check, Failure};
-use assur_analysis::{AnalysisError, Calculation, lost_positions};
+use assur_analysis::{Calculation, lost_positions};
 use assur_kinematics::Linkage;
 use assur_report::json::analysis::finite;
 use assur_words::{Describe, Text, list, name, number, text};
+
+use crate::session::Session;
 
 /// Most failures that are told in full; of the others only the numbers.
 const MOST: usize = 3;
 /// Most numbers of further failures.
 const MOST_NUMBERS: usize = 100;
-
-/// Where a fault is told to be.
-pub(crate) trait Place {
-    /// A fault at a key of the scene; `None` where the place is not known.
-    fn at_key(&self, key: &[String], message: &Text) -> Option<Text>;
-    /// An error of the calculation.
-    fn error(&self, error: &AnalysisError) -> Text;
-}
-
-/// Without a file.
-pub(crate) struct Nowhere;
-
-impl Place for Nowhere {
-    fn at_key(&self, _: &[String], _: &Text) -> Option<Text> {
-        None
-    }
-
-    fn error(&self, error: &AnalysisError) -> Text {
-        text!("cli-error", problem = error.describe())
-    }
-}
 
 /// What is to be told of results, and how a command that has them ends.
 #[derive(Debug, Default)]
@@ -49,13 +30,13 @@ pub(crate) struct Verdict {
 }
 
 impl Verdict {
-    /// Of the results of a scene, with the checks that were made.
-    pub(crate) fn of(analysis: &Analysis, calculation: &Calculation, place: &dyn Place) -> Self {
-        let mut losses = failures(&analysis.failures, analysis.survey.failures, place);
-        losses.extend(no_motion(calculation, place));
+    /// Of the results of a scene, with the checks that were made. With a session, faults are told at their lines.
+    pub(crate) fn of(analysis: &Analysis, calculation: &Calculation, session: Option<&Session>) -> Self {
+        let mut losses = failures(&analysis.failures, analysis.survey.failures, session);
+        losses.extend(no_motion(calculation, session));
         let not_finite = finite(analysis).err();
         let writable = not_finite.is_none();
-        losses.extend(not_finite.map(|problem| text!("cli-error", problem = name(problem.to_string()))));
+        losses.extend(not_finite.map(|problem| text!("cli-error", problem = problem.describe())));
         let all = &analysis.checks;
         let judged = all.is_empty() || all.iter().any(|check| check.verdict().is_some());
         let mut checks = checks(all);
@@ -66,14 +47,14 @@ impl Verdict {
     }
 
     /// Of the motion of a scene, for a command that calculates a single position or sample.
-    pub(crate) fn of_motion(calculation: &Calculation, place: &dyn Place) -> Self {
-        Self::of_losses(no_motion(calculation, place).into_iter().collect())
+    pub(crate) fn of_motion(calculation: &Calculation, session: &Session) -> Self {
+        Self::of_losses(no_motion(calculation, Some(session)).into_iter().collect())
     }
 
     /// Of the positions of a mechanism, for a command that needs neither loads nor motion.
-    pub(crate) fn of_positions(linkage: &Linkage, place: &dyn Place) -> Self {
+    pub(crate) fn of_positions(linkage: &Linkage, session: &Session) -> Self {
         let (lost, count) = lost_positions(linkage);
-        Self::of_losses(failures(&lost, count, place))
+        Self::of_losses(failures(&lost, count, Some(session)))
     }
 
     fn of_losses(losses: Vec<Text>) -> Self {
@@ -98,11 +79,11 @@ impl Verdict {
 
 /// Positions without a solution, the first ones in full, each fault of the scene once with its place; `count`: how many
 /// there are.
-fn failures(failures: &[Failure], count: usize, place: &dyn Place) -> Vec<Text> {
+fn failures(failures: &[Failure], count: usize, session: Option<&Session>) -> Vec<Text> {
     let mut located = BTreeSet::new();
     let message = |Failure { message, key, .. }: &Failure| {
         let first = key.as_ref().filter(|key| located.insert((*key).clone()));
-        let placed = first.and_then(|key| place.at_key(key, message));
+        let placed = session.and_then(|session| session.at_key(first?, message.clone()));
         placed.unwrap_or_else(|| text!("cli-error", problem = message))
     };
     let mut told: Vec<Text> = failures.iter().take(MOST).map(message).collect();
@@ -120,8 +101,11 @@ fn failures(failures: &[Failure], count: usize, place: &dyn Place) -> Vec<Text> 
 }
 
 /// Why the requested motion is not found.
-fn no_motion(calculation: &Calculation, place: &dyn Place) -> Option<Text> {
-    calculation.no_motion.as_ref().map(|error| place.error(error))
+fn no_motion(calculation: &Calculation, session: Option<&Session>) -> Option<Text> {
+    calculation.no_motion.as_ref().map(|error| match session {
+        Some(session) => session.fault(error),
+        None => text!("cli-error", problem = error.describe()),
+    })
 }
 
 fn checks(all: &[Check]) -> Vec<Text> {

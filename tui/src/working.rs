@@ -1,8 +1,11 @@
 //! The working of a position or of a sample of a motion.
 
 use assur_analysis::Calculation;
-use assur_mechanism::Motion;
-use assur_working::{Drive, Place, Task, Working, WorkingError};
+use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
+use assur_mechanism::{Mechanism, Motion, Torque};
+use assur_words::text;
+use assur_working::{Cycle, Done, Drive, Ending, EnergyForm, Place, Task, Working, WorkingError};
+use assur_worksheet::Section;
 
 /// The working of a position: with its forces, unless the motion is found from an initial state.
 pub(crate) fn of_position(calculation: &Calculation, index: usize) -> Result<Working, WorkingError> {
@@ -32,5 +35,54 @@ fn work(
     let loads = calculation.loads.as_ref().filter(|_| has_forces && calculation.no_motion.is_none());
     let drive = calculation.drive_in(&state).filter(|_| has_forces);
     let drive = drive.map(|[moment, inertia]| Drive { moment, inertia });
-    Working::of(&Task { linkage: &calculation.linkage, loads, state, place, drive })
+    let analyzer = calculation.analyzer.map(|analyzer| analyzer.name);
+    Working::of(&Task { linkage: &calculation.linkage, loads, state, place, drive, analyzer })
+}
+
+/// The energy form of the motion of a scene (E eqs. 1-3, 10); nothing where the motion is prescribed, or its works are not known.
+pub(crate) fn energy(analysis: &Analysis, mechanism: &Mechanism) -> Vec<Section> {
+    energy_form(analysis, mechanism).map_or_else(Vec::new, |form| form.sections())
+}
+
+fn energy_form<'a>(analysis: &Analysis, mechanism: &'a Mechanism) -> Option<EnergyForm<'a>> {
+    let table = &analysis.trajectory;
+    let last = table.len().checked_sub(1)?;
+    let value = |row, quantity, owner| table.get(row, Column::of(quantity, owner));
+    let ending = |row| {
+        let of = |quantity| value(row, quantity, Owner::Input);
+        let energy = of(Quantity::KineticEnergy)?;
+        Some(Ending { coordinate: of(Quantity::Transfer(0))?, speed: of(Quantity::Velocity)?, energy })
+    };
+    let schema = table.schema();
+    let cycle = analysis.dynamics.as_ref().map(|dynamics| cycle(dynamics, mechanism));
+    let balanced = cycle.as_ref().is_some_and(|cycle| cycle.balance.is_some());
+    let works = schema.owners(Quantity::Work).into_iter().filter(|owner| *owner != Owner::Input || !balanced);
+    let done = |owner| {
+        let (name, load) = match owner {
+            Owner::Load(load) => (schema.named(owner)?.into(), Some(load)),
+            Owner::Input => (text!("work-of-drive"), None),
+            _ => (text!("work-of-weights"), None),
+        };
+        Some(Done { name, load, work: value(last, Quantity::Work, owner)? })
+    };
+    let works: Option<Vec<Done>> = works.map(done).collect();
+    let links = schema.owners(Quantity::KineticEnergy).into_iter().filter_map(|owner| match owner {
+        Owner::Link(link) => Some((link, value(last, Quantity::KineticEnergy, owner)?)),
+        _ => None,
+    });
+    let (ends, works, links) = ([ending(0)?, ending(last)?], works?, links.collect());
+    Some(EnergyForm { mechanism, ends, works, links, cycle })
+}
+
+/// The figures of a regime that the energy form needs.
+fn cycle(dynamics: &Dynamics, mechanism: &Mechanism) -> Cycle {
+    let figures = &dynamics.figures;
+    let drive = mechanism.drive.as_ref();
+    let balances = drive.is_some_and(|drive| drive.torque == Torque::Balance);
+    Cycle {
+        speeds: [figures.speed_min, figures.speed_max],
+        extremes: [figures.coordinate_at_min, figures.coordinate_at_max],
+        excess_work: figures.excess_work,
+        balance: figures.torque.filter(|_| balances),
+    }
 }

@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 /// A mechanism that can't turn fully: crank 2, ground 3, coupler 1.5, rocker 1.5.
 const SHORT: &str = "[ground]\npoints = { O = [0, 0], C = [3, 0] }\n[link.crank]\npoints = { O = 0, A = 2 }\n\
     [link.coupler]\npoints = { A = 0, B = 1.5 }\n[link.rocker]\npoints = { C = 0, B = 1.5 }\n\
-    [input]\nlink = \"crank\"\npositions = 6\n";
+    [input]\nlink = \"crank\"\npositions = 6\n[assembly]\nB = [2.5, 1.4]\n";
 
 fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures").join(name)

@@ -12,7 +12,7 @@ const SHORT: &str = "[ground]\npoints = { O = [0, 0], C = [3, 0] }\n\
     [link.crank]\npoints = { O = 0, A = 2 }\nmass = 1\ncenter = [1, 0]\n\
     [link.coupler]\npoints = { A = 0, B = 1.5 }\nmass = 1\ncenter = [1, 0]\n\
     [link.rocker]\npoints = { C = 0, B = 1.5 }\n\
-    [input]\nlink = \"crank\"\npositions = 6\n[motion]\nspeed = 1\n";
+    [input]\nlink = \"crank\"\npositions = 6\n[assembly]\nB = [2.5, 1.4]\n[motion]\nspeed = 1\n";
 
 /// A corpus scene.
 fn corpus(name: &str) -> String {
@@ -37,7 +37,8 @@ fn assur(folder: &Path, arguments: &[&str]) -> Output {
 /// The first message on standard error, without what stands around it: file, line and column.
 fn reason(output: &Output) -> String {
     let text = String::from_utf8(output.stderr.clone()).unwrap();
-    let first = text.lines().next().unwrap_or_default();
+    // Notes on the scene stand before the reason.
+    let first = text.lines().find(|line| !line.contains("note: ")).unwrap_or_default();
     first.trim_start_matches("error: ").trim_start_matches("a.toml: ").to_owned()
 }
 

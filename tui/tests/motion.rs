@@ -8,8 +8,18 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-const SCENES: [&str; 7] =
-    ["brake", "run-up", "flywheel", "shaper-drive", "andrews", "n-four-bar-2", "n-four-bar-40"];
+const SCENES: [&str; 10] = [
+    "brake",
+    "run-up",
+    "disc-case-3",
+    "disc-case-4",
+    "disc-case-5",
+    "flywheel",
+    "shaper-drive",
+    "andrews",
+    "n-four-bar-2",
+    "n-four-bar-40",
+];
 
 fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures").join(name).with_extension("toml")
@@ -198,6 +208,17 @@ fn no_reactions_are_given_at_a_change_point() {
     let without = |index: usize| found["positions"][index].get("reactions").is_none();
     assert_eq!((0..24).filter(|index| without(*index)).collect::<Vec<_>>(), [6, 18]);
     assert_eq!(assur(&["check", scene.path().to_str().unwrap()]).status.code(), Some(0));
+}
+
+/// D 3.22: 2500 rad are 398 turns; E example 1: five turns. A motion along the falling coordinate has negative turns.
+#[test]
+fn turns_of_a_motion_are_told() {
+    near(&analyzed("brake")["integration"]["turns"], 1250.0 / PI, 1e-12);
+    near(&analyzed("run-up")["integration"]["turns"], 5.0, 1e-12);
+    let back = variant("brake", &[("speed = 100", "speed = -100")]);
+    let output = assur(&["analyze", back.path().to_str().unwrap(), "--format", "json"]);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    near(&found["integration"]["turns"], -1250.0 / PI, 1e-12);
 }
 
 #[test]

@@ -1,5 +1,8 @@
-//! Walks through the commands of docs/sources.md.
+//! Walks through the commands of docs/sources.md and docs/course.md.
 
+#![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
+
+use std::collections::HashMap;
 use std::path::Path;
 use std::process::Command;
 
@@ -18,38 +21,53 @@ fn text_of(svg: &str) -> String {
     texts.map(|(text, _)| text.replace("&apos;", "'") + "\n").collect()
 }
 
-#[test]
-fn every_command_of_the_table_shows_what_it_names() {
+/// Runs the commands of a page, each in a line that begins with a sign and names what must be shown; their number.
+fn walk(page: &str, begin: &str) -> usize {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let page = std::fs::read_to_string(root.join("docs/sources.md")).unwrap();
+    let page = std::fs::read_to_string(root.join("docs").join(page)).unwrap();
     let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("picture.svg");
     let (mut count, mut faults) = (0, Vec::new());
-    for row in page.lines().filter(|line| line.starts_with("| ") && line.contains("`assur ")) {
+    // A command that stands in several lines runs once.
+    let mut known: HashMap<String, String> = HashMap::new();
+    for row in page.lines().filter(|line| line.starts_with(begin) && line.contains("`assur ")) {
         let (_, command) = row.split_once("`assur ").unwrap();
         let (command, expected) = command.split_once('`').unwrap();
-        let picture = folder.path().join("picture.svg");
-        let command = command.replace("PICTURE.svg", picture.to_str().unwrap());
-        let output = Command::new(env!("CARGO_BIN_EXE_assur"))
-            .args(words(&command))
-            .current_dir(root.join("fixtures"))
-            .env("LC_ALL", "C.UTF-8")
-            .output()
-            .unwrap();
-        let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-        if output.status.code() != Some(0) {
-            faults.push(format!("assur {command}: {err}"));
-        }
-        let drawn = std::fs::read_to_string(&picture).unwrap_or_default();
-        let _ = std::fs::remove_file(&picture);
+        let shown = known.entry(command.to_owned()).or_insert_with(|| {
+            let with_picture = command.replace("PICTURE.svg", picture.to_str().unwrap());
+            let output = Command::new(env!("CARGO_BIN_EXE_assur"))
+                .args(words(&with_picture))
+                .current_dir(root.join("fixtures"))
+                .env("LC_ALL", "C.UTF-8")
+                .output()
+                .unwrap();
+            if output.status.code() != Some(0) {
+                faults.push(format!("assur {command}: {}", String::from_utf8_lossy(&output.stderr)));
+            }
+            let drawn = std::fs::read_to_string(&picture).unwrap_or_default();
+            let _ = std::fs::remove_file(&picture);
+            String::from_utf8_lossy(&output.stdout).into_owned() + &text_of(&drawn)
+        });
         let named: Vec<&str> = expected.split('"').skip(1).step_by(2).collect();
         if named.is_empty() {
             faults.push(format!("assur {command}: nothing is named"));
         }
-        let shown = out.into_owned() + &text_of(&drawn);
         let missing = named.into_iter().filter(|named| !shown.contains(named));
         faults.extend(missing.map(|named| format!("assur {command}: no {named}")));
         count += 1;
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+    count
+}
+
+#[test]
+fn every_command_of_the_table_shows_what_it_names() {
+    let count = walk("sources.md", "| ");
     assert!(count >= 45, "{count} commands");
+}
+
+#[test]
+fn every_command_of_the_course_shows_what_it_names() {
+    let count = walk("course.md", "* ");
+    assert!(count >= 30, "{count} commands");
 }

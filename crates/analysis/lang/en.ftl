@@ -60,7 +60,6 @@ analysis-integrator-unused-steady = Integrator `{ $method }` is not used: the st
 analysis-integrator-unused = Integrator `{ $method }` is not used: the scene asks for no motion from an initial state.
 analysis-step-unused = `step` of [motion] is not used: integrator `{ $method }` chooses its steps by the tolerance; methods with a fixed step: { $fixed }.
 analysis-load-idle = Load `{ $load }` never acts: its value is zero in every position (a table or formula that is zero over the cycle, or a load against the motion of what always rests).
-analysis-moment-idle = Moment `{ $load }` does no work: link `{ $link }` does not turn, so reactions alone carry it.
 analysis-before-time-zero = The prescribed motion passes { $count ->
         [one] { $count } position
        *[other] { $count } positions
@@ -71,10 +70,10 @@ analysis-never-reached = The prescribed motion never reaches { $count ->
     }: it turns back before; loads over time take there the time of the turning point.
 analysis-spring-without-direction = The ends of spring `{ $spring }` meet in { $positions }: it has no direction and gives no force there, though its free length is { $length }; place one end elsewhere.
 analysis-change-points = Change points, where two ways of assembly meet: { $places }. A real mechanism may go on in either way there; calculated is the smooth motion.
-analysis-interpolated = In { $positions } the equations of the group say nothing or little (0/0): the motion there is interpolated from both sides.
+analysis-interpolated = In { $positions } the group is singular, its equations have the form 0/0: the motion there is interpolated from both sides.
 analysis-place = { $place } ({ $group })
 analysis-place-of-several = { $place } ({ $group } and { $more } more)
-analysis-barrier = Behind { $end } { $group } can't be assembled ({ $gap }): the motion from the first position ends there.
+analysis-barrier = Past { $end }, { $group } can't be assembled ({ $gap }); the motion from the first position ends there.
 analysis-misses = it misses by { $gap } or more
 analysis-turning-back = { $count ->
         [one] Position { $numbers } is
@@ -95,3 +94,15 @@ analysis-listed-backwards = The positions are listed from { $from } to { $to }, 
 analysis-arc-never-slides = The arc of `{ $contact }` never slides, so that it has no friction.
 analysis-arc-rolls = The arc of `{ $contact }` rolls without sliding in { $positions }: its friction has the sense there that it has just after.
 analysis-friction-pushes = The friction of `{ $contact }` pushes with the sliding in { $positions }: its sign is the one given. With `friction = { "{" } against_sliding = { $friction } { "}" }` it is found.
+analysis-jammed = { $error }; there is a solution up to { $factor } times all coefficients of friction
+analysis-jammed-coefficient = { $error }; there is a solution up to { $factor } times the coefficient of friction, { $coefficient }
+analysis-friction-rests = friction of { $pair }: { $link } never moves on { $on }, so it has no friction there
+analysis-friction-turns = friction of { $pair }: { $link } rests on { $on } in { $positions }; the friction is that just after
+analysis-friction-several = friction: there are several solutions in { $positions }; taken is the one that follows from small coefficients, without one that of the least balancing load, and the JSON has all of them
+analysis-friction-continuum = friction: there is a continuum of solutions in { $positions }; given are its ends
+analysis-friction-not-proved = friction: it is not proved that no other solution exists in { $positions }
+analysis-any-way = No place in [assembly] tells how { $group } is assembled: { $point } is at { $taken }, but might as well be at { $others }. Write its place under [assembly].
+analysis-place-missed = [assembly] has { $point } at { $wanted }; the assembly taken has it at { $found }, { $distance } away.
+analysis-link-rests = Link `{ $link }` never moves.
+analysis-slide-rests = Nothing ever slides in `{ $slide }`.
+analysis-load-without-work = Load `{ $load }` never does work: reactions alone carry it.

@@ -60,7 +60,6 @@ analysis-integrator-unused-steady = Интегратор `{ $method }` не ис
 analysis-integrator-unused = Интегратор `{ $method }` не используется: сцена не требует движения из начального состояния.
 analysis-step-unused = `step` в [motion] не используется: интегратор `{ $method }` выбирает шаги по допуску; методы с постоянным шагом: { $fixed }.
 analysis-load-idle = Нагрузка `{ $load }` никогда не действует: её значение равно нулю в каждом положении (таблица или формула, нулевая за весь цикл, либо нагрузка против движения того, что всегда покоится).
-analysis-moment-idle = Момент `{ $load }` не совершает работы: звено `{ $link }` не поворачивается, поэтому его воспринимают одни реакции.
 analysis-before-time-zero = Заданное движение проходит { $count ->
         [one] { $count } положение
         [few] { $count } положения
@@ -96,3 +95,15 @@ analysis-listed-backwards = Положения перечислены от { $fr
 analysis-arc-never-slides = Дуга «{ $contact }» нигде не скользит, так что трения нет.
 analysis-arc-rolls = Дуга «{ $contact }» катится без скольжения: { $positions }; там её трение имеет то направление, что сразу после этого.
 analysis-friction-pushes = Трение «{ $contact }» толкает в сторону скольжения: { $positions }; его знак задан. С `friction = { "{" } against_sliding = { $friction } { "}" }` знак находится.
+analysis-jammed = { $error }; решение существует, пока все коэффициенты трения не превышают заданных, умноженных на { $factor }
+analysis-jammed-coefficient = { $error }; решение существует, пока коэффициент трения не превышает заданного, умноженного на { $factor }, то есть { $coefficient }
+analysis-friction-rests = трение в паре { $pair }: звено { $link } не движется относительно звена { $on }, поэтому трения там нет
+analysis-friction-turns = трение в паре { $pair }: относительная скорость звена { $link } по звену { $on } равна нулю ({ $positions }); взято трение сразу после этого
+analysis-friction-several = трение: существует несколько решений ({ $positions }); взято то, что следует из малых коэффициентов, а если такого нет — с наименьшей уравновешивающей нагрузкой; JSON содержит все
+analysis-friction-continuum = трение: существует континуум решений ({ $positions }); приведены его концы
+analysis-friction-not-proved = трение: не доказано, что других решений нет ({ $positions })
+analysis-any-way = Ни одно место в [assembly] не говорит, как собрана { $group }: { $point } стоит в { $taken }, но могла бы стоять и в { $others }. Запишите её место в [assembly].
+analysis-place-missed = По [assembly] точка { $point } — в { $wanted }; во взятой сборке она в { $found }, за { $distance } оттуда.
+analysis-link-rests = Звено `{ $link }` никогда не движется.
+analysis-slide-rests = В паре `{ $slide }` никогда ничего не скользит.
+analysis-load-without-work = Нагрузка `{ $load }` никогда не совершает работы: её воспринимают одни реакции.

@@ -60,7 +60,6 @@ analysis-integrator-unused-steady = Інтегратор `{ $method }` не ви
 analysis-integrator-unused = Інтегратор `{ $method }` не використано: сцена не потребує руху з початкового стану.
 analysis-step-unused = `step` у [motion] не використано: інтегратор `{ $method }` вибирає кроки за допуском; методи зі сталим кроком: { $fixed }.
 analysis-load-idle = Навантаження `{ $load }` ніколи не діє: його значення нульове в кожному положенні (таблиця чи формула, нульова за весь цикл, або навантаження проти руху того, що завжди в спокої).
-analysis-moment-idle = Момент `{ $load }` не виконує роботи: ланка `{ $link }` не повертається, тому його сприймають самі реакції.
 analysis-before-time-zero = Заданий рух проходить { $count ->
         [one] { $count } положення
        *[other] { $count } положень
@@ -95,3 +94,15 @@ analysis-listed-backwards = Положення перелічено від { $fr
 analysis-arc-never-slides = Дуга «{ $contact }» ніде не ковзає, тож тертя немає.
 analysis-arc-rolls = Дуга «{ $contact }» котиться без ковзання: { $positions }; там її тертя має той напрям, що відразу після цього.
 analysis-friction-pushes = Тертя «{ $contact }» штовхає в бік ковзання: { $positions }; його знак задано. З `friction = { "{" } against_sliding = { $friction } { "}" }` знак знаходиться.
+analysis-jammed = { $error }; розв’язок існує, доки всі коефіцієнти тертя не перевищують заданих, помножених на { $factor }
+analysis-jammed-coefficient = { $error }; розв’язок існує, доки коефіцієнт тертя не перевищує заданого, помноженого на { $factor }, тобто { $coefficient }
+analysis-friction-rests = тертя в парі { $pair }: ланка { $link } не рухається відносно ланки { $on }, тому тертя там немає
+analysis-friction-turns = тертя в парі { $pair }: відносна швидкість ланки { $link } за ланкою { $on } дорівнює нулю ({ $positions }); узято тертя одразу після цього
+analysis-friction-several = тертя: існує кілька розв’язків ({ $positions }); узято той, що випливає з малих коефіцієнтів, а якщо такого немає — з найменшим зрівноважувальним навантаженням; JSON містить усі
+analysis-friction-continuum = тертя: існує континуум розв’язків ({ $positions }); наведено його кінці
+analysis-friction-not-proved = тертя: не доведено, що інших розв’язків немає ({ $positions })
+analysis-any-way = Жодне місце в [assembly] не каже, як складено { $group }: { $point } стоїть у { $taken }, але могла б стояти і в { $others }. Запишіть її місце в [assembly].
+analysis-place-missed = За [assembly] точка { $point } — у { $wanted }; у взятій збірці вона в { $found }, за { $distance } звідти.
+analysis-link-rests = Ланка `{ $link }` ніколи не рухається.
+analysis-slide-rests = У парі `{ $slide }` ніколи нічого не ковзає.
+analysis-load-without-work = Навантаження `{ $load }` ніколи не виконує роботи: його сприймають самі реакції.

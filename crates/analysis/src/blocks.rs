@@ -2,14 +2,15 @@
 
 use assur_check::Notable;
 use assur_dynamics::Instant;
+use assur_force::ForceError;
 use assur_kinematics::PositionError;
-use assur_mechanism::Range;
 use assur_number::Lanes;
 use assur_words::{Describe, text};
 use rayon::prelude::*;
 
 use crate::families::Columns;
 use crate::filler::{Filler, Obstacle};
+use crate::friction::{Several, jammed};
 use crate::progress::{Stopped, Watch, step};
 use crate::results::{Failure, Table};
 use crate::{Calculation, Progress};
@@ -28,6 +29,8 @@ pub(crate) struct Block {
     /// Positions at a change point, where reactions are not determined.
     pub(crate) at_change_points: Vec<usize>,
     pub(crate) notable: Notable,
+    /// Positions in which friction has several solutions.
+    pub(crate) several: Vec<Several>,
 }
 
 /// The positions of a calculation, divided into blocks. What a block contains does not depend on threads or on the
@@ -69,36 +72,34 @@ impl<'a> Blocks<'a> {
             });
             for (index, obstacle) in filler.add(first, &instants, end - first, &mut table) {
                 let at = |error| text!("analysis-at-position", number = index, error = error);
-                let mut key = None;
+                let (mut key, mut limit) = (None, None);
                 let message = match obstacle {
                     Obstacle::Unsolved(error) => PositionError { index: Some(index), ..error }.describe(),
-                    Obstacle::Load(error) => {
-                        key = error.key(mechanism);
-                        at(error.describe())
-                    }
-                    Obstacle::ChangePoint => {
+                    Obstacle::Forceless(ForceError::ChangePoint(_)) => {
                         at_change_points.push(index);
                         continue;
                     }
-                    Obstacle::Refused(error) => at(error.describe()),
+                    Obstacle::Jammed(error, found) => {
+                        limit = found;
+                        at(jammed(mechanism, error.describe(), found))
+                    }
+                    Obstacle::Forceless(error) => {
+                        if let ForceError::Load(load) = &error {
+                            key = load.key(mechanism);
+                        }
+                        at(error.describe())
+                    }
                 };
-                failures.push(Failure { index, coordinate: input.coordinate(index), message, key });
+                failures.push(Failure { index, coordinate: input.coordinate(index), message, key, limit });
             }
         }
-        Block { table, failures, at_change_points, notable: std::mem::take(&mut filler.notable) }
-    }
-
-    /// The end of the cycle as a row, with angles in (-pi, pi]; no row where there is no cycle, or no solution.
-    pub(crate) fn ending(&self) -> Table {
-        let mut filler = self.filler();
-        let mut table = filler.table();
-        let input = &self.calculation.linkage.mechanism.input;
-        if matches!(input.range, Range::Cycle(_)) {
-            let state = self.calculation.state(input.coordinate(input.positions));
-            let instants = [Instant { state, holding: None }; Lanes::WIDTH];
-            filler.add(input.positions, &instants, 1, &mut table);
+        Block {
+            table,
+            failures,
+            at_change_points,
+            notable: std::mem::take(&mut filler.notable),
+            several: std::mem::take(&mut filler.several),
         }
-        table
     }
 
     /// Calculates all blocks; `work` makes something of each, on any thread, and `take` receives it in order, while the

@@ -1,6 +1,6 @@
 //! A mechanism with its plan, compiled.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use assur_dynamics::equation;
 use assur_force::{AnalyzerPlugin, Loads, Side, State};
@@ -23,13 +23,15 @@ pub struct Options {
     pub analyzer: Option<String>,
     /// Integrator by name; `None`: the scene's.
     pub integrator: Option<String>,
+    /// All results, whatever the scene requests.
+    pub whole: bool,
 }
 
 /// A scene ready to be calculated.
 #[derive(Debug)]
 pub struct Calculation {
     /// The compiled mechanism; groups that the plan does not need are left out.
-    pub linkage: Linkage,
+    pub linkage: Arc<Linkage>,
     /// What is to be calculated.
     pub plan: Plan,
     /// The loads, where the plan needs them.
@@ -66,9 +68,23 @@ impl Calculation {
     /// [`AnalysisError`] where the scene as a whole can't be calculated, or where `watch` breaks.
     pub fn of(mechanism: Mechanism, options: &Options, watch: &mut Watch<'_>) -> Result<Self, AnalysisError> {
         let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
-        let plan = Plan::of(&mechanism, &structure, methods(&mechanism, options).by_groups);
+        let plan = plan(&mechanism, &structure, options);
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
-        Self::planned(linkage, plan, None, options, watch)
+        Self::planned(Arc::new(linkage), plan, options, watch)
+    }
+
+    /// The calculation of a plan on a linkage that is compiled for the groups that the plan needs.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`of`](Self::of), but for those of compiling the mechanism.
+    pub fn planned(
+        linkage: Arc<Linkage>,
+        plan: Plan,
+        options: &Options,
+        watch: &mut Watch<'_>,
+    ) -> Result<Self, AnalysisError> {
+        Self::prepared(linkage, plan, None, options, watch)
     }
 
     /// The calculation of a mechanism that differs in numbers only, with what it has in common with this one: structure and
@@ -86,17 +102,17 @@ impl Calculation {
         let Self { linkage, mut plan, loads, .. } = self;
         let order = plan.order;
         plan.fit(&mechanism, &linkage.structure);
-        let (linkage, before, same) = linkage.varied(mechanism, &plan.groups_needed)?;
+        let (linkage, before, same) = Arc::unwrap_or_clone(linkage).varied(mechanism, &plan.groups_needed)?;
         let same_positions = same && plan.order == order;
         let earlier = loads.as_ref().filter(|_| same).map(|loads| (&before, loads));
-        let calculation = Self::planned(linkage, plan, earlier, options, watch)?;
+        let calculation = Self::prepared(Arc::new(linkage), plan, earlier, options, watch)?;
         Ok(Varied { calculation, before, same_positions })
     }
 
     /// Compiles the loads of a planned linkage, and finds its motion; `earlier`: a mechanism with the same positions, and its
     /// loads.
-    fn planned(
-        linkage: Linkage,
+    fn prepared(
+        linkage: Arc<Linkage>,
         plan: Plan,
         earlier: Option<(&Mechanism, &Loads)>,
         options: &Options,
@@ -184,19 +200,26 @@ pub fn methods(mechanism: &Mechanism, options: &Options) -> Methods {
         Some(Motion::Transient { integrator, .. }) => integrator.as_str(),
         _ => DEFAULT_INTEGRATOR,
     };
-    let named = options.analyzer.as_deref();
-    let chosen = assur_force::choose(named);
+    let (named, friction) = (options.analyzer.as_deref(), !mechanism.frictions.is_empty());
+    let chosen = assur_force::choose(named, friction);
     Methods {
         // A name that is not registered is an error only where the method is needed.
         analyzer: chosen.as_ref().map_or(named.unwrap_or_default(), |plugin| plugin.name).to_owned(),
-        by_groups: chosen.is_ok_and(|plugin| plugin.by_groups),
+        // Friction may load any group, and its sense needs the motion of all.
+        by_groups: !friction && chosen.is_ok_and(|plugin| plugin.by_groups),
         integrator: options.integrator.clone().unwrap_or_else(|| own.to_owned()),
     }
 }
 
+/// What a calculation of this mechanism does.
+pub fn plan(mechanism: &Mechanism, structure: &Structure, options: &Options) -> Plan {
+    let output = mechanism.output.as_ref().filter(|_| !options.whole);
+    Plan::of(mechanism, structure, output, methods(mechanism, options).by_groups)
+}
+
 fn analyzer(linkage: &Linkage, options: &Options) -> Result<&'static AnalyzerPlugin, AnalysisError> {
-    let plugin = assur_force::choose(options.analyzer.as_deref())?;
-    match plugin.instance.supports(linkage) {
+    let plugin = assur_force::choose(options.analyzer.as_deref(), !linkage.mechanism.frictions.is_empty())?;
+    match plugin.supports(linkage) {
         Ok(()) => Ok(plugin),
         Err(reason) => Err(AnalysisError::Unfit { analyzer: plugin.name, reason }),
     }

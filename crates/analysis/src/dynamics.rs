@@ -1,5 +1,7 @@
 //! Converts a motion to results.
 
+use std::f64::consts::TAU;
+
 use assur_dynamics::{Advice, DynamicsError, ReductionPoint, Regime, Steady, SteadyMotor, Transient, advise};
 use assur_mechanism::{Motion, Solve};
 use assur_words::Describe;
@@ -60,7 +62,7 @@ impl Calculation {
     fn reduction_point(&self) -> Option<PointReport> {
         let mechanism = &self.linkage.mechanism;
         let found = ReductionPoint::farthest(mechanism)?;
-        Some(PointReport { name: mechanism.points[found.point].name.to_string(), radius: found.radius })
+        Some(PointReport { name: mechanism.named_point(found.point), radius: found.radius })
     }
 
     fn regime(&self, found: &Steady) -> RegimeReport {
@@ -98,9 +100,17 @@ impl Calculation {
             tolerance: self.tolerance(),
             statistics: found.trajectory.statistics,
             end: found.trajectory.end,
+            turns: self.turns(found),
             events: found.trajectory.events.clone(),
             energy: energy(found),
         })
+    }
+
+    /// Turns of the input over a motion; `None` where it slides.
+    fn turns(&self, found: &Transient) -> Option<f64> {
+        let input = &self.linkage.mechanism.input;
+        let way = found.trajectory.end.coordinate - found.trajectory.samples.first()?.coordinate;
+        input.is_angle().then_some(way / TAU)
     }
 }
 

@@ -1,13 +1,18 @@
-//! Energies over a motion: works of the driving and of the resisting loads, and the kinetic energy (E eq. 1).
+//! Energies over a motion: works of the driving and of the resisting loads and of each load by itself, and the kinetic energy of
+//! all links and of each (E eqs. 1-3).
 
 use std::sync::Arc;
 
 use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
-use assur_force::{Cause, Loads, Side, State};
+use assur_force::{Loads, Side, State};
+use assur_group::plane::dot;
 use assur_group::{Body, Order};
 use assur_integrator::{Motion as _, Request, Sample, State as Place, Trajectory, Until, solve};
+use assur_mechanism::{GROUND, LinkId, Mechanism};
 
+use crate::acting::{Acting, Works, change, over_time, simpson};
 use crate::motion::CYCLE_INTERVALS;
+use crate::plan::is_heavy;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
 use crate::{Calculation, InputMotion};
 
@@ -16,15 +21,16 @@ const FEWEST: usize = 500;
 /// Intervals of the quadrature over each smooth part of an interval of a cycle.
 const IN_INTERVAL: u32 = 4;
 
-/// Works of the driving and of the resisting loads, J.
-type Works = [f64; 2];
-
 /// Energies over a motion.
 struct Course {
     /// Between each sample and the next one: the works, and how much their rates change.
-    intervals: Vec<(Works, [f64; 2])>,
+    intervals: Vec<[Works; 2]>,
     /// Kinetic energy at each sample, of flywheel and rotor as well, J.
     kinetic: Vec<f64>,
+    /// What acts at each sample.
+    acting: Vec<Acting>,
+    /// Kinetic energy of each link at each sample, J.
+    links: Vec<Vec<f64>>,
 }
 
 impl Calculation {
@@ -37,14 +43,31 @@ impl Calculation {
             InputMotion::Steady(found) => self.steady_course(loads, found),
         });
         let Some(course) = course else { return Table::default() };
-        let mut schema = Schema::new(&self.linkage.mechanism);
+        let mechanism = &self.linkage.mechanism;
+        let mut schema = Schema::new(mechanism);
         let section = schema.section();
         let all = [Quantity::DrivingWork, Quantity::ResistingWork, Quantity::KineticEnergy];
         schema.add(section, all.map(|quantity| Column::of(quantity, Owner::Input)));
+        let by_load = by_load(mechanism, schema.loads());
+        schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::Work, *owner)));
+        let links = heavy(mechanism).map(Owner::Link);
+        schema.add(section, links.map(|link| Column::of(Quantity::KineticEnergy, link)));
+        schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::ReducedLoad, *owner)));
         let mut table = Table::new(Arc::new(schema));
-        for (number, energies) in course.energies().into_iter().enumerate() {
-            let finite = energies.iter().all(|energy| energy.is_finite());
-            table.push(number, energies.map(|energy| finite.then_some(energy)));
+        let samples =
+            course.works().into_iter().zip(&course.kinetic).zip(course.acting.iter().zip(&course.links));
+        for (number, ((works, kinetic), (acting, links))) in samples.enumerate() {
+            let [driving, resisting] = [works.driving, works.resisting];
+            let moments = by_load.iter().map(|(_, place)| acting.each[*place]);
+            let works = by_load.iter().map(|(_, place)| works.each[*place]);
+            let row: Vec<f64> = [driving, resisting, *kinetic]
+                .into_iter()
+                .chain(works)
+                .chain(links.iter().copied())
+                .chain(moments)
+                .collect();
+            let finite = row.iter().all(|energy| energy.is_finite());
+            table.push(number, row.into_iter().map(|energy| finite.then_some(energy)));
         }
         table
     }
@@ -68,25 +91,30 @@ impl Calculation {
     fn transient_course(&self, loads: &Loads, found: &Transient) -> Option<Course> {
         let samples = found.instants.len() - 1;
         let parts = 4 * FEWEST.div_ceil(4 * samples);
+        let mechanism = &self.linkage.mechanism;
         let (mut motion, trajectory) = self.solved_again(loads, found, samples * parts)?;
         let mut at = |sample: &Sample, is_before: bool| {
             let state = motion.instant(sample, is_before).ok()?.state;
             let torque = motion.drive().torque(&state);
-            let moments = split(loads, &state, motion.machine().bodies(state.coordinate).ok()?, torque, 1.0);
-            let State { time, coordinate, speed, .. } = state;
-            Some(Acting { time, coordinate, speed, moments })
+            let bodies = motion.machine().bodies(state.coordinate).ok()?;
+            let links = energies_of_links(mechanism, &state, bodies);
+            Some((Acting::of(loads, mechanism, &state, bodies, torque), links))
         };
         let last = trajectory.samples.len() - 1;
         let nodes = trajectory.samples.iter().enumerate().map(|(index, sample)| at(sample, index == last));
-        let nodes = nodes.collect::<Option<Vec<_>>>()?;
+        let (nodes, links): (Vec<Acting>, Vec<Vec<f64>>) =
+            nodes.collect::<Option<Vec<_>>>()?.into_iter().unzip();
         let jumps = trajectory.events.iter().map(|event| {
             let Place { time, coordinate, speed } = event.state;
             let sample = Sample { time, coordinate, speed, acceleration: 0.0 };
-            Some([at(&sample, true)?, at(&sample, false)?])
+            Some([at(&sample, true)?.0, at(&sample, false)?.0])
         });
         let jumps = jumps.collect::<Option<Vec<_>>>()?;
         let intervals = nodes.windows(parts + 1).step_by(parts).map(|nodes| over_time(nodes, &jumps));
-        Some(Course { intervals: intervals.collect(), kinetic: found.energy.kinetic.clone() })
+        let intervals = intervals.collect();
+        let acting = nodes.iter().step_by(parts).cloned().collect();
+        let links = links.into_iter().step_by(parts).collect();
+        Some(Course { intervals, kinetic: found.energy.kinetic.clone(), acting, links })
     }
 
     /// A cycle of the regime, whose state is known at every coordinate.
@@ -99,26 +127,33 @@ impl Calculation {
             let state = found.regime.state(at(i));
             0.5 * (state.inertia + found.regime.drive_inertia) * state.speed * state.speed
         });
-        Some(Course { intervals: intervals.collect::<Option<_>>()?, kinetic: kinetic.collect() })
+        let (intervals, kinetic) = (intervals.collect::<Option<_>>()?, kinetic.collect());
+        let mut position = self.linkage.position();
+        let mechanism = &self.linkage.mechanism;
+        let samples = (0..=CYCLE_INTERVALS).map(|i| {
+            self.linkage.solve(at(i), Order::First, &mut position).ok()?;
+            let state = State { side: Side::After, ..self.state(at(i)) };
+            let torque = found.regime.state(at(i)).drive;
+            let links = energies_of_links(mechanism, &state, &position.bodies);
+            Some((Acting::of(loads, mechanism, &state, &position.bodies, torque), links))
+        });
+        let (acting, links) = samples.collect::<Option<Vec<_>>>()?.into_iter().unzip();
+        Some(Course { intervals, kinetic, acting, links })
     }
 
     /// The works in a regime between two coordinates, by Simpson's rule between the jumps of the loads.
-    fn over_coordinate(
-        &self,
-        loads: &Loads,
-        found: &Steady,
-        [from, to]: [f64; 2],
-    ) -> Option<(Works, [f64; 2])> {
+    fn over_coordinate(&self, loads: &Loads, found: &Steady, [from, to]: [f64; 2]) -> Option<[Works; 2]> {
         let sense = (to - from).signum();
         let mut position = self.linkage.position();
         let mut moments = |coordinate: f64, side| {
             self.linkage.solve(coordinate, Order::First, &mut position).ok()?;
             let state = State { side, ..self.state(coordinate) };
             let torque = found.regime.state(coordinate).drive;
-            Some(split(loads, &state, &position.bodies, torque, sense))
+            let acting = Acting::of(loads, &self.linkage.mechanism, &state, &position.bodies, torque);
+            Some(acting.moments(sense))
         };
         let mut machine = Machine::new(&self.linkage, loads);
-        let (mut works, mut changes, mut start) = ([0.0; 2], [0.0; 2], from);
+        let (mut works, mut changes, mut start) = (Works::default(), Works::default(), from);
         while (to - start) * sense > 0.0 {
             let State { time, speed, .. } = self.state(start);
             let piece = machine.enter(&Place { time, coordinate: start, speed }).ok()?;
@@ -130,109 +165,51 @@ impl Calculation {
                 moments(start + step * f64::from(i), side)
             });
             let nodes = nodes.collect::<Option<Vec<_>>>()?;
-            for (part, (work, changed)) in works.iter_mut().zip(&mut changes).enumerate() {
-                *work += simpson(step, nodes.iter().map(|moments| moments[part]));
-                *changed += change(nodes.iter().map(|moments| moments[part]));
-            }
+            works += Works::over(&nodes, |values| simpson(step, values));
+            changes += Works::over(&nodes, change);
             start = end;
         }
-        Some((works, changes))
+        Some([works, changes])
     }
 }
 
-/// What acts at an instant of a motion.
-#[derive(Clone, Copy)]
-struct Acting {
-    time: f64,
-    coordinate: f64,
-    speed: f64,
-    /// Moments that drive and that resist a motion along the growing coordinate.
-    moments: [f64; 2],
+/// The drive, the weights and the loads of the scene that have a work, each with its place among what acts.
+fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
+    let drive = mechanism.drive.is_some().then_some((Owner::Input, Acting::DRIVE));
+    let weights = mechanism.gravity.is_some() && mechanism.links.iter().skip(1).any(|link| link.mass > 0.0);
+    // The ground carries the weights.
+    let weights = weights.then_some((Owner::Link(GROUND), Acting::WEIGHTS));
+    let loads = (0..loads).map(|load| (Owner::Load(load), Acting::LOADS + load));
+    drive.into_iter().chain(weights).chain(loads).collect()
 }
 
-impl Acting {
-    /// The power of what drives the motion, or of what resists it.
-    fn power(&self, part: usize) -> f64 {
-        // A moment that drives along the growing coordinate resists a motion along the falling one.
-        self.speed * self.moments[if self.speed < 0.0 { 1 - part } else { part }]
-    }
+/// The moving links with mass or moment of inertia.
+fn heavy(mechanism: &Mechanism) -> impl Iterator<Item = LinkId> {
+    (1..mechanism.links.len()).filter(|link| is_heavy(mechanism, *link))
 }
 
-/// The works over equally spaced instants: by Simpson's rule over time, or by trapezoids over the coordinate where the
-/// moments jump.
-fn over_time(nodes: &[Acting], jumps: &[[Acting; 2]]) -> (Works, [f64; 2]) {
-    let mut works = [0.0; 2];
-    for pair in nodes.windows(3).step_by(2) {
-        let inside = |[before, _]: &&[Acting; 2]| before.time > pair[0].time && before.time <= pair[2].time;
-        let mut inside = jumps.iter().filter(inside).peekable();
-        if inside.peek().is_none() {
-            let step = pair[1].time - pair[0].time;
-            (0..2).for_each(|part| works[part] += simpson(step, pair.iter().map(|node| node.power(part))));
-            continue;
-        }
-        let mut from = pair[0];
-        for [before, after] in inside.chain([&[pair[2]; 2]]) {
-            let way = before.coordinate - from.coordinate;
-            for (part, work) in works.iter_mut().enumerate() {
-                let acting = if way < 0.0 { 1 - part } else { part };
-                *work += 0.5 * way * (from.moments[acting] + before.moments[acting]);
-            }
-            from = *after;
-        }
-    }
-    (works, [0, 1].map(|part| change(nodes.iter().map(|node| node.power(part)))))
-}
-
-/// The integral over equally spaced values, an odd number of them.
-fn simpson(step: f64, values: impl ExactSizeIterator<Item = f64>) -> f64 {
-    let last = values.len() - 1;
-    let weight = |index: usize| match index {
-        0 => 1.0,
-        _ if index == last => 1.0,
-        _ if index % 2 == 1 => 4.0,
-        _ => 2.0,
+/// Kinetic energies of the links (E eq. 3), J.
+fn energies_of_links(mechanism: &Mechanism, state: &State, bodies: &[Body<f64>]) -> Vec<f64> {
+    let of = |link: LinkId| {
+        let (found, body) = (&mechanism.links[link], &bodies[link]);
+        let velocity = body.first(body.arm(found.center)).map(|v| v * state.speed);
+        let (turning, [inertia, _]) = (body.w1 * state.speed, found.inertia.at(state.coordinate));
+        0.5 * (found.mass * dot(velocity, velocity) + inertia * turning * turning)
     };
-    step / 3.0 * values.enumerate().map(|(index, value)| weight(index) * value).sum::<f64>()
-}
-
-/// The sum of the sizes of all changes from value to value.
-fn change(values: impl Iterator<Item = f64> + Clone) -> f64 {
-    values.clone().zip(values.skip(1)).map(|(one, next)| (next - one).abs()).sum()
-}
-
-/// The moments of the drive and of each load, reduced to the input: the sum of those that drive a motion in a direction of
-/// the coordinate, and of those that resist it. All weights are one load.
-fn split(loads: &Loads, state: &State, bodies: &[Body<f64>], torque: f64, direction: f64) -> [f64; 2] {
-    let mut moments: Vec<(Option<Cause>, f64)> = vec![(None, torque)];
-    loads.by_cause(state, bodies, &mut |cause, link, wrench| {
-        if matches!(cause, Cause::Inertia(_)) {
-            return;
-        }
-        let cause = cause.of_all();
-        let moment = assur_force::power(&wrench, &bodies[link]);
-        match moments.iter_mut().find(|(known, _)| *known == Some(cause)) {
-            Some((_, sum)) => *sum += moment,
-            None => moments.push((Some(cause), moment)),
-        }
-    });
-    let sum =
-        |sense: f64| moments.iter().map(|(_, moment)| moment).filter(|moment| *moment * sense > 0.0).sum();
-    [sum(direction), sum(-direction)]
+    heavy(mechanism).map(of).collect()
 }
 
 impl Course {
-    /// Driving work and resisting work up to each sample, and kinetic energy there, J. What the quadrature misses of the
-    /// change of the kinetic energy belongs to either work as its rate changes.
-    fn energies(&self) -> Vec<[f64; 3]> {
-        let mut sums = [0.0; 2];
-        let mut all: Vec<_> = self.kinetic.first().map(|kinetic| [0.0, 0.0, *kinetic]).into_iter().collect();
-        for (kinetic, (works, changes)) in self.kinetic.windows(2).zip(&self.intervals) {
-            let missed = kinetic[1] - kinetic[0] - works[0] - works[1];
-            let both = changes[0] + changes[1];
-            let share = if both > 0.0 { changes[0] / both } else { 0.5 };
-            sums[0] += works[0] + share * missed;
-            sums[1] += works[1] + (1.0 - share) * missed;
-            all.push([sums[0], sums[1], kinetic[1]]);
+    /// The works up to each sample, J. What the quadrature misses of the change of the kinetic energy belongs to each work as its
+    /// rate changes.
+    fn works(&self) -> Vec<Works> {
+        let mut sum = Works::none(self.acting.first().map_or(0, |acting| acting.each.len()));
+        let mut all = vec![sum.clone()];
+        for (kinetic, [works, changes]) in self.kinetic.windows(2).zip(&self.intervals) {
+            let missed = kinetic[1] - kinetic[0] - works.driving - works.resisting;
+            sum += works.clone();
+            sum += changes.shares(missed);
+            all.push(sum.clone());
         }
         all
     }

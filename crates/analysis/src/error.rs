@@ -37,7 +37,7 @@ pub enum AnalysisError {
     },
 }
 
-assur_words::errors!(AnalysisError);
+assur_words::errors!(AnalysisError; Compile(CompileError), Load(LoadError), Analyzer(RegistryError), Stopped(Stopped));
 
 impl Describe for AnalysisError {
     fn describe(&self) -> Text {
@@ -52,23 +52,6 @@ impl Describe for AnalysisError {
             Self::Motion { message, .. } => message.clone(),
         }
     }
-}
-
-/// Errors of others.
-macro_rules! from {
-    ($($variant:ident($error:ty))*) => {
-        $(impl From<$error> for AnalysisError {
-            fn from(error: $error) -> Self {
-                Self::$variant(error)
-            }
-        })*
-    };
-}
-from! {
-    Compile(CompileError)
-    Load(LoadError)
-    Analyzer(RegistryError)
-    Stopped(Stopped)
 }
 
 impl From<assur_dynamics::DynamicsError> for AnalysisError {

@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use assur_check::Notable;
 use assur_dynamics::Instant;
-use assur_force::{ForceError, Kinetostatics, LaneKinetostatics, LoadError};
+use assur_force::{ForceError, Kinetostatics, LaneKinetostatics};
 use assur_kinematics::{LanePosition, PositionError};
 use assur_number::Lanes;
 
 use crate::Calculation;
 use crate::families::{Columns, Motions, Rows};
+use crate::friction::Several;
 use crate::joints::Joints;
 use crate::results::{Mask, Table};
 
@@ -22,18 +23,18 @@ pub(crate) struct Filler<'a> {
     motions: Motions,
     /// Where rounding is greatest among the rows that were added.
     pub(crate) notable: Notable,
+    /// Rows in which friction has several solutions, by their numbers.
+    pub(crate) several: Vec<Several>,
 }
 
 /// Why there is no row, or none with reactions, though they are requested.
 pub(crate) enum Obstacle {
     /// The position has no solution.
     Unsolved(PositionError),
-    /// A load has no value.
-    Load(LoadError),
-    /// It is at a change point, where reactions are not determined.
-    ChangePoint,
-    /// The method finds no forces there.
-    Refused(ForceError),
+    /// No forces are found: a load has no value, it is at a change point, or the method finds none there.
+    Forceless(ForceError),
+    /// With friction there is no solution; up to which part of the coefficients there is one.
+    Jammed(ForceError, Option<f64>),
 }
 
 impl<'a> Filler<'a> {
@@ -54,6 +55,7 @@ impl<'a> Filler<'a> {
             forces,
             motions: Motions::default(),
             notable: Notable::default(),
+            several: Vec::new(),
         }
     }
 
@@ -109,7 +111,7 @@ impl<'a> Filler<'a> {
                 let bodies: Vec<_> = position.bodies.iter().map(|body| body.lane(lane)).collect();
                 let finite = loads.finite(&linkage.mechanism, &states[lane], &bodies);
                 if let (Err(error), true) = (finite, std::mem::take(&mut rows[lane])) {
-                    obstacles.push((lane, Obstacle::Load(error)));
+                    obstacles.push((lane, Obstacle::Forceless(error.into())));
                 }
             }
         }
@@ -118,6 +120,10 @@ impl<'a> Filler<'a> {
             refused = forces.solve(&states, position).err().unwrap_or_default();
             refused.retain(|(lane, _)| rows[*lane]);
             joints.sum(&forces.reactions);
+            if let Some(rubbing) = &mut forces.reactions.rubbing {
+                let doubts = rubbing.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
+                self.several.extend(doubts.map(|(lane, doubt)| Several::of(linkage, first + lane, &doubt)));
+            }
             balancing = forces.reactions.balancing.0.map(Some);
             for (lane, error) in &refused {
                 determined[*lane] = false;
@@ -125,6 +131,12 @@ impl<'a> Filler<'a> {
                     ForceError::ChangePoint(_) => forces.balancing_alone(*lane, &states[*lane], position),
                     _ => None,
                 };
+            }
+        }
+        let mut limits = [None; Lanes::WIDTH];
+        for (lane, error) in &refused {
+            if let (ForceError::Jammed { .. }, Some((forces, _))) = (error, &mut self.forces) {
+                limits[*lane] = forces.jamming_limit(*lane, &states[*lane], position);
             }
         }
         let forces = self.forces.as_ref().map(|(forces, joints)| (joints, &forces.reactions, determined));
@@ -145,9 +157,8 @@ impl<'a> Filler<'a> {
             cells.end_at(*end);
         }
         obstacles.extend(refused.into_iter().map(|(lane, error)| match error {
-            ForceError::ChangePoint(_) => (lane, Obstacle::ChangePoint),
-            ForceError::Load(error) => (lane, Obstacle::Load(error)),
-            _ => (lane, Obstacle::Refused(error)),
+            ForceError::Jammed { .. } => (lane, Obstacle::Jammed(error, limits[lane])),
+            _ => (lane, Obstacle::Forceless(error)),
         }));
         obstacles
     }

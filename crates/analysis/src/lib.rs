@@ -3,15 +3,18 @@
 //! [`Calculation::of`] decomposes a mechanism into groups, plans and compiles it; [`Calculation::analyze`] calculates
 //! the results of the scene. Knows no concrete plugin, no file and no terminal.
 
+mod acting;
 mod angles;
 mod blocks;
 mod calculation;
 mod checks;
 mod dynamics;
+mod edges;
 mod energies;
 mod error;
 mod families;
 mod filler;
+mod friction;
 mod joints;
 mod motion;
 mod notes;
@@ -27,7 +30,7 @@ mod trajectory;
 assur_words::resources!();
 
 pub use assur_check::Coverage;
-pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied, methods};
+pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied, methods, plan};
 pub use error::AnalysisError;
 pub use motion::{InputMotion, method_of_motion};
 pub use positions::{MOST_FAILURES, lost_positions};

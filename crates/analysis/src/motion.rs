@@ -9,7 +9,6 @@ use assur_integrator::{
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
-use assur_structure::Structure;
 use assur_words::{Describe, Text, joined, name, number, text};
 
 use crate::progress::{Stopped, Watch};
@@ -143,25 +142,19 @@ impl Counter {
 ///
 /// # Errors
 ///
-/// [`AnalysisError`] where the scene can't be compiled, or the integrator can't treat the equation.
-pub fn method_of_motion(
-    mechanism: &Mechanism,
-    structure: Structure,
-    options: &Options,
-) -> Result<Option<Text>, AnalysisError> {
-    let Some(Motion::Transient { .. } | Motion::Steady { .. }) = &mechanism.motion else { return Ok(None) };
-    let all = vec![true; structure.groups.len()];
-    let linkage = Linkage::compile_for(mechanism.clone(), structure, &all)?;
-    if linkage.range.is_none() {
+/// [`AnalysisError`] where the loads can't be compiled, or the integrator can't treat the equation.
+pub fn method_of_motion(linkage: &Linkage, options: &Options) -> Result<Option<Text>, AnalysisError> {
+    let mechanism = &linkage.mechanism;
+    if linkage.range.is_none() || !mechanism.has_equation_of_motion() {
         return Ok(None);
     }
-    let loads = Loads::compile(&linkage)?;
+    let loads = Loads::compile(linkage)?;
     if let Some(Motion::Transient { integrator: own, tolerance, .. }) = &mechanism.motion {
-        let dependence = equation(&linkage, &loads)?.dependence();
+        let dependence = equation(linkage, &loads)?.dependence();
         let named = options.integrator.as_deref().unwrap_or(own);
         return Ok(Some(integrator_words(dependence, named, *tolerance).map_err(DynamicsError::from)?));
     }
-    let mut dependence = Machine::new(&linkage, &loads).dependence();
+    let mut dependence = Machine::new(linkage, &loads).dependence();
     let drive = mechanism.drive.as_ref();
     dependence.moment_on_speed |= drive.is_some_and(|d| matches!(d.torque, Torque::Motor { .. }));
     Ok(Some(equation_words(dependence)))

@@ -2,18 +2,25 @@
 
 mod assembly;
 mod contact;
+mod doubts;
+mod friction;
 mod loads;
 
 use assur_integrator::Knob;
-use assur_mechanism::{Mechanism, Motion, Range};
+use assur_mechanism::{Mechanism, Motion, Notice, Range};
 use assur_words::{Text, list, name, number, quantity, text};
 
 use crate::trajectory::WithoutForces;
 use crate::{Calculation, InputMotion, Options};
 
 impl Calculation {
-    /// Notes for the results; `positions` at which forces are not determined, and `samples` of a motion without them.
-    pub(crate) fn notes(&self, positions: &Listed, samples: &WithoutForces) -> Vec<Text> {
+    /// Everything that is told beside the results; `positions` at which forces are not determined, and `samples` of a motion without them.
+    pub(crate) fn notes(&self, positions: &Listed, samples: &WithoutForces) -> Vec<Notice> {
+        let remarks = self.remarks(positions, samples).into_iter().map(Notice::from);
+        self.doubts().into_iter().chain(remarks).collect()
+    }
+
+    fn remarks(&self, positions: &Listed, samples: &WithoutForces) -> Vec<Text> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
         notes.extend(self.poles());

@@ -7,8 +7,7 @@ use assur_diagram::{
 };
 use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::Order;
-use assur_mechanism::{LinkId, Name, PairId, Range};
-use assur_structure::name_of;
+use assur_mechanism::{LinkId, Name, Named, PairId, Range, SlideId};
 use assur_words::text;
 use indexmap::IndexMap;
 
@@ -48,27 +47,27 @@ impl Calculation {
         Ok(Sheet { polygons: Vec::new(), constructions: Vec::new(), by_cause: None, ..found })
     }
 
-    /// The constructions on paper of the force analyzers at a position, step by step; none where the position has no
+    /// The constructions on paper of the force analyzers at a position, step by step, each with the name of its analyzer; none where the position has no
     /// forces.
     ///
     /// # Errors
     ///
     /// [`DiagramError`] where the position can't be assembled.
-    pub fn constructions(&self, index: usize) -> Result<Vec<Construction>, DiagramError> {
+    pub fn constructions(&self, index: usize) -> Result<Vec<(&'static str, Construction)>, DiagramError> {
         let mut position = self.linkage.position();
         self.linkage.solve_index(index, Order::Second, &mut position)?;
         let Some(loads) = self.loads.as_ref().filter(|_| self.positions_have_forces()) else {
             return Ok(Vec::new());
         };
         let state = self.state(position.coordinate);
-        constructions(&self.linkage, &position, &loads.total(&state, &position.bodies))
+        constructions(&self.linkage, &position, &loads.acting(&state, &position.bodies))
     }
 
     /// The analyzer of the calculation, where it gives reactions; else the default one.
     fn reaction_analyzer(&self) -> Result<&'static AnalyzerPlugin, DiagramError> {
         match self.analyzer.filter(|analyzer| analyzer.gives_reactions) {
             Some(analyzer) => Ok(analyzer),
-            None => Ok(assur_force::choose(None)?),
+            None => Ok(assur_force::choose(None, false)?),
         }
     }
 
@@ -102,11 +101,7 @@ impl Calculation {
         let mechanism = &self.linkage.mechanism;
         let closed = matches!(mechanism.input.range, Range::Cycle(_));
         let extreme = |(pair, link, sizes): &(PairId, LinkId, Sizes)| {
-            sizes.extreme(
-                name_of(mechanism, *pair).to_string(),
-                mechanism.links[*link].name.to_string(),
-                closed,
-            )
+            sizes.extreme(mechanism.named_pair(*pair), mechanism.named_link(*link), closed)
         };
         Cycle {
             reaction_extremes: survey.sizes.iter().filter_map(extreme).collect(),
@@ -127,8 +122,9 @@ impl Calculation {
             };
             let rows = positions.each(x).zip(positions.each(x + 1)).zip(positions.each(coordinate));
             let (coordinates, points): (Vec<_>, Vec<_>) = rows.filter_map(row).unzip();
-            let (joint, on) = (schema.name(Owner::Pair(pair)).to_string(), schema.link(link).to_string());
-            let closed = matches!(self.linkage.mechanism.input.range, Range::Cycle(_));
+            let mechanism = &self.linkage.mechanism;
+            let (joint, on) = (mechanism.named_pair(pair), mechanism.named_link(link));
+            let closed = matches!(mechanism.input.range, Range::Cycle(_));
             (!points.is_empty()).then_some(Hodograph { joint, on, coordinates, points, closed })
         };
         schema.select(is_force).into_iter().filter_map(curve).collect()
@@ -141,13 +137,16 @@ impl Calculation {
             return Vec::new();
         }
         let mechanism = &self.linkage.mechanism;
-        let each = mechanism.contacts.iter();
         let count = mechanism.input.positions.min(MOST_OF_PATH);
-        each.filter_map(|contact| enveloping(&self.linkage, contact, count).ok()).collect()
+        let each = mechanism.loads.iter().filter_map(|load| {
+            let contact = load.kind.contact()?;
+            enveloping(&self.linkage, &load.name, contact, count).ok()
+        });
+        each.collect()
     }
 
     /// Of the guides with a force; none where a position is missing, because the force is unknown there.
-    fn sign_changes(&self, survey: &Survey) -> IndexMap<String, Vec<SignChange>> {
+    fn sign_changes(&self, survey: &Survey) -> IndexMap<Named<SlideId>, Vec<SignChange>> {
         let (Some(loads), Ok(analyzer)) = (&self.loads, self.reaction_analyzer()) else {
             return IndexMap::new();
         };
@@ -157,7 +156,7 @@ impl Calculation {
             PairId::Slide(slide) if greatest(survey, |of| of == *pair) > least => Some(*slide),
             _ => None,
         });
-        let slides: Vec<usize> = slides.collect();
+        let slides: Vec<SlideId> = slides.collect();
         if slides.is_empty() {
             return IndexMap::new();
         }
@@ -169,7 +168,7 @@ impl Calculation {
             carrying: &self.plan.groups_carrying,
         };
         let changes = sign_changes(&solver, &slides, &state_at).unwrap_or_default();
-        let name = |slide: usize| self.linkage.mechanism.slides[slide].name.to_string();
+        let name = |slide| self.linkage.mechanism.named_slide(slide);
         slides.into_iter().map(name).zip(changes).collect()
     }
 }
@@ -189,7 +188,7 @@ fn greatest(survey: &Survey, wanted: impl Fn(PairId) -> bool) -> f64 {
 /// Columns of the shares of single causes, for the reactions of a table.
 struct Shares {
     /// Owners of the forces and moments, in the order of the reactions.
-    wanted: Vec<(Column, String, Option<String>)>,
+    wanted: Vec<(Column, PairId, Option<LinkId>)>,
     rows: usize,
     causes: Vec<Name>,
     /// By cause, whether a row has its share.
@@ -201,15 +200,10 @@ struct Shares {
 impl Shares {
     fn new(positions: &Table) -> Self {
         let schema = positions.schema();
-        let wanted = schema.columns().iter().filter_map(|column| {
-            let name = |owner| schema.name(owner).to_string();
-            match (column.quantity, column.owner) {
-                (Quantity::Force, Owner::PairOn(_, link)) => {
-                    Some((*column, name(column.owner), Some(schema.link(link).to_string())))
-                }
-                (Quantity::Moment, owner) => Some((*column, name(owner), None)),
-                _ => None,
-            }
+        let wanted = schema.columns().iter().filter_map(|column| match (column.quantity, column.owner) {
+            (Quantity::Force, Owner::PairOn(pair, link)) => Some((*column, pair, Some(link))),
+            (Quantity::Moment, Owner::Pair(pair)) => Some((*column, pair, None)),
+            _ => None,
         });
         let (wanted, rows) = (wanted.collect(), positions.len());
         Self { wanted, rows, causes: Vec::new(), present: Vec::new(), columns: Vec::new() }
@@ -228,10 +222,10 @@ impl Shares {
             self.present[cause][row] = true;
             let columns = &mut self.columns[cause];
             for (values, (column, pair, on)) in columns.iter_mut().zip(&self.wanted) {
-                let mut of_pair = share.reactions.iter().filter(|reaction| reaction.joint == *pair);
+                let mut of_pair = share.reactions.iter().filter(|reaction| reaction.joint.id == *pair);
                 let value = match on {
                     Some(on) => of_pair
-                        .find(|reaction| reaction.on == *on)
+                        .find(|reaction| reaction.on.id == *on)
                         .map(|reaction| reaction.force[usize::from(column.part == Part::Y)]),
                     None => of_pair.find_map(|reaction| reaction.moment),
                 };

@@ -9,6 +9,7 @@ use assur_words::{Describe, text};
 
 use crate::angles::{Angles, Starts};
 use crate::blocks::{Block, Blocks};
+use crate::friction::Several;
 use crate::notes::Listed;
 use crate::progress::{Stopped, Watch};
 use crate::results::{Analysis, Failure, InputReport, Survey, Table};
@@ -26,6 +27,7 @@ struct Positions {
     /// Positions at a change point, where reactions are not determined.
     at_change_points: Listed,
     notable: Notable,
+    several: Vec<Several>,
 }
 
 /// The positions of a mechanism that can't be assembled, at most [`MOST_FAILURES`] of them, and how many there are; nothing
@@ -38,7 +40,7 @@ pub fn lost_positions(linkage: &Linkage) -> (Vec<Failure>, usize) {
         count += 1;
         if failures.len() < MOST_FAILURES {
             let (coordinate, message) = (error.coordinate, error.describe());
-            failures.push(Failure { index, coordinate, message, key: None });
+            failures.push(Failure { index, coordinate, message, key: None, limit: None });
         }
     }
     (failures, count)
@@ -59,17 +61,14 @@ impl Calculation {
         let samples = self.trajectory(watch)?;
         self.notable.get_or_init(|| [positions.notable.numbers(), samples.notable.numbers()]);
         let mut notes = self.notes(&positions.at_change_points, &samples.without);
-        // A load may act in a position that is not kept.
-        if mechanism.input.positions <= mechanism.most_kept() {
-            notes.extend(self.idle_loads(&positions.kept));
-        }
+        notes.extend(self.friction_notes(&positions.several));
         if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
-            notes.push(text!("analysis-more-failures", more = more));
+            notes.push(text!("analysis-more-failures", more = more).into());
         }
         Ok(Analysis {
             title: mechanism.title.clone(),
             input: InputReport {
-                link: mechanism.links[mechanism.input.link].name.to_string(),
+                link: mechanism.named_link(mechanism.input.link),
                 angular: self.linkage.angular(),
                 balancing_is_moment: mechanism.balances_by_moment(),
             },
@@ -83,6 +82,8 @@ impl Calculation {
             dynamics: self.dynamics(),
             integration: self.integration(),
             no_motion: self.no_motion.as_ref().map(Describe::describe),
+            friction: self.friction_cycle(),
+            several: positions.several,
             notes,
             checks: Vec::new(),
             residuals: Table::default(),
@@ -111,6 +112,7 @@ impl Calculation {
             failures: Vec::new(),
             at_change_points: Listed::default(),
             notable: Notable::default(),
+            several: Vec::new(),
         };
         let progress = |done, total| Progress::Positions { done, total };
         let add = |(mut block, not_finite): (Block, Option<(usize, usize)>)| {
@@ -123,6 +125,8 @@ impl Calculation {
             found.failures.extend(block.failures.into_iter().take(room));
             block.at_change_points.into_iter().for_each(|index| found.at_change_points.add(index));
             found.notable.append(&block.notable);
+            let keeps = |one: &Several| one.index.is_multiple_of(stride);
+            found.several.extend(block.several.into_iter().filter(keeps));
             Ok::<_, Infallible>(())
         };
         let examined = |_, block: Block| {
@@ -130,15 +134,6 @@ impl Calculation {
             (block, not_finite)
         };
         blocks.each(watch, progress, examined, add).map(|Ok(())| found)
-    }
-
-    /// The end of the cycle as a row with the number that follows the last position: what the positions lead to, whether or not
-    /// that is where they began; angles continue those of the last row. Without a row where the positions are no cycle, or
-    /// the end has no solution. Drawings need it; no other result does.
-    pub fn ending(&self, positions: &Table) -> Table {
-        let mut ending = Blocks::new(self).ending();
-        Angles::after(positions).follow(&self.linkage, &mut ending);
-        ending
     }
 
     /// All positions of an analysis in their order: `work` makes something of each block of rows, on any thread, and

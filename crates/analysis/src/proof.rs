@@ -8,8 +8,9 @@ use assur_words::{Text, name, text};
 use crate::Calculation;
 use crate::motion::CYCLE_INTERVALS;
 
-/// Intervals of the quadrature of the work, multiples of four; the more only where the fewer don't tell, and the most only
-/// where the energies miss: a reduced inertia that nearly vanishes at a dead center makes the work peak there.
+/// Intervals of the quadrature of the work, multiples of four. A finer grid is tried only where the coarser one is inconclusive,
+/// and the finest only where the energies don't balance: a reduced inertia that nearly vanishes at a dead center makes the work
+/// peak there.
 const INTERVALS: [usize; 3] = [500, 4000, 32_000];
 /// Tolerance of the repeated cycle.
 const TOLERANCE: f64 = 1e-10;

@@ -13,7 +13,7 @@ impl Calculation {
     /// checked there.
     pub(crate) fn residual_tables(&self, found: &Residuals, forces_of_samples: bool) -> [Table; 2] {
         // A scene with `[output]` asks for something else.
-        if self.linkage.mechanism.output.is_some() {
+        if !self.plan.all {
             return [Table::default(), Table::default()];
         }
         let (test_pf, forces) = (found.test_pf.as_slice(), found.forces.as_slice());

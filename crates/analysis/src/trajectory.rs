@@ -2,7 +2,7 @@
 
 use assur_check::Notable;
 use assur_dynamics::Instant;
-use assur_force::State;
+use assur_force::{ForceError, State};
 use assur_number::Lanes;
 use assur_words::{Describe, Text};
 
@@ -36,15 +36,12 @@ impl WithoutForces {
         match obstacle {
             // Does not occur in a state that an integrator has reached.
             Obstacle::Unsolved(_) => {}
-            Obstacle::ChangePoint => self.at_change_points += 1,
-            Obstacle::Load(why) => self.refuse(why),
-            Obstacle::Refused(why) => self.refuse(why),
+            Obstacle::Forceless(ForceError::ChangePoint(_)) => self.at_change_points += 1,
+            Obstacle::Forceless(why) | Obstacle::Jammed(why, _) => {
+                self.refused += 1;
+                self.reason.get_or_insert_with(|| why.describe());
+            }
         }
-    }
-
-    fn refuse(&mut self, why: &dyn Describe) {
-        self.refused += 1;
-        self.reason.get_or_insert_with(|| why.describe());
     }
 }
 

@@ -8,8 +8,8 @@ use assur_force::Loads;
 use assur_formula::Formula;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Brake, Contact, Direction, Drive, FlywheelPlace, Force, GROUND, Mechanism, Moment, Motion, Over, Place,
-    Sense, Shape, Solve, Spring, Table, Torque, Until, Value,
+    Brake, Contact, Direction, Drive, FlywheelPlace, Force, GROUND, Load, LoadKind, Mechanism, Moment,
+    Motion, Over, Place, Sense, Shape, Solve, Spring, Table, Torque, Until, Value,
 };
 
 /// Every so many combinations one runs.
@@ -49,13 +49,10 @@ fn bare(text: &str) -> Mechanism {
     let mut mechanism = assur_scene::read("scene.toml", text).expect("a shipped scene");
     mechanism.input.positions = fewer(&mechanism, POSITIONS);
     for link in mechanism.links.iter_mut().skip(1) {
-        (link.mass, link.inertia) = (1.0 + link.mass, 0.01 + link.inertia);
+        (link.mass, link.inertia) = (1.0 + link.mass, (0.01 + link.inertia.constant()).into());
     }
     (mechanism.gravity, mechanism.output, mechanism.drive, mechanism.balance) = (None, None, None, None);
-    mechanism.forces.clear();
-    mechanism.moments.clear();
-    mechanism.springs.clear();
-    mechanism.contacts.clear();
+    mechanism.loads.clear();
     mechanism
 }
 
@@ -99,77 +96,55 @@ fn last_place(mechanism: &Mechanism) -> Place {
 
 fn add_load(mechanism: &mut Mechanism, kind: &str) {
     let at = last_place(mechanism);
-    let name = "load".to_owned();
-    let force = |direction, value| Force { name: name.clone().into(), at, direction, value };
-    let moment = |value| Moment { name: name.clone().into(), link: at.link, value, brake: None };
-    match kind {
-        "weights" => mechanism.gravity = Some([1.0, -9.81]),
-        "constant force" => mechanism.forces.push(force(Direction::Link(0.4), Value::Constant(80.0))),
+    let force = |direction, value| LoadKind::from(Force { at, direction, value });
+    let moment = |value| LoadKind::from(Moment { link: at.link, value });
+    let load = match kind {
+        "weights" => return mechanism.gravity = Some([1.0, -9.81]),
+        "constant force" => force(Direction::Link(0.4), Value::Constant(80.0)),
         "force over the coordinate" => {
             let value = over(Over::Coordinate, &[[0.0, 50.0], [1.5, 120.0], [1.5, 80.0], [4.0, 60.0]]);
-            mechanism.forces.push(force(Direction::Ground(0.7), value));
+            force(Direction::Ground(0.7), value)
         }
-        "force against the motion" => {
-            mechanism.forces.push(force(Direction::AgainstMotion, Value::Constant(30.0)));
-        }
+        "force against the motion" => force(Direction::AgainstMotion, Value::Constant(30.0)),
         "force over a stroke" => {
             let forward = table(&[[0.0, 100.0], [0.5, 100.0], [0.5, 200.0], [1.0, 150.0]]);
             let value = Value::Stroke { axis: 0.3, forward, back: Table::constant(50.0) };
-            mechanism.forces.push(force(Direction::Ground(3.0), value));
+            force(Direction::Ground(3.0), value)
         }
-        "moment over the speed" => {
-            mechanism.moments.push(moment(over(Over::Speed, &[[-10.0, 9.0], [0.0, 6.0], [30.0, 4.0]])));
-        }
+        "moment over the speed" => moment(over(Over::Speed, &[[-10.0, 9.0], [0.0, 6.0], [30.0, 4.0]])),
         "moment over time" => {
             let rows = [[0.0, 3.0], [0.03, 6.0], [0.03, 5.0], [1.0, 8.0]];
-            mechanism.moments.push(moment(over(Over::Time, &rows)));
+            moment(over(Over::Time, &rows))
         }
         "contact" => {
             let force = over(Over::Coordinate, &[[0.0, 40.0], [2.0, 90.0]]);
             let (center, radius, friction, against_sliding, during) =
                 (at, 0.02, 0.15, true, Some([-2.0, 4.0]));
             let angle = Value::Constant(0.6);
-            mechanism.contacts.push(Contact {
-                name: name.into(),
-                center,
-                radius,
-                angle,
-                force,
-                friction,
-                against_sliding,
-                during,
-            });
+            Contact { center, radius, angle, force, friction, against_sliding, during }.into()
         }
         "brake" => {
-            let brake = Some(Brake { radius: 0.05, friction: 0.3 });
             // The link that is placed last may slide and never turn.
             let link = mechanism.input.link;
-            mechanism.moments.push(Moment { brake, link, ..moment(Value::Constant(60.0)) });
+            Brake { link, force: Value::Constant(60.0), radius: 0.05, friction: 0.3, lever: 1.0 }.into()
         }
         "force by a formula" => {
             let formula = Formula::read("70 + 20*sin(3*q) + 15*step(q - 1) - 4*w").expect("a formula");
             let value = Value::Formula { formula, factor: 1.0, axis: None };
-            mechanism.forces.push(force(Direction::Ground(1.9), value));
+            force(Direction::Ground(1.9), value)
         }
         _ => {
             let ends = [Place { link: GROUND, at: [-1.3, 2.1] }, at];
-            mechanism.springs.push(Spring {
-                name: name.into(),
-                ends,
-                stiffness: 100.0,
-                length: 0.1,
-                damping: 5.0,
-            });
+            Spring { ends, stiffness: 100.0, length: 0.1, damping: 5.0 }.into()
         }
-    }
+    };
+    mechanism.loads.push(Load { name: "load".into(), kind: load });
 }
 
 /// Turns the load round, which is the mistake that is planted.
 fn turn(mechanism: &mut Mechanism) {
     let negate = |table: &mut Table| table.rows.iter_mut().for_each(|row| row[1] *= -1.0);
-    let values = mechanism.forces.iter_mut().map(|force| &mut force.value);
-    let values = values.chain(mechanism.moments.iter_mut().map(|moment| &mut moment.value));
-    for value in values.chain(mechanism.contacts.iter_mut().map(|contact| &mut contact.force)) {
+    for value in mechanism.loads.iter_mut().filter_map(|load| load.kind.law_mut()) {
         match value {
             Value::Constant(value) => *value *= -1.0,
             Value::Table { table, .. } => negate(table),
@@ -178,7 +153,7 @@ fn turn(mechanism: &mut Mechanism) {
         }
     }
     mechanism.gravity = mechanism.gravity.map(|g| g.map(|g| -g));
-    for spring in &mut mechanism.springs {
+    for spring in mechanism.loads.iter_mut().filter_map(|load| load.kind.spring_mut()) {
         (spring.stiffness, spring.damping) = (-spring.stiffness, -spring.damping);
     }
 }

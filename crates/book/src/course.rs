@@ -1,11 +1,13 @@
 //! A quantity over its own coordinates.
 
-use assur_analysis::results::{Column, Table};
+use assur_analysis::results::{Column, Edges, Quantity, Table};
 
 /// A value this small compared with the greatest one of its course counts as zero.
 const ROUNDING: f64 = 1e-14;
 /// A zero crossing within this part of the greatest value is rounding around an identical zero.
 const ZERO: f64 = 1e-9;
+/// Places that differ by less than this part of them are one.
+const ROUNDING_OF_PLACES: f64 = 1e-12;
 /// A course closes where its end differs from its beginning by at most this part of its greatest value.
 const CLOSED: f64 = 1e-9;
 
@@ -27,6 +29,17 @@ pub struct Course {
     nodes: Vec<Node>,
     /// The end of the cycle, which is no position of its own.
     end: Option<Node>,
+    /// Between them: both sides of the places where the formula of a load changes, in the order of the nodes.
+    steps: Vec<Step>,
+}
+
+/// Both sides of a place between two nodes, or at the second of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Coordinate, rad or m.
+    pub at: f64,
+    /// The values just before and just after it, SI.
+    pub values: [f64; 2],
 }
 
 /// The value of greatest or least size, and the number of its position.
@@ -54,27 +67,48 @@ pub struct Summary {
 }
 
 impl Course {
-    /// The numbers of a column in the rows of a table, over those of another column in the same rows, and those at the end of
-    /// the cycle.
-    pub fn of(table: &Table, ending: Option<&Table>, over: Column, column: Column) -> Self {
+    /// The numbers of a column in the rows of a table, over those of another column in the same rows, and those between and
+    /// after them.
+    pub fn of(table: &Table, edges: Option<&Edges>, over: Column, column: Column) -> Self {
         let node = |table: &Table, row: usize| {
             let (at, value) = (table.get(row, over)?, table.get(row, column)?);
             Some(Node { number: table.numbers()[row], at, value })
         };
         let nodes = (0..table.len()).filter_map(|row| node(table, row)).collect();
-        let end = ending.filter(|ending| !ending.is_empty()).and_then(|ending| node(ending, 0));
-        Self { nodes, end }
+        let ending = edges.map(|edges| &edges.ending).filter(|ending| !ending.is_empty());
+        let end = ending.and_then(|ending| node(ending, 0));
+        // What depends on the coordinate alone has no sides.
+        let sides =
+            edges.map(|edges| &edges.sides).filter(|_| !matches!(column.quantity, Quantity::Transfer(_)));
+        let sides =
+            sides.into_iter().flat_map(|sides| (0..sides.len() / 2).map(move |pair| (sides, 2 * pair)));
+        let step = |(sides, row): (&Table, usize)| {
+            let [before, after] = [node(sides, row)?, node(sides, row + 1)?];
+            Some(Step { at: before.at, values: [before.value, after.value] })
+        };
+        Self { nodes, end, steps: sides.filter_map(step).collect() }
+    }
+
+    /// The same with these steps, in the order of the nodes.
+    #[must_use]
+    pub fn with_steps(self, steps: impl IntoIterator<Item = Step>) -> Self {
+        Self { steps: steps.into_iter().collect(), ..self }
+    }
+
+    /// Both sides of the places where the formula of a load changes.
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
     }
 
     /// Values with their places, in the order of their numbers, and the end of the cycle.
     pub fn from_nodes(nodes: impl IntoIterator<Item = Node>, end: Option<Node>) -> Self {
-        Self { nodes: nodes.into_iter().collect(), end }
+        Self { nodes: nodes.into_iter().collect(), end, steps: Vec::new() }
     }
 
     /// Values with their places, numbered from 0.
     pub fn from_points(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         let node = |(number, [at, value]): (usize, [f64; 2])| Node { number, at, value };
-        Self { nodes: points.into_iter().enumerate().map(node).collect(), end: None }
+        Self { nodes: points.into_iter().enumerate().map(node).collect(), end: None, steps: Vec::new() }
     }
 
     /// The values at the positions or samples that have one.
@@ -99,13 +133,24 @@ impl Course {
         Some((end.value - first.value).abs() <= CLOSED * self.size())
     }
 
-    /// All nodes with the end of the cycle.
+    /// All nodes with the end of the cycle; between them both sides of the steps, each with the number of the node that follows.
     fn all(&self) -> impl Iterator<Item = Node> {
-        self.nodes.iter().copied().chain(self.end)
+        let sense = self.nodes.first().zip(self.end.or(self.nodes.last().copied()));
+        let sense = sense.map_or(1.0, |(first, last)| (last.at - first.at).signum());
+        let mut steps = self.steps.iter().peekable();
+        self.nodes.iter().copied().chain(self.end).flat_map(move |node| {
+            let near = ROUNDING_OF_PLACES * node.at.abs();
+            let mut met = Vec::new();
+            while let Some(step) = steps.next_if(|step| sense * (node.at - step.at) >= -near) {
+                met.extend(step.values.map(|value| Node { at: step.at, value, ..node }));
+            }
+            met.push(node);
+            met
+        })
     }
 
-    /// What is drawn: coordinate and value of each node and of the end of the cycle, each multiplied by its factor. A point of
-    /// NaN interrupts the line where positions between two nodes have no value.
+    /// What is drawn: coordinate and value of each node, of both sides of each step and of the end of the cycle, each multiplied
+    /// by its factor. A point of NaN interrupts the line where positions between two nodes have no value.
     pub fn points(&self, factors: [f64; 2]) -> Vec<[f64; 2]> {
         let mut points = Vec::with_capacity(self.nodes.len() + 1);
         let mut before: Option<usize> = None;
@@ -126,9 +171,9 @@ impl Course {
         self.points([1.0; 2]).into_iter().zip(up.points([1.0; 2])).map(tip).collect()
     }
 
-    /// The greatest modulus of a value; 0 where there is none.
+    /// The greatest modulus of a value at a position or at the end; 0 where there is none.
     pub fn size(&self) -> f64 {
-        self.all().fold(0.0, |most: f64, node| most.max(node.value.abs()))
+        self.nodes.iter().chain(&self.end).fold(0.0, |most: f64, node| most.max(node.value.abs()))
     }
 
     /// Below this a value is rounding, compared with the others.
@@ -136,10 +181,10 @@ impl Course {
         ROUNDING * self.size()
     }
 
-    /// Pairs of neighbors: positions that follow each other.
+    /// Pairs of neighbors: positions that follow each other, and what is between them.
     fn pairs(&self) -> impl Iterator<Item = [Node; 2]> {
         let pairs = self.all().zip(self.all().skip(1));
-        pairs.filter(|(one, next)| next.number == one.number + 1).map(|(one, next)| [one, next])
+        pairs.filter(|(one, next)| next.number <= one.number + 1).map(|(one, next)| [one, next])
     }
 
     /// Where the course passes zero; between two positions, linear.

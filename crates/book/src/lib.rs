@@ -13,10 +13,10 @@ mod name;
 mod number;
 mod table;
 
-pub use course::{Course, Extreme, Node, Summary};
+pub use course::{Course, Extreme, Node, Step, Summary};
 pub use document::{Block, Document, Term};
 pub use fact::{Fact, Value};
-pub use name::{link_name, listed, named};
+pub use name::link_name;
 pub use number::{Digits, Unit};
 pub use table::{Cell, Column, Group, Printed, Table};
 

@@ -1,7 +1,7 @@
 //! The result of a check, and how the residuals of all positions are combined.
 
 use assur_words::{Text, text};
-use serde::{Serialize, Serializer};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// One check over all positions.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,6 +51,11 @@ impl Check {
         }
     }
 
+    /// Shows this residual, with its limit and its place.
+    fn show(&mut self, Residual { size, limit, at, place }: Residual) {
+        (self.residual, self.limit, self.at, self.place) = (size, limit, Some(at), place);
+    }
+
     /// Whether every residual keeps its limit; `None` where the check is not conclusive, and
     /// [`why_left_out`](Self::why_left_out) says why.
     pub fn verdict(&self) -> Option<bool> {
@@ -63,51 +68,31 @@ impl Check {
     }
 }
 
-/// A check as results show it.
-#[derive(Serialize)]
-struct Shown<'a> {
-    name: &'a Text,
-    residual: f64,
-    limit: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    at: Option<usize>,
-    #[serde(skip_serializing_if = "Text::is_empty")]
-    place: &'a Text,
-    reason: &'a Text,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    sample: Option<[usize; 2]>,
-    left_out: usize,
-    #[serde(skip_serializing_if = "Text::is_empty")]
-    why_left_out: &'a Text,
-    judged: bool,
-    /// Null where the check is not conclusive.
-    ok: Option<bool>,
-    /// Why it is not.
-    why: Option<&'a Text>,
-}
-
 impl Serialize for Check {
+    /// As results show it: `ok` is null where the check is not conclusive, and `why` says why it is not.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { name, residual, limit, at, place, reason, sample, left_out, why_left_out, judged, .. } =
-            self;
-        let (residual, limit, at, sample, left_out, judged) =
-            (*residual, *limit, *at, *sample, *left_out, *judged);
-        let (ok, why) = (self.verdict(), (!judged).then_some(why_left_out));
-        let shown = Shown {
-            name,
-            residual,
-            limit,
-            at,
-            place,
-            reason,
-            sample,
-            left_out,
-            why_left_out,
-            judged,
-            ok,
-            why,
-        };
-        shown.serialize(serializer)
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("name", &self.name)?;
+        map.serialize_entry("residual", &self.residual)?;
+        map.serialize_entry("limit", &self.limit)?;
+        if let Some(at) = self.at {
+            map.serialize_entry("at", &at)?;
+        }
+        if !self.place.is_empty() {
+            map.serialize_entry("place", &self.place)?;
+        }
+        map.serialize_entry("reason", &self.reason)?;
+        if let Some(sample) = self.sample {
+            map.serialize_entry("sample", &sample)?;
+        }
+        map.serialize_entry("left_out", &self.left_out)?;
+        if !self.why_left_out.is_empty() {
+            map.serialize_entry("why_left_out", &self.why_left_out)?;
+        }
+        map.serialize_entry("judged", &self.judged)?;
+        map.serialize_entry("ok", &self.verdict())?;
+        map.serialize_entry("why", &(!self.judged).then_some(&self.why_left_out))?;
+        map.end()
     }
 }
 
@@ -194,9 +179,9 @@ impl Collector {
         }
     }
 
-    fn set(&mut self, Residual { size: residual, limit, at, place }: Residual, holds: bool) {
-        let ok = self.check.ok && holds;
-        self.check = Check { residual, limit, at: Some(at), place, ok, ..self.check.clone() };
+    fn set(&mut self, worst: Residual, holds: bool) {
+        self.check.ok &= holds;
+        self.check.show(worst);
     }
 
     /// Adds what was collected over the positions after these.
@@ -241,18 +226,16 @@ impl Collector {
 
     /// The check, if it applied to any position.
     pub(crate) fn into_check(self) -> Option<Check> {
-        let Self { check, positions, widest, .. } = self;
+        let Self { mut check, positions, widest, .. } = self;
         if positions == 0 {
             return None;
         }
-        let judged = !check.ok || positions > check.left_out;
-        let ok = judged && check.ok;
-        Some(match widest.filter(|_| !judged) {
-            Some(Residual { size: residual, limit, at, place }) => {
-                Check { residual, limit, at: Some(at), place, judged, ok, ..check }
-            }
-            None => Check { judged, ok, ..check },
-        })
+        check.judged = !check.ok || positions > check.left_out;
+        check.ok &= check.judged;
+        if let Some(widest) = widest.filter(|_| !check.judged) {
+            check.show(widest);
+        }
+        Some(check)
     }
 }
 

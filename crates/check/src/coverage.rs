@@ -6,7 +6,7 @@ pub const SAMPLE: usize = 360;
 /// How many of the positions, and of the states of a motion, are checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Coverage {
-    /// All, if they are at most [`SAMPLE`]; otherwise so many of them, spread evenly, with the notable ones among them.
+    /// All, if there are at most [`SAMPLE`]; otherwise that number of them, spread evenly, with the notable ones among them.
     #[default]
     Sample,
     /// All, however many.

@@ -56,7 +56,8 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
             let (s, c) = slide.angle.sin_cos();
             let along = one.position.bodies[slide.on].turned([c, s]);
             let force = joint.forces.first().map_or([f64::NAN; 2], |(_, force)| *force);
-            let off = (force[0] * along[0] + force[1] * along[1]).abs();
+            let rubs = crate::friction::along(case.reactions, joint.joint);
+            let off = (force[0] * along[0] + force[1] * along[1] - rubs).abs();
             guides.offer(one.index, off / total, limit, place);
         }
     }
@@ -124,7 +125,7 @@ impl Sums<'_> {
             let (place, moment) = match joint.joint {
                 PairId::Pin(point) => {
                     let at = mechanism.place_in(point, *link).unwrap_or([f64::NAN; 2]);
-                    (bodies[*link].point(at), 0.0)
+                    (bodies[*link].point(at), joint.turning.get(k).copied().unwrap_or(0.0))
                 }
                 PairId::Slide(id) => {
                     let slide = &mechanism.slides[id];

@@ -9,7 +9,7 @@ use crate::check::Collector;
 use crate::residuals::ForceResiduals;
 use crate::subject::{Solved, Subject};
 use crate::written::{Given, Items, Writer, given};
-use crate::{agreement, equilibrium, power};
+use crate::{agreement, equilibrium, friction, power};
 
 /// Why a position is skipped where all methods fail.
 const NO_ANSWER: Text = text!("check-no-answer");
@@ -24,6 +24,7 @@ pub(crate) struct Forces<'a> {
     balance: [Collector; 3],
     agreement: Collector,
     powers: [Collector; 4],
+    friction: Collector,
     residuals: Vec<ForceResiduals>,
 }
 
@@ -39,6 +40,7 @@ impl<'a> Forces<'a> {
             balance: equilibrium::collectors(),
             agreement: agreement::collector(),
             powers: power::collectors(),
+            friction: friction::collector(),
             residuals: Vec::new(),
         }
     }
@@ -75,13 +77,19 @@ impl<'a> Forces<'a> {
         let case = Case { subject, loads, one, state, items, answers: &answers, full, reactions, joints };
         agreement::compare(&case, &mut self.agreement);
         let groups = equilibrium::compare(&case, &mut self.balance);
+        friction::compare(&case, &mut self.friction);
         let [dynamics, global] = power::compare(&case, &mut self.powers);
         self.residuals.push(ForceResiduals { number: index, groups, dynamics, global });
     }
 
     /// What was collected, and the residuals of each state.
     pub(crate) fn finish(self) -> (impl Iterator<Item = Collector>, Vec<ForceResiduals>) {
-        let all = [self.written].into_iter().chain(self.balance).chain([self.agreement]).chain(self.powers);
+        let all = [self.written]
+            .into_iter()
+            .chain(self.balance)
+            .chain([self.agreement])
+            .chain(self.powers)
+            .chain([self.friction]);
         (all, self.residuals)
     }
 }

@@ -1,28 +1,47 @@
 //! The reduced inertia, computed independently as a sum over the links.
 
 use assur_group::Body;
-use assur_mechanism::Mechanism;
-use assur_number::Real;
+use assur_mechanism::{Link, Mechanism};
+use assur_number::{Dd, Real};
 
-/// J = sum(m vS'² + I w'²) and J' = 2 sum(m vS' aS' + I w' e'); theory of the project, section 3.
-pub(crate) fn reduced<T: Real>(mechanism: &Mechanism, bodies: &[Body<T>]) -> [T; 2] {
+/// J = sum(m vS'² + I w'²) and J' = sum(2 (m vS' aS' + I w' e') + I' w'²); theory of the project, section 3.
+pub(crate) fn reduced<T: Real>(mechanism: &Mechanism, coordinate: T, bodies: &[Body<T>]) -> [T; 2] {
     let mut sum = [T::ZERO; 2];
     for (link, body) in mechanism.links.iter().zip(bodies).skip(1) {
-        let [mass, inertia] = [link.mass, link.inertia].map(T::from_f64);
+        let mass = T::from_f64(link.mass);
+        let [inertia, slope] = own_inertia(link, coordinate);
         let arm = body.arm(link.center.map(T::from_f64));
         let (v, a) = (body.first(arm), body.second(arm));
         sum[0] += mass * (v[0] * v[0] + v[1] * v[1]) + inertia * body.w1 * body.w1;
-        sum[1] += (mass * (v[0] * a[0] + v[1] * a[1]) + inertia * body.w1 * body.w2).twice();
+        sum[1] += (mass * (v[0] * a[0] + v[1] * a[1]) + inertia * body.w1 * body.w2).twice()
+            + slope * body.w1 * body.w1;
     }
     sum
 }
 
+/// The moment of inertia of a link and its derivative by the coordinate, in about 32 digits.
+pub(crate) fn own_inertia<T: Real>(link: &Link, coordinate: T) -> [T; 2] {
+    let Some(law) = link.inertia.varying() else {
+        return [link.inertia.constant(), 0.0].map(T::from_f64);
+    };
+    let hi = coordinate.to_f64();
+    let lo = (coordinate - T::from_f64(hi)).to_f64();
+    let found = law.formula.precise(Dd::from_f64(hi) + Dd::from_f64(lo));
+    found.map(|number| {
+        let number = number * Dd::from_f64(law.factor);
+        T::from_f64(number.hi) + T::from_f64(number.lo)
+    })
+}
+
 /// Size of the terms of J' before they cancel.
-pub(crate) fn slope_terms(mechanism: &Mechanism, bodies: &[Body<f64>]) -> f64 {
-    let term = |(link, body): (&assur_mechanism::Link, &Body<f64>)| {
+pub(crate) fn slope_terms(mechanism: &Mechanism, coordinate: f64, bodies: &[Body<f64>]) -> f64 {
+    let term = |(link, body): (&Link, &Body<f64>)| {
         let arm = body.arm(link.center);
         let (v, a) = (body.first(arm), body.second(arm));
-        2.0 * link.mass * v[0].hypot(v[1]) * a[0].hypot(a[1]) + 2.0 * link.inertia * (body.w1 * body.w2).abs()
+        let [inertia, slope] = own_inertia(link, coordinate);
+        let size = |v: [f64; 2]| v[0].hypot(v[1]);
+        let turning = 2.0 * inertia * (body.w1 * body.w2).abs() + slope.abs() * body.w1 * body.w1;
+        2.0 * link.mass * size(v) * size(a) + turning
     };
     mechanism.links.iter().zip(bodies).skip(1).map(term).sum()
 }

@@ -16,6 +16,7 @@ mod differences;
 mod elements;
 mod equilibrium;
 mod forces;
+mod friction;
 mod interpolated;
 mod kinetics;
 mod notable;

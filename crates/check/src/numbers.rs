@@ -1,7 +1,7 @@
 //! All numbers of a position that have derivatives, and their differences around it.
 
 use assur_kinematics::{Linkage, Position};
-use assur_number::Real;
+use assur_number::{Real, greater};
 
 use crate::elements::Element;
 use crate::kinetics;
@@ -49,12 +49,7 @@ impl<T: Real> Numbers<T> {
 impl Numbers<f64> {
     /// For each number the greater of both.
     pub(crate) fn raise(&mut self, other: &Self) {
-        // Not max(): it would drop a NaN, which must appear as a failed check.
-        self.0.iter_mut().zip(&other.0).for_each(|(mine, other)| {
-            if *other > *mine || other.is_nan() {
-                *mine = *other;
-            }
-        });
+        self.0.iter_mut().zip(&other.0).for_each(|(mine, other)| *mine = greater(*mine, *other));
     }
 
     pub(crate) fn scaled(&self, by: f64) -> Self {
@@ -95,5 +90,5 @@ pub(crate) fn numbers(
     reference: &Position,
 ) -> Numbers<f64> {
     let motions = all.iter().map(|element| element.motion(linkage, position, reference));
-    Numbers::new(motions, kinetics::reduced(&linkage.mechanism, &position.bodies))
+    Numbers::new(motions, kinetics::reduced(&linkage.mechanism, position.coordinate, &position.bodies))
 }

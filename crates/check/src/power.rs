@@ -2,6 +2,7 @@
 //! balancing load of the force analysis (S stage 10).
 
 use assur_force::{Cause, Side, State, UnitBalance, power, tolerance};
+use assur_group::Body;
 use assur_mechanism::PairId;
 use assur_words::{Text, name, text};
 
@@ -30,14 +31,18 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let bodies = &one.position.bodies;
     let scale = linkage.structure.scale;
     let unit_power = UnitBalance::of(&linkage.mechanism).map_or(1.0, |unit| unit.power(bodies));
-    let balancing = case.reactions.balancing * unit_power;
-    let [inertia, slope] = kinetics::reduced(&linkage.mechanism, bodies);
+    let rubbing = crate::friction::power(case);
+    let balancing = case.reactions.balancing * unit_power + rubbing;
+    let [inertia, slope] = kinetics::reduced(&linkage.mechanism, state.coordinate, bodies);
     let terms = [-inertia * state.acceleration, -0.5 * slope * state.speed * state.speed];
-    let (mut moment, mut sizes, mut all, mut added) = (0.0, 0.0, 0.0, 0.0);
+    let moves = |body: &Body<f64>| body.x1.hypot(body.y1) + body.w1.abs() * scale;
+    let motion = bodies.iter().map(moves).fold(0.0, f64::max);
+    let (mut moment, mut sizes, mut all, mut added, mut carried) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for ((cause, link), item) in case.items {
         let body = &bodies[*link];
-        // Rounding of a power: that of the load times the greatest motion of the link and its neighbors.
-        sizes += item.size * (body.x1.hypot(body.y1) + body.w1.abs() * scale);
+        sizes += item.size * moves(body);
+        // A link that rests has the rounding of the motion of others for its motion.
+        carried += item.size * motion;
         let own = power(&item.wrench, body);
         all += own;
         if !matches!(cause, Cause::Inertia(_)) {
@@ -47,9 +52,10 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     }
     compare_reduced(case, [inertia, slope, moment], [sizes, added], reduced);
     let exchanged = exchanged(case);
-    let total = balancing.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
+    let total =
+        balancing.abs() + rubbing.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
     let total = total.max(f64::MIN_POSITIVE);
-    let limit = rounding_of_sum(added, total) * one.condition;
+    let limit = (rounding_of_sum(added, total) + 4.0 * f64::EPSILON * carried / total) * one.condition;
     let of_motion = (balancing + moment + terms[0] + terms[1]).abs() / total;
     lagrange.offer(one.index, of_motion, limit, || text!("check-all-loads"));
     let sum: f64 =
@@ -134,7 +140,7 @@ fn compare_reduced(case: &Case<'_>, mine: [f64; 3], [sizes, added]: [f64; 2], co
     let found = case.loads.reduced(case.state, bodies);
     let theirs = [found.inertia, found.inertia_derivative, found.moment];
     // J' is a sum of terms that cancel; their sizes are those of products of PF1 and PF2.
-    let slopes = kinetics::slope_terms(&linkage.mechanism, bodies);
+    let slopes = kinetics::slope_terms(&linkage.mechanism, case.state.coordinate, bodies);
     let names = ["J", "J'", "Q"];
     for (k, size) in [mine[0], slopes + mine[0] / linkage.coordinate_unit(), sizes].into_iter().enumerate() {
         if size > 0.0 {

@@ -1,5 +1,7 @@
 //! The residuals of single positions, as curves over the cycle (S figs. 14, 16 and 18).
 
+use assur_number::greater;
+
 /// Residuals of the positions and states that were checked. A position that can't be checked is left out.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Residuals {
@@ -28,5 +30,5 @@ pub struct ForceResiduals {
 
 /// The greatest of some residuals; NaN if any is, because a residual without a value must not be hidden by others.
 pub(crate) fn greatest(residuals: impl IntoIterator<Item = f64>) -> f64 {
-    residuals.into_iter().fold(0.0, |most, one| if one > most || one.is_nan() { one } else { most })
+    residuals.into_iter().fold(0.0, greater)
 }

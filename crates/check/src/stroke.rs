@@ -125,7 +125,7 @@ fn by_formula(formula: &Formula, factor: f64, axis: Option<f64>, at: &At<'_>) ->
     Sizes { range, terms: if terms.is_finite() { terms } else { 0.0 } }
 }
 
-/// Of so many jumps at one place all combinations of their sides are tried.
+/// Up to this many jumps at one place, all combinations of their sides are tried.
 const TOGETHER: usize = 4;
 
 /// The sides of all jumps of a formula at a place; of those whose arguments are zero within their rounding, every side.

@@ -53,7 +53,7 @@ pub(crate) struct Solved {
 /// The registered methods that can treat the linkage: the one called `first` (`None`: the preferred one), then all others
 /// by name.
 pub fn methods(linkage: &Linkage, first: Option<&str>) -> Vec<AnalyzerPlugin> {
-    let first = choose(first).map_or("", |plugin| plugin.name);
+    let first = choose(first, !linkage.mechanism.frictions.is_empty()).map_or("", |plugin| plugin.name);
     let mut all: Vec<_> = applicable(linkage).into_iter().cloned().collect();
     all.sort_by_key(|method| method.name != first);
     all
@@ -106,7 +106,10 @@ impl Subject<'_> {
         position: &Position,
     ) -> Option<Reactions> {
         let mut wrenches = loads.total(state, &position.bodies);
-        let mut reactions = Reactions::new(self.linkage);
+        let mut reactions = Reactions::new(self.linkage).with_friction(loads, self.linkage);
+        if let Some(rubbing) = &mut reactions.rubbing {
+            loads.senses(state, &mut rubbing.senses);
+        }
         method.instance.solve(self.linkage, position, &mut wrenches, &mut reactions).ok()?;
         Some(reactions)
     }

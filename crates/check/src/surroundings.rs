@@ -98,11 +98,11 @@ impl<'a, T: Precision> Differences<'a, T> {
         // The steps are far smaller than the distance to a change point, where the assembly mode could change.
         let ways = self.subject.linkage.ways.at(coordinate);
         let center = self.solve((q, Order::Second), ways, &start)?;
-        let middle = self.numbers(all, &center, &center);
+        let middle = self.numbers(all, q, [&center, &center]);
         let first = FIRST_STEP * self.bend(&center, one.health);
         let at = |q: T| {
             let bodies = self.solve((q, Order::First), ways, &center)?;
-            Some(self.numbers(all, &bodies, &center))
+            Some(self.numbers(all, q, [&bodies, &center]))
         };
         let quotients = quotients([first, LEAST_STEP * first], T::STEPS, |step| {
             let (low, high) = (q - T::from_f64(step), q + T::from_f64(step));
@@ -113,7 +113,7 @@ impl<'a, T: Precision> Differences<'a, T> {
         for trial in 0..TRIALS {
             self.perturbation.begin(trial);
             let perturbed = self.solve_perturbed(trial, q, ways, &center)?;
-            own.raise(&self.numbers(all, &perturbed, &center).off(&middle));
+            own.raise(&self.numbers(all, q, [&perturbed, &center]).off(&middle));
         }
         let own = own.scaled(ROUNDINGS * f64::EPSILON / T::PERTURBED);
         let floor = T::EPSILON / f64::EPSILON;
@@ -164,9 +164,9 @@ impl<'a, T: Precision> Differences<'a, T> {
         Some(bodies)
     }
 
-    fn numbers(&self, all: &[Element], bodies: &[Body<T>], reference: &[Body<T>]) -> Numbers<T> {
+    fn numbers(&self, all: &[Element], q: T, [bodies, reference]: [&[Body<T>]; 2]) -> Numbers<T> {
         let mechanism = &self.subject.linkage.mechanism;
         let motions = all.iter().map(|element| element.motion_of(mechanism, bodies, reference));
-        Numbers::new(motions, kinetics::reduced(mechanism, bodies))
+        Numbers::new(motions, kinetics::reduced(mechanism, q, bodies))
     }
 }

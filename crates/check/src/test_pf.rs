@@ -4,6 +4,7 @@
 use std::cell::OnceCell;
 
 use assur_kinematics::Position;
+use assur_mechanism::Link;
 use assur_number::Dd;
 use assur_words::{Text, text};
 
@@ -55,7 +56,7 @@ impl<'a> TestPf<'a> {
             subject,
             elements: elements(linkage),
             collectors: NAMES.map(|name| Collector::new(name, REASON)),
-            heavy: moving.any(|link| link.mass > 0.0 || link.inertia > 0.0),
+            heavy: moving.any(Link::is_heavy),
             scratch: linkage.position(),
             double: Differences::of(subject),
             double_double: OnceCell::new(),
@@ -212,7 +213,10 @@ impl<'a> Comparison<'a> {
         }
         let unit = size.abs() / subject.linkage.coordinate_unit();
         // J' sums products of PF1 and PF2 that cancel; the rounding of each is that of the terms.
-        let terms = kinetics::slope_terms(&subject.linkage.mechanism, &one.position.bodies);
+        let terms = {
+            let position = &one.position;
+            kinetics::slope_terms(&subject.linkage.mechanism, position.coordinate, &position.bodies)
+        };
         let floor = FLOOR * f64::EPSILON;
         let below = around.below.inertia(0).max(around.floor * floor * size.abs());
         let own = around.own.inertia(1) + around.floor.max(1.0) * floor * (slope.abs() + unit);

@@ -6,9 +6,11 @@ use std::f64::consts::PI;
 use assur_force::{Cause, Loads, Side, State};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{
-    Brake, Contact, Direction, Force, GROUND, LinkId, Mechanism, Moment, Place, Spring, Value,
+    Brake, Contact, Direction, Force, GROUND, LinkId, Load, LoadId, LoadKind, Mechanism, Moment, Place,
+    Spring, Value,
 };
 
+use crate::kinetics::own_inertia;
 use crate::stroke::{At, Extremes, Sizes, extremes, sizes};
 use crate::subject::Subject;
 
@@ -74,13 +76,15 @@ pub(crate) fn given(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Given
 impl<'a> Writer<'a> {
     pub(crate) fn new(subject: &Subject<'a>) -> Self {
         let mechanism = &subject.linkage.mechanism;
-        let stroke = |force: &Force| match force.value {
-            Value::Stroke { axis, .. } | Value::Formula { axis: Some(axis), .. } => {
-                extremes(subject.linkage, force.at, axis)
-            }
+        let stroke = |load: &Load| match &load.kind {
+            LoadKind::Force(Force {
+                at,
+                value: Value::Stroke { axis, .. } | Value::Formula { axis: Some(axis), .. },
+                ..
+            }) => extremes(subject.linkage, *at, *axis),
             _ => None,
         };
-        let strokes = mechanism.forces.iter().map(stroke).collect();
+        let strokes = mechanism.loads.iter().map(stroke).collect();
         let standing = 1e-14 * subject.unit(1, true);
         Self { mechanism, scale: subject.linkage.structure.scale, standing, strokes }
     }
@@ -93,29 +97,33 @@ impl<'a> Writer<'a> {
         for id in 1..self.mechanism.links.len() {
             self.masses(&now, id, &mut items);
         }
-        for (id, force) in self.mechanism.forces.iter().enumerate().filter(|(_, f)| f.at.link != GROUND) {
-            items.insert((Cause::Force(id), force.at.link), self.force(&now, id, force));
-        }
-        for (id, moment) in self.mechanism.moments.iter().enumerate().filter(|(_, m)| m.link != GROUND) {
-            let m = now.given(Cause::Moment(id), moment.link).m;
-            let Size { value: m, terms } = match &moment.brake {
-                Some(brake) => self.brake(&now, id, moment, brake),
-                None => self.size(&now, &moment.value, Place { link: moment.link, at: [0.0; 2] }, None, m),
-            };
-            let item = Item { wrench: Wrench { fx: 0.0, fy: 0.0, m }, size: terms / self.scale };
-            items.insert((Cause::Moment(id), moment.link), item);
-        }
-        for (id, spring) in self.mechanism.springs.iter().enumerate() {
-            if spring.ends[0].link != spring.ends[1].link {
-                self.spring(&now, id, spring, &mut items);
-            }
-        }
-        for (id, contact) in
-            self.mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND)
-        {
-            items.insert((Cause::Contact(id), contact.center.link), self.contact(&now, id, contact));
+        for (id, load) in self.mechanism.loads.iter().enumerate() {
+            self.load(&now, id, &load.kind, &mut items);
         }
         items
+    }
+
+    fn load(&self, now: &Now<'_>, id: LoadId, load: &LoadKind, items: &mut Items) {
+        let cause = Cause::Load(id);
+        let moment = |Size { value: m, terms }| Item {
+            wrench: Wrench { fx: 0.0, fy: 0.0, m },
+            size: terms / self.scale,
+        };
+        let (link, item) = match load {
+            LoadKind::Force(force) => (force.at.link, self.force(now, id, force)),
+            LoadKind::Moment(Moment { link, value }) => {
+                let given = now.given(cause, *link).m;
+                let place = Place { link: *link, at: [0.0; 2] };
+                (*link, moment(self.size(now, value, place, None, given)))
+            }
+            LoadKind::Brake(brake) => (brake.link, moment(self.brake(now, id, brake))),
+            LoadKind::Spring(spring) if spring.ends[0].link == spring.ends[1].link => return,
+            LoadKind::Spring(spring) => return self.spring(now, id, spring, items),
+            LoadKind::Contact(contact) => (contact.center.link, self.contact(now, id, contact)),
+        };
+        if link != GROUND {
+            items.insert((cause, link), item);
+        }
     }
 
     /// A force at a place of a link.
@@ -134,19 +142,22 @@ impl<'a> Writer<'a> {
             items.insert((Cause::Weight(id), id), item);
         }
         let (w, e) = (now.state.speed, now.state.acceleration);
-        if (link.mass == 0.0 && link.inertia == 0.0) || (w == 0.0 && e == 0.0) {
+        if !link.is_heavy() || (w == 0.0 && e == 0.0) {
             return;
         }
         let arm = body.arm(link.center);
         let (first, second) = (body.first(arm), body.second(arm));
         let a = [0, 1].map(|k| second[k] * w * w + first[k] * e);
-        let turn = -link.inertia * (body.w2 * w * w + body.w1 * e);
+        let [inertia, slope] = own_inertia(link, now.state.coordinate);
+        let changing = 0.5 * slope * body.w1 * w * w;
+        let turn = -inertia * (body.w2 * w * w + body.w1 * e) - changing;
         let lever = arm[0].hypot(arm[1]);
         let terms = (body.x2.hypot(body.y2) + (body.w2.abs() + body.w1 * body.w1) * lever) * w * w
             + (body.x1.hypot(body.y1) + body.w1.abs() * lever) * e.abs();
         let mut item = self.at(body, link.center, a.map(|a| -link.mass * a), link.mass * terms);
         item.wrench.m += turn;
-        item.size += link.inertia * (body.w2.abs() * w * w + (body.w1 * e).abs()) / self.scale;
+        let turning = inertia * (body.w2.abs() * w * w + (body.w1 * e).abs()) + changing.abs();
+        item.size += turning / self.scale;
         items.insert((Cause::Inertia(id), id), item);
     }
 
@@ -179,9 +190,9 @@ impl<'a> Writer<'a> {
         Size { value, terms: value.abs().max(terms) }
     }
 
-    fn force(&self, now: &Now<'_>, id: usize, force: &Force) -> Item {
+    fn force(&self, now: &Now<'_>, id: LoadId, force: &Force) -> Item {
         let body = &now.bodies[force.at.link];
-        let given = now.given(Cause::Force(id), force.at.link).force();
+        let given = now.given(Cause::Load(id), force.at.link).force();
         let mut terms = 1.0;
         let along = match force.direction {
             Direction::Ground(angle) => [angle.cos(), angle.sin()],
@@ -218,23 +229,23 @@ impl<'a> Writer<'a> {
     }
 
     /// The moment of a brake: against the rotation of its link.
-    fn brake(&self, now: &Now<'_>, id: usize, moment: &Moment, brake: &Brake) -> Size {
-        let given = now.given(Cause::Moment(id), moment.link).m;
-        let body = &now.bodies[moment.link];
+    fn brake(&self, now: &Now<'_>, id: LoadId, brake: &Brake) -> Size {
+        let given = now.given(Cause::Load(id), brake.link).m;
+        let body = &now.bodies[brake.link];
         let speed = body.w1 * now.state.speed;
-        let place = Place { link: moment.link, at: [0.0; 2] };
-        let lever = -speed.signum() * brake.lever();
+        let place = Place { link: brake.link, at: [0.0; 2] };
+        let lever = -speed.signum() * brake.moment_of_unit_force();
         // At rest up to rounding the moment is zero, or of either sense.
         let rests = speed == 0.0 || body.w1.abs() <= REST * (body.w2.abs() + 1.0);
         let found = if lever == 0.0 || rests { given.abs() } else { given / lever };
-        let size = self.size(now, &moment.value, place, None, found);
-        if rests && given.abs() <= (brake.lever() * size.value).abs() {
+        let size = self.size(now, &brake.force, place, None, found);
+        if rests && given.abs() <= (brake.moment_of_unit_force() * size.value).abs() {
             return Size { value: given, terms: given.abs() };
         }
-        Size { value: lever * size.value, terms: brake.lever().abs() * size.terms }
+        Size { value: lever * size.value, terms: brake.moment_of_unit_force().abs() * size.terms }
     }
 
-    fn spring(&self, now: &Now<'_>, id: usize, spring: &Spring, items: &mut Items) {
+    fn spring(&self, now: &Now<'_>, id: LoadId, spring: &Spring, items: &mut Items) {
         let ends = spring.ends.map(|end| &now.bodies[end.link]);
         let places = [0, 1].map(|k| ends[k].point(spring.ends[k].at));
         let d = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
@@ -252,14 +263,14 @@ impl<'a> Writer<'a> {
             + spring.damping * fast;
         for (k, sign) in [(0, 1.0), (1, -1.0)] {
             let item = self.at(ends[k], spring.ends[k].at, along.map(|a| sign * pull * a), terms);
-            items.insert((Cause::Spring(id), spring.ends[k].link), item);
+            items.insert((Cause::Load(id), spring.ends[k].link), item);
         }
     }
 
-    fn contact(&self, now: &Now<'_>, id: usize, contact: &Contact) -> Item {
+    fn contact(&self, now: &Now<'_>, id: LoadId, contact: &Contact) -> Item {
         let center = contact.center;
         let body = &now.bodies[center.link];
-        let given = now.given(Cause::Contact(id), center.link).force();
+        let given = now.given(Cause::Load(id), center.link).force();
         let friction = self.contact_friction(now, contact, given);
         let angle = self.contact_angle(now, contact, friction, given);
         let (s, c) = angle.sin_cos();

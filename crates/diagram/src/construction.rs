@@ -16,9 +16,8 @@ pub fn construction_plans(construction: &Construction) -> Vec<Plan> {
     drawings.into_iter().filter_map(|drawing| construction_plan(construction, drawing)).collect()
 }
 
-/// One drawing of a construction, as [`construction_plans`] has them; its vectors are those of the steps that are no points, in
-/// their order. `None` if the construction has no step in this drawing.
-pub fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Plan> {
+/// One drawing of a construction; `None` if the construction has no step in it.
+fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Plan> {
     let steps: Vec<&Step> = construction.steps.iter().filter(|step| step.drawing == drawing).collect();
     let first = steps.first()?;
     let (title, unit) = match drawing {
@@ -49,13 +48,31 @@ pub fn construction_plan(construction: &Construction, drawing: Drawing) -> Optio
     Some(plan.finish(open))
 }
 
+/// The steps of a construction as they lie in one picture, each with its number, its start and its end: those of the lever, or
+/// those in the mechanism with the force polygon laid off from its corner to the same scale of forces (L fig. 1).
+pub fn construction_picture(construction: &Construction, lever: bool) -> Vec<(usize, [[f64; 2]; 2])> {
+    let numbered = construction.steps.iter().enumerate();
+    let steps: Vec<(usize, &Step)> =
+        numbered.filter(|(_, step)| (step.drawing == Drawing::Lever) == lever).collect();
+    let scale = drawn_per_newton(&steps.iter().map(|(_, step)| *step).collect::<Vec<_>>());
+    let ends = |step: &Step| {
+        let start = match step.drawing {
+            Drawing::Polygon => plus(construction.corner, scaled(scale, step.start)),
+            _ => step.start,
+        };
+        [start, plus(start, scaled(if is_force(step) { scale } else { 1.0 }, step.vector))]
+    };
+    steps.into_iter().map(|(number, step)| (number, ends(step))).collect()
+}
+
 fn is_force(step: &Step) -> bool {
     step.unit == "N"
 }
 
 /// Length in the drawing for 1 N.
 fn drawn_per_newton(steps: &[&Step]) -> f64 {
-    let places = || steps.iter().flat_map(|step| [Some(step.start), end_of_line(step)]).flatten();
+    let in_lengths = || steps.iter().filter(|step| step.drawing != Drawing::Polygon);
+    let places = || in_lengths().flat_map(|step| [Some(step.start), end_of_line(step)]).flatten();
     let Some(first) = places().next() else { return 0.0 };
     let width = places().map(|place| length(minus(place, first))).fold(0.0, f64::max);
     let forces = steps.iter().filter(|step| is_force(step)).map(|step| length(step.vector));

@@ -1,5 +1,6 @@
 //! A reaction over the cycle: its polar diagram, its greatest value and root mean square.
 
+use assur_mechanism::{LinkId, Named, PairId};
 use serde::Serialize;
 
 use crate::plan::length;
@@ -8,9 +9,9 @@ use crate::plan::length;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Extreme {
     /// Pin or slide.
-    pub joint: String,
+    pub joint: Named<PairId>,
     /// The link that it acts on.
-    pub on: String,
+    pub on: Named<LinkId>,
     /// Greatest modulus, N.
     pub greatest: f64,
     /// Number of the position where it occurs; the first one of equals.
@@ -25,9 +26,9 @@ pub struct Extreme {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Hodograph {
     /// Pin or slide.
-    pub joint: String,
+    pub joint: Named<PairId>,
     /// The link that it acts on.
-    pub on: String,
+    pub on: Named<LinkId>,
     /// Coordinates of the positions, rad or m.
     pub coordinates: Vec<f64>,
     /// The force in each position, N.
@@ -83,7 +84,7 @@ impl Sizes {
     ///
     /// Over a whole cycle of equal steps the mean of the squares is the arithmetic one; over a range it is by
     /// trapezoids.
-    pub fn extreme(&self, joint: String, on: String, closed: bool) -> Option<Extreme> {
+    pub fn extreme(&self, joint: Named<PairId>, on: Named<LinkId>, closed: bool) -> Option<Extreme> {
         // A cycle often has two equal maxima; rounding must not decide between them.
         let (_, index, coordinate) = *self.records.first()?;
         let range = self.last[0] - self.first;

@@ -2,7 +2,7 @@
 
 use assur_group::Order;
 use assur_kinematics::Linkage;
-use assur_mechanism::{Contact, Range};
+use assur_mechanism::{Contact, Name, Range};
 use serde::Serialize;
 
 use crate::DiagramError;
@@ -24,7 +24,7 @@ pub struct EnvelopingPoint {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Enveloping {
     /// Name of the contact.
-    pub contact: String,
+    pub contact: Name,
     /// The interval of the coordinate, rad or m.
     pub interval: [f64; 2],
     /// Height of the line from which the path deviates least: the middle between its highest and lowest place, m.
@@ -40,12 +40,17 @@ pub struct Enveloping {
 }
 
 /// Path of the lowest point of an arc over the interval of its contact (without one: over the positions of the scene),
-/// at `count` equally spaced places, at least 2, both ends included.
+/// at `count` equally spaced places, at least 2, both ends included. `name`: that of the contact.
 ///
 /// # Errors
 ///
 /// [`DiagramError`] where the mechanism has no such position.
-pub fn enveloping(linkage: &Linkage, contact: &Contact, count: usize) -> Result<Enveloping, DiagramError> {
+pub fn enveloping(
+    linkage: &Linkage,
+    name: &Name,
+    contact: &Contact,
+    count: usize,
+) -> Result<Enveloping, DiagramError> {
     let count = count.max(2);
     let interval = interval(linkage, contact);
     let path = path(linkage, contact, interval, count)?;
@@ -64,7 +69,7 @@ pub fn enveloping(linkage: &Linkage, contact: &Contact, count: usize) -> Result<
             },
         );
     Ok(Enveloping {
-        contact: contact.name.to_string(),
+        contact: name.clone(),
         interval,
         level,
         greatest: worst.deviation.abs(),

@@ -29,28 +29,4 @@ impl Describe for DiagramError {
     }
 }
 
-errors!(DiagramError);
-
-impl From<PositionError> for DiagramError {
-    fn from(error: PositionError) -> Self {
-        Self::Position(error)
-    }
-}
-
-impl From<ForceError> for DiagramError {
-    fn from(error: ForceError) -> Self {
-        Self::Force(error)
-    }
-}
-
-impl From<LoadError> for DiagramError {
-    fn from(error: LoadError) -> Self {
-        Self::Load(error)
-    }
-}
-
-impl From<RegistryError> for DiagramError {
-    fn from(error: RegistryError) -> Self {
-        Self::Registry(error)
-    }
-}
+errors!(DiagramError; Position(PositionError), Force(ForceError), Load(LoadError), Registry(RegistryError));

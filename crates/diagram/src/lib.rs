@@ -20,13 +20,13 @@ mod sheet;
 mod sign;
 
 pub use assur_force::VectorKind;
-pub use construction::{construction_plan, construction_plans};
+pub use construction::{construction_picture, construction_plans};
 pub use cycle::{Extreme, Hodograph, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;
 pub use motion_plan::{acceleration_plan, velocity_plan};
 pub use plan::{Plan, PlanPoint, PlanVector};
-pub use polygon::{NamedLoad, force_polygons, named_loads};
+pub use polygon::force_polygons;
 pub use sheet::{JointForce, Share, Sheet, Split, constructions, sheet, split};
 pub use sign::{SignChange, Solver, sign_changes};
 

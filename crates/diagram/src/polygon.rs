@@ -1,8 +1,8 @@
 //! Force polygons of the groups and of the input link (S figs. 15, 17).
 
-use assur_force::{Cause, Loads, Reactions, State, UnitBalance};
+use assur_force::{Acting, Cause, Reactions, UnitBalance};
+use assur_group::Body;
 use assur_group::plane::{opposite, scaled};
-use assur_group::{Body, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, InputPair, LinkId};
 use assur_words::{Text, joined, name, text};
@@ -13,24 +13,6 @@ use assur_force::VectorKind;
 /// Forces below this part of the greatest reaction of the mechanism count as zero.
 const UNLOADED: f64 = 1e-6;
 
-/// One load on one link.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NamedLoad {
-    /// Its cause.
-    pub cause: Cause,
-    /// The loaded link.
-    pub link: LinkId,
-    /// Force and moment about the origin of the link's frame.
-    pub wrench: Wrench<f64>,
-}
-
-/// All loads and inertia loads at a position, separately.
-pub fn named_loads(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Vec<NamedLoad> {
-    let mut list = Vec::new();
-    loads.by_cause(state, bodies, &mut |cause, link, wrench| list.push(NamedLoad { cause, link, wrench }));
-    list
-}
-
 /// The polygons of the groups from the last to the first, as they are analyzed, then that of the input link.
 ///
 /// Sides are the loads of the group's links and the reactions of the pairs that join it to other bodies, link after
@@ -39,13 +21,14 @@ pub fn named_loads(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Vec<Na
 pub fn force_polygons(
     linkage: &Linkage,
     position: &Position,
-    loads: &[NamedLoad],
+    loads: &[Acting],
     reactions: &Reactions,
 ) -> Vec<Plan> {
     let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
     let greatest = reactions.pairs.iter().map(|pair| length(pair.force())).fold(0.0, f64::max);
     let balance = balancing_force(linkage, position, reactions);
-    let drawer = Drawer { linkage, loads, reactions, balance, floor: UNLOADED * greatest };
+    let bodies = &position.bodies;
+    let drawer = Drawer { linkage, bodies, loads, reactions, balance, floor: UNLOADED * greatest };
     let groups = structure.groups.iter().enumerate().rev().map(|(index, group)| {
         let title = text!("plan-forces-of", group = structure.group_name(mechanism, index));
         drawer.polygon(title, &group.frame.links)
@@ -77,7 +60,8 @@ fn balancing_force(
 
 struct Drawer<'a> {
     linkage: &'a Linkage,
-    loads: &'a [NamedLoad],
+    bodies: &'a [Body<f64>],
+    loads: &'a [Acting],
     reactions: &'a Reactions,
     balance: Option<(LinkId, [f64; 2])>,
     /// A group whose forces are all below this is unloaded: they are rounding, N.
@@ -110,10 +94,18 @@ impl Drawer<'_> {
             let kind = match load.cause {
                 Cause::Weight(_) => VectorKind::Weight,
                 Cause::Inertia(_) => VectorKind::Inertia,
-                _ => VectorKind::Load,
+                Cause::Load(_) => VectorKind::Load,
             };
-            let note = text!("plan-load-on", link = &mechanism.links[link].name);
-            corner = plan.push(kind, load.cause.name(mechanism).into(), corner, load.wrench.force(), note);
+            let note = || text!("plan-load-on", link = &mechanism.links[link].name);
+            let told = Text::from(load.cause.name(mechanism));
+            if let Some([normal, friction]) = load.parts(mechanism, self.bodies) {
+                let normal_of = text!("plan-normal-of-contact", contact = &told);
+                corner = plan.push(kind, normal_of, corner, normal, note());
+                let friction_of = text!("plan-friction-of-contact", contact = told);
+                corner = plan.push(kind, friction_of, corner, friction, note());
+                continue;
+            }
+            corner = plan.push(kind, told, corner, load.wrench.force(), note());
         }
         if let Some((_, force)) = self.balance.filter(|(loaded, _)| *loaded == link) {
             let note = text!("plan-balancing-on", link = &mechanism.links[link].name);

@@ -1,20 +1,17 @@
 //! All plans of one position.
 
 use assur_force::{
-    AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Loads, Reactions, State, analyzers, joints,
+    Acting, AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Loads, Reactions, State, analyzers, joints,
 };
 use assur_geometry::{Center, instant_centers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
-use assur_structure::name_of;
+use assur_mechanism::{LinkId, Named, PairId};
 use assur_words::{Text, text};
 use serde::Serialize;
 
 use crate::plan::length;
-use crate::{
-    DiagramError, NamedLoad, Plan, acceleration_plan, construction_plans, force_polygons, named_loads,
-    velocity_plan,
-};
+use crate::{DiagramError, Plan, acceleration_plan, construction_plans, force_polygons, velocity_plan};
 
 /// All plans of one position.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -54,12 +51,12 @@ pub fn sheet(
     let mut position = linkage.position();
     linkage.solve(state.coordinate, Order::Second, &mut position)?;
     loads.finite(&linkage.mechanism, state, &position.bodies)?;
-    let list = named_loads(loads, state, &position.bodies);
+    let list = loads.acting(state, &position.bodies);
     let (mut polygons, mut constructions, mut by_cause) = (Vec::new(), Vec::new(), None);
     if !list.is_empty() {
         let mut wrenches = loads.total(state, &position.bodies);
-        let drawn = self::constructions(linkage, &position, &wrenches)?;
-        constructions = drawn.iter().flat_map(construction_plans).collect();
+        let drawn = self::constructions(linkage, &position, &list)?;
+        constructions = drawn.iter().flat_map(|(_, drawn)| construction_plans(drawn)).collect();
         let mut out = Reactions::new(linkage);
         analyzer.instance.solve(linkage, &position, &mut wrenches, &mut out)?;
         polygons = force_polygons(linkage, &position, &list, &out);
@@ -77,8 +74,8 @@ pub fn sheet(
     })
 }
 
-/// The constructions of all analyzers that have one and support the mechanism, step by step; of two forms of one method
-/// with the same drawing, only one. A construction that fails at this position is left out.
+/// The constructions of all analyzers that have one and support the mechanism, step by step, each with the name of its
+/// analyzer; of two forms of one method with the same drawing, only one. A construction that fails at this position is left out.
 ///
 /// # Errors
 ///
@@ -86,16 +83,16 @@ pub fn sheet(
 pub fn constructions(
     linkage: &Linkage,
     position: &Position,
-    wrenches: &[Wrench<f64>],
-) -> Result<Vec<Construction>, DiagramError> {
-    let mut found: Vec<Construction> = Vec::new();
+    loads: &[Acting],
+) -> Result<Vec<(&'static str, Construction)>, DiagramError> {
+    let mut found: Vec<(&'static str, Construction)> = Vec::new();
     for plugin in analyzers()? {
-        if plugin.instance.supports(linkage).is_err() {
+        if plugin.supports(linkage).is_err() {
             continue;
         }
-        let Ok(Some(drawn)) = plugin.instance.construction(linkage, position, wrenches) else { continue };
-        if found.iter().all(|other| other.title != drawn.title) {
-            found.push(drawn);
+        let Ok(Some(drawn)) = plugin.instance.construction(linkage, position, loads) else { continue };
+        if found.iter().all(|(_, other)| other.title != drawn.title) {
+            found.push((plugin.name, drawn));
         }
     }
     Ok(found)
@@ -136,7 +133,7 @@ pub fn split(
     state: &State,
     analyzer: &dyn ForceAnalyzer,
 ) -> Result<Split, DiagramError> {
-    let list = named_loads(loads, state, &position.bodies);
+    let list = loads.acting(state, &position.bodies);
     let mut causes: Vec<Cause> = list.iter().map(|load| load.cause.of_all()).collect();
     causes.sort_unstable();
     causes.dedup();
@@ -156,7 +153,7 @@ fn share<'a>(
     position: &Position,
     analyzer: &dyn ForceAnalyzer,
     cause: Text,
-    loads: impl Iterator<Item = &'a NamedLoad>,
+    loads: impl Iterator<Item = &'a Acting>,
 ) -> Result<Share, DiagramError> {
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
     for load in loads {
@@ -187,9 +184,9 @@ fn residual(whole: &Share, shares: &[Share]) -> f64 {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct JointForce {
     /// Pin or slide.
-    pub joint: String,
+    pub joint: Named<PairId>,
     /// The link that the force acts on.
-    pub on: String,
+    pub on: Named<LinkId>,
     /// Force, N.
     pub force: [f64; 2],
     /// Of a slide, for the sliding link: moment about its point, N m.
@@ -204,8 +201,8 @@ pub(crate) fn joint_forces(linkage: &Linkage, reactions: &Reactions) -> Vec<Join
     for joint in joints(&linkage.mechanism, &linkage.structure) {
         for (nth, link) in joint.links.iter().enumerate() {
             list.push(JointForce {
-                joint: name_of(mechanism, joint.id).to_string(),
-                on: mechanism.links[*link].name.to_string(),
+                joint: mechanism.named_pair(joint.id),
+                on: mechanism.named_link(*link),
                 force: joint.force(nth, &reactions.pairs),
                 moment: joint.moment(&reactions.pairs).filter(|_| nth == 0),
             });

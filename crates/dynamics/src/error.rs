@@ -109,25 +109,7 @@ pub enum DynamicsError {
     Selection(SelectionError),
 }
 
-assur_words::errors!(DynamicsError);
-
-/// Errors of others.
-macro_rules! from {
-    ($($variant:ident($error:ty))*) => {
-        $(impl From<$error> for DynamicsError {
-            fn from(error: $error) -> Self {
-                Self::$variant(error)
-            }
-        })*
-    };
-}
-from! {
-    Integration(IntegrationError)
-    Rated(RatedDataError)
-    Lookup(LookupError)
-    Catalogue(CatalogueError)
-    Selection(SelectionError)
-}
+assur_words::errors!(DynamicsError; Integration(IntegrationError), Rated(RatedDataError), Lookup(LookupError), Catalogue(CatalogueError), Selection(SelectionError));
 
 /// A number to a millionth.
 fn fine(value: f64) -> Text {

@@ -2,9 +2,9 @@
 
 use assur_mechanism::{Motor as Asked, Torque};
 use assur_motor::{
-    Candidate, Characteristic, Motor, MotorFilter, MotorWarning, RatedData, SelectionRequest, catalogues,
-    check_breakdown, check_rms, check_rotor_inertia, check_starting, find_motor, list_motors, rms_torque,
-    select,
+    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, RatedData,
+    SelectionRequest, catalogues, check_breakdown, check_rms, check_rotor_inertia, check_starting,
+    find_motor, list_motors, rms_torque, select,
 };
 use assur_words::text;
 
@@ -62,10 +62,25 @@ impl DriveMotor {
                 (found.chosen.motor, found.runners_up)
             }
         };
+        Ok(Some(Self::of_row(row, *kind, runners_up)?))
+    }
+
+    /// A row of a catalogue.
+    fn of_row(
+        row: &'static Motor,
+        kind: CharacteristicKind,
+        runners_up: Vec<Candidate<'static>>,
+    ) -> Result<Self, DynamicsError> {
         let rated = row.rated_data();
-        let characteristic = Characteristic::new(*kind, &rated)?;
+        let characteristic = Characteristic::new(kind, &rated)?;
         let designation = Some(row.designation.clone());
-        Ok(Some(Self { designation, rated, characteristic, row: Some(row), runners_up }))
+        Ok(Self { designation, rated, characteristic, row: Some(row), runners_up })
+    }
+
+    /// The next of the other suitable motors in its place; `None` after the last one.
+    pub(crate) fn next(&self) -> Option<Self> {
+        let (next, others) = self.runners_up.split_first()?;
+        Self::of_row(next.motor, self.characteristic.kind(), others.to_vec()).ok()
     }
 }
 
@@ -118,6 +133,11 @@ impl SteadyMotor {
         ];
         let warnings = warnings.into_iter().flatten().collect();
         Self { motor, speed, torque, rms_torque, starting_load, warnings }
+    }
+
+    /// Whether the motor does its work without being overloaded.
+    pub fn is_fit(&self) -> bool {
+        !self.warnings.iter().any(MotorWarning::is_unfit)
     }
 
     /// `count` points (speed rad/s, torque N m) of the characteristic between two speeds of the motor.

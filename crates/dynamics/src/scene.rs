@@ -43,6 +43,9 @@ pub fn steady(
     steady_of(linkage, loads, &linkage.mechanism, watcher)
 }
 
+/// Motors that are tried for a drive whose motor is chosen: of more than these the loads are not those of a motor.
+const MOST_TRIED: usize = 40;
+
 /// The steady regime with the motion and the drive of `mechanism`, which is else that of the linkage.
 pub(crate) fn steady_of(
     linkage: &Linkage,
@@ -55,17 +58,47 @@ pub(crate) fn steady_of(
     let mut solver = RegimeSolver::new(&mut motion, request)?;
     let given = if let Some(Solve::Given(value)) = unevenness { Some(value) } else { None };
     let (drive, motor) = drive_request(mechanism, &solver, given)?;
-    let regime = match &motor {
-        Some(motor) if unevenness == Some(Solve::Wanted) => {
-            greatest(&mut solver, &drive, &motor.characteristic)?
-        }
-        _ => solver.solve(&drive)?,
-    };
     let efficiency = mechanism.drive.as_ref().map_or(1.0, |drive| drive.efficiency);
-    let motor = motor.map(|motor| SteadyMotor::new(motor, &regime, solver.greatest_resistance(), efficiency));
+    let works = |drive: &DriveRequest, motor: Option<DriveMotor>| {
+        let regime = match &motor {
+            Some(motor) if unevenness == Some(Solve::Wanted) => {
+                greatest(&mut solver, drive, &motor.characteristic)?
+            }
+            _ => solver.solve(drive)?,
+        };
+        let resistance = solver.greatest_resistance();
+        let motor = motor.map(|motor| SteadyMotor::new(motor, &regime, resistance, efficiency));
+        Ok((regime, motor))
+    };
+    let (regime, motor) = with_a_fit_motor(&drive, motor.as_ref(), works)?;
     let flywheel_sizes = sizes(&regime, motor.is_some(), drive.flywheel_on_motor);
     let (mean_resistance, resistance_work) = (solver.mean_resistance(), solver.resistance_work());
     Ok(Steady { regime, motor, mean_resistance, resistance_work, flywheel_sizes })
+}
+
+/// What works with a drive: the regime, and the motor in it.
+type Found = Result<(Regime, Option<SteadyMotor>), DynamicsError>;
+
+/// The regime with the motor of a scene; where it was chosen and does not fit its work, because it would become too hot or could
+/// not start, with the next motor that does. If none does, it is the first with its warnings.
+fn with_a_fit_motor(
+    drive: &DriveRequest,
+    motor: Option<&DriveMotor>,
+    mut works: impl FnMut(&DriveRequest, Option<DriveMotor>) -> Found,
+) -> Found {
+    let is_fit = |found: &(Regime, Option<SteadyMotor>)| found.1.as_ref().is_none_or(SteadyMotor::is_fit);
+    let others = std::iter::successors(motor.and_then(DriveMotor::next), DriveMotor::next);
+    let first = works(drive, motor.cloned());
+    if first.as_ref().is_ok_and(is_fit) {
+        return first;
+    }
+    for other in others.take(MOST_TRIED) {
+        let found = works(&drive.with(&other.characteristic, other.rotor()), Some(other));
+        if found.as_ref().is_ok_and(is_fit) {
+            return found;
+        }
+    }
+    first
 }
 
 /// The motor of a scene, looked up or chosen.
@@ -94,14 +127,15 @@ fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Option<Solve>),
     Ok((request, unevenness))
 }
 
-/// The input link about its pin (a sliding one: its mass): the part of J(q) that never varies.
+/// The input link about its pin (a sliding one: its mass), without a moment of inertia by a formula: the part of J(q) that never
+/// varies.
 fn constant_inertia(mechanism: &Mechanism) -> f64 {
     let link = &mechanism.links[mechanism.input.link];
     match mechanism.input.pair {
         InputPair::Pin(point) => {
             let pin = mechanism.place_in(point, mechanism.input.link).unwrap_or_default();
             let arm = [link.center[0] - pin[0], link.center[1] - pin[1]];
-            link.inertia + link.mass * (arm[0] * arm[0] + arm[1] * arm[1])
+            link.inertia.constant() + link.mass * (arm[0] * arm[0] + arm[1] * arm[1])
         }
         InputPair::Slide(_) => link.mass,
     }

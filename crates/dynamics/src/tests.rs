@@ -5,6 +5,7 @@ use assur_force::Loads;
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 
+mod cases;
 mod energy;
 mod known;
 mod loads;

@@ -7,7 +7,7 @@ use assur_integrator::{
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    FlywheelPlace, Mechanism, Motion as Asked, Solve, StepLength, Torque, Until as AskedUntil,
+    FlywheelPlace, Load, Mechanism, Motion as Asked, Solve, StepLength, Torque, Until as AskedUntil,
 };
 use assur_words::{Describe, Text};
 
@@ -208,10 +208,8 @@ fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
 }
 
 fn is_conservative(mechanism: &Mechanism) -> bool {
-    mechanism.forces.is_empty()
-        && mechanism.moments.is_empty()
-        && mechanism.contacts.is_empty()
-        && mechanism.springs.iter().all(|spring| spring.damping == 0.0)
+    let elastic = |load: &Load| load.kind.spring().is_some_and(|spring| spring.damping == 0.0);
+    mechanism.loads.iter().all(elastic)
         && mechanism.drive.as_ref().is_none_or(|drive| drive.torque == Torque::None)
 }
 

@@ -1,5 +1,7 @@
 //! The part of the plane that a drawing covers, and how it is enlarged and shifted.
 
+use crate::trace::inside;
+
 /// A rectangle of the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
@@ -36,6 +38,34 @@ impl Bounds {
         let size = [0, 1].map(|axis| (self.high[axis] - self.low[axis]).max(0.0));
         let far = self.low.iter().chain(&self.high).fold(0.0_f64, |far, x| far.max(x.abs()));
         if size[0].max(size[1]) <= ROUNDING * far { [0.0; 2] } else { size }
+    }
+
+    /// The rectangle with another one.
+    #[must_use]
+    pub fn with(mut self, other: Self) -> Self {
+        for at in [other.low, other.high] {
+            self.add(at);
+        }
+        self
+    }
+
+    /// The rectangle extended on all sides by a part of its greater side.
+    #[must_use]
+    pub fn widened(self, part: f64) -> Self {
+        let [width, height] = self.size();
+        let by = part * width.max(height);
+        Self { low: self.low.map(|x| x - by), high: self.high.map(|x| x + by) }
+    }
+
+    /// Whether a point lies in it.
+    pub fn holds(&self, at: [f64; 2]) -> bool {
+        (0..2).all(|axis| (self.low[axis]..=self.high[axis]).contains(&at[axis]))
+    }
+
+    /// The part of a straight piece that lies in it; `None` where it lies outside.
+    pub fn cut(&self, [from, to]: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
+        let at = |part: f64| [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis]));
+        inside([from, to], self.low, self.high).map(|parts| parts.map(at))
     }
 
     /// Its middle.

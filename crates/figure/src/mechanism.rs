@@ -15,8 +15,36 @@ use crate::model::{Ink, Item, Point, Sign, Stroke};
 const BEYOND: f64 = 0.08;
 /// Of more points only the names that cover nothing are written.
 const MOST_NAMES: usize = 40;
+/// Straight pieces of an arc.
+const ARC: usize = 48;
 /// Least excess of a guide, as part of the size of the mechanism.
 const LEAST_BEYOND: f64 = 0.02;
+
+/// An arc of a link that rolls and slides along a straight line of the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    /// The link.
+    pub link: LinkId,
+    /// Center of the arc in the frame of the link, m.
+    pub center: Point,
+    /// Its radius, m.
+    pub radius: f64,
+    /// The directions of its ends from the center, in the frame of the link, rad.
+    pub ends: [f64; 2],
+    /// The ends of the line, m.
+    pub line: [Point; 2],
+}
+
+impl Arc {
+    /// Points along the arc in the frame of the link.
+    fn points(&self) -> impl Iterator<Item = Point> {
+        let [from, to] = self.ends;
+        (0..=ARC).map(move |step| {
+            let (s, c) = (from + (to - from) * step as f64 / ARC as f64).sin_cos();
+            [self.center[0] + self.radius * c, self.center[1] + self.radius * s]
+        })
+    }
+}
 
 /// What is drawn of a linkage, apart from its position.
 #[derive(Debug, Clone, Copy)]
@@ -25,6 +53,8 @@ pub struct Drawing<'a> {
     pub linkage: &'a Linkage,
     /// Least and greatest displacement of each slide over all positions, m.
     pub strokes: &'a [[f64; 2]],
+    /// The arcs in contact with a line of the ground.
+    pub arcs: &'a [Arc],
     /// Links that are drawn as chosen.
     pub marked: &'a [LinkId],
     /// Links that are not drawn, because they are not joined yet or have no place.
@@ -39,6 +69,7 @@ impl Drawing<'_> {
         // Chosen links lie over the others.
         links.sort_by_key(|link| self.marked.contains(link));
         let mut items = self.guides(bodies);
+        items.extend(self.arcs(bodies));
         let mut numbers = Vec::new();
         for link in links {
             let outline: Vec<Point> =
@@ -112,6 +143,20 @@ impl Drawing<'_> {
             .collect()
     }
 
+    /// The arcs with their lines and the radii to their ends.
+    fn arcs(&self, bodies: &[Body<f64>]) -> Vec<Item> {
+        let mut items = Vec::new();
+        for arc in self.arcs.iter().filter(|arc| self.shows(arc.link)) {
+            let body = &bodies[arc.link];
+            let points: Vec<Point> = arc.points().map(|at| body.point(at)).collect();
+            let (center, ends) = (body.point(arc.center), [points[0], points[points.len() - 1]]);
+            items.push(Item::Surface { from: arc.line[0], to: arc.line[1] });
+            items.push(Item::line([ends[0], center, ends[1]], Stroke::Dashed, Ink::Trace));
+            items.push(Item::line(points, Stroke::Thick, self.ink(arc.link)));
+        }
+        items
+    }
+
     fn blocks(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
         let slides = self.linkage.mechanism.slides.iter();
         slides.filter(|slide| self.shows(slide.link) && self.shows(slide.on)).map(|slide| {
@@ -135,7 +180,7 @@ impl Drawing<'_> {
     }
 
     fn springs(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
-        let springs = self.linkage.mechanism.springs.iter();
+        let springs = self.linkage.mechanism.loads.iter().filter_map(|load| load.kind.spring());
         springs.filter(|spring| spring.ends.iter().all(|end| self.shows(end.link))).map(|spring| {
             let [from, to] = spring.ends.map(|end| bodies[end.link].point(end.at));
             let (elastic, damped) = (spring.stiffness != 0.0, spring.damping != 0.0);
@@ -150,7 +195,8 @@ impl Drawing<'_> {
         let stones = mechanism.slides.iter().filter(|slide| slide.link == link).map(|slide| slide.point);
         let carried = mechanism.slides.iter().zip(self.strokes).filter(|(slide, _)| slide.on == link);
         let guides = carried.filter_map(|(slide, stroke)| self.guide(slide, *stroke)).flatten();
-        let springs = mechanism.springs.iter().flat_map(|spring| spring.ends);
+        let springs =
+            mechanism.loads.iter().filter_map(|load| load.kind.spring()).flat_map(|spring| spring.ends);
         let held = springs.filter(|end| end.link == link).map(|end| end.at);
         named.chain(stones).chain(guides).chain(held).collect()
     }

@@ -216,6 +216,13 @@ pub enum Item {
         /// The other end.
         to: Point,
     },
+    /// A line of the ground on which something rolls or slides, hatched on its lower side (a vertical one: on its right side).
+    Surface {
+        /// One end.
+        from: Point,
+        /// The other end.
+        to: Point,
+    },
     /// A spring, a damper, or both beside each other between two points.
     Spring {
         /// One end.
@@ -267,15 +274,42 @@ impl Item {
         Self::Line { points: points.into(), stroke, ink }
     }
 
+    /// What of it lies in a part of the plane.
+    pub fn within(self, bounds: &Bounds) -> Vec<Self> {
+        let cut = |ends: [Point; 2]| bounds.cut(ends);
+        match self {
+            Self::Line { points, stroke, ink } => {
+                let pieces = points.windows(2).filter_map(|two| cut([two[0], two[1]]));
+                pieces.map(|piece| Self::line(piece, stroke, ink)).collect()
+            }
+            Self::Area { ref outline, ink } if !outline.iter().all(|at| bounds.holds(*at)) => {
+                let ends = outline.iter().zip(outline.iter().skip(1).chain(outline.first()));
+                let sides = ends.filter_map(|(from, to)| cut([*from, *to]));
+                sides.map(|side| Self::line(side, Stroke::Thick, ink)).collect()
+            }
+            Self::Guide { from, to } => {
+                cut([from, to]).map(|[from, to]| Self::Guide { from, to }).into_iter().collect()
+            }
+            Self::Surface { from, to } => {
+                cut([from, to]).map(|[from, to]| Self::Surface { from, to }).into_iter().collect()
+            }
+            whole => {
+                let inside = whole.points().iter().all(|at| bounds.holds(*at));
+                inside.then_some(whole).into_iter().collect()
+            }
+        }
+    }
+
     /// The points that a drawing of it must show.
     pub fn points(&self) -> Vec<Point> {
         match self {
             Self::Line { points, .. } => points.clone(),
             Self::Area { outline, .. } => outline.clone(),
             Self::Sign { at, .. } | Self::Name { at, .. } => vec![*at],
-            Self::Arrow { from, to, .. } | Self::Guide { from, to } | Self::Spring { from, to, .. } => {
-                vec![*from, *to]
-            }
+            Self::Arrow { from, to, .. }
+            | Self::Guide { from, to }
+            | Self::Surface { from, to }
+            | Self::Spring { from, to, .. } => vec![*from, *to],
         }
     }
 }

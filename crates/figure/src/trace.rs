@@ -67,7 +67,9 @@ impl<F: Fn(Point) -> Point> Paper<F> {
                 vec![Mark::Line { points, stroke: Stroke::Thick, ink: *ink, closed: true }]
             }
             Item::Arrow { from, to, stroke, ink } => self.arrow(place(*from), place(*to), *stroke, *ink),
-            Item::Guide { from, to } => self.guide(place(*from), place(*to)),
+            // A slider stands between its path and the face of the guide.
+            Item::Guide { from, to } => self.hatched(place(*from), place(*to), BLOCK[1] * self.em + self.gap),
+            Item::Surface { from, to } => self.hatched(place(*from), place(*to), 0.0),
             Item::Spring { from, to, elastic, damped } => {
                 self.suspension(place(*from), place(*to), *elastic, *damped)
             }
@@ -92,13 +94,13 @@ impl<F: Fn(Point) -> Point> Paper<F> {
         ]
     }
 
-    fn guide(&self, from: Point, to: Point) -> Vec<Mark> {
+    /// A line of the ground at a distance from two points, hatched on the side away from them.
+    fn hatched(&self, from: Point, to: Point, away: f64) -> Vec<Mark> {
         let (along, length) = unit(from, to);
         // The lower side; of a vertical guide the right one.
         let upright = along[0].abs() <= 1e-9;
         let side = if along[0] > 1e-9 || (upright && along[1] < 0.0) { 1.0 } else { -1.0 };
         let out = [-side * along[1], side * along[0]];
-        let away = BLOCK[1] * self.em + self.gap;
         let [from, to] = [from, to].map(|at| shifted(at, out, away));
         let mut marks = vec![Mark::Line {
             points: vec![from, to],

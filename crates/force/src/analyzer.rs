@@ -6,7 +6,7 @@ use assur_number::Lanes;
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Describe, Text, name, number, quantity, text};
 
-use crate::{Construction, LoadError, Reactions};
+use crate::{Acting, Construction, LoadError, Reactions};
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
@@ -49,7 +49,7 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
 
     /// The construction on paper that corresponds to the method, at one position; `None` for a method without one.
     ///
-    /// `loads`: all loads with the inertia loads, one wrench for each body about the origin of its frame.
+    /// `loads`: all loads with the inertia loads, each where it acts.
     ///
     /// # Errors
     ///
@@ -58,9 +58,21 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         &self,
         _linkage: &Linkage,
         _position: &Position,
-        _loads: &[Wrench<f64>],
+        _loads: &[Acting],
     ) -> Result<Option<Construction>, ForceError> {
         Ok(None)
+    }
+
+    /// Where dry friction leaves no solution: the upper end of the interval from 0 of the factors k for which there is one with
+    /// all coefficients times k; `None` for a method that does not treat friction. Arguments as for [`solve`](Self::solve).
+    fn jamming_limit(
+        &self,
+        _linkage: &Linkage,
+        _position: &Position,
+        _loads: &[Wrench<f64>],
+        _out: &Reactions,
+    ) -> Option<f64> {
+        None
     }
 
     /// The factor by which the method magnifies rounding in this position beyond the groups themselves (1 /
@@ -114,6 +126,13 @@ pub enum ForceError {
         /// A method that has a solution there.
         instead: &'static str,
     },
+    /// With friction there is no equilibrium: the mechanism jams, or can't be driven back.
+    Jammed {
+        /// What has none, in words: a group, the input link, or the balancing load.
+        what: Text,
+        /// The coordinate, rad or m.
+        coordinate: f64,
+    },
     /// The method can't treat this mechanism.
     Unsupported {
         /// Name of the method.
@@ -123,11 +142,19 @@ pub enum ForceError {
     },
 }
 
-assur_words::errors!(ForceError);
+assur_words::errors!(ForceError; Load(LoadError));
 
-impl From<LoadError> for ForceError {
-    fn from(error: LoadError) -> Self {
-        Self::Load(error)
+impl AnalyzerPlugin {
+    /// Whether the method can treat this mechanism, with its friction.
+    ///
+    /// # Errors
+    ///
+    /// Why not, as a clause.
+    pub fn supports(&self, linkage: &Linkage) -> Result<(), Text> {
+        if !linkage.mechanism.frictions.is_empty() && !self.treats_friction {
+            return Err(text!("force-without-friction"));
+        }
+        self.instance.supports(linkage)
     }
 }
 
@@ -161,6 +188,9 @@ impl Describe for ForceError {
                 angle = quantity(format_args!("{angle:.3e}"), "rad"),
                 instead = name(*instead)
             ),
+            Self::Jammed { what, coordinate } => {
+                text!("force-jammed", what = what, coordinate = at(*coordinate))
+            }
             Self::Unsupported { analyzer, reason } => {
                 text!("force-unsupported", method = name(*analyzer), reason = reason)
             }
@@ -183,6 +213,8 @@ pub struct AnalyzerPlugin {
     pub instance: &'static dyn ForceAnalyzer,
     /// Whether it finds reactions; otherwise the balancing load alone.
     pub gives_reactions: bool,
+    /// Whether it finds the dry friction of pairs ([`Reactions::rubbing`](crate::Reactions::rubbing)).
+    pub treats_friction: bool,
     /// Whether the method solves group by group, so that a group which is not placed or carries no load can be left out
     /// ([`Reactions::solved`](crate::Reactions::solved)). Other methods need all groups placed.
     pub by_groups: bool,
@@ -205,7 +237,7 @@ pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
 /// The registered methods that can treat a mechanism, sorted by name; none where the registry is faulty.
 pub fn applicable(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
     let all = analyzers().unwrap_or_default().into_iter();
-    all.filter(|plugin| plugin.instance.supports(linkage).is_ok()).collect()
+    all.filter(|plugin| plugin.supports(linkage).is_ok()).collect()
 }
 
 /// The method of this name.
@@ -217,15 +249,18 @@ pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
     assur_plugin::find(name)
 }
 
-/// The method of this name; without a name the preferred one of those that give reactions.
+/// The method of this name; without a name the preferred one of those that give reactions, and treat the friction of pairs
+/// where there is any.
 ///
 /// # Errors
 ///
 /// [`RegistryError`] where the registry is faulty or has no such method.
-pub fn choose(name: Option<&str>) -> Result<&'static AnalyzerPlugin, RegistryError> {
+pub fn choose(name: Option<&str>, friction: bool) -> Result<&'static AnalyzerPlugin, RegistryError> {
     if let Some(name) = name {
         return find(name);
     }
-    let all = analyzers()?.into_iter().filter(|plugin| plugin.gives_reactions);
+    let all = analyzers()?
+        .into_iter()
+        .filter(|plugin| plugin.gives_reactions && plugin.treats_friction >= friction);
     all.min_by_key(|plugin| plugin.rank).ok_or(RegistryError::Empty(AnalyzerPlugin::WHAT))
 }

@@ -7,7 +7,7 @@ use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
 use assur_number::Real;
 use assur_words::text;
 
-use crate::{ForceError, power};
+use crate::{ForceError, Loads, Rubbing, power};
 
 /// A balancing load of size 1 on a link that is not the drive's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,6 +116,8 @@ pub struct Reactions<T = f64> {
     /// group that carries no load, or is not placed. Respected by methods that solve [by
     /// groups](crate::AnalyzerPlugin::by_groups).
     pub solved: Vec<bool>,
+    /// Dry friction in pairs; `None` where all are ideal, and where it is to be left out.
+    pub rubbing: Option<Rubbing<T>>,
     /// Scratch of a method: one wrench for each pair.
     pub scratch_pairs: Vec<Wrench<T>>,
     /// Scratch of a method: one wrench for each body.
@@ -131,10 +133,18 @@ impl<T: Real> Reactions<T> {
             balancing: T::from_f64(f64::NAN),
             unit: UnitBalance::of(&linkage.mechanism),
             solved: groups.map(|group| linkage.chain.is_needed(group)).collect(),
+            rubbing: None,
             scratch_pairs: pairs.clone(),
             pairs,
             scratch_bodies: vec![Wrench::ZERO; linkage.structure.links],
         }
+    }
+
+    /// Memory for the reactions with the dry friction of the mechanism, if it has any.
+    #[must_use]
+    pub fn with_friction(mut self, loads: &Loads, linkage: &Linkage) -> Self {
+        self.rubbing = loads.frictions().map(|frictions| Rubbing::new(frictions.clone(), linkage));
+        self
     }
 
     /// Memory for the reactions, without the groups of these indices, which carry no load: their reactions stay zero.

@@ -1,25 +1,28 @@
 //! Which formula of each load applies at a state.
 
 use assur_integrator::Piece;
+use assur_mechanism::LoadId;
 
 use crate::State;
 use crate::breaks::cut;
 use crate::law::{Active, Law};
-use crate::loads::{Along, ArcContact, Loads};
+use crate::loads::{Action, Applied, ArcContact, Loads};
 use crate::sliding::Sliding;
 use crate::state::{Selection, Side};
 
 /// The formulas of all loads on one side of a state, or in one smooth piece.
 pub(crate) trait Formulas {
-    /// The formula of a law.
-    fn active(&self, loads: &Loads, law: usize, state: &State) -> Active;
+    /// The formula of the size of a load.
+    fn size(&self, loads: &Loads, load: usize, law: &Law, state: &State) -> Active;
+    /// The formula of the angle of a contact.
+    fn angle(&self, loads: &Loads, load: usize, law: &Law, state: &State) -> Active;
     /// Whether a contact touches.
-    fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool;
+    fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &State) -> bool;
     /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
-    fn rubs(&self, loads: &Loads, sliding: &Sliding, contact: usize, state: &State) -> f64;
-    /// Factor of the unit vector of PF1 for a force against the motion; 0 where the point is at rest. `lengths`: of PF1
+    fn rubs(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &State) -> f64;
+    /// Factor of the unit vector of PF1 for a load against the motion; 0 where the point is at rest. `lengths`: of PF1
     /// and PF2 of its point.
-    fn against(&self, loads: &Loads, force: usize, state: &State, lengths: [f64; 2]) -> f64;
+    fn against(&self, loads: &Loads, load: usize, state: &State, lengths: [f64; 2]) -> f64;
 }
 
 /// Says which formulas apply at a state.
@@ -60,13 +63,17 @@ impl Choice for Phase {
 
 impl Formulas for Selection {
     #[inline(always)]
-    fn active(&self, loads: &Loads, law: usize, state: &State) -> Active {
-        loads.laws[law].at(state, self, loads.period)
+    fn size(&self, loads: &Loads, _: usize, law: &Law, state: &State) -> Active {
+        law.at(state, self, loads.period)
     }
 
     #[inline(always)]
-    fn touches(&self, loads: &Loads, contact: usize, state: &State) -> bool {
-        let contact = &loads.contacts[contact];
+    fn angle(&self, loads: &Loads, _: usize, law: &Law, state: &State) -> Active {
+        law.at(state, self, loads.period)
+    }
+
+    #[inline(always)]
+    fn touches(&self, loads: &Loads, _: usize, contact: &ArcContact, state: &State) -> bool {
         let ahead = self.coordinate(state, loads.period);
         let behind = 2.0 * state.coordinate - ahead;
         contact.touches(ahead) || (self.closed && contact.touches(behind))
@@ -95,23 +102,28 @@ impl Formulas for Selection {
 
 impl Formulas for Phase {
     #[inline(always)]
-    fn active(&self, _: &Loads, law: usize, _: &State) -> Active {
-        self.actives[law]
+    fn size(&self, _: &Loads, load: usize, _: &Law, _: &State) -> Active {
+        self.loads[load].size
     }
 
     #[inline(always)]
-    fn touches(&self, _: &Loads, contact: usize, _: &State) -> bool {
-        self.contacts[contact]
+    fn angle(&self, _: &Loads, load: usize, _: &Law, _: &State) -> Active {
+        self.loads[load].angle
     }
 
     #[inline(always)]
-    fn rubs(&self, _: &Loads, _: &Sliding, contact: usize, _: &State) -> f64 {
-        self.rubs[contact]
+    fn touches(&self, _: &Loads, load: usize, _: &ArcContact, _: &State) -> bool {
+        self.loads[load].touches
     }
 
     #[inline(always)]
-    fn against(&self, _: &Loads, force: usize, state: &State, _: [f64; 2]) -> f64 {
-        let [low, high] = self.sides[force];
+    fn rubs(&self, _: &Loads, _: &Sliding, load: usize, _: &State) -> f64 {
+        self.loads[load].rubs
+    }
+
+    #[inline(always)]
+    fn against(&self, _: &Loads, load: usize, state: &State, _: [f64; 2]) -> f64 {
+        let [low, high] = self.loads[load].stays;
         // Beyond a rest PF1 has reversed; the formula of the piece has not.
         let within = state.coordinate >= low && state.coordinate <= high;
         if within { -self.sense } else { self.sense }
@@ -149,15 +161,14 @@ impl Loads {
 
     /// Angle of a contact of the mechanism at a state, rad, and its coefficient of friction with its sign along (cos a, -sin a);
     /// `None` where no link has it.
-    pub fn contact(&self, id: usize, state: &State) -> Option<[f64; 2]> {
-        let index = self.contacts.iter().position(|contact| contact.id == id)?;
-        let contact = &self.contacts[index];
-        let angle = &self.laws[self.forces.len() + self.moments.len() + self.contacts.len() + index];
+    pub fn contact(&self, id: LoadId, state: &State) -> Option<[f64; 2]> {
+        let index = self.applied.iter().position(|load| load.id == id)?;
+        let Action::Contact(contact) = &self.applied[index].action else { return None };
         let sign = contact
             .sliding
             .as_ref()
             .map_or(1.0, |sliding| Live.weigh(self, state, |side| side.rubs(self, sliding, index, state)));
-        Some([self.value_of(angle, state), sign * contact.friction])
+        Some([self.value_of(&contact.angle, state), sign * contact.friction])
     }
 
     /// The formulas in use at a state: those of one side, or of both where the motion is held.
@@ -195,13 +206,30 @@ impl Loads {
 /// of loads against the motion. Created by [`Loads::phase`], set by [`Loads::enter`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Phase {
-    pub(crate) actives: Vec<Active>,
-    /// For each force, then for each moment: the interval of the coordinate in which its point or link does not reverse.
-    pub(crate) sides: Vec<[f64; 2]>,
-    pub(crate) contacts: Vec<bool>,
-    /// Sign of the friction of each contact that is against its sliding.
-    pub(crate) rubs: Vec<f64>,
+    pub(crate) loads: Vec<LoadPhase>,
     pub(crate) sense: f64,
+}
+
+/// Which formulas of one load are in use.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LoadPhase {
+    /// Of its size.
+    size: Active,
+    /// Of the angle of a contact.
+    angle: Active,
+    /// The interval of the coordinate in which the point or link does not reverse against whose motion it is.
+    stays: [f64; 2],
+    /// Whether a contact touches.
+    pub(crate) touches: bool,
+    /// Sign of the friction of a contact that is against its sliding.
+    rubs: f64,
+}
+
+impl LoadPhase {
+    /// Not yet entered.
+    fn new() -> Self {
+        Self { size: Active::only(), angle: Active::only(), stays: EVERYWHERE, touches: true, rubs: 0.0 }
+    }
 }
 
 const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
@@ -209,13 +237,7 @@ const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 impl Loads {
     /// A phase with room for all loads, not yet entered.
     pub fn phase(&self) -> Phase {
-        Phase {
-            actives: vec![Active::only(); self.laws.len()],
-            sides: vec![EVERYWHERE; self.forces.len() + self.moments.len()],
-            contacts: vec![true; self.contacts.len()],
-            rubs: vec![0.0; self.contacts.len()],
-            sense: self.sense,
-        }
+        Phase { loads: vec![LoadPhase::new(); self.applied.len()], sense: self.sense }
     }
 
     /// Chooses the formulas of the side of `state` (if the motion is held, of the side above its speed), and returns
@@ -230,27 +252,8 @@ impl Loads {
         };
         let mut bounds = Piece::UNBOUNDED;
         phase.sense = side.sense;
-        for (law, active) in self.laws.iter().zip(&mut phase.actives) {
-            *active = law.enter(state, &side, self.period, &mut bounds);
-        }
-        let ahead = side.coordinate(state, self.period);
-        let rests = self.forces.iter().map(|force| Some(&force.rests));
-        let rests =
-            rests.chain(self.moments.iter().map(|moment| moment.brake.as_ref().map(|(_, rests)| rests)));
-        for (rests, side) in rests.zip(&mut phase.sides) {
-            *side = rests.map_or(EVERYWHERE, |rests| rests.interval(ahead).ends);
-            cut(&mut bounds.coordinate, *side);
-        }
-        for (contact, touches) in self.contacts.iter().zip(&mut phase.contacts) {
-            let interval = contact.breaks.interval(ahead);
-            *touches = interval.index == contact.touching;
-            cut(&mut bounds.coordinate, interval.ends);
-        }
-        for (contact, rubs) in self.contacts.iter().zip(&mut phase.rubs) {
-            if let Some((interval, sign)) = contact.sliding.as_ref().map(|sliding| sliding.at(ahead)) {
-                *rubs = -phase.sense * sign;
-                cut(&mut bounds.coordinate, interval.ends);
-            }
+        for (load, phase) in self.applied.iter().zip(&mut phase.loads) {
+            phase.enter(self, load, state, &side, &mut bounds);
         }
         if self.turns_with_speed() {
             let side = if phase.sense < 0.0 { [f64::NEG_INFINITY, 0.0] } else { [0.0, f64::INFINITY] };
@@ -261,9 +264,28 @@ impl Loads {
 
     /// Whether a load depends on the sign of the speed: a load against the motion, friction against the sliding, or a stroke.
     pub fn turns_with_speed(&self) -> bool {
-        let against = self.forces.iter().any(|force| force.along == Along::AgainstMotion);
-        let brakes = self.moments.iter().any(|moment| moment.brake.is_some());
-        let rubs = self.contacts.iter().any(|contact| contact.sliding.is_some());
-        against || brakes || rubs || self.laws.iter().any(|law| matches!(law, Law::Stroke(_)))
+        self.applied.iter().any(Applied::turns_with_speed)
+    }
+}
+
+impl LoadPhase {
+    /// Chooses the formulas of a load, and cuts the `bounds` to those in which they are valid.
+    fn enter(&mut self, loads: &Loads, load: &Applied, state: &State, side: &Selection, bounds: &mut Piece) {
+        self.size = load.size.enter(state, side, loads.period, bounds);
+        let ahead = side.coordinate(state, loads.period);
+        if let Some(rests) = load.rests() {
+            self.stays = rests.interval(ahead).ends;
+            cut(&mut bounds.coordinate, self.stays);
+        }
+        if let Action::Contact(contact) = &load.action {
+            self.angle = contact.angle.enter(state, side, loads.period, bounds);
+            let interval = contact.breaks.interval(ahead);
+            self.touches = interval.index == contact.touching;
+            cut(&mut bounds.coordinate, interval.ends);
+            if let Some((interval, sign)) = contact.sliding.as_ref().map(|sliding| sliding.at(ahead)) {
+                self.rubs = -side.sense * sign;
+                cut(&mut bounds.coordinate, interval.ends);
+            }
+        }
     }
 }

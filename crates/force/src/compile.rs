@@ -1,23 +1,26 @@
 //! From the loads of a scene to flat compiled ones.
 
+use std::mem::discriminant;
+use std::sync::Arc;
+
 use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Contact, Direction, GROUND, InputPair, LinkId, Mechanism, Motion, Name, Over, Place, Range, Spring,
-    Table, Value,
+    Contact, Direction, Force, GROUND, InputPair, LinkId, Load, LoadId, LoadKind, Mechanism, Over, Place,
+    Range, Table, Value,
 };
-use assur_words::{Describe, Text, text};
+use assur_words::{Text, text};
 
 use crate::breaks::Breaks;
 use crate::curve::Curve;
 use crate::formula::{FormulaLaw, Unlocated};
 use crate::grid::{Bodies, GRID, Span, rests};
 use crate::law::Law;
-use crate::loads::{Along, ArcContact, LinkMoment, Mass, PointForce, SpringDamper};
+use crate::loads::{Action, Along, Applied, ArcContact, Mass, PointForce, Shoe};
 use crate::sliding::{Rate, Sliding};
-use crate::stroke::{NoStroke, Stroke, Travel};
-use crate::{LoadError, Loads, State};
+use crate::stroke::{Stroke, Travel};
+use crate::{Block, Frictions, LoadError, LoadFault, Loads, Rub, State, Unknown};
 
 /// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
 /// grid.
@@ -69,11 +72,8 @@ impl Loads {
         let mut loads = Self {
             masses: Mass::all(mechanism),
             gravity: mechanism.gravity.unwrap_or_default(),
-            forces: Vec::new(),
-            moments: Vec::new(),
-            springs: springs(mechanism)?,
-            contacts: Vec::new(),
-            laws: Vec::new(),
+            applied: Vec::new(),
+            frictions: None,
             sense: input.sign(),
             period: input.period(),
             standing,
@@ -81,113 +81,125 @@ impl Loads {
             input: (input.link, pin),
         };
         let compiler = Compiler { linkage, mechanism, earlier };
-        compiler.forces(&mut loads)?;
-        compiler.moments(&mut loads)?;
-        compiler.contacts(&mut loads)?;
+        for (id, load) in mechanism.loads.iter().enumerate() {
+            // Nothing on the ground moves; a spring on it pulls at its other end.
+            if load.kind.links().any(|link| link != GROUND) {
+                let applied = compiler.load(id, load, &loads);
+                loads.applied.push(applied.map_err(|fault| LoadError { load: (&load.name).into(), fault })?);
+            }
+        }
+        compiler.frictions(&mut loads);
         Ok(loads)
     }
-}
-
-fn springs(mechanism: &Mechanism) -> Result<Vec<SpringDamper>, LoadError> {
-    let mut compiled = Vec::new();
-    for (id, spring) in mechanism.springs.iter().enumerate() {
-        if spring.damping != 0.0 {
-            needs_motion(mechanism, &spring.name, text!("force-damping"))?;
-        }
-        // Between points of one link the two forces cancel.
-        if spring.ends[0].link != spring.ends[1].link {
-            let &Spring { ends, stiffness, length, damping, .. } = spring;
-            compiled.push(SpringDamper { id, ends, stiffness, length, damping });
-        }
-    }
-    Ok(compiled)
-}
-
-fn needs_motion(mechanism: &Mechanism, name: &Name, what: Text) -> Result<(), LoadError> {
-    if mechanism.motion.is_some() {
-        return Ok(());
-    }
-    Err(LoadError::NeedsMotion { name: name.into(), what })
 }
 
 impl<'a> Compiler<'a> {
     /// Whether the motion is given, so that nothing steps along it.
     fn is_given(&self) -> bool {
-        matches!(self.mechanism.motion, None | Some(Motion::Prescribed { .. }))
+        !self.mechanism.has_equation_of_motion()
     }
 
-    /// The earlier loads, if this part of the mechanism was the same.
-    fn same<T: PartialEq + 'a>(&self, part: impl Fn(&'a Mechanism) -> &'a T) -> Option<&'a Loads> {
+    fn needs_motion(&self, what: Text) -> Result<(), LoadFault> {
+        if self.mechanism.motion.is_some() { Ok(()) } else { Err(LoadFault::NeedsMotion(what)) }
+    }
+
+    /// A load as it was compiled before, if nothing that it depends on has changed.
+    fn same(&self, id: LoadId) -> Option<&'a Applied> {
         let (mechanism, loads) = self.earlier?;
-        (part(mechanism) == part(self.mechanism)).then_some(loads)
+        let load = mechanism.loads.get(id)?;
+        let [before, now] = [mechanism, self.mechanism].map(|mechanism| mechanism.motion.as_ref());
+        let same_motion = before == now
+            || before.map(discriminant) == now.map(discriminant)
+                && !load.kind.laws().any(Value::follows_motion);
+        let found = loads.applied.binary_search_by_key(&id, |load| load.id).ok()?;
+        (same_motion && *load == self.mechanism.loads[id]).then(|| &loads.applied[found])
     }
 
-    fn forces(&self, loads: &mut Loads) -> Result<(), LoadError> {
-        let mechanism = self.mechanism;
-        for (id, force) in mechanism.forces.iter().enumerate().filter(|(_, force)| force.at.link != GROUND) {
-            if let Some(same) = self.same(|mechanism| &mechanism.forces[id]) {
-                loads.laws.push(same.laws[loads.laws.len()].clone());
-                loads.forces.push(same.forces[loads.forces.len()].clone());
-                continue;
-            }
-            let along = match force.direction {
-                Direction::Ground(angle) => Along::Ground([angle.cos(), angle.sin()]),
-                Direction::Link(angle) => Along::Link([angle.cos(), angle.sin()]),
-                Direction::AgainstMotion => Along::AgainstMotion,
-            };
-            let mut breaks = Breaks::default();
-            if along == Along::AgainstMotion {
-                needs_motion(mechanism, &force.name, text!("force-against-motion"))?;
-                let at = force.at.at;
-                breaks = self
-                    .rests(move |body| (body.first(body.arm(at)), body.second(body.arm(at))), force.at.link);
-            }
-            loads.laws.push(self.law(&force.name, Some(force.at), &force.value)?);
-            loads.forces.push(PointForce { id, at: force.at, along, rests: breaks });
+    fn load(&self, id: LoadId, load: &Load, loads: &Loads) -> Result<Applied, LoadFault> {
+        if let Some(same) = self.same(id) {
+            return Ok(same.clone());
         }
-        Ok(())
+        let place = match &load.kind {
+            LoadKind::Force(Force { at, .. }) | LoadKind::Contact(Contact { center: at, .. }) => Some(*at),
+            LoadKind::Moment(_) | LoadKind::Brake(_) | LoadKind::Spring(_) => None,
+        };
+        let size = load.kind.law().map_or(Ok(Law::Constant(0.0)), |value| self.law(place, value))?;
+        Ok(Applied { id, size, action: self.action(&load.kind, loads)? })
     }
 
-    fn moments(&self, loads: &mut Loads) -> Result<(), LoadError> {
-        let mechanism = self.mechanism;
-        for (id, moment) in mechanism.moments.iter().enumerate().filter(|(_, moment)| moment.link != GROUND) {
-            if let Some(same) = self.same(|mechanism| &mechanism.moments[id]) {
-                loads.laws.push(same.laws[loads.laws.len()].clone());
-                loads.moments.push(same.moments[loads.moments.len()].clone());
-                continue;
+    fn action(&self, load: &LoadKind, loads: &Loads) -> Result<Action, LoadFault> {
+        Ok(match load {
+            LoadKind::Force(Force { at, direction, .. }) => {
+                let (at, mut rests) = (*at, Breaks::default());
+                let along = match direction {
+                    Direction::Ground(angle) => Along::Ground([angle.cos(), angle.sin()]),
+                    Direction::Link(angle) => Along::Link([angle.cos(), angle.sin()]),
+                    Direction::AgainstMotion => {
+                        self.needs_motion(text!("force-against-motion"))?;
+                        let motion = |body: &Body<f64>| body.motion(body.arm(at.at));
+                        rests = self.rests(motion, at.link);
+                        Along::AgainstMotion
+                    }
+                };
+                Action::Force(PointForce { at, along, rests })
             }
-            loads.laws.push(self.law(&moment.name, None, &moment.value)?);
-            let mut brake = None;
-            if let Some(found) = moment.brake {
-                needs_motion(mechanism, &moment.name, text!("force-brake"))?;
-                brake = Some((found, self.rests(|body| ([body.w1, 0.0], [body.w2, 0.0]), moment.link)));
+            LoadKind::Moment(moment) => Action::Moment(moment.link),
+            LoadKind::Brake(brake) => {
+                self.needs_motion(text!("force-brake"))?;
+                let rests = self.rests(|body| [[body.w1, 0.0], [body.w2, 0.0]], brake.link);
+                Action::Brake(Shoe {
+                    link: brake.link,
+                    radius: brake.radius,
+                    lever: brake.moment_of_unit_force(),
+                    rests,
+                })
             }
-            loads.moments.push(LinkMoment { id, link: moment.link, brake });
-        }
-        Ok(())
+            LoadKind::Spring(spring) => {
+                if spring.damping != 0.0 {
+                    self.needs_motion(text!("force-damping"))?;
+                }
+                Action::Spring(*spring)
+            }
+            LoadKind::Contact(contact) => Action::Contact(Box::new(self.contact(contact, loads)?)),
+        })
     }
 
-    fn contacts(&self, loads: &mut Loads) -> Result<(), LoadError> {
-        let mechanism = self.mechanism;
-        for (id, contact) in mechanism.contacts.iter().enumerate().filter(|(_, c)| c.center.link != GROUND) {
-            let (breaks, touching) = contact_breaks(contact.during, loads.period);
-            loads.laws.push(self.law(&contact.name, Some(contact.center), &contact.force)?);
-            let &Contact { center, radius, friction, .. } = contact;
-            loads.contacts.push(ArcContact { id, center, radius, friction, sliding: None, breaks, touching });
+    fn contact(&self, contact: &Contact, loads: &Loads) -> Result<ArcContact, LoadFault> {
+        let (breaks, touching) = contact_breaks(contact.during, loads.period);
+        let angle = self.law(None, &contact.angle)?;
+        let sliding =
+            if contact.against_sliding { Some(self.sliding(loads, contact, &angle)?) } else { None };
+        let &Contact { center, radius, friction, .. } = contact;
+        Ok(ArcContact { center, radius, angle, friction, sliding, breaks, touching })
+    }
+
+    /// The dry friction of the pairs, if there is any.
+    fn frictions(&self, loads: &mut Loads) {
+        if self.mechanism.frictions.is_empty() {
+            return;
         }
-        for index in 0..loads.contacts.len() {
-            let contact = &mechanism.contacts[loads.contacts[index].id];
-            let angle = self.law(&contact.name, None, &contact.angle)?;
-            if contact.against_sliding {
-                loads.contacts[index].sliding = Some(self.sliding(loads, contact, &angle)?);
-            }
-            loads.laws.push(angle);
+        let (rubs, structure) = (Rub::all(self.linkage, &self.span_of_friction()), &self.linkage.structure);
+        let unknowns = Unknown::all(self.mechanism, structure, &rubs);
+        let (blocks, whole) = Block::all(structure, self.mechanism.input.link, &rubs, &unknowns);
+        loads.frictions = Some(Arc::new(Frictions { rubs, unknowns, blocks, whole }));
+    }
+
+    /// Where the senses of friction are looked for: over the cycle, or where an input that can't turn fully may be. There the two
+    /// ends of a turn don't join, so that the senses don't repeat with it.
+    fn span_of_friction(&self) -> Span {
+        /// At its ends the mechanism just holds together: part of the whole that is left out there.
+        const BESIDE: f64 = 1e-9;
+        let whole = self.linkage.range.filter(|range| !range.full && self.linkage.angular());
+        if let Some(range) = whole {
+            let length = range.high - range.low;
+            let from = range.low + BESIDE * length;
+            return Span { from, length: (1.0 - 2.0 * BESIDE) * length, periodic: false, cells: GRID };
         }
-        Ok(())
+        self.spans().first().map_or_else(|| self.positions(), |span| self.reach(span))
     }
 
     /// In which sense the arc of a contact slides, found before the motion.
-    fn sliding(&self, loads: &Loads, contact: &Contact, angle: &Law) -> Result<Sliding, LoadError> {
+    fn sliding(&self, loads: &Loads, contact: &Contact, angle: &Law) -> Result<Sliding, LoadFault> {
         let angle = |q: f64| loads.value_of(angle, &State::prescribed(self.mechanism, q));
         let cycle = self.spans().first().map(|span| self.reach(span));
         let repeats = |span: &Span| {
@@ -196,7 +208,7 @@ impl<'a> Compiler<'a> {
         };
         let span = match cycle.filter(repeats) {
             Some(span) => span,
-            None if !self.is_given() => return Err(LoadError::UnlocatedSliding(Text::from(&contact.name))),
+            None if !self.is_given() => return Err(LoadFault::UnlocatedSliding),
             None => self.positions(),
         };
         let (center, step) = (contact.center, 1e-3 * span.length / f64::from(span.cells));
@@ -209,7 +221,7 @@ impl<'a> Compiler<'a> {
         Ok(Sliding::find(&mut rate, &span))
     }
 
-    fn law(&self, name: &Name, at: Option<Place>, value: &Value) -> Result<Law, LoadError> {
+    fn law(&self, at: Option<Place>, value: &Value) -> Result<Law, LoadFault> {
         match value {
             Value::Constant(value) => Ok(Law::Constant(*value)),
             Value::Table { over: Over::Coordinate, table, repeat } => {
@@ -217,57 +229,58 @@ impl<'a> Compiler<'a> {
                 Ok(Law::over_coordinate(Curve::of(table), period))
             }
             Value::Table { over: Over::Speed, table, .. } => {
-                needs_motion(self.mechanism, name, text!("force-over-speed"))?;
+                self.needs_motion(text!("force-over-speed"))?;
                 Ok(Law::Speed(Curve::of(table)))
             }
             Value::Table { over: Over::Time, table, .. } => {
-                needs_motion(self.mechanism, name, text!("force-over-time"))?;
+                self.needs_motion(text!("force-over-time"))?;
                 Ok(Law::Time(Curve::of(table)))
             }
-            Value::Formula { formula, factor, axis } => self.formula(name, at, formula, *factor, *axis),
+            Value::Formula { formula, factor, axis } => self.formula(at, formula, *factor, *axis),
             Value::Stroke { axis, forward, back } => {
-                let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.into()))?;
-                self.stroke(name, at, *axis, [forward, back])
+                let at = at.ok_or(LoadFault::StrokeOfMoment)?;
+                self.stroke(at, *axis, [forward, back])
             }
         }
     }
 
     fn formula(
         &self,
-        name: &Name,
         at: Option<Place>,
         formula: &Formula,
         factor: f64,
         axis: Option<f64>,
-    ) -> Result<Law, LoadError> {
+    ) -> Result<Law, LoadFault> {
         let used = formula.used();
         if used.speed || used.time {
-            needs_motion(self.mechanism, name, text!("force-formula-of-motion"))?;
+            self.needs_motion(text!("force-formula-of-motion"))?;
         }
         let steps = !self.is_given();
         let place = |index: usize| {
             let span = &formula.switches()[index].span;
-            (name.into(), formula.text()[span.clone()].to_owned(), span.start + 1)
+            (formula.text()[span.clone()].to_owned(), span.start + 1)
         };
         let unlocated = |Unlocated(index)| {
-            let (name, function, column) = place(index);
-            LoadError::Unlocated { name, function, column }
+            let (function, column) = place(index);
+            LoadFault::Unlocated { function, column }
         };
         let mut law = FormulaLaw::new(formula.clone(), factor, steps).map_err(unlocated)?;
         let motion = |q: f64| State::prescribed(self.mechanism, q);
         if let Some(index) = law.changing_too_often(self.cycle(), MOST_CHANGES, motion) {
-            let (name, function, column) = place(index);
-            return Err(LoadError::ChangesTooOften { name, function, column, most: MOST_CHANGES });
+            let (function, column) = place(index);
+            return Err(LoadFault::ChangesTooOften { function, column, most: MOST_CHANGES });
         }
         if let (Some(axis), true) = (axis, used.place) {
-            let at = at.ok_or_else(|| LoadError::StrokeOfMoment(name.into()))?;
+            let at = at.ok_or(LoadFault::StrokeOfMoment)?;
             let scale = self.linkage.structure.scale;
-            let found = self.over_stroke(name, at, axis, |bodies, span| {
+            let found = self.over_stroke(at, axis, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
                 let along = |span: Span| {
                     let mut bodies = Bodies::new(self.linkage, span);
                     let point = |q: f64| {
-                        let body = bodies.at(q, at.link).map_err(|reason| NoStroke::NoPosition(q, reason))?;
+                        let body = bodies
+                            .at(q, at.link)
+                            .map_err(|reason| LoadFault::NoPosition(q, Box::new(reason)))?;
                         Ok((motion(q), body.point(at.at)))
                     };
                     law.clone().along(travel, &span, point)
@@ -289,40 +302,31 @@ impl<'a> Compiler<'a> {
         Ok(Law::Formula(Box::new(law)))
     }
 
-    fn stroke(&self, name: &Name, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadError> {
+    fn stroke(&self, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadFault> {
         let scale = self.linkage.structure.scale;
         let find = |bodies: &mut Bodies<'_>, span: &Span| {
             let spans = [span, &self.reach(span)];
             Stroke::find(&mut |q| bodies.at(q, at.link), at.at, axis, tables, spans, scale)
         };
-        self.over_stroke(name, at, axis, find).map(|stroke| Law::Stroke(Box::new(stroke)))
+        self.over_stroke(at, axis, find).map(|stroke| Law::Stroke(Box::new(stroke)))
     }
 
     /// What is found over the cycle or, where the mechanism can't take all its positions, over the range of the scene.
     fn over_stroke<T>(
         &self,
-        name: &Name,
         at: Place,
         axis: f64,
-        mut find: impl FnMut(&mut Bodies<'_>, &Span) -> Result<T, NoStroke>,
-    ) -> Result<T, LoadError> {
-        let mut outcome = Err(NoStroke::Stands(0.0));
+        mut find: impl FnMut(&mut Bodies<'_>, &Span) -> Result<T, LoadFault>,
+    ) -> Result<T, LoadFault> {
+        let mut outcome = Err(LoadFault::NoStroke(0.0));
         for span in self.spans().into_iter().map(|span| span.for_stroke(self.linkage, at, axis)) {
             outcome = find(&mut Bodies::new(self.linkage, span), &span);
             // A range may be all that the mechanism can do of its turn.
-            if !matches!(outcome, Err(NoStroke::NoPosition(..))) {
+            if !matches!(outcome, Err(LoadFault::NoPosition(..))) {
                 break;
             }
         }
-        let name = name.into();
-        match outcome {
-            Ok(found) => Ok(found),
-            Err(NoStroke::Stands(travel)) => Err(LoadError::NoStroke { name, travel }),
-            Err(NoStroke::Infinite(coordinate)) => Err(LoadError::InfiniteStroke { name, coordinate }),
-            Err(NoStroke::NoPosition(coordinate, error)) => {
-                Err(LoadError::NoPosition { name, coordinate, reason: error.describe() })
-            }
-        }
+        outcome
     }
 
     /// Where the motion may be, of which the span of a stroke is a part: a range lists places, and a motion that an equation
@@ -340,7 +344,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// Rests are needed only for the integration: at a single position the velocity itself is known.
-    fn rests(&self, motion: impl Fn(&Body<f64>) -> ([f64; 2], [f64; 2]), link: LinkId) -> Breaks {
+    fn rests(&self, motion: impl Fn(&Body<f64>) -> [[f64; 2]; 2], link: LinkId) -> Breaks {
         if self.is_given() {
             return Breaks::default();
         }

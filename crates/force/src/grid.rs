@@ -112,11 +112,11 @@ const REST: f64 = 1e-9;
 
 /// The rests of a point or link, from its PF1 and PF2; coordinates without a position of the mechanism are skipped.
 pub(crate) fn rests(
-    motion: &mut dyn FnMut(f64) -> Result<([f64; 2], [f64; 2]), PositionError>,
+    motion: &mut dyn FnMut(f64) -> Result<[[f64; 2]; 2], PositionError>,
     span: &Span,
 ) -> Breaks {
     let mut slope = |q: f64| -> Result<[f64; 2], PositionError> {
-        let (v, a) = motion(q)?;
+        let [v, a] = motion(q)?;
         Ok([v[0].hypot(v[1]), v[0] * a[0] + v[1] * a[1]])
     };
     let mut greatest = 0.0_f64;

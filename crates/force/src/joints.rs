@@ -27,6 +27,8 @@ pub struct JointReaction {
     pub forces: Vec<(LinkId, [f64; 2])>,
     /// Of a slide: moment on the sliding link about its point, N m; the force acts at that point.
     pub moment: Option<f64>,
+    /// Of a pin: moment of its friction on each link that it joins, N m; zero without friction.
+    pub turning: Vec<f64>,
 }
 
 /// All pins in the order of the points, then all slides.
@@ -66,6 +68,12 @@ impl Joint {
         }
     }
 
+    /// The pairs of the link of this number among [`links`](Self::links): index, and 1 where the link is body `a` of the pair, else
+    /// -1.
+    pub fn pairs_of(&self, nth: usize) -> &[(usize, f64)] {
+        &self.pairs[nth]
+    }
+
     /// Force on the link of this number among [`links`](Self::links), N, from the reactions in all pairs.
     #[inline]
     pub fn force<T: Real>(&self, nth: usize, reactions: &[Wrench<T>]) -> [T; 2] {
@@ -88,6 +96,11 @@ impl Joint {
     /// The reactions of the joint from those in all pairs.
     pub fn reaction(&self, reactions: &[Wrench<f64>]) -> JointReaction {
         let forces = self.links.iter().enumerate().map(|(nth, link)| (*link, self.force(nth, reactions)));
-        JointReaction { joint: self.id, forces: forces.collect(), moment: self.moment(reactions) }
+        let turning = (0..self.links.len()).map(|nth| {
+            let own = self.pairs[nth].iter();
+            own.fold(0.0, |sum, (pair, sign)| sum + sign * reactions[*pair].m)
+        });
+        let turning = if matches!(self.id, PairId::Pin(_)) { turning.collect() } else { Vec::new() };
+        JointReaction { joint: self.id, forces: forces.collect(), moment: self.moment(reactions), turning }
     }
 }

@@ -26,7 +26,7 @@ impl<'a> Kinetostatics<'a> {
         carrying: &[bool],
     ) -> Self {
         let wrenches = vec![Wrench::ZERO; linkage.structure.links];
-        let reactions = Reactions::new(linkage).without_idle(carrying);
+        let reactions = Reactions::new(linkage).without_idle(carrying).with_friction(loads, linkage);
         Self { linkage, loads, analyzer, wrenches, reactions }
     }
 
@@ -41,11 +41,23 @@ impl<'a> Kinetostatics<'a> {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
+        if let Some(rubbing) = &mut self.reactions.rubbing {
+            self.loads.senses(state, &mut rubbing.senses);
+        }
         let found = self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions);
         if found.is_ok() && self.reactions.balancing.is_finite() {
             return found;
         }
         self.explained(found, state, position)
+    }
+
+    /// Where dry friction leaves no solution at a state: see [`ForceAnalyzer::jamming_limit`].
+    pub fn jamming_limit(&mut self, state: &State, position: &Position) -> Option<f64> {
+        self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
+        if let Some(rubbing) = &mut self.reactions.rubbing {
+            self.loads.senses(state, &mut rubbing.senses);
+        }
+        self.analyzer.jamming_limit(self.linkage, position, &self.wrenches, &self.reactions)
     }
 
     /// Whatever a method says of loads without a value: the load is the reason.
@@ -89,7 +101,9 @@ impl<'a> LaneKinetostatics<'a> {
         let linkage = single.linkage;
         Self {
             wrenches: vec![Wrench::ZERO; linkage.structure.links],
-            reactions: Reactions::new(linkage).without_idle(&single.reactions.solved),
+            reactions: Reactions::new(linkage)
+                .without_idle(&single.reactions.solved)
+                .with_friction(single.loads, linkage),
             position: linkage.position(),
             single,
         }
@@ -109,6 +123,9 @@ impl<'a> LaneKinetostatics<'a> {
     ) -> Result<(), Vec<(usize, ForceError)>> {
         let Kinetostatics { linkage, loads, analyzer, .. } = self.single;
         loads.evaluate(states, &position.bodies, &mut self.wrenches);
+        if let Some(rubbing) = &mut self.reactions.rubbing {
+            rubbing.doubts.clear();
+        }
         let together = analyzer.solve_lanes(linkage, position, &mut self.wrenches, &mut self.reactions);
         let near = position.coordinates.0.map(|coordinate| linkage.is_interpolated(coordinate));
         let valueless = self.reactions.balancing.0.map(|load| !load.is_finite());
@@ -123,6 +140,12 @@ impl<'a> LaneKinetostatics<'a> {
     pub fn balancing_alone(&mut self, lane: usize, state: &State, position: &LanePosition) -> Option<f64> {
         position.copy_lane(lane, &mut self.position);
         self.single.balancing_alone(state, &self.position)
+    }
+
+    /// Where dry friction leaves no solution in a lane.
+    pub fn jamming_limit(&mut self, lane: usize, state: &State, position: &LanePosition) -> Option<f64> {
+        position.copy_lane(lane, &mut self.position);
+        self.single.jamming_limit(state, &self.position)
     }
 
     /// Solves some of the lanes one at a time.
@@ -151,6 +174,14 @@ impl Reactions<Lanes> {
         self.balancing.0[lane] = one.balancing;
         for (all, one) in self.pairs.iter_mut().zip(&one.pairs) {
             (all.fx.0[lane], all.fy.0[lane], all.m.0[lane]) = (one.fx, one.fy, one.m);
+        }
+        if let (Some(all), Some(one)) = (&mut self.rubbing, &one.rubbing) {
+            let put = |all: &mut [Lanes], one: &[f64]| {
+                all.iter_mut().zip(one).for_each(|(all, one)| all.0[lane] = *one);
+            };
+            put(&mut all.forces, &one.forces);
+            put(&mut all.certificates, &one.certificates);
+            all.doubts.extend(one.doubts.iter().map(|(_, doubt)| (lane, doubt.clone())));
         }
     }
 }

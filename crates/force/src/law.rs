@@ -93,7 +93,7 @@ impl Law {
     pub(crate) fn at(&self, state: &State, side: &Selection, period: Option<f64>) -> Active {
         match self {
             Self::Constant(_) => Active::only(),
-            Self::Coordinate(table, breaks) => on_coordinate(table, breaks, side.coordinate(state, period)).0,
+            Self::Coordinate(table, breaks) => on_coordinate(table, breaks, side.coordinate(state, period)),
             Self::Speed(table) => Active::segment(table.segment(side.speed(state)), 0.0),
             Self::Time(table) => Active::segment(table.segment(side.time(state)), 0.0),
             Self::Stroke(stroke) => {
@@ -111,31 +111,18 @@ impl Law {
         period: Option<f64>,
         bounds: &mut Piece,
     ) -> Active {
-        let ahead = side.coordinate(state, period);
-        match self {
-            Self::Constant(_) => Active::only(),
-            Self::Coordinate(table, breaks) => {
-                let (active, ends) = on_coordinate(table, breaks, ahead);
-                cut(&mut bounds.coordinate, ends);
-                active
-            }
-            Self::Speed(table) => {
-                let segment = table.segment(side.speed(state));
-                cut(&mut bounds.speed, table.ends(segment));
-                Active::segment(segment, 0.0)
-            }
-            Self::Time(table) => {
-                let segment = table.segment(side.time(state));
-                cut(&mut bounds.time, table.ends(segment));
-                Active::segment(segment, 0.0)
-            }
-            Self::Stroke(stroke) => {
-                let (piece, ends) = stroke.piece(ahead, side.sense);
-                cut(&mut bounds.coordinate, ends);
-                Active::piece(piece, 0.0)
-            }
-            Self::Formula(law) => Active::branches(law.enter(state, side, period, bounds)),
+        if let Self::Formula(law) = self {
+            return Active::branches(law.enter(state, side, period, bounds));
         }
+        let (active, ahead) = (self.at(state, side, period), side.coordinate(state, period));
+        match self {
+            Self::Constant(_) | Self::Formula(_) => {}
+            Self::Coordinate(_, breaks) => cut(&mut bounds.coordinate, breaks.interval(ahead).ends),
+            Self::Speed(table) => cut(&mut bounds.speed, table.ends(active.piece.segment)),
+            Self::Time(table) => cut(&mut bounds.time, table.ends(active.piece.segment)),
+            Self::Stroke(stroke) => cut(&mut bounds.coordinate, stroke.piece(ahead, side.sense).1),
+        }
+        active
     }
 
     /// The size of the load by one formula, continued beyond its ends; `point`: its place, m.
@@ -153,9 +140,9 @@ impl Law {
 }
 
 #[inline(always)]
-fn on_coordinate(table: &Curve, breaks: &Breaks, ahead: f64) -> (Active, [f64; 2]) {
+fn on_coordinate(table: &Curve, breaks: &Breaks, ahead: f64) -> Active {
     let interval = breaks.interval(ahead);
     // Rounding of the shift must not put a repeated table before its first row.
     let argument = (ahead - interval.shift).max(interval.start);
-    (Active::segment(table.segment(argument), interval.shift), interval.ends)
+    Active::segment(table.segment(argument), interval.shift)
 }

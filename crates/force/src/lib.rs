@@ -10,6 +10,7 @@
 //! Knows no concrete analyzer, no scene file and no method of integration. SI units; forces in the ground's frame; moments
 //! counter-clockwise.
 
+mod acting;
 mod analyzer;
 mod balance;
 mod breaks;
@@ -19,6 +20,7 @@ mod construction;
 mod curve;
 mod error;
 mod formula;
+mod friction;
 mod grid;
 mod group_by_group;
 mod joints;
@@ -34,6 +36,7 @@ mod wrenches;
 
 assur_words::resources!();
 
+pub use acting::Acting;
 pub use analyzer::{AnalyzerPlugin, analyzers, applicable, choose, find};
 pub use analyzer::{ForceAnalyzer, ForceError};
 pub use assur_integrator::{Dependence, Piece, Reduced};
@@ -43,8 +46,9 @@ pub use balance::{IdleBalance, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
 pub use construction::{Construction, Drawing, Step, VectorKind};
-pub use error::LoadError;
-pub use group_by_group::{Unsolved, group_by_group};
+pub use error::{LoadError, LoadFault};
+pub use friction::{Block, Doubt, FrictionSolution, Frictions, Rub, Rubbing, Unknown, UnknownKind};
+pub use group_by_group::{Unsolved, group_by_group, input_link};
 pub use joints::{Joint, JointReaction, joints};
 pub use kinetostatics::{Kinetostatics, LaneKinetostatics};
 pub use loads::{Cause, Loads};

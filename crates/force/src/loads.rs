@@ -1,9 +1,12 @@
 //! The loads of a mechanism as flat data.
 
+use std::sync::Arc;
+
 use assur_integrator::Dependence;
-use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, Name, Place};
+use assur_mechanism::{GROUND, LinkId, LoadId, Mechanism, Name, Place, Spring, VaryingInertia};
 use assur_words::text;
 
+use crate::Frictions;
 use crate::breaks::Breaks;
 use crate::law::Law;
 use crate::sliding::Sliding;
@@ -13,12 +16,10 @@ use crate::sliding::Sliding;
 pub struct Loads {
     pub(crate) masses: Vec<Mass>,
     pub(crate) gravity: [f64; 2],
-    pub(crate) forces: Vec<PointForce>,
-    pub(crate) moments: Vec<LinkMoment>,
-    pub(crate) springs: Vec<SpringDamper>,
-    pub(crate) contacts: Vec<ArcContact>,
-    /// One for each force, then for each moment, then for the force of each contact, then for its angle.
-    pub(crate) laws: Vec<Law>,
+    /// The loads of the scene that act on links, in its order.
+    pub(crate) applied: Vec<Applied>,
+    /// The dry friction of the pairs; `None` where all are ideal.
+    pub(crate) frictions: Option<Arc<Frictions>>,
     /// Direction of the input where the speed is zero, +1 or -1.
     pub(crate) sense: f64,
     /// Length of a cycle of the input.
@@ -32,17 +33,19 @@ pub struct Loads {
 }
 
 /// A link with mass or moment of inertia.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mass {
     pub(crate) link: LinkId,
     /// Mass, kg.
     pub(crate) m: f64,
     pub(crate) center: [f64; 2],
-    /// Moment of inertia about the center of mass, kg m².
+    /// Moment of inertia about the center of mass, kg m², without one that varies.
     pub(crate) inertia: f64,
+    /// The moment of inertia that varies with the coordinate.
+    pub(crate) varying: Option<VaryingInertia>,
     /// The center of mass is the origin of the link's frame.
     pub(crate) at_origin: bool,
-    /// Moment of inertia about the pin that joins the link to the ground, kg m²; `None` without one.
+    /// Moment of inertia about the pin that joins the link to the ground, kg m², without one that varies; `None` without a pin.
     pub(crate) about_pin: Option<f64>,
 }
 
@@ -56,27 +59,47 @@ impl Mass {
             }
         }
         let moving = mechanism.links.iter().enumerate().skip(1);
-        let heavy = moving.filter(|(_, link)| link.mass > 0.0 || link.inertia > 0.0);
+        let heavy = moving.filter(|(_, link)| link.is_heavy());
         let compiled = heavy.map(|(id, link)| Self {
             link: id,
             m: link.mass,
             center: link.center,
-            inertia: link.inertia,
+            inertia: link.inertia.constant(),
+            varying: link.inertia.varying().cloned(),
             at_origin: link.center == [0.0, 0.0],
             about_pin: ground_pins[id].map(|[x, y]: [f64; 2]| {
                 let arm = [link.center[0] - x, link.center[1] - y];
-                link.inertia + link.mass * (arm[0] * arm[0] + arm[1] * arm[1])
+                link.inertia.constant() + link.mass * (arm[0] * arm[0] + arm[1] * arm[1])
             }),
         });
         compiled.collect()
     }
 }
 
+/// A load of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Applied {
+    /// Its index in the mechanism.
+    pub(crate) id: LoadId,
+    /// The law of its size: of a force, a moment, the pressing force of a brake, a contact force. A spring has none.
+    pub(crate) size: Law,
+    pub(crate) action: Action,
+}
+
+/// Where and how a load acts.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Action {
+    Force(PointForce),
+    /// A moment on this link.
+    Moment(LinkId),
+    Brake(Shoe),
+    Spring(Spring),
+    Contact(Box<ArcContact>),
+}
+
 /// A force at a point of a moving link.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PointForce {
-    /// Index in the mechanism.
-    pub(crate) id: usize,
     pub(crate) at: Place,
     pub(crate) along: Along,
     /// Where the point rests; needed for a force against its motion.
@@ -91,32 +114,26 @@ pub(crate) enum Along {
     AgainstMotion,
 }
 
-/// A moment on a moving link.
+/// The shoe of a brake.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct LinkMoment {
-    pub(crate) id: usize,
+pub(crate) struct Shoe {
     pub(crate) link: LinkId,
-    /// Of a brake: its shoe, and where the link rests.
-    pub(crate) brake: Option<(Brake, Breaks)>,
-}
-
-/// A spring with a damper.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SpringDamper {
-    pub(crate) id: usize,
-    pub(crate) ends: [Place; 2],
-    pub(crate) stiffness: f64,
-    pub(crate) length: f64,
-    pub(crate) damping: f64,
+    /// Radius of the disc, m.
+    pub(crate) radius: f64,
+    /// Braking moment of a pressing force of 1 N, m.
+    pub(crate) lever: f64,
+    /// Where the link rests.
+    pub(crate) rests: Breaks,
 }
 
 /// An arc on a straight line.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ArcContact {
-    pub(crate) id: usize,
     pub(crate) center: Place,
     /// Radius of the arc, m.
     pub(crate) radius: f64,
+    /// The law of the angle at which it touches, rad.
+    pub(crate) angle: Law,
     /// Coefficient of friction, with its sign unless it is against the sliding.
     pub(crate) friction: f64,
     /// How the arc slides, where the friction is against that.
@@ -127,6 +144,43 @@ pub(crate) struct ArcContact {
     pub(crate) touching: usize,
 }
 
+impl Applied {
+    /// All its laws.
+    pub(crate) fn laws(&self) -> impl Iterator<Item = &Law> {
+        let angle = match &self.action {
+            Action::Contact(contact) => Some(&contact.angle),
+            Action::Force(_) | Action::Moment(_) | Action::Brake(_) | Action::Spring(_) => None,
+        };
+        [&self.size].into_iter().chain(angle)
+    }
+
+    /// Where the point or link rests against whose motion it acts.
+    pub(crate) fn rests(&self) -> Option<&Breaks> {
+        match &self.action {
+            Action::Force(PointForce { along: Along::AgainstMotion, rests, .. })
+            | Action::Brake(Shoe { rests, .. }) => Some(rests),
+            Action::Force(_) | Action::Moment(_) | Action::Spring(_) | Action::Contact(_) => None,
+        }
+    }
+
+    fn depends_on_speed(&self) -> bool {
+        let damped = matches!(&self.action, Action::Spring(spring) if spring.damping != 0.0);
+        damped || self.laws().any(|law| law.used().speed)
+    }
+
+    /// The spring that it is.
+    pub(crate) fn spring(&self) -> Option<&Spring> {
+        if let Action::Spring(spring) = &self.action { Some(spring) } else { None }
+    }
+
+    /// Whether it depends on the sign of the speed: it is against the motion, has friction against its sliding, or goes
+    /// along a stroke.
+    pub(crate) fn turns_with_speed(&self) -> bool {
+        let rubs = matches!(&self.action, Action::Contact(contact) if contact.sliding.is_some());
+        rubs || self.rests().is_some() || self.laws().any(|law| matches!(law, Law::Stroke(_)))
+    }
+}
+
 /// The cause of a load: one load of the scene, the weight of a link, or its inertia.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Cause {
@@ -134,14 +188,8 @@ pub enum Cause {
     Weight(LinkId),
     /// Inertia of a link.
     Inertia(LinkId),
-    /// [`Mechanism::forces`] of this index.
-    Force(usize),
-    /// [`Mechanism::moments`] of this index.
-    Moment(usize),
-    /// [`Mechanism::springs`] of this index.
-    Spring(usize),
-    /// [`Mechanism::contacts`] of this index.
-    Contact(usize),
+    /// [`Mechanism::loads`] of this index.
+    Load(LoadId),
 }
 
 impl Cause {
@@ -151,7 +199,7 @@ impl Cause {
         match self {
             Self::Weight(_) => Self::Weight(GROUND),
             Self::Inertia(_) => Self::Inertia(GROUND),
-            load => load,
+            Self::Load(load) => Self::Load(load),
         }
     }
 
@@ -163,10 +211,7 @@ impl Cause {
             Self::Inertia(GROUND) => text!("force-inertia").into(),
             Self::Weight(link) => text!("force-weight-of", link = of(link)).into(),
             Self::Inertia(link) => text!("force-inertia-of", link = of(link)).into(),
-            Self::Force(id) => mechanism.forces[id].name.clone(),
-            Self::Moment(id) => mechanism.moments[id].name.clone(),
-            Self::Spring(id) => mechanism.springs[id].name.clone(),
-            Self::Contact(id) => mechanism.contacts[id].name.clone(),
+            Self::Load(id) => mechanism.loads[id].name.clone(),
         }
     }
 }
@@ -178,26 +223,25 @@ impl Loads {
         Dependence {
             inertia_constant: self.inertia_constant,
             moment_on_coordinate: self.moment_on_coordinate(),
-            moment_on_speed: self.laws.iter().any(|law| law.used().speed) || self.damped(),
-            moment_on_time: self.laws.iter().any(|law| law.used().time),
+            moment_on_speed: self.applied.iter().any(Applied::depends_on_speed),
+            moment_on_time: self.applied.iter().any(|load| load.laws().any(|law| law.used().time)),
         }
-    }
-
-    fn damped(&self) -> bool {
-        self.springs.iter().any(|spring| spring.damping != 0.0)
     }
 
     fn moment_on_coordinate(&self) -> bool {
         let heavy = self.gravity != [0.0, 0.0]
             && self.masses.iter().any(|mass| mass.m > 0.0 && !self.steady_point(mass.link, mass.center));
-        let laws = self.laws.iter().any(|law| law.used().coordinate || law.used().place);
-        let springs = self.springs.iter().any(|spring| spring.stiffness != 0.0 || spring.damping != 0.0);
-        heavy
-            || laws
-            || springs
-            || !self.contacts.is_empty()
-            || self.forces.iter().any(|force| !self.steady_force(force))
-            || self.moments.iter().any(|moment| moment.link != self.input.0)
+        let varies = |load: &Applied| {
+            let by_law = load.laws().any(|law| law.used().coordinate || law.used().place);
+            by_law
+                || match &load.action {
+                    Action::Force(force) => !self.steady_force(force),
+                    Action::Moment(link) | Action::Brake(Shoe { link, .. }) => *link != self.input.0,
+                    Action::Spring(spring) => spring.stiffness != 0.0 || spring.damping != 0.0,
+                    Action::Contact(_) => true,
+                }
+        };
+        heavy || self.applied.iter().any(varies)
     }
 
     /// Whether PF1 of a point is the same vector at every coordinate.

@@ -6,8 +6,8 @@ use assur_integrator::Reduced;
 use assur_number::{Formula, Real};
 
 use crate::choice::{Choice, Live};
-use crate::loads::{Loads, Mass};
-use crate::visit::{Sink, Visit};
+use crate::loads::{Applied, Loads, Mass};
+use crate::visit::{self, Sink, Visit};
 use crate::{LoadNumber, Phase, State};
 
 /// Adds up the virtual power of loads.
@@ -51,8 +51,8 @@ impl Loads {
             let weight = mass.weight(self.gravity);
             energy -= dot(weight, bodies[mass.link].point(vector(mass.center)));
         }
-        for spring in &self.springs {
-            energy += spring.energy(bodies);
+        for spring in self.applied.iter().filter_map(Applied::spring) {
+            energy += visit::energy(spring, bodies);
         }
         energy
     }
@@ -64,7 +64,8 @@ impl Loads {
             let [weight, place] = [mass.weight(self.gravity), bodies[mass.link].point(vector(mass.center))];
             dot(weight, weight).sqrt() * dot(place, place).sqrt()
         });
-        weights.chain(self.springs.iter().map(|spring| spring.terms_of_energy(bodies))).sum()
+        let springs = self.applied.iter().filter_map(Applied::spring);
+        weights.chain(springs.map(|spring| visit::terms_of_energy(spring, bodies))).sum()
     }
 }
 
@@ -74,11 +75,11 @@ impl<T: LoadNumber, C: Choice> Formula for Visit<'_, T, C> {
 
     #[inline(always)]
     fn evaluate(self) -> Reduced<T> {
-        let Self { loads, bodies, .. } = self;
+        let Self { loads, states, bodies, .. } = self;
         let (mut inertia, mut half, mut power) = (T::ZERO, T::ZERO, Power(T::ZERO));
         for mass in &loads.masses {
             let body = &bodies[mass.link];
-            let (own, slope) = mass.reduced(body, loads.inertia_constant);
+            let (own, slope) = mass.reduced(states, body, loads.inertia_constant);
             inertia += own;
             half += slope;
             if loads.has_weights() {
@@ -93,7 +94,24 @@ impl<T: LoadNumber, C: Choice> Formula for Visit<'_, T, C> {
 impl Mass {
     /// Reduced inertia of the link, and half of its derivative by the coordinate, unless it is not wanted.
     #[inline(always)]
-    fn reduced<T: LoadNumber>(&self, body: &Body<T>, constant: bool) -> (T, T) {
+    fn reduced<T: LoadNumber>(&self, states: &T::States, body: &Body<T>, constant: bool) -> (T, T) {
+        let (inertia, half) = self.rigid(body, constant);
+        let Some([own, slope]) = self.varying_at::<T>(states) else { return (inertia, half) };
+        let turning = own * body.w1;
+        let changing = (slope * body.w1 * body.w1).half();
+        (inertia + turning * body.w1, half + turning * body.w2 + changing)
+    }
+
+    /// The moment of inertia that varies, and its derivative by the coordinate.
+    #[inline(always)]
+    pub(crate) fn varying_at<T: LoadNumber>(&self, states: &T::States) -> Option<[T; 2]> {
+        let law = self.varying.as_ref()?;
+        Some([0, 1].map(|order| T::of_lanes(|lane| law.at(T::state(states, lane).coordinate)[order])))
+    }
+
+    /// The part of the rigid link.
+    #[inline(always)]
+    fn rigid<T: LoadNumber>(&self, body: &Body<T>, constant: bool) -> (T, T) {
         let (w, e) = (body.w1, body.w2);
         if let Some(inertia) = self.about_pin {
             let turning = T::from_f64(inertia) * w;

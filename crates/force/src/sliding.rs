@@ -82,6 +82,25 @@ impl Sliding {
         Self { breaks, signs }
     }
 
+    /// The coordinates within an interval at which the sliding turns.
+    pub(crate) fn turns(&self, [low, high]: [f64; 2]) -> Vec<f64> {
+        let mut found = Vec::new();
+        let mut at = low;
+        loop {
+            let next = self.breaks.interval(at).ends[1];
+            if !(next < high && next > at) {
+                return found;
+            }
+            found.push(next);
+            at = next;
+        }
+    }
+
+    /// Whether nothing slides at any coordinate.
+    pub(crate) fn never_moves(&self) -> bool {
+        self.signs.iter().all(|sign| *sign == 0.0)
+    }
+
     /// The interval that holds a coordinate, and the sign of PF1 of the sliding in it.
     #[inline(always)]
     pub(crate) fn at(&self, coordinate: f64) -> (Interval, f64) {

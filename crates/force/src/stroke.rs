@@ -6,6 +6,7 @@ use assur_kinematics::PositionError;
 use assur_mechanism::Table;
 use assur_number::search::{bisect, try_newton_root};
 
+use crate::LoadFault;
 use crate::breaks::Breaks;
 use crate::curve::Curve;
 use crate::grid::Span;
@@ -42,25 +43,25 @@ impl Travel {
         angle: f64,
         span: &Span,
         scale: f64,
-    ) -> Result<Self, NoStroke> {
+    ) -> Result<Self, LoadFault> {
         let mut along = Along { body, at, axis: [angle.cos(), angle.sin()], scale };
         let reversals = along.reversals(span)?;
         Self::between(&mut along, &reversals, span)
     }
 
-    fn between(along: &mut Along<'_, '_>, reversals: &[f64], span: &Span) -> Result<Self, NoStroke> {
+    fn between(along: &mut Along<'_, '_>, reversals: &[f64], span: &Span) -> Result<Self, LoadFault> {
         let end = span.from + span.length;
         let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
         for q in reversals.iter().copied().chain([span.from, end]) {
             let place = along.place(q)?[0];
             if place.is_nan() || place.abs() > GREATEST_DISTANCE * along.scale {
-                return Err(NoStroke::Infinite(q));
+                return Err(LoadFault::InfiniteStroke(q));
             }
             (least, greatest) = (least.min(place), greatest.max(place));
         }
         let travel = greatest - least;
         if travel <= STANDING * along.scale {
-            return Err(NoStroke::Stands(travel));
+            return Err(LoadFault::NoStroke(travel));
         }
         Ok(Self { axis: along.axis, least, inverse: 1.0 / travel })
     }
@@ -99,17 +100,6 @@ const GREATEST_DISTANCE: f64 = 1e9;
 /// A displacement below this, as part of the size of the mechanism, is rounding.
 const STANDING: f64 = 1e-12;
 
-/// Why a point has no stroke.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum NoStroke {
-    /// Its displacement is too small: this distance along the axis, m.
-    Stands(f64),
-    /// It runs through infinity near this coordinate.
-    Infinite(f64),
-    /// There is no position at this coordinate.
-    NoPosition(f64, PositionError),
-}
-
 /// Coordinate of the point along the axis and its two derivatives by the input coordinate.
 struct Along<'a, 'b> {
     body: &'a mut BodyAt<'b>,
@@ -120,15 +110,15 @@ struct Along<'a, 'b> {
 }
 
 impl Along<'_, '_> {
-    fn place(&mut self, q: f64) -> Result<[f64; 3], NoStroke> {
-        let body = (self.body)(q).map_err(|reason| NoStroke::NoPosition(q, reason))?;
+    fn place(&mut self, q: f64) -> Result<[f64; 3], LoadFault> {
+        let body = (self.body)(q).map_err(|reason| LoadFault::NoPosition(q, Box::new(reason)))?;
         let arm = body.arm(self.at);
         let along = |v: [f64; 2]| self.axis[0] * v[0] + self.axis[1] * v[1];
         Ok([along(body.point(self.at)), along(body.first(arm)), along(body.second(arm))])
     }
 
     /// Where the point reverses, ascending.
-    fn reversals(&mut self, span: &Span) -> Result<Vec<f64>, NoStroke> {
+    fn reversals(&mut self, span: &Span) -> Result<Vec<f64>, LoadFault> {
         let mut found = Vec::new();
         let mut before = self.place(span.from)?;
         for index in 1..=span.cells {
@@ -141,7 +131,7 @@ impl Along<'_, '_> {
             } else if before[2] * after[2] < 0.0 && before[1] * before[2] < 0.0 {
                 found.extend(self.close_pair(low, high, before[1])?);
             } else if self.runs_back(before, after) {
-                return Err(NoStroke::Infinite(self.pole(low, high, before)));
+                return Err(LoadFault::InfiniteStroke(self.pole(low, high, before)));
             }
             before = after;
         }
@@ -162,12 +152,12 @@ impl Along<'_, '_> {
     }
 
     /// The one reversal between two coordinates.
-    fn reversal(&mut self, low: f64, high: f64) -> Result<f64, NoStroke> {
+    fn reversal(&mut self, low: f64, high: f64) -> Result<f64, LoadFault> {
         try_newton_root(low, high, |q| self.place(q).map(|s| (s[1], s[2])))
     }
 
     /// Two reversals in one cell of the grid: PF1 changes its sign twice inside.
-    fn close_pair(&mut self, low: f64, high: f64, velocity: f64) -> Result<Vec<f64>, NoStroke> {
+    fn close_pair(&mut self, low: f64, high: f64, velocity: f64) -> Result<Vec<f64>, LoadFault> {
         let step = 1e-3 * (high - low);
         let turn = try_newton_root(low, high, |q| {
             let third = (self.place(q + step)?[2] - self.place(q - step)?[2]) / (2.0 * step);
@@ -190,7 +180,7 @@ impl Stroke {
         tables: [&Table; 2],
         [span, reach]: [&Span; 2],
         scale: f64,
-    ) -> Result<Self, NoStroke> {
+    ) -> Result<Self, LoadFault> {
         let axis = [angle.cos(), angle.sin()];
         let mut along = Along { body, at, axis, scale };
         let within = along.reversals(span)?;
@@ -216,7 +206,7 @@ impl Stroke {
         monotone: &[f64],
         span: &Span,
         falling: bool,
-    ) -> Result<Pieces, NoStroke> {
+    ) -> Result<Pieces, LoadFault> {
         let share = |s: f64| self.travel.share(s);
         let mut points = Vec::new();
         for ends in monotone.windows(2) {

@@ -2,6 +2,7 @@ mod breaks;
 mod curve;
 mod errors;
 mod formulas;
+mod inertia;
 mod kinds;
 mod phases;
 mod reduction;

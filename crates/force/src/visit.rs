@@ -3,12 +3,12 @@
 use assur_group::Body;
 use assur_group::plane::{dot, minus, opposite, plus, scaled, vector};
 
-use assur_mechanism::Brake;
+use assur_mechanism::Spring;
 
 use crate::LoadNumber;
 use crate::choice::{Choice, Formulas};
 use crate::law::Law;
-use crate::loads::{Along, ArcContact, Cause, Loads, PointForce, SpringDamper};
+use crate::loads::{Action, Along, ArcContact, Cause, Loads, PointForce, Shoe};
 
 /// Collects loads. A force acts at `arm` from the origin of the body; everything in the ground's frame.
 pub(crate) trait Sink<T> {
@@ -39,33 +39,24 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     /// Passes on all applied loads except weights.
     #[inline(always)]
     pub(crate) fn each<S: Sink<T>>(&self, sink: &mut S) {
-        let loads = self.loads;
-        for (index, force) in loads.forces.iter().enumerate() {
-            self.force(index, force, sink);
-        }
-        for (index, moment) in loads.moments.iter().enumerate() {
-            let size = match &moment.brake {
-                None => self.size(loads.forces.len() + index, [T::ZERO; 2]),
-                Some((brake, _)) => self.brake(loads.forces.len() + index, moment.link, brake),
-            };
-            sink.cause(Cause::Moment(moment.id));
-            sink.size(size);
-            sink.moment(moment.link, &self.bodies[moment.link], size);
-        }
-        for spring in &loads.springs {
-            self.spring(spring, sink);
-        }
-        for (index, contact) in loads.contacts.iter().enumerate() {
-            self.contact(index, contact, sink);
+        for (index, load) in self.loads.applied.iter().enumerate() {
+            sink.cause(Cause::Load(load.id));
+            match &load.action {
+                Action::Force(force) => self.force(index, force, sink),
+                Action::Moment(link) => self.moment(*link, self.size(index, [T::ZERO; 2]), sink),
+                Action::Brake(shoe) => self.moment(shoe.link, self.brake(index, shoe), sink),
+                Action::Spring(spring) => self.spring(spring, sink),
+                Action::Contact(contact) => self.contact(index, contact, sink),
+            }
         }
     }
 
     /// The size of a load by its law; `point`: its place, m.
     #[inline(always)]
-    fn size(&self, law: usize, point: [T; 2]) -> T {
-        match &self.loads.laws[law] {
+    fn size(&self, load: usize, point: [T; 2]) -> T {
+        match &self.loads.applied[load].size {
             Law::Constant(value) => T::from_f64(*value),
-            _ => self.by_lane(|formulas, lane| self.value(formulas, law, lane, point)),
+            _ => self.by_lane(|formulas, lane| self.value(formulas, load, lane, point)),
         }
     }
 
@@ -79,10 +70,17 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     }
 
     #[inline(always)]
-    fn value(&self, formulas: &C::Formulas, law: usize, lane: usize, point: [T; 2]) -> f64 {
+    fn value(&self, formulas: &C::Formulas, load: usize, lane: usize, point: [T; 2]) -> f64 {
         let state = T::state(self.states, lane);
-        let active = formulas.active(self.loads, law, state);
-        self.loads.laws[law].value(active, state, [point[0].lane(lane), point[1].lane(lane)])
+        let law = &self.loads.applied[load].size;
+        let active = formulas.size(self.loads, load, law, state);
+        law.value(active, state, [point[0].lane(lane), point[1].lane(lane)])
+    }
+
+    #[inline(always)]
+    fn moment<S: Sink<T>>(&self, link: usize, size: T, sink: &mut S) {
+        sink.size(size);
+        sink.moment(link, &self.bodies[link], size);
     }
 
     #[inline(always)]
@@ -107,7 +105,6 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
                 scaled(per_length, first)
             }
         };
-        sink.cause(Cause::Force(force.id));
         if S::SIZES {
             sink.size(match force.along {
                 Along::Ground(_) | Along::Link(_) => self.size(index, point),
@@ -126,21 +123,21 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
 
     /// The moment of a brake, against the rotation of its link.
     #[inline]
-    fn brake(&self, index: usize, link: usize, brake: &Brake) -> T {
-        let body = &self.bodies[link];
+    fn brake(&self, index: usize, shoe: &Shoe) -> T {
+        let body = &self.bodies[shoe.link];
         self.by_lane(|formulas, lane| {
             let [w1, w2] = [body.w1, body.w2].map(|number| number.lane(lane));
             // Of the rim of the disc, for the comparison with lengths.
-            let lengths = [w1, w2].map(|number| brake.radius * number.abs());
+            let lengths = [w1, w2].map(|number| shoe.radius * number.abs());
             let turn = formulas.against(self.loads, index, T::state(self.states, lane), lengths);
             let sense = if w1 < 0.0 { -turn } else { turn };
-            sense * brake.lever() * self.value(formulas, index, lane, [T::ZERO; 2])
+            sense * shoe.lever * self.value(formulas, index, lane, [T::ZERO; 2])
         })
     }
 
     /// The two forces of a spring with a damper.
     #[inline(always)]
-    fn spring<S: Sink<T>>(&self, spring: &SpringDamper, sink: &mut S) {
+    fn spring<S: Sink<T>>(&self, spring: &Spring, sink: &mut S) {
         let [one, two] = [&self.bodies[spring.ends[0].link], &self.bodies[spring.ends[1].link]];
         let arms = [one.arm(vector(spring.ends[0].at)), two.arm(vector(spring.ends[1].at))];
         let between = minus(plus([two.x, two.y], arms[1]), plus([one.x, one.y], arms[0]));
@@ -156,16 +153,27 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         let per_length =
             T::of_lanes(|lane| if length.lane(lane) == 0.0 { 0.0 } else { per_length.lane(lane) });
         let pull = scaled(per_length, between);
-        sink.cause(Cause::Spring(spring.id));
         sink.size(tension);
         sink.force(spring.ends[0].link, one, arms[0], pull);
         sink.force(spring.ends[1].link, two, arms[1], opposite(pull));
     }
 
+    /// The angle of a contact, rad.
+    #[inline(always)]
+    fn angle(&self, index: usize, law: &Law) -> T {
+        match law {
+            Law::Constant(angle) => T::from_f64(*angle),
+            _ => self.by_lane(|formulas, lane| {
+                let state = T::state(self.states, lane);
+                law.value(formulas.angle(self.loads, index, law, state), state, [0.0; 2])
+            }),
+        }
+    }
+
     #[inline(always)]
     fn contact<S: Sink<T>>(&self, index: usize, contact: &ArcContact, sink: &mut S) {
         let touches = |formulas: &C::Formulas, lane: usize| {
-            formulas.touches(self.loads, index, T::state(self.states, lane))
+            formulas.touches(self.loads, index, contact, T::state(self.states, lane))
         };
         let share = self.by_lane(|formulas, lane| f64::from(u8::from(touches(formulas, lane))));
         if share.greatest() == 0.0 {
@@ -174,14 +182,10 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         let body = &self.bodies[contact.center.link];
         let center = body.arm(vector(contact.center.at));
         let point = plus([body.x, body.y], center);
-        let law = self.loads.forces.len() + self.loads.moments.len() + index;
-        let size =
-            self.by_lane(
-                |formulas, lane| {
-                    if touches(formulas, lane) { self.value(formulas, law, lane, point) } else { 0.0 }
-                },
-            );
-        let (s, c) = self.size(law + self.loads.contacts.len(), point).sin_cos();
+        let size = self.by_lane(|formulas, lane| {
+            if touches(formulas, lane) { self.value(formulas, index, lane, point) } else { 0.0 }
+        });
+        let (s, c) = self.angle(index, &contact.angle).sin_cos();
         let arm = minus(center, scaled(T::from_f64(contact.radius), [s, c]));
         let friction = match &contact.sliding {
             None => T::from_f64(contact.friction),
@@ -190,28 +194,25 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             }),
         };
         let along = [s + friction * c, c - friction * s];
-        sink.cause(Cause::Contact(contact.id));
         sink.size(size);
         sink.force(contact.center.link, body, arm, scaled(size, along));
     }
 }
 
-impl SpringDamper {
-    /// Energy stored in the spring, J.
-    pub(crate) fn energy<T: LoadNumber>(&self, bodies: &[Body<T>]) -> T {
-        let stretch = self.span(bodies) - T::from_f64(self.length);
-        (T::from_f64(self.stiffness) * stretch * stretch).half()
-    }
+/// Energy stored in a spring, J.
+pub(crate) fn energy<T: LoadNumber>(spring: &Spring, bodies: &[Body<T>]) -> T {
+    let stretch = span(spring, bodies) - T::from_f64(spring.length);
+    (T::from_f64(spring.stiffness) * stretch * stretch).half()
+}
 
-    /// Size of the terms of which the stored energy consists: it is small where the spring is nearly free, J.
-    pub(crate) fn terms_of_energy(&self, bodies: &[Body<f64>]) -> f64 {
-        0.5 * self.stiffness * (self.span(bodies) + self.length).powi(2)
-    }
+/// Size of the terms of which the stored energy consists: it is small where the spring is nearly free, J.
+pub(crate) fn terms_of_energy(spring: &Spring, bodies: &[Body<f64>]) -> f64 {
+    0.5 * spring.stiffness * (span(spring, bodies) + spring.length).powi(2)
+}
 
-    /// Distance of the ends, m.
-    fn span<T: LoadNumber>(&self, bodies: &[Body<T>]) -> T {
-        let [a, b] = self.ends.map(|end| bodies[end.link].point(vector(end.at)));
-        let between = minus(b, a);
-        dot(between, between).sqrt()
-    }
+/// Distance of the ends of a spring, m.
+fn span<T: LoadNumber>(spring: &Spring, bodies: &[Body<T>]) -> T {
+    let [a, b] = spring.ends.map(|end| bodies[end.link].point(vector(end.at)));
+    let between = minus(b, a);
+    dot(between, between).sqrt()
 }

@@ -7,7 +7,7 @@ use assur_number::Formula;
 use crate::choice::Live;
 use crate::loads::{Cause, Loads, Mass};
 use crate::visit::{Sink, Visit};
-use crate::{LoadError, LoadNumber, State};
+use crate::{LoadError, LoadFault, LoadNumber, State};
 use assur_mechanism::Mechanism;
 
 /// Adds up loads about the origins of the bodies.
@@ -124,7 +124,7 @@ impl<T: LoadNumber> Formula for Evaluate<'_, T> {
         let (gravity, rates) = (vector(loads.gravity), Rates::of(states));
         if !rates.rests || loads.has_weights() {
             for mass in &loads.masses {
-                let Wrench { fx, fy, m } = mass.load(gravity, &rates, &bodies[mass.link]);
+                let Wrench { fx, fy, m } = mass.load(states, gravity, &rates, &bodies[mass.link]);
                 wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
             }
         }
@@ -178,7 +178,7 @@ impl Loads {
     ///
     /// # Errors
     ///
-    /// [`LoadError::NotFinite`] with the first load of the scene that has none.
+    /// [`LoadFault::NotFinite`] with the first load of the scene that has none.
     pub fn finite(
         &self,
         mechanism: &Mechanism,
@@ -191,10 +191,8 @@ impl Loads {
                 without = Some(cause);
             }
         });
-        let error = |cause: Cause| LoadError::NotFinite {
-            name: cause.name(mechanism).into(),
-            coordinate: state.coordinate,
-        };
+        let fault = LoadFault::NotFinite(state.coordinate);
+        let error = |cause: Cause| LoadError { load: cause.name(mechanism).into(), fault };
         without.map_or(Ok(()), |cause| Err(error(cause)))
     }
 
@@ -211,14 +209,15 @@ impl Loads {
         Visit { loads: self, choice: &Live, states, bodies }.each(&mut sizes);
     }
 
-    /// Adds the inertia loads -m a, -I e of the links alone to wrenches about the origins of their frames.
+    /// Adds the inertia loads -m a, -I e of the links alone to wrenches about the origins of their frames; of a moment of inertia
+    /// I(q) the moment is -I (phi' e + phi'' w²) - I' phi' w² / 2.
     pub fn inertia<T: LoadNumber>(&self, states: &T::States, bodies: &[Body<T>], wrenches: &mut [Wrench<T>]) {
         self.inertia_of_each(states, bodies, |link, Wrench { fx, fy, m }| {
             wrenches[link].add_at([T::ZERO; 2], [fx, fy], m);
         });
     }
 
-    fn inertia_of_each<T: LoadNumber>(
+    pub(crate) fn inertia_of_each<T: LoadNumber>(
         &self,
         states: &T::States,
         bodies: &[Body<T>],
@@ -227,7 +226,7 @@ impl Loads {
         let rates = Rates::of(states);
         if !rates.rests {
             for mass in &self.masses {
-                hand_on(mass.link, mass.load([T::ZERO; 2], &rates, &bodies[mass.link]));
+                hand_on(mass.link, mass.load(states, [T::ZERO; 2], &rates, &bodies[mass.link]));
             }
         }
     }
@@ -240,7 +239,13 @@ impl Loads {
 impl Mass {
     /// Weight and inertia load about the origin of the link's frame.
     #[inline(always)]
-    fn load<T: LoadNumber>(&self, gravity: [T; 2], rates: &Rates<T>, body: &Body<T>) -> Wrench<T> {
+    fn load<T: LoadNumber>(
+        &self,
+        states: &T::States,
+        gravity: [T; 2],
+        rates: &Rates<T>,
+        body: &Body<T>,
+    ) -> Wrench<T> {
         let m = T::from_f64(self.m);
         if rates.rests {
             let mut wrench = Wrench::ZERO;
@@ -249,7 +254,10 @@ impl Mass {
         }
         let angular = rates.second(body.w1, body.w2);
         let origin = [rates.second(body.x1, body.x2), rates.second(body.y1, body.y2)];
-        let moment = -(T::from_f64(self.inertia) * angular);
+        let mut moment = -(T::from_f64(self.inertia) * angular);
+        if let Some([inertia, slope]) = self.varying_at::<T>(states) {
+            moment -= inertia * angular + (slope * body.w1 * rates.square).half();
+        }
         if self.at_origin {
             let [fx, fy] = scaled(m, minus(gravity, origin));
             return Wrench { fx, fy, m: moment };

@@ -3,12 +3,15 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use assur_number::Dd;
+
 use crate::branches::Branches;
 use crate::evaluate::evaluate;
 use crate::number::Number;
 use crate::parse::{self, FormulaError};
 use crate::program::{Kind, Operation};
 use crate::rounded::Rounded;
+use crate::slope::{Dual, Signed};
 
 pub use crate::program::Variable;
 
@@ -181,8 +184,28 @@ impl Formula {
         self.number(branches, |name| Rounded::variable(at.get(name), f64::EPSILON)).error
     }
 
+    /// The value of a formula that depends on the coordinate alone, and its derivative by the coordinate; at a bend or a jump, of
+    /// one of its sides.
+    pub fn with_slope(&self, coordinate: f64) -> [f64; 2] {
+        self.differentiated(coordinate)
+    }
+
+    /// [`with_slope`](Self::with_slope) in about 32 digits.
+    pub fn precise(&self, coordinate: Dd) -> [Dd; 2] {
+        self.differentiated(coordinate)
+    }
+
+    fn differentiated<N: Signed>(&self, coordinate: N) -> [N; 2] {
+        let variable = |name| match name {
+            Variable::Coordinate => Dual { value: coordinate, slope: N::of(1.0) },
+            Variable::Speed | Variable::Time | Variable::Place => Dual::of(0.0),
+        };
+        let Dual { value, slope } = self.number(Branches::default(), variable);
+        [value, slope]
+    }
+
     #[inline]
-    fn number<N: Number>(&self, branches: Branches, variable: impl Fn(Variable) -> N) -> N {
+    pub(crate) fn number<N: Number>(&self, branches: Branches, variable: impl Fn(Variable) -> N) -> N {
         let switch = |kind: Kind, index: usize, one: N, other: N| match branches.side(index) {
             Some(side) => one.on_side(kind, other, side),
             None => one.switch(kind, other),

@@ -11,11 +11,14 @@ mod branches;
 mod evaluate;
 mod formula;
 mod interval;
+mod least;
 mod locate;
 mod number;
 mod parse;
+mod precise;
 mod program;
 mod rounded;
+mod slope;
 
 pub use branches::Branches;
 pub use formula::{Formula, Switch, Used, Variable, Variables};

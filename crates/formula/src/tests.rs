@@ -1,5 +1,7 @@
 #![expect(clippy::float_cmp, reason = "values of small whole numbers, ends and infinities are exact")]
 
+mod slope;
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;

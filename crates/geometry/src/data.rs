@@ -1,13 +1,14 @@
 //! The geometry of the motion as data that serializes itself.
 
+use assur_mechanism::{LinkId, Named};
 use assur_words::Text;
 use indexmap::IndexMap;
 use serde::Serialize;
 
 use crate::{Centers, Curvature, Extremes, Stroke};
 
-/// Values by name, in the order of the scene.
-pub(crate) type Named<T> = IndexMap<String, T>;
+/// Values of links, points or slides, in the order of the scene.
+pub(crate) type Each<T> = IndexMap<Named<usize>, T>;
 
 /// The geometry of the motion of a mechanism over its cycle. Coordinates in rad (sliding input: m).
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -19,17 +20,17 @@ pub struct Geometry {
     /// Whether coordinates are angles, rad; otherwise m.
     pub angular: bool,
     /// The link from which the centers are seen; `ground` for absolute ones.
-    pub against: String,
+    pub against: Named<LinkId>,
     /// Links that form a rigid part with that one over the whole cycle, by their dimensions or by the structure: they have no
     /// centers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub rigid: Vec<String>,
+    pub rigid: Vec<Named<LinkId>>,
     /// Moving links.
-    pub links: Named<LinkCourse>,
+    pub links: Each<LinkCourse>,
     /// Points that move.
-    pub points: Named<PointCourse>,
+    pub points: Each<PointCourse>,
     /// Slides.
-    pub slides: Named<SlideCourse>,
+    pub slides: Each<SlideCourse>,
     /// The angle of each group that shows how well it transmits forces, by the name of the group.
     pub groups: IndexMap<Text, ForceAngles>,
     /// What belongs to one position of the scene.
@@ -112,9 +113,9 @@ pub struct AtPosition {
     /// Its coordinate, rad or m.
     pub coordinate: f64,
     /// Centers of the links, in the frame of [`Geometry::against`].
-    pub links: Named<Centers>,
+    pub links: Each<Centers>,
     /// Curvature of the paths of points; a point that rests is left out.
-    pub points: Named<Curvature>,
+    pub points: Each<Curvature>,
     /// Force angles of the groups, rad, in the order of [`Geometry::groups`].
     pub angles: Vec<f64>,
 }

@@ -3,7 +3,7 @@
 use assur_group::Body;
 use assur_group::plane::{cross, minus, mirrored, perp, plus, scaled, times};
 use assur_kinematics::{Linkage, PointMotion, Position};
-use assur_mechanism::GROUND;
+use assur_mechanism::{LinkId, Named};
 use serde::Serialize;
 
 use crate::rigid::RigidParts;
@@ -121,28 +121,31 @@ pub enum CenterAt {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Center {
     /// The link.
-    pub link: String,
+    pub link: Named<LinkId>,
     /// The other link; `ground` for an absolute center.
-    pub against: String,
+    pub against: Named<LinkId>,
     /// Where.
     pub at: CenterAt,
 }
 
 /// The centers of all pairs of links: the absolute ones first, then the relative ones. `position` needs PF1.
 pub fn instant_centers(linkage: &Linkage, position: &Position) -> Vec<Center> {
-    let links = &linkage.mechanism.links;
+    let mechanism = &linkage.mechanism;
     let parts = RigidParts::of_structure(linkage);
     let mut list = Vec::new();
-    for against in 0..links.len() {
-        for link in against + 1..links.len() {
+    for against in 0..mechanism.links.len() {
+        for link in against + 1..mechanism.links.len() {
             let [one, two] = [link, against].map(|id| &position.bodies[id]);
-            let name = if against == GROUND { "ground".to_owned() } else { links[against].name.to_string() };
             let at = if parts.joins(link, against) {
                 CenterAt::Everywhere
             } else {
                 center(one, two, linkage.structure.scale)
             };
-            list.push(Center { link: links[link].name.to_string(), against: name, at });
+            list.push(Center {
+                link: mechanism.named_link(link),
+                against: mechanism.named_link(against),
+                at,
+            });
         }
     }
     list

@@ -9,7 +9,7 @@ use assur_words::{Describe, Text, text};
 
 use crate::course::{Course, Motion, Rest};
 use crate::cycle::Cycle;
-use crate::data::{AtPosition, ForceAngles, Geometry, LinkCourse, Named, PointCourse, SlideCourse};
+use crate::data::{AtPosition, Each, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 use crate::rigid::RigidParts;
 use crate::{Centers, Curvature, Stroke, centers_of};
 
@@ -47,30 +47,29 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     let mechanism = &linkage.mechanism;
     let cycle = Cycle::of(linkage)?;
     let parts = RigidParts::of(&cycle);
-    let moving = || (1..mechanism.links.len()).map(|id| (id, mechanism.links[id].name.to_string()));
+    let moving = || (1..mechanism.links.len()).map(|id| mechanism.named_link(id));
     let links = moving()
-        .map(|(id, name)| Ok((name, link(&cycle, id, &parts)?)))
+        .map(|of| Ok((of.clone(), link(&cycle, of.id, &parts)?)))
         .collect::<Result<_, PositionError>>()?;
     let moves = |point: &Point| point.places.iter().all(|place| place.link != GROUND);
     let points = mechanism.points.iter().enumerate().filter(|(_, point)| moves(point));
     let points = points
-        .map(|(id, found)| Ok((found.name.to_string(), point(&cycle, id)?)))
+        .map(|(id, _)| Ok((mechanism.named_point(id), point(&cycle, id)?)))
         .collect::<Result<_, PositionError>>()?;
-    let slides = mechanism.slides.iter().enumerate();
-    let slides = slides
-        .map(|(id, found)| Ok((found.name.to_string(), slide(&cycle, id)?)))
+    let slides = (0..mechanism.slides.len())
+        .map(|id| Ok((mechanism.named_slide(id), slide(&cycle, id)?)))
         .collect::<Result<_, PositionError>>()?;
     let groups = (0..linkage.structure.groups.len())
         .map(|group| Ok((linkage.structure.group_name(mechanism, group), force_angles(&cycle, group)?)))
         .collect::<Result<_, PositionError>>()?;
     let is_rigid = |link: LinkId| parts.joins(link, against);
     let positions = positions(linkage, against, &is_rigid, &points)?;
-    let rigid = moving().filter(|&(id, _)| id != against && is_rigid(id)).map(|(_, name)| name);
+    let rigid = moving().filter(|link| link.id != against && is_rigid(link.id));
     Ok(Geometry {
         format: FORMAT,
         title: mechanism.title.clone(),
         angular: linkage.angular(),
-        against: mechanism.links[against].name.to_string(),
+        against: mechanism.named_link(against),
         rigid: rigid.collect(),
         links,
         points,
@@ -203,7 +202,7 @@ fn positions(
     linkage: &Linkage,
     against: LinkId,
     is_rigid: &dyn Fn(LinkId) -> bool,
-    points: &Named<PointCourse>,
+    points: &Each<PointCourse>,
 ) -> Result<Vec<AtPosition>, PositionError> {
     let mechanism = &linkage.mechanism;
     let scale = linkage.structure.scale;
@@ -218,11 +217,11 @@ fn positions(
             } else {
                 centers_of(&bodies[link], &bodies[against], scale)
             };
-            (mechanism.links[link].name.to_string(), centers)
+            (mechanism.named_link(link), centers)
         });
-        let curved = points.iter().filter_map(|(name, course)| {
-            let motion = linkage.point_motion(mechanism.point(name)?, &position);
-            Some((name.clone(), Curvature::of(&motion, course.pf1.max)?))
+        let curved = points.iter().filter_map(|(point, course)| {
+            let motion = linkage.point_motion(point.id, &position);
+            Some((point.clone(), Curvature::of(&motion, course.pf1.max)?))
         });
         let angles = linkage.structure.groups.iter().zip(&position.health);
         let angles =

@@ -8,7 +8,7 @@ use assur_all as _;
 use assur_geometry::{CenterAt, Centers, Curvature, Geometry, centers_of, geometry, instant_centers};
 use assur_group::{Body, Order};
 use assur_kinematics::Linkage;
-use assur_mechanism::GROUND;
+use assur_mechanism::{GROUND, Named};
 use assur_testkit::specimen::Recipe;
 
 fn compile(scene: &str) -> Linkage {
@@ -110,7 +110,7 @@ fn elliptic_trammel_rolls_a_circle_in_one_of_twice_its_size() {
     let rod = linkage.mechanism.link("rod").unwrap();
     let turned = geometry(&linkage, rod).unwrap();
     assert_eq!(turned.against, "rod");
-    assert!(turned.positions[3].links.iter().all(|(name, _)| name != "rod"));
+    assert!(turned.positions[3].links.iter().all(|(name, _)| *name != "rod"));
 }
 
 fn solved(linkage: &Linkage, q: f64) -> assur_kinematics::Position {
@@ -232,7 +232,7 @@ fn transmission_angle_of_a_crank_rocker() {
 }
 
 /// The links that form a rigid part with one of a scene.
-fn rigid_with(linkage: &Linkage, link: &str) -> Vec<String> {
+fn rigid_with(linkage: &Linkage, link: &str) -> Vec<Named<usize>> {
     let found = geometry(linkage, linkage.mechanism.link(link).unwrap()).unwrap();
     for name in &found.rigid {
         for at in &found.positions {

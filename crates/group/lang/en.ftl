@@ -6,7 +6,6 @@ group-singular-start = the starting guess is singular ({ $determinant }): give `
 group-determinant = dimensionless determinant { $health }
 group-determinant-not-finite = its determinant has no finite value
 group-wrong-count = { $links } links need { $needed } pairs, the group has { $pairs }
-group-too-large = the general solution takes 2, 4, 6 or 8 links with three pairs for each two; this group has { $links } links and { $pairs } pairs and needs a kind of its own
 group-slide-not-pin = pair { $pair } is a slide, not a pin
 group-pin-not-slide = pair { $pair } is a pin, not a slide
 group-other-pattern = links and pairs of the group are not those of the kind

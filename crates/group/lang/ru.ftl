@@ -6,7 +6,6 @@ group-singular-start = начальное приближение особое ({
 group-determinant = безразмерный определитель { $health }
 group-determinant-not-finite = её определитель не имеет конечного значения
 group-wrong-count = звеньев { $links }, требуется пар { $needed }, в группе их { $pairs }
-group-too-large = общее решение берёт 2, 4, 6 или 8 звеньев с тремя парами на каждые два; в этой группе звеньев { $links }, пар { $pairs }, и ей нужен собственный вид
 group-slide-not-pin = пара { $pair } поступательная, а не вращательная
 group-pin-not-slide = пара { $pair } вращательная, а не поступательная
 group-other-pattern = звенья и пары группы не те, что у вида

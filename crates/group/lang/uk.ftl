@@ -6,7 +6,6 @@ group-singular-start = початкове наближення особливе 
 group-determinant = безрозмірний визначник { $health }
 group-determinant-not-finite = її визначник не має скінченного значення
 group-wrong-count = ланок { $links }, потрібно пар { $needed }, у групі їх { $pairs }
-group-too-large = загальний розв’язок бере 2, 4, 6 або 8 ланок із трьома парами на кожні дві; у цій групі ланок { $links }, пар { $pairs }, і їй потрібен власний вид
 group-slide-not-pin = пара { $pair } поступальна, а не обертальна
 group-pin-not-slide = пара { $pair } обертальна, а не поступальна
 group-other-pattern = ланки й пари групи не ті, що у виду

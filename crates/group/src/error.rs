@@ -22,8 +22,7 @@ pub enum GroupError {
         /// The dimensionless determinant of the group.
         health: f64,
     },
-    /// The group has too many links for the general solution, or its count is wrong: it needs three pairs for every
-    /// two links.
+    /// The count of the group is wrong: it needs three pairs for every two links.
     Unfit {
         /// Links of the group.
         links: usize,
@@ -44,10 +43,9 @@ impl Describe for GroupError {
             Self::SingularStart { health } => {
                 text!("group-singular-start", determinant = determinant(health))
             }
-            Self::Unfit { links, pairs } if links.is_multiple_of(2) && 2 * pairs != 3 * links => {
-                text!("group-wrong-count", links = links, needed = 3 * links / 2, pairs = pairs)
+            Self::Unfit { links, pairs } => {
+                text!("group-wrong-count", links = links, needed = (3 * links).div_ceil(2), pairs = pairs)
             }
-            Self::Unfit { links, pairs } => text!("group-too-large", links = links, pairs = pairs),
         }
     }
 }

@@ -7,18 +7,19 @@
 
 use assur_number::Real;
 
-use crate::linear::Lu;
 use crate::plane::{direction, minus, vector};
+use crate::solver::Solver;
 use crate::{Body, GroupError, GroupFrame, LEAST_HEALTH, Order, Pair, PairGeometry, Wrench};
 
-/// Calls a function with the number of unknowns (3 for each link) as a constant.
+/// Calls a function with the solver for the number of links as its first type.
 macro_rules! sized {
     ($frame:expr, $call:ident ( $($arg:expr),* ), $unfit:expr) => {
         match $crate::general::links_that_fit($frame) {
-            Some(1 | 2) => $call::<T, 6>($($arg),*),
-            Some(3 | 4) => $call::<T, 12>($($arg),*),
-            Some(5 | 6) => $call::<T, 18>($($arg),*),
-            Some(_) => $call::<T, 24>($($arg),*),
+            Some(1 | 2) => $call::<T, $crate::linear::Lu<T, 6>>($($arg),*),
+            Some(3 | 4) => $call::<T, $crate::linear::Lu<T, 12>>($($arg),*),
+            Some(5 | 6) => $call::<T, $crate::linear::Lu<T, 18>>($($arg),*),
+            Some(7 | 8) => $call::<T, $crate::linear::Lu<T, 24>>($($arg),*),
+            Some(_) => $call::<T, $crate::sparse::SparseLu<T>>($($arg),*),
             None => $unfit,
         }
     };
@@ -26,14 +27,11 @@ macro_rules! sized {
 
 pub(crate) use sized;
 
-/// Greatest number of links for which the general solution works.
-const MOST_LINKS: usize = 8;
-
-/// Number of links, if there are at most 8 and the constraints are as many as the unknowns.
+/// Number of links, if the constraints are as many as the unknowns.
 pub(crate) fn links_that_fit(frame: &GroupFrame) -> Option<usize> {
     let links = frame.links.len();
     let zero_mobility = 3 * links == 2 * frame.pairs().count();
-    (zero_mobility && (1..=MOST_LINKS).contains(&links)).then_some(links)
+    (zero_mobility && links > 0).then_some(links)
 }
 
 pub(crate) fn unfit(frame: &GroupFrame) -> GroupError {
@@ -74,9 +72,8 @@ fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>; 2] {
     }
 }
 
-/// J in units of the scale; unused rows and columns are those of the identity.
-pub(crate) fn jacobian<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [[T; N]; N] {
-    let mut j = [[T::ZERO; N]; N];
+/// Calls a function with each entry of J in units of the scale that may differ from 0: row, column, entry.
+pub(crate) fn entries<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], mut put: impl FnMut(usize, usize, T)) {
     let inverse_scale = T::ONE / T::from_f64(frame.scale);
     let mut row = 0;
     for pair in frame.pairs() {
@@ -84,27 +81,25 @@ pub(crate) fn jacobian<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Bo
         for direction in rows(pair, bodies) {
             for (body, arm, sign) in [(pair.a, on_a, T::ONE), (pair.b, on_b, -T::ONE)] {
                 let Some(column) = frame.column(body) else { continue };
-                let entry = &mut j[row][3 * column..3 * column + 3];
-                if let Some([nx, ny]) = direction {
-                    entry[0] = sign * nx;
-                    entry[1] = sign * ny;
-                    entry[2] = sign * (ny * arm[0] - nx * arm[1]) * inverse_scale;
-                } else {
-                    entry[2] = sign;
+                let Some([nx, ny]) = direction else {
+                    put(row, 3 * column + 2, sign);
+                    continue;
+                };
+                let turning = sign * (ny * arm[0] - nx * arm[1]) * inverse_scale;
+                let is_zero = |entry: T| entry.abs().greatest() == 0.0;
+                for (k, entry) in [sign * nx, sign * ny, turning].into_iter().enumerate() {
+                    if !is_zero(entry) {
+                        put(row, 3 * column + k, entry);
+                    }
                 }
             }
             row += 1;
         }
     }
-    for (i, line) in j.iter_mut().enumerate().skip(row) {
-        line[i] = T::ONE;
-    }
-    j
 }
 
 /// Right-hand sides: the motion of the outer bodies and, for the second order, the quadratic terms.
-fn right_side<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>], second: bool) -> [T; N] {
-    let mut right = [T::ZERO; N];
+fn right_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], second: bool, right: &mut [T]) {
     let mut row = 0;
     for pair in frame.pairs() {
         let (on_a, on_b) = arms(pair, bodies);
@@ -116,7 +111,11 @@ fn right_side<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>], s
             row += 1;
         }
     }
-    right
+}
+
+/// Minus the quadratic terms of the second derivatives, of links that move with their PF1 alone.
+pub(crate) fn quadratic<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], right: &mut [T]) {
+    right_side(frame, bodies, true, right);
 }
 
 /// Projection on n of the known motion of b minus that of a, at the point of a pair.
@@ -166,7 +165,7 @@ fn angle_side<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], pair: &Pair, seco
 ///
 /// # Errors
 ///
-/// [`GroupError::Singular`] if J is singular, [`GroupError::Unfit`] for more than 8 links.
+/// [`GroupError::Singular`] if J is singular, [`GroupError::Unfit`] for a wrong count of pairs.
 pub fn derive_generally<T: Real>(
     frame: &GroupFrame,
     bodies: &mut [Body<T>],
@@ -175,43 +174,48 @@ pub fn derive_generally<T: Real>(
     sized!(frame, derive_sized(frame, bodies, order), Err(unfit(frame)))
 }
 
-fn derive_sized<T: Real, const N: usize>(
+fn derive_sized<T: Real, S: Solver<T>>(
     frame: &GroupFrame,
     bodies: &mut [Body<T>],
     order: Order,
 ) -> Result<(), GroupError> {
-    let lu = Lu::new(jacobian::<T, N>(frame, bodies));
-    if lu.health.is_nan() || lu.health < LEAST_HEALTH {
-        return Err(GroupError::Singular { health: lu.health });
+    let lu = S::factor(frame, bodies, false);
+    if lu.health().is_nan() || lu.health() < LEAST_HEALTH {
+        return Err(GroupError::Singular { health: lu.health() });
     }
     let scale = T::from_f64(frame.scale);
     // Both orders use the same J, which is factored once.
-    let first = lu.solve(&right_side::<T, N>(frame, bodies, false));
+    let mut right = S::zeros(frame);
+    right_side(frame, bodies, false, right.as_mut());
+    let first = lu.solve(&right);
+    let first = first.as_ref();
     for (i, &link) in frame.links.iter().enumerate() {
         let body = &mut bodies[link];
         (body.x1, body.y1, body.w1) = (first[3 * i] * scale, first[3 * i + 1] * scale, first[3 * i + 2]);
     }
     if order < Order::Second {
-        return finite(&first);
+        return finite(first);
     }
-    let second = lu.solve(&right_side::<T, N>(frame, bodies, true));
+    right_side(frame, bodies, true, right.as_mut());
+    let second = lu.solve(&right);
+    let second = second.as_ref();
     for (i, &link) in frame.links.iter().enumerate() {
         let body = &mut bodies[link];
         (body.x2, body.y2, body.w2) = (second[3 * i] * scale, second[3 * i + 1] * scale, second[3 * i + 2]);
     }
-    finite(&second)
+    finite(second)
 }
 
 /// Returns an error for a solution with an entry that is NaN.
-fn finite<T: Real, const N: usize>(solution: &[T; N]) -> Result<(), GroupError> {
+fn finite<T: Real>(solution: &[T]) -> Result<(), GroupError> {
     GroupError::if_nan(solution.iter().fold(T::ZERO, |sum, &entry| sum + entry))
 }
 
 /// Dimensionless determinant of any placed group: smallest over greatest pivot of its J; 0 if the general solution
 /// does not apply.
 pub fn health_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
-    fn sized<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
-        Lu::new(jacobian::<T, N>(frame, bodies)).health
+    fn sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 {
+        S::factor(frame, bodies, false).health()
     }
     sized!(frame, sized(frame, bodies), 0.0)
 }
@@ -220,8 +224,8 @@ pub fn health_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> f64 
 ///
 /// # Errors
 ///
-/// [`GroupError::Singular`] where the equations of equilibrium cannot be solved, [`GroupError::Unfit`] for more than
-/// 8 links.
+/// [`GroupError::Singular`] where the equations of equilibrium cannot be solved, [`GroupError::Unfit`] for a wrong count of
+/// pairs.
 pub fn reactions_generally<T: Real>(
     frame: &GroupFrame,
     bodies: &[Body<T>],
@@ -231,31 +235,25 @@ pub fn reactions_generally<T: Real>(
     sized!(frame, reactions_sized(frame, bodies, loads, reactions), Err(unfit(frame)))
 }
 
-fn reactions_sized<T: Real, const N: usize>(
+fn reactions_sized<T: Real, S: Solver<T>>(
     frame: &GroupFrame,
     bodies: &[Body<T>],
     loads: &mut [Wrench<T>],
     reactions: &mut [Wrench<T>],
 ) -> Result<(), GroupError> {
-    let j = jacobian::<T, N>(frame, bodies);
-    let mut transposed = [[T::ZERO; N]; N];
-    for (i, line) in j.iter().enumerate() {
-        for (k, &entry) in line.iter().enumerate() {
-            transposed[k][i] = entry;
-        }
-    }
-    let lu = Lu::new(transposed);
-    if lu.health.is_nan() || lu.health < LEAST_HEALTH {
-        return Err(GroupError::Singular { health: lu.health });
+    let lu = S::factor(frame, bodies, true);
+    if lu.health().is_nan() || lu.health() < LEAST_HEALTH {
+        return Err(GroupError::Singular { health: lu.health() });
     }
     let scale = T::from_f64(frame.scale);
     let inverse_scale = T::ONE / T::from_f64(frame.scale);
-    let mut right = [T::ZERO; N];
-    for (i, &link) in frame.links.iter().enumerate() {
+    let mut right = S::zeros(frame);
+    for (part, &link) in right.as_mut().chunks_exact_mut(3).zip(&frame.links) {
         let load = &loads[link];
-        (right[3 * i], right[3 * i + 1], right[3 * i + 2]) = (-load.fx, -load.fy, -(load.m * inverse_scale));
+        part.copy_from_slice(&[-load.fx, -load.fy, -(load.m * inverse_scale)]);
     }
     let lambda = lu.solve(&right);
+    let lambda = lambda.as_ref();
     for (k, pair) in frame.pairs().enumerate() {
         let (one, two) = (lambda[2 * k], lambda[2 * k + 1]);
         let reaction = match rows(pair, bodies) {

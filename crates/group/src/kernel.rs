@@ -15,6 +15,17 @@ pub enum Order {
     Second,
 }
 
+/// One real assembly of a group at the poses of the bodies around it.
+#[derive(Debug, Clone)]
+pub struct Mode<T: Real> {
+    /// The links, in the order of [`GroupFrame::links`]; places alone.
+    pub bodies: Vec<Body<T>>,
+    /// The way in which [`AssurGroup::place`] finds it, from these poses.
+    pub way: usize,
+    /// Its dimensionless determinant, not negative.
+    pub health: f64,
+}
+
 /// A chain of zero mobility that can be solved on its own, built for one place in a mechanism.
 ///
 /// Two methods are required. The others are computed from the pairs of the group through one linear system; override
@@ -38,9 +49,25 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
     /// place is not determined.
     fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError>;
 
-    /// Number of ways of assembly.
+    /// Number of ways of assembly. A kind that iterates may have two: in way 0 it finds modes with a positive determinant, in
+    /// way 1 those with a negative one. Two modes that meet have opposite signs, so that the way tells them apart.
     fn ways(&self) -> usize {
         1
+    }
+
+    /// Whether [`modes`](Self::modes) lists them.
+    fn lists_modes(&self) -> bool {
+        false
+    }
+
+    /// All real assemblies at the present poses of the outer bodies, in the order that the kind documents; `None` where the
+    /// kind can't list them. It need not answer where it doesn't iterate: its ways are its modes then.
+    ///
+    /// # Errors
+    ///
+    /// [`GroupError::NoAssembly`] where there is none; [`GroupError::Singular`] where there is no end of them.
+    fn modes(&self, _bodies: &[Body<T>]) -> Result<Option<Vec<Mode<T>>>, GroupError> {
+        Ok(None)
     }
 
     /// Computes PF1 and, for [`Order::Second`], PF2 of the placed links.

@@ -23,6 +23,8 @@ mod pair;
 mod pattern;
 pub mod plane;
 mod registry;
+mod solver;
+mod sparse;
 
 assur_words::resources!();
 
@@ -35,8 +37,8 @@ pub use closed::{Closed, ClosedForm, ClosedKind};
 pub use error::{BuildError, GroupError, LEAST_HEALTH};
 pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint};
-pub use kernel::{AssurGroup, Order};
-pub use newton::{Iterated, place_by_newton};
+pub use kernel::{AssurGroup, Mode, Order};
+pub use newton::{Iterated, certify_generally, place_by_newton};
 pub use pair::{GroupFrame, Pair, PairGeometry};
 pub use pattern::{PairSort, Pattern, Reading, SeenPair};
 pub use registry::{ForceAngle, GroupPlugin, Ways, groups, kernel_of, plugin_for};

@@ -9,6 +9,8 @@ pub(crate) struct Lu<T, const N: usize> {
     order: [usize; N],
     /// Smallest pivot / greatest pivot, absolute values: 0 for a singular matrix.
     pub(crate) health: f64,
+    /// Whether the determinant is positive (of the first lane).
+    pub(crate) is_positive: bool,
 }
 
 impl<T: Real, const N: usize> Lu<T, N> {
@@ -17,6 +19,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
         for (i, place) in order.iter_mut().enumerate() {
             *place = i;
         }
+        let mut is_positive = true;
         let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
         for k in 0..N {
             // All lanes share one order of pivots: the row whose smallest lane is the greatest.
@@ -30,6 +33,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
             matrix.swap(k, best);
             order.swap(k, best);
             let pivot = matrix[k][k];
+            is_positive ^= (best != k) != (pivot.to_f64() < 0.0);
             least = least.min(pivot.abs().least());
             greatest = greatest.max(pivot.abs().greatest());
             for i in k + 1..N {
@@ -42,7 +46,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
             }
         }
         let health = if greatest > 0.0 && greatest.is_finite() { least / greatest } else { 0.0 };
-        Self { factors: matrix, order, health }
+        Self { factors: matrix, order, health, is_positive }
     }
 
     pub(crate) fn solve(&self, right: &[T; N]) -> [T; N] {

@@ -1,18 +1,21 @@
-//! Places of any group without a closed form: Newton's method on the constraints of its pairs.
+//! Places of any group without a closed form: Newton's method on the constraints of its pairs, with its certificate.
+//!
+//! A mode keeps the sign of its determinant until it meets another one, whose sign is the opposite. So a pose near the
+//! wanted one and this sign determine a mode, also close to the place where two of them meet.
 
 use assur_number::Real;
 
-use crate::general::{guide, jacobian, sized, unfit};
-use crate::linear::Lu;
+use crate::general::{entries, guide, quadratic, sized, unfit};
 use crate::plane::{direction, minus, times, vector};
+use crate::solver::Solver;
 use crate::{
-    AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, LEAST_HEALTH, Number, PairGeometry,
+    AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, LEAST_HEALTH, Number, Pair, PairGeometry,
 };
 
 /// Kernel of any kind without closed forms: places by Newton's method, derivatives and reactions by the general solution.
 ///
-/// A plugin needs only its registry entry, with `builders: Builders::of::<Iterated>()`, one way and `iterates: true`.
-/// The group may have at most 8 links.
+/// A plugin needs only its registry entry, with `builders: Builders::of::<Iterated>()` and `iterates: true`. Groups of more
+/// than 8 links are solved with sparse matrices, which are allocated.
 #[derive(Debug, Clone)]
 pub struct Iterated(GroupFrame);
 
@@ -21,8 +24,14 @@ impl<T: Real> AssurGroup<T> for Iterated {
         &self.0
     }
 
-    fn place(&self, bodies: &mut [Body<T>], _way: usize) -> Result<T, GroupError> {
-        place_by_newton(&self.0, bodies)
+    /// The sign of the determinant.
+    fn ways(&self) -> usize {
+        2
+    }
+
+    fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
+        let frame = &self.0;
+        sized!(frame, place_signed(frame, bodies, way == 0), Err(unfit(frame)))
     }
 }
 
@@ -37,64 +46,174 @@ impl GroupKind for Iterated {
 /// Greatest number of steps of Newton's method.
 const MOST_STEPS: usize = 60;
 
+/// Greatest turn of a link in one step, rad.
+const MOST_TURN: f64 = 0.7;
+
+/// How often a step is halved that makes the violations greater.
+const HALVINGS: usize = 6;
+
+/// Violations below this are not made smaller by shorter steps, in parts of the scale: rounding decides.
+const SMALL: f64 = 1e-6;
+
 /// Places any group by Newton's method on its constraints, starting from the poses of its bodies on entry.
 ///
-/// Returns the health. The assembly found is the one near the starting poses.
+/// Returns the health. The assembly found is one near the starting poses; a step that makes the violations greater is
+/// shortened.
 ///
 /// # Errors
 ///
 /// [`GroupError::NoAssembly`] with the remaining gap if it does not converge; [`GroupError::Singular`] if J is
-/// singular during the iteration; [`GroupError::Unfit`] for more than 8 links.
+/// singular during the iteration; [`GroupError::Unfit`] for a wrong count of pairs.
 pub fn place_by_newton<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<T, GroupError> {
-    sized!(frame, newton_sized(frame, bodies), Err(unfit(frame)))
+    sized!(frame, newton_health(frame, bodies), Err(unfit(frame)))
 }
 
-/// Constraint residuals Phi of all pairs, in units of the scale, with the sign such that J du = -Phi.
-fn residual<T: Real, const N: usize>(frame: &GroupFrame, bodies: &[Body<T>]) -> [T; N] {
-    let mut phi = [T::ZERO; N];
+fn newton_health<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<T, GroupError> {
+    newton_sized::<T, S>(frame, bodies).map(|lu| T::from_f64(lu.health()))
+}
+
+/// Places a group in the mode near the poses on entry whose determinant has the sign asked for.
+fn place_signed<T: Real, S: Solver<T>>(
+    frame: &GroupFrame,
+    bodies: &mut [Body<T>],
+    is_positive: bool,
+) -> Result<T, GroupError> {
+    let found = newton_sized::<T, S>(frame, bodies)?;
+    if found.is_positive() == is_positive || found.health() < (256.0 * T::EPSILON).sqrt() {
+        return Ok(T::from_f64(found.health()));
+    }
+    to_partner(frame, bodies, &found);
+    let other = newton_sized::<T, S>(frame, bodies)?;
+    if other.is_positive() == is_positive {
+        return Ok(T::from_f64(other.health()));
+    }
+    Err(GroupError::NoAssembly { gap_m: 0.0 })
+}
+
+/// Moves the links of a placed group to about where the mode is that would meet this one: along the motion v that the
+/// constraints hinder least, by t with w J v + t/2 w H(v, v) = 0, where w is the self-stress that is least hindered.
+fn to_partner<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>], lu: &S) {
+    let transposed = S::factor(frame, bodies, true);
+    let v = weakest(frame, lu);
+    let w = weakest(frame, &transposed);
+    let mut moved = bodies.to_vec();
+    let scale = T::from_f64(frame.scale);
+    for body in &mut moved {
+        let Body { x, y, c, s, .. } = *body;
+        *body = Body { x, y, c, s, ..Body::ground() };
+    }
+    for (part, &link) in v.as_ref().chunks_exact(3).zip(&frame.links) {
+        let body = &mut moved[link];
+        (body.x1, body.y1, body.w1) = (part[0] * scale, part[1] * scale, part[2]);
+    }
+    let mut linear = T::ZERO;
+    entries(frame, bodies, |row, column, entry| {
+        linear += w.as_ref()[row] * entry * v.as_ref()[column];
+    });
+    let mut bend = S::zeros(frame);
+    // The right-hand side of the second order is minus the quadratic terms.
+    quadratic(frame, &moved, bend.as_mut());
+    let curved = bend.as_ref().iter().zip(w.as_ref()).fold(T::ZERO, |sum, (bend, w)| sum + *bend * *w);
+    let t = linear.twice() / curved;
+    let most = v.as_ref().chunks_exact(3).map(|part| part[2].abs().to_f64()).fold(0.0, f64::max);
+    let length = t.abs().to_f64() * most;
+    let t = if length > 1.0 { t * T::from_f64(1.0 / length) } else { t };
+    if t.to_f64().is_finite() {
+        // A step subtracts.
+        take(frame, bodies, v.as_ref(), -t);
+    }
+}
+
+/// The unit vector that a matrix makes smallest, by inverse iteration.
+fn weakest<T: Real, S: Solver<T>>(frame: &GroupFrame, lu: &S) -> S::Vector {
+    let mut x = S::zeros(frame);
+    let count = 3 * frame.links.len();
+    for (i, part) in x.as_mut().iter_mut().take(count).enumerate() {
+        *part = T::from_f64(1.0 + 0.37 * (i % 3) as f64 - 0.21 * (i % 5) as f64);
+    }
+    for _ in 0..3 {
+        x = lu.solve(&x);
+        let square = x.as_ref().iter().fold(T::ZERO, |sum, part| sum + *part * *part);
+        let inverse = T::ONE / square.sqrt();
+        x.as_mut().iter_mut().for_each(|part| *part = *part * inverse);
+    }
+    x
+}
+
+/// Constraint residuals Phi of all pairs, in units of the scale, with the sign such that J du = -Phi; their greatest size.
+fn residual<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], phi: &mut [T]) -> f64 {
     let inverse_scale = T::ONE / T::from_f64(frame.scale);
+    let mut most = 0.0_f64;
     for (k, pair) in frame.pairs().enumerate() {
         let (a, b) = (&bodies[pair.a], &bodies[pair.b]);
-        (phi[2 * k], phi[2 * k + 1]) = match pair.geometry {
+        let both = match pair.geometry {
             PairGeometry::Pin { at_a, at_b } => {
                 let gap = minus(a.point(vector(at_a)), b.point(vector(at_b)));
-                (gap[0] * inverse_scale, gap[1] * inverse_scale)
+                [gap[0] * inverse_scale, gap[1] * inverse_scale]
             }
             PairGeometry::Slide { point, through, angle, tilt } => {
                 let [c, s] = guide(bodies, pair.b, angle);
                 let gap = minus(a.point(vector(point)), b.point(vector(through)));
                 let wanted = times([c, s], direction(tilt));
-                ((c * gap[1] - s * gap[0]) * inverse_scale, wanted[0] * a.s - wanted[1] * a.c)
+                let (sine, cosine) = (wanted[0] * a.s - wanted[1] * a.c, wanted[0] * a.c + wanted[1] * a.s);
+                [(c * gap[1] - s * gap[0]) * inverse_scale, turn_of(sine, cosine)]
             }
         };
+        phi[2 * k..2 * k + 2].copy_from_slice(&both);
+        for part in both {
+            let size = part.abs().greatest();
+            most = if size <= most { most } else { size };
+        }
     }
-    phi
+    most
 }
 
-fn newton_sized<T: Real, const N: usize>(
-    frame: &GroupFrame,
-    bodies: &mut [Body<T>],
-) -> Result<T, GroupError> {
+/// The violation of an angle: its sine where that is small; turned round by more than a right angle it is not satisfied.
+fn turn_of<T: Real>(sine: T, cosine: T) -> T {
+    if cosine.at_least(0.0) {
+        return sine;
+    }
+    let whole = if sine.to_f64() < 0.0 { -1.0 } else { 1.0 };
+    T::from_f64(2.0 * whole) - sine
+}
+
+fn newton_sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>]) -> Result<S, GroupError> {
+    let mut phi = S::zeros(frame);
+    let mut size = residual(frame, bodies, phi.as_mut());
     let mut before = f64::INFINITY;
     for _ in 0..MOST_STEPS {
-        let phi = residual::<T, N>(frame, bodies);
-        let size = phi.iter().map(|r| r.abs().greatest()).fold(0.0, f64::max);
-        let lu = Lu::new(jacobian::<T, N>(frame, bodies));
-        if lu.health.is_nan() || lu.health < LEAST_HEALTH {
-            return Err(GroupError::Singular { health: lu.health });
+        let lu = S::factor(frame, bodies, false);
+        if lu.health().is_nan() || lu.health() < LEAST_HEALTH {
+            return Err(GroupError::Singular { health: lu.health() });
         }
         // Converged when a further step does not reduce the residual: the rest is rounding.
         if size <= 64.0 * T::EPSILON && size >= before.min(4.0 * T::EPSILON) || size == 0.0 {
-            return Ok(T::from_f64(lu.health));
+            return Ok(lu);
         }
         before = size;
         let step = lu.solve(&phi);
-        for (i, &link) in frame.links.iter().enumerate() {
-            let scale = T::from_f64(frame.scale);
-            nudge(&mut bodies[link], [step[3 * i] * scale, step[3 * i + 1] * scale, step[3 * i + 2]]);
+        let turn = step.as_ref().chunks_exact(3).map(|part| part[2].abs().greatest()).fold(0.0, f64::max);
+        let mut part = if turn > MOST_TURN { MOST_TURN / turn } else { 1.0 };
+        take(frame, bodies, step.as_ref(), T::from_f64(part));
+        size = residual(frame, bodies, phi.as_mut());
+        for _ in 0..HALVINGS {
+            if size < before || size.is_nan() || before < SMALL {
+                break;
+            }
+            part *= 0.5;
+            take(frame, bodies, step.as_ref(), T::from_f64(-part));
+            size = residual(frame, bodies, phi.as_mut());
         }
     }
     Err(GroupError::NoAssembly { gap_m: before * frame.scale })
+}
+
+/// Subtracts a part of a step from the poses of all links.
+fn take<T: Real>(frame: &GroupFrame, bodies: &mut [Body<T>], step: &[T], part: T) {
+    let scale = part * T::from_f64(frame.scale);
+    for (own, &link) in step.chunks_exact(3).zip(&frame.links) {
+        nudge(&mut bodies[link], [own[0] * scale, own[1] * scale, own[2] * part]);
+    }
 }
 
 /// Subtracts a Newton step from the pose of a body; its direction remains a unit vector.
@@ -105,4 +224,45 @@ fn nudge<T: Real>(body: &mut Body<T>, step: [T; 3]) {
     let [x, y] = body.turned([c, s]);
     let length = (x * x + y * y).sqrt();
     (body.c, body.s) = (x / length, y / length);
+}
+
+/// Rounding of a constraint, in units of the last place.
+const ROUNDINGS: f64 = 16.0;
+
+/// The distance within which a placed group is certainly the only assembly, in rad and parts of the scale, by the theorem of
+/// Newton and Kantorovich: with the size b of the inverse of J, a Lipschitz constant g of J and the length e of the next
+/// step, b g e <= 1/2 proves a root at most 2 e away and none other within 1 / (b g). `None` where that is not proved.
+pub fn certify_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> Option<f64> {
+    fn certified<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &[Body<T>]) -> Option<f64> {
+        let lu = S::factor(frame, bodies, false);
+        let count = 3 * frame.links.len();
+        let mut sums = vec![0.0_f64; count];
+        for column in 0..count {
+            let mut unit = S::zeros(frame);
+            unit.as_mut()[column] = T::ONE;
+            let found = lu.solve(&unit);
+            sums.iter_mut().zip(found.as_ref()).for_each(|(sum, part)| *sum += part.abs().greatest());
+        }
+        let inverse = sums.into_iter().fold(0.0, f64::max);
+        let mut phi = S::zeros(frame);
+        let violation = residual(frame, bodies, phi.as_mut()) + ROUNDINGS * T::EPSILON;
+        let bent = inverse * frame.pairs().map(|pair| bend(pair, frame.scale, bodies)).fold(0.0, f64::max);
+        let is_proved = bent * inverse * violation <= 0.5;
+        is_proved.then(|| 1.0 / bent)
+    }
+    sized!(frame, certified(frame, bodies), None)
+}
+
+/// Lipschitz constant of the two rows of a pair in J, in the greatest norm.
+fn bend<T: Real>(pair: &Pair, scale: f64, bodies: &[Body<T>]) -> f64 {
+    let far = |a: [f64; 2]| a[0].hypot(a[1]) / scale;
+    match pair.geometry {
+        PairGeometry::Pin { at_a, at_b } => far(at_a) + far(at_b),
+        PairGeometry::Slide { point, .. } => {
+            let way = minus(bodies[pair.a].point(vector(point)), bodies[pair.b].origin());
+            let across = far(way.map(|part| part.abs().greatest()));
+            // The normal turns with b: four entries of a unit vector, two arms, and the way between the origins.
+            2.0 * 2.0_f64.sqrt() + 2.0 + 3.0 * far(point) + across
+        }
+    }
 }

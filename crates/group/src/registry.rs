@@ -1,6 +1,8 @@
 //! The registry of the kinds of groups.
 
+use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
+use std::sync::OnceLock;
 
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Text, text};
@@ -84,8 +86,11 @@ pub struct GroupPlugin {
     pub crate_name: &'static str,
     /// Description in one line.
     pub summary: Text,
-    /// Its links and pairs: a group of this pattern is of this kind.
-    pub pattern: Pattern,
+    /// Its links and pairs: a group of this pattern may be of this kind; `None`: any group may.
+    pub pattern: Option<Pattern>,
+    /// Of several kinds that fit a group the one with the lowest rank is taken; of one rank the one with the fewest pairs of
+    /// either sort. The kinds of this repository have 10, its last resort 200.
+    pub rank: u8,
     /// Its assemblies.
     pub ways: Ways,
     /// Whether the solution depends on the poses that the links have on entry, as with Newton's method; `false` for
@@ -103,30 +108,56 @@ pub struct GroupPlugin {
 
 assur_plugin::registry!(GroupPlugin, text!("group-sort"), name);
 
-/// All registered kinds, sorted by name.
+/// All registered kinds, sorted by name. They are collected once.
 ///
 /// # Errors
 ///
 /// [`RegistryError`] if two kinds have one name, or if none is registered.
 pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
-    assur_plugin::all()
+    registered().map(<[_]>::to_vec)
 }
 
-/// The registered kind of a group; of several that match, the most specific one (with the fewest pairs of either sort).
+fn registered() -> Result<&'static [&'static GroupPlugin], RegistryError> {
+    static ALL: OnceLock<Result<Vec<&'static GroupPlugin>, RegistryError>> = OnceLock::new();
+    ALL.get_or_init(assur_plugin::all).as_deref().map_err(Clone::clone)
+}
+
+impl GroupPlugin {
+    /// Whether a group may be of this kind.
+    pub fn fits(&self, frame: &GroupFrame) -> bool {
+        self.pattern.is_none_or(|pattern| pattern.find(frame).is_some())
+    }
+
+    /// What decides between several kinds that fit, the least first: the rank, then the number of pairs of either sort; a
+    /// kind for any group comes last in its rank.
+    fn precedence(&self) -> (u8, usize) {
+        (self.rank, self.pattern.map_or(usize::MAX, |pattern| pattern.open_pairs()))
+    }
+}
+
+/// The registered kind of a group; of several that fit, the one with the lowest rank, then the most specific one (with the
+/// fewest pairs of either sort).
 ///
 /// # Errors
 ///
-/// [`RegistryError`] if two kinds have one name, if none is registered, or if two match equally well.
+/// [`RegistryError`] if two kinds have one name, if none is registered, or if two fit equally well.
 pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, RegistryError> {
-    let mut matching = groups()?;
-    matching.retain(|plugin| plugin.pattern.find(frame).is_some());
-    matching.sort_by_key(|plugin| plugin.pattern.open_pairs());
-    match matching[..] {
-        [first, second, ..] if first.pattern.open_pairs() == second.pattern.open_pairs() => {
+    let mut best: Option<&'static GroupPlugin> = None;
+    let mut rival = None;
+    for &plugin in registered()? {
+        let order = best.map_or(Ordering::Less, |best| plugin.precedence().cmp(&best.precedence()));
+        if order == Ordering::Greater || !plugin.fits(frame) {
+            continue;
+        }
+        rival = best.filter(|_| order == Ordering::Equal);
+        best = Some(plugin);
+    }
+    match (rival, best) {
+        (Some(first), Some(second)) => {
             let [first, second] = [first, second].map(|plugin| (plugin.name, plugin.crate_name));
             Err(RegistryError::Ambiguous { what: GroupPlugin::WHAT, first, second })
         }
-        _ => Ok(matching.first().copied()),
+        _ => Ok(best),
     }
 }
 

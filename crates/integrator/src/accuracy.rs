@@ -6,7 +6,7 @@ use crate::{IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajector
 /// Each run is compared with one at this fraction of its tolerance.
 const FINER: f64 = 0.1;
 
-/// Estimated errors up to so many tolerances are accepted: then the true one is at most ten tolerances.
+/// Estimated errors of up to this many tolerances are accepted; the true error is then at most ten tolerances.
 const ACCEPTED: f64 = 3.0;
 
 /// Refinements after which the motion counts as too sensitive for its tolerance.

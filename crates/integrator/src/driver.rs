@@ -276,7 +276,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
 /// Number of steps after which the report looks for stiffness.
 const MANY_STEPS: usize = 1000;
 
-/// At a fixed step, stability is checked once in so many steps.
+/// At a fixed step, stability is checked once in this number of steps.
 const PERIOD: usize = 64;
 
 impl<S: Stepper> Drive<'_, S> {

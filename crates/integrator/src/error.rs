@@ -105,13 +105,7 @@ impl IntegrationError {
 /// the bound on the negative real axis is 3.3 for dopri5, 6.1 for dop853 and 2.8 for rk4.
 pub(crate) const SUSPICIOUS: f64 = 1.5;
 
-assur_words::errors!(IntegrationError);
-
-impl From<RegistryError> for IntegrationError {
-    fn from(error: RegistryError) -> Self {
-        Self::Registry(error)
-    }
-}
+assur_words::errors!(IntegrationError; Registry(RegistryError));
 
 impl Describe for IntegrationError {
     fn describe(&self) -> Text {

@@ -3,3 +3,4 @@ kinematics-coordinate = координата { $coordinate }: { $cause }
 kinematics-range = механизм можно собрать от { $low } до { $high }
 kinematics-no-range = в первом положении его нельзя собрать: проверьте длины{ $units } или начните с другого места (`input.from`)
 kinematics-units = {" "}и их единицы (число без единицы — в метрах)
+kinematics-no-start = { $group } решается только от начальных мест: задайте в [assembly] примерные места этих точек в первом положении: { $points }

@@ -3,3 +3,4 @@ kinematics-coordinate = координата { $coordinate }: { $cause }
 kinematics-range = механізм можна зібрати від { $low } до { $high }
 kinematics-no-range = у першому положенні його не можна зібрати: перевірте довжини{ $units } або почніть з іншого місця (`input.from`)
 kinematics-units = {" "}та їхні одиниці (число без одиниці — у метрах)
+kinematics-no-start = { $group } розв’язується лише від початкових місць: задайте в [assembly] приблизні місця цих точок у першому положенні: { $points }

@@ -113,7 +113,7 @@ impl Branch {
         self.failure.is_none()
     }
 
-    /// Ends the branch at a coordinate, after so many samples.
+    /// Ends the branch at a coordinate, after this number of samples.
     pub(crate) fn end(&mut self, coordinate: f64, samples: usize, failure: ChainError) {
         self.reached = coordinate - self.from;
         self.samples = samples;

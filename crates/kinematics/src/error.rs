@@ -2,7 +2,7 @@
 
 use assur_group::{BuildError, GroupError};
 use assur_structure::StructureError;
-use assur_words::{Describe, Text, joined, list, quantity, text};
+use assur_words::{Describe, Text, joined, list, name, quantity, text};
 
 /// Why a mechanism can't be compiled.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,6 +10,13 @@ use assur_words::{Describe, Text, joined, list, quantity, text};
 pub enum CompileError {
     /// The mechanism can't be decomposed into groups.
     Structure(StructureError),
+    /// A group whose kind can't list its assemblies has no places to begin with.
+    NoStart {
+        /// The group.
+        group: Box<Text>,
+        /// Its points that `[assembly]` should place.
+        points: Vec<String>,
+    },
     /// The lengths don't form a group of the kind.
     Build {
         /// The group.
@@ -26,6 +33,7 @@ impl CompileError {
     pub fn key(&self) -> Option<Vec<&str>> {
         match self {
             Self::Structure(error) => Some(vec!["link", error.link()?]),
+            Self::NoStart { .. } => Some(vec!["assembly"]),
             Self::Build { link, .. } => Some(vec!["link", link.as_deref()?, "points"]),
         }
     }
@@ -72,18 +80,18 @@ impl PositionError {
     }
 }
 
-assur_words::errors!(CompileError, PositionError);
-
-impl From<StructureError> for CompileError {
-    fn from(error: StructureError) -> Self {
-        Self::Structure(error)
-    }
-}
+assur_words::errors!(PositionError);
+assur_words::errors!(CompileError; Structure(StructureError));
 
 impl Describe for CompileError {
     fn describe(&self) -> Text {
         match self {
             Self::Structure(error) => error.describe(),
+            Self::NoStart { group, points } => text!(
+                "kinematics-no-start",
+                group = Text::clone(group),
+                points = list(points.iter().map(|point| name(point.clone())))
+            ),
             Self::Build { group, source, .. } => joined(": ", [Text::clone(group), source.describe()]),
         }
     }

@@ -1,7 +1,7 @@
 //! The assembly of the first position.
 
 use assur_group::plane::{dot, minus, vector};
-use assur_group::{AssurGroup, Body, GroupError, Number};
+use assur_group::{AssurGroup, Body, GroupError, GroupFrame, Mode, Number, certify_generally};
 use assur_mechanism::{GROUND, Mechanism};
 use assur_number::{Dd, Real};
 use assur_structure::Structure;
@@ -41,6 +41,14 @@ pub(crate) fn first_ways(
     let mut ways = vec![0_u8; chain.groups.len()];
     for (group, kernel) in chain.groups.iter().enumerate().filter(|(group, _)| chain.is_needed(*group)) {
         let iterates = structure.groups[group].plugin.iterates;
+        if iterates
+            && let Some(modes) =
+                kernel.modes(&bodies).map_err(|source| (ways.clone(), ChainError { group, source }))?
+        {
+            ways[group] = take_nearest(&modes, kernel.frame(), &wanted, &mut bodies);
+            kernel.frame().links.iter().for_each(|&link| placed[link] = true);
+            continue;
+        }
         if iterates {
             start(mechanism, kernel.frame(), &placed, &mut bodies);
         }
@@ -73,11 +81,49 @@ pub(crate) fn first_ways(
         ways[group] = closest(&candidates, SAME * structure.scale);
         // The group was already placed from the same starting pose.
         let _ = kernel.place(&mut bodies, usize::from(ways[group]));
+        if iterates && certify_generally(kernel.frame(), &bodies).is_none() {
+            let health = kernel.health(&bodies);
+            return Err((ways, ChainError { group, source: GroupError::SingularStart { health } }));
+        }
         for &link in &kernel.frame().links {
             placed[link] = true;
         }
     }
     Ok((ways, bodies))
+}
+
+/// Places the links of a group in the mode that is closest to the wanted places, of equal ones in the first; returns its way.
+fn take_nearest(
+    modes: &[Mode<f64>],
+    frame: &GroupFrame,
+    wanted: &[Vec<Wanted>],
+    bodies: &mut [Body<f64>],
+) -> u8 {
+    let mut best: Option<(f64, &Mode<f64>)> = None;
+    for mode in modes {
+        frame.links.iter().zip(&mode.bodies).for_each(|(&link, body)| bodies[link] = *body);
+        let off = sum_of_squares(frame, wanted, bodies);
+        if best.is_none_or(|(least, _)| off < least) {
+            best = Some((off, mode));
+        }
+    }
+    let Some((_, mode)) = best else { return 0 };
+    frame.links.iter().zip(&mode.bodies).for_each(|(&link, body)| bodies[link] = *body);
+    u8::try_from(mode.way).unwrap_or(0)
+}
+
+/// Sum of the squared distances between the points of a group and their wanted places, m².
+fn sum_of_squares<T: Number>(frame: &GroupFrame, wanted: &[Vec<Wanted>], bodies: &[Body<T>]) -> T {
+    let mut sum = T::ZERO;
+    let mut seen = Vec::new();
+    for (link, one) in frame.links.iter().flat_map(|&link| wanted[link].iter().map(move |one| (link, one))) {
+        if !seen.contains(&one.point) {
+            seen.push(one.point);
+            let off = minus(bodies[link].point(vector(one.own)), vector(one.place));
+            sum += dot(off, off);
+        }
+    }
+    sum
 }
 
 /// The way with the least distance; of equal ones the first.
@@ -170,15 +216,7 @@ fn miss<T: Number>(
     let links = &kernel.frame().links;
     let before: Vec<_> = links.iter().map(|&link| bodies[link]).collect();
     let placed = kernel.place(bodies, usize::from(way));
-    let mut sum = T::ZERO;
-    let mut seen = Vec::new();
-    for (link, one) in links.iter().flat_map(|&link| wanted[link].iter().map(move |one| (link, one))) {
-        if !seen.contains(&one.point) {
-            seen.push(one.point);
-            let off = minus(bodies[link].point(vector(one.own)), vector(one.place));
-            sum += dot(off, off);
-        }
-    }
+    let sum = sum_of_squares(kernel.frame(), wanted, bodies);
     links.iter().zip(before).for_each(|(&link, before)| bodies[link] = before);
     placed.map(|health| (sum.sqrt().to_f64(), health.abs().to_f64()))
 }

@@ -168,7 +168,8 @@ impl Path<'_> {
         let before = back.samples.saturating_sub(1);
         let poses = self.follower.iterated.iter().map(|&link| {
             let [back, forth] = [back, forth].map(|branch| &branch.poses[link]);
-            (link, back.iter().skip(1).rev().chain(forth.iter()).collect::<Vec<_>>())
+            // A group may have been followed beyond where a later one ends the branch.
+            (link, back.iter().skip(1).take(before).rev().chain(forth.iter()).collect::<Vec<_>>())
         });
         let guesses = Guesses {
             low: self.from - before as f64 * forth.step(),

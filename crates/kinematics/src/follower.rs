@@ -9,6 +9,7 @@ use crate::dependence::Dependence;
 use crate::meeting::{Judge, Minimum};
 use crate::poses::Poses;
 use crate::samples::{Kernels, Samples, Scratch, pose_distance};
+use crate::track::Tracker;
 use crate::wide::{Assembly, Wide};
 use crate::{Chain, ChainError};
 
@@ -99,23 +100,26 @@ impl Follower<'_> {
     /// Follows a group from event to event to the end of the branch or of its own range.
     fn follow_group(&mut self, group: usize, branch: &mut Branch, is_back: bool, scratch: &mut Scratch) {
         let kernel = self.chain.groups[group].as_ref();
-        let lanes =
-            (!self.structure.groups[group].plugin.iterates).then(|| self.lane_chain.groups[group].as_ref());
+        let iterates = self.structure.groups[group].plugin.iterates;
+        let lanes = (!iterates).then(|| self.lane_chain.groups[group].as_ref());
         let kernels = Kernels { single: kernel, lanes };
-        let mut samples = Samples::new(kernels, branch.way(group, branch.from), scratch, branch);
+        let (chain, dependence, scale) = (self.chain, self.dependence, self.structure.scale);
+        let tracker = iterates.then_some(Tracker { chain, dependence, group, scale });
+        let mut samples = Samples::new((kernels, tracker), branch.way(group, branch.from), scratch, branch);
         samples.place_from(0, branch);
         let mut sample = 0;
         loop {
             let event = match samples.failure {
-                Some(source) if sample == samples.health.len() => {
-                    Some(self.stop((group, samples.way), sample, source, branch))
-                }
+                Some(source) if sample == samples.health.len() => Some(match samples.torn {
+                    Some(last) => Event::End(last, source),
+                    None => self.stop((group, samples.way), sample, source, branch),
+                }),
                 None if sample == samples.health.len() => break,
                 _ if kernel.ways() == 1 => None,
                 _ => {
                     let found = self.meeting(group, sample, &mut samples, branch, is_back);
                     found.or_else(|| {
-                        let jumps = samples.jumps(sample);
+                        let jumps = !iterates && samples.jumps(sample);
                         jumps.then(|| self.jump((group, samples.way), sample, branch)).flatten()
                     })
                 }
@@ -151,7 +155,7 @@ impl Follower<'_> {
         is_back: bool,
     ) -> Option<Event> {
         let last = samples.health.len() - 1;
-        // Behind its last sample the group ends, which `stop` handles.
+        // Past its last sample the group can't be assembled; `stop` handles that.
         if samples.failure.is_some() && sample == last {
             return None;
         }

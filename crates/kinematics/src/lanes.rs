@@ -100,13 +100,18 @@ impl Linkage {
     /// than in the first lane.
     fn alone(&self, coordinates: Lanes) -> [bool; Lanes::WIDTH] {
         let mut alone = [false; Lanes::WIDTH];
+        if self.guesses.is_some() {
+            for (alone, coordinate) in alone.iter_mut().zip(coordinates.0) {
+                *alone = self.barrier(coordinate).is_some();
+            }
+        }
         if self.ways.are_constant() {
             return alone;
         }
         let mut common = None;
         for (alone, coordinate) in alone.iter_mut().zip(coordinates.0) {
             let ways = self.ways.at(coordinate);
-            *alone = self.interpolants.cover(coordinate) || *common.get_or_insert(ways) != ways;
+            *alone |= self.interpolants.cover(coordinate) || *common.get_or_insert(ways) != ways;
         }
         alone
     }

@@ -1,5 +1,7 @@
 //! A mechanism compiled for many positions.
 
+use std::sync::Arc;
+
 use assur_group::{AssurGroup, Body, Order};
 use assur_mechanism::Mechanism;
 use assur_number::{Lanes, Real};
@@ -10,20 +12,22 @@ use crate::follow::{coordinate_unit, follow};
 use crate::interpolant::Interpolation;
 use crate::interpolants::Interpolants;
 use crate::poses::Guesses;
+use crate::start::refuse_without_start;
 use crate::ways::{END_ROUNDING, Transition, Ways};
 use crate::{Chain, ChainError, CompileError, PositionError, Range};
 
-/// A mechanism decomposed into groups and compiled, with everything needed to calculate positions.
-#[derive(Debug)]
+/// A mechanism decomposed into groups and compiled, with everything needed to calculate positions. A clone shares what is
+/// compiled.
+#[derive(Debug, Clone)]
 pub struct Linkage {
     /// The mechanism as read.
     pub mechanism: Mechanism,
     /// Its pairs and groups.
     pub structure: Structure,
     /// The compiled chain.
-    pub chain: Chain<f64>,
+    pub chain: Arc<Chain<f64>>,
     /// The compiled chain for eight positions at once.
-    pub lane_chain: Chain<Lanes>,
+    pub lane_chain: Arc<Chain<Lanes>>,
     /// The way of each group at every coordinate.
     pub ways: Ways,
     /// The range in which it can be assembled; `None` if it can't be assembled in the first position.
@@ -82,14 +86,15 @@ impl Linkage {
     ) -> Result<Self, CompileError> {
         let mut chain = Chain::compile(&mechanism, &structure)?;
         chain.limit_to(needed);
+        refuse_without_start(&mechanism, &structure, &chain)?;
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
         lane_chain.limit_to(needed);
         let followed = follow(&mechanism, &structure, (&chain, &lane_chain));
         Ok(Self {
             mechanism,
             structure,
-            chain,
-            lane_chain,
+            chain: Arc::new(chain),
+            lane_chain: Arc::new(lane_chain),
             ways: followed.ways,
             range: followed.range,
             first_failure: followed.first_failure,
@@ -100,8 +105,8 @@ impl Linkage {
     }
 
     /// The linkage of a mechanism that differs in numbers only, with some groups needed as in
-    /// [`compile_for`](Self::compile_for); its own mechanism; and whether both have the same positions, so that nothing was
-    /// compiled.
+    /// [`compile_for`](Self::compile_for). It comes with the mechanism that this linkage had, and with whether both have the
+    /// same positions: then nothing was compiled.
     ///
     /// # Errors
     ///
@@ -158,6 +163,10 @@ impl Linkage {
     pub fn solve(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), PositionError> {
         position.coordinate = coordinate;
         if let Some(guesses) = &self.guesses {
+            // Beyond its range a group that iterates has no pose to begin with.
+            if let Some((_, failure)) = self.barrier(coordinate) {
+                return Err(self.explain(coordinate, failure));
+            }
             guesses.put(self.followed(coordinate), &mut position.bodies);
         }
         let ways = self.ways.at(coordinate);

@@ -36,7 +36,7 @@ impl Poses {
         }
     }
 
-    /// Makes room for the poses of so many samples in all.
+    /// Makes room for the poses of this number of samples.
     pub(crate) fn reserve(&mut self, samples: usize) {
         self.blocks.reserve_exact(samples.div_ceil(Lanes::WIDTH).saturating_sub(self.blocks.len()));
     }

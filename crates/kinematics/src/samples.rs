@@ -5,6 +5,7 @@ use assur_mechanism::GROUND;
 use assur_number::{Lanes, Real as _};
 
 use crate::branch::Branch;
+use crate::track::{LONGEST, Tracker};
 
 /// A local minimum of the determinant among the samples that is above this can't belong to a zero between two of them.
 pub(crate) const SUSPECT: f64 = 0.2;
@@ -47,16 +48,26 @@ pub(crate) struct Samples<'a> {
     moved: Vec<f64>,
     /// Why it can't be placed at the sample after the last one.
     pub(crate) failure: Option<GroupError>,
+    /// Follows a kind that iterates where its pose changes much from sample to sample.
+    tracker: Option<Tracker<'a>>,
+    /// The last coordinate at which such a kind can be placed, if that is known.
+    pub(crate) torn: Option<f64>,
 }
 
 impl<'a> Samples<'a> {
-    pub(crate) fn new(kernels: Kernels<'a>, way: u8, scratch: &'a mut Scratch, branch: &Branch) -> Self {
+    pub(crate) fn new(
+        (kernels, tracker): (Kernels<'a>, Option<Tracker<'a>>),
+        way: u8,
+        scratch: &'a mut Scratch,
+        branch: &Branch,
+    ) -> Self {
         let frame = kernels.single.frame();
         let ends = frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
         let outer = ends.filter(|end| *end != GROUND && !frame.links.contains(end)).collect();
         let storage = || Vec::with_capacity(branch.samples);
         let (health, moved) = (storage(), storage());
-        Self { kernels, outer, scratch, scale: frame.scale, way, health, moved, failure: None }
+        let scale = frame.scale;
+        Self { kernels, outer, scratch, scale, way, health, moved, failure: None, tracker, torn: None }
     }
 
     /// Places the group at all samples from one on, until it can't be assembled; earlier samples stay unchanged.
@@ -64,6 +75,7 @@ impl<'a> Samples<'a> {
         self.health.truncate(first);
         self.moved.truncate(first);
         self.failure = None;
+        self.torn = None;
         let links = &self.kernels.single.frame().links;
         for &link in links {
             branch.poses[link].truncate(first);
@@ -110,7 +122,29 @@ impl<'a> Samples<'a> {
         for &link in links {
             bodies[link] = branch.poses[link].last().unwrap_or(branch.start[link]);
         }
-        match kernel.place(bodies, usize::from(self.way)) {
+        let mut placed = kernel.place(bodies, usize::from(self.way));
+        let before: Vec<_> =
+            links.iter().map(|&link| branch.poses[link].last().unwrap_or(bodies[link])).collect();
+        let distance = |bodies: &[Body<f64>]| {
+            pose_distance(links.iter().map(|&link| bodies[link]), before.iter().copied(), self.scale)
+        };
+        if let Some(tracker) = self.tracker.filter(|_| sample > 0) {
+            let is_lost = matches!(placed, Err(GroupError::NoAssembly { .. }));
+            if is_lost || placed.is_ok() && distance(bodies) > LONGEST {
+                let start = (branch.at(sample - 1), before.clone());
+                match tracker.follow(self.way, start, branch.at(sample), branch) {
+                    Ok(found) => {
+                        links.iter().zip(found).for_each(|(&link, body)| bodies[link] = body);
+                        placed = Ok(kernel.health(bodies));
+                    }
+                    Err((last, reason)) => {
+                        self.torn = Some(last);
+                        placed = Err(reason);
+                    }
+                }
+            }
+        }
+        match placed {
             Ok(found) => self.health.push(found.abs()),
             // At a change point itself a group may report "singular": the branch continues beyond it.
             Err(GroupError::Singular { .. }) => self.health.push(0.0),
@@ -119,8 +153,7 @@ impl<'a> Samples<'a> {
                 return;
             }
         }
-        let before = links.iter().map(|&link| branch.poses[link].last().unwrap_or(bodies[link]));
-        let moved = pose_distance(links.iter().map(|&link| bodies[link]), before, self.scale);
+        let moved = distance(bodies);
         self.moved.push(moved * moved);
         for &link in links {
             branch.poses[link].push(&bodies[link]);

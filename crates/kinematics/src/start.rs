@@ -2,7 +2,10 @@
 
 use assur_group::plane::{direction, minus};
 use assur_group::{Body, GroupFrame, PairGeometry, health_generally};
-use assur_mechanism::Mechanism;
+use assur_mechanism::{Mechanism, Point};
+use assur_structure::Structure;
+
+use crate::{Chain, CompileError};
 
 /// A start whose dimensionless determinant is below this is changed: the first step of the iteration would lead
 /// anywhere.
@@ -28,6 +31,31 @@ pub(crate) fn start(mechanism: &Mechanism, frame: &GroupFrame, placed: &[bool], 
         known.put(link, bodies);
     }
     leave_singular(frame, bodies);
+}
+
+/// Returns an error for a group that is solved, can't list its assemblies, and has no place in `[assembly]`.
+pub(crate) fn refuse_without_start(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    chain: &Chain<f64>,
+) -> Result<(), CompileError> {
+    for (index, group) in structure.groups.iter().enumerate() {
+        let is_free = !group.plugin.iterates || chain.groups[index].lists_modes() || !chain.is_needed(index);
+        let of_group =
+            |point: &Point| point.places.iter().any(|place| group.frame.column(place.link).is_some());
+        if is_free || mechanism.assembly.iter().any(|(point, _)| of_group(&mechanism.points[*point])) {
+            continue;
+        }
+        let is_own =
+            |point: &&Point| point.places.iter().all(|place| group.frame.column(place.link).is_some());
+        let own: Vec<&Point> = mechanism.points.iter().filter(is_own).collect();
+        let pins: Vec<&Point> = own.iter().copied().filter(|point| point.is_pin()).collect();
+        let points = if pins.is_empty() { own } else { pins };
+        let points = points.iter().map(|point| point.name.to_string()).collect();
+        let group = Box::new(structure.group_name(mechanism, index));
+        return Err(CompileError::NoStart { group, points });
+    }
+    Ok(())
 }
 
 /// A point of a link: in the frame of the link and in that of the ground, m.

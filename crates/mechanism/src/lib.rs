@@ -3,16 +3,27 @@
 //! Units are SI (m, kg, s, rad, N), angles are counter-clockwise, y points up. Nothing here reads a file, solves an
 //! equation or prints. Link 0 is always the ground; links, points and slides are in the order of the scene.
 
+mod alike;
 mod drive;
+mod friction;
+mod inertia;
 mod load;
 mod name;
+mod named;
+mod notice;
 mod numbers;
 mod size;
 
+pub use alike::{appearance, likeness};
 pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
 pub use drive::{Motion, StepLength, Until, passage};
-pub use load::{Balance, Brake, Contact, Direction, Force, Moment, Over, Shape, Spring, Table, Value};
+pub use friction::{Friction, Middle, Rubbing};
+pub use inertia::{Inertia, VaryingInertia};
+pub use load::{Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Spring};
+pub use load::{Over, Shape, Table, Value};
 pub use name::Name;
+pub use named::Named;
+pub use notice::{Notice, NoticeKind};
 pub use numbers::links_of_length_zero;
 pub use size::{
     LONGEST_NAME, MOST_KEPT, MOST_LINKS, MOST_LOADS, MOST_PARTS_DRAWN, MOST_PARTS_KEPT, MOST_PARTS_SAMPLED,
@@ -27,6 +38,8 @@ pub type LinkId = usize;
 pub type PointId = usize;
 /// Index of a slide in [`Mechanism::slides`].
 pub type SlideId = usize;
+/// Index of a load in [`Mechanism::loads`].
+pub type LoadId = usize;
 
 /// The ground, the fixed link of the mechanism.
 pub const GROUND: LinkId = 0;
@@ -48,14 +61,10 @@ pub struct Mechanism {
     pub assembly: Vec<(PointId, [f64; 2])>,
     /// Acceleration of gravity, m/s², ground frame; `None`: links have no weight.
     pub gravity: Option<[f64; 2]>,
-    /// Forces at points.
-    pub forces: Vec<Force>,
-    /// Moments on links.
-    pub moments: Vec<Moment>,
-    /// Springs and dampers.
-    pub springs: Vec<Spring>,
-    /// Contacts of an arc with a straight line of the ground.
-    pub contacts: Vec<Contact>,
+    /// The loads: of a scene its forces, moments, brakes, springs and contacts, in this order.
+    pub loads: Vec<Load>,
+    /// Dry friction in pairs; none in the others.
+    pub frictions: Vec<Friction>,
     /// The load that keeps the mechanism in its prescribed motion, if it does not act on the input link.
     pub balance: Option<Balance>,
     /// Motion of the input; `None`: only transfer functions and statics are calculated.
@@ -64,6 +73,8 @@ pub struct Mechanism {
     pub drive: Option<Drive>,
     /// The wanted results; `None`: everything.
     pub output: Option<Output>,
+    /// What is hardly meant, as far as reading the scene tells.
+    pub notes: Vec<Notice>,
 }
 
 /// A rigid link.
@@ -75,8 +86,15 @@ pub struct Link {
     pub mass: f64,
     /// Center of mass in the frame of the link, m. Without meaning if mass and inertia are 0.
     pub center: [f64; 2],
-    /// Moment of inertia about the center of mass, kg m².
-    pub inertia: f64,
+    /// Moment of inertia about the center of mass.
+    pub inertia: Inertia,
+}
+
+impl Link {
+    /// Whether it has a mass or a moment of inertia.
+    pub fn is_heavy(&self) -> bool {
+        self.mass > 0.0 || !self.inertia.is_none()
+    }
 }
 
 /// A point fixed in one link (a point of interest) or in several (a pin that joins them).
@@ -238,6 +256,12 @@ pub enum PairId {
 }
 
 impl Mechanism {
+    /// Where the scene has a load: the name of its list, and its number there, from 0.
+    pub fn place_of_load(&self, load: LoadId) -> (&'static str, usize) {
+        let list = self.loads[load].kind.list();
+        (list, self.loads[..load].iter().filter(|before| before.kind.list() == list).count())
+    }
+
     /// Whether its links have the same positions at every coordinate as those of another mechanism: lengths, pairs, input and
     /// assembly are the same. Masses, loads and motion may differ.
     pub fn has_positions_of(&self, other: &Self) -> bool {
@@ -245,6 +269,21 @@ impl Mechanism {
             && self.slides == other.slides
             && self.input == other.input
             && self.assembly == other.assembly
+    }
+
+    /// Whether it has the links, pins, slides and input of another mechanism, so that it is decomposed into the same groups;
+    /// lengths, masses and loads may differ.
+    pub fn has_structure_of(&self, other: &Self) -> bool {
+        let same_links = |(one, other): (&Point, &Point)| {
+            let links = |point: &Point| point.places.iter().map(|place| place.link).collect::<Vec<_>>();
+            links(one) == links(other)
+        };
+        let same_guide = |(one, other): (&Slide, &Slide)| (one.link, one.on) == (other.link, other.on);
+        [self.links.len(), self.points.len(), self.slides.len()]
+            == [other.links.len(), other.points.len(), other.slides.len()]
+            && self.points.iter().zip(&other.points).all(same_links)
+            && self.slides.iter().zip(&other.slides).all(same_guide)
+            && (self.input.link, self.input.pair) == (other.input.link, other.input.pair)
     }
 
     /// The point of this name.
@@ -264,7 +303,7 @@ impl Mechanism {
 
     /// Whether the part of a link in the reduced moment of inertia is the same at every coordinate, by structure: the
     /// link has no mass; or it is the input link, which turns about its pin (or slides), wherever its center of mass
-    /// is; or its mass is concentrated at a pin on the ground.
+    /// is; or its mass is concentrated at a pin on the ground. A moment of inertia by a formula varies.
     pub fn has_constant_inertia(&self, link: LinkId) -> bool {
         let found = &self.links[link];
         let center = found.center.map(f64::to_bits);
@@ -272,8 +311,12 @@ impl Mechanism {
             let at = |body: LinkId| point.places.iter().find(|place| place.link == body);
             at(GROUND).is_some() && at(link).is_some_and(|place| place.at.map(f64::to_bits) == center)
         };
-        let massless = found.mass <= 0.0 && found.inertia <= 0.0;
-        massless || link == self.input.link || found.inertia <= 0.0 && self.points.iter().any(rests)
+        if found.inertia.varying().is_some() {
+            return false;
+        }
+        let inertia = found.inertia.constant();
+        let massless = found.mass <= 0.0 && inertia <= 0.0;
+        massless || link == self.input.link || inertia <= 0.0 && self.points.iter().any(rests)
     }
 
     /// Whether the reduced moment of inertia J of all moving links is the same at every coordinate, by structure. It
@@ -290,14 +333,15 @@ impl Mechanism {
         }
     }
 
+    /// Whether its motion is found from an equation of motion; otherwise it is given, or there is none.
+    pub fn has_equation_of_motion(&self) -> bool {
+        matches!(self.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }))
+    }
+
     /// Whether any load acts on the links besides the drive.
     pub fn has_loads(&self) -> bool {
         let weights = self.gravity.is_some() && self.links.iter().skip(1).any(|link| link.mass > 0.0);
-        weights
-            || !self.forces.is_empty()
-            || !self.moments.is_empty()
-            || !self.springs.is_empty()
-            || !self.contacts.is_empty()
+        weights || !self.loads.is_empty()
     }
 }
 

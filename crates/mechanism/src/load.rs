@@ -54,6 +54,15 @@ impl Value {
         self
     }
 
+    /// Whether it depends on time or speed.
+    pub fn follows_motion(&self) -> bool {
+        match self {
+            Self::Constant(_) | Self::Stroke { .. } => false,
+            Self::Table { over, .. } => *over != Over::Coordinate,
+            Self::Formula { formula, .. } => formula.used().time || formula.used().speed,
+        }
+    }
+
     /// The sizes that it gives: the values of a constant and of tables, the SI value of a formula's result of 1.
     pub fn sizes(&self) -> impl Iterator<Item = f64> {
         let (number, tables) = match self {
@@ -139,11 +148,33 @@ impl Table {
     }
 }
 
+/// A load of the scene: what acts on the links besides weights, inertia and the drive.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// Name in reports: the one in the scene, or one derived from what it acts on.
+    pub name: Name,
+    /// What it is, where it acts, and by which law.
+    pub kind: LoadKind,
+}
+
+/// The kinds of loads.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LoadKind {
+    /// A force at a point of a link.
+    Force(Force),
+    /// A moment on a link.
+    Moment(Moment),
+    /// A brake on a link.
+    Brake(Brake),
+    /// A spring with a damper between points of two links.
+    Spring(Spring),
+    /// An arc of a link on a straight line of the ground.
+    Contact(Contact),
+}
+
 /// A force at a point of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Force {
-    /// Name in reports: the one in the scene, or one derived from the link.
-    pub name: Name,
     /// Point of application.
     pub at: Place,
     /// Direction of the force.
@@ -166,37 +197,37 @@ pub enum Direction {
 /// A moment on a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Moment {
-    /// Name in reports.
-    pub name: Name,
     /// The link.
     pub link: LinkId,
-    /// Its size, N m, counter-clockwise positive; of a brake the pressing force, N.
+    /// Its size, N m, counter-clockwise positive.
     pub value: Value,
-    /// A brake: the moment is that of its shoe, against the rotation of the link, and none at rest.
-    pub brake: Option<Brake>,
 }
 
-/// The shoe on the disc of a brake.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The shoe on the disc of a brake: its moment is against the rotation of the link, and none at rest.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Brake {
+    /// The link that it brakes.
+    pub link: LinkId,
+    /// Force on its lever, N.
+    pub force: Value,
     /// Radius of the disc, m.
     pub radius: f64,
     /// Coefficient of friction.
     pub friction: f64,
+    /// Ratio of the lever: the shoe presses with this many times the force (D fig. 3.19).
+    pub lever: f64,
 }
 
 impl Brake {
-    /// Braking moment of a pressing force of 1 N, m.
-    pub fn lever(&self) -> f64 {
-        self.friction * self.radius
+    /// Braking moment of a force of 1 N, m.
+    pub fn moment_of_unit_force(&self) -> f64 {
+        self.friction * self.lever * self.radius
     }
 }
 
 /// A spring with a damper between points of two links.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
-    /// Name in reports.
-    pub name: Name,
     /// Its ends.
     pub ends: [Place; 2],
     /// Stiffness, N/m.
@@ -210,8 +241,6 @@ pub struct Spring {
 /// An arc of a link that rolls and slides along a straight line of the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// Name in reports.
-    pub name: Name,
     /// Center N of the arc.
     pub center: Place,
     /// Radius R, m.
@@ -227,6 +256,107 @@ pub struct Contact {
     /// Interval of the input coordinate with contact; `None`: always.
     pub during: Option<[f64; 2]>,
 }
+
+impl Load {
+    /// A load of this name.
+    pub fn new(name: impl Into<Name>, kind: impl Into<LoadKind>) -> Self {
+        Self { name: name.into(), kind: kind.into() }
+    }
+}
+
+impl LoadKind {
+    /// The list of the scene in which it stands.
+    pub fn list(&self) -> &'static str {
+        match self {
+            Self::Force(_) => "force",
+            Self::Moment(_) => "moment",
+            Self::Brake(_) => "brake",
+            Self::Spring(_) => "spring",
+            Self::Contact(_) => "contact",
+        }
+    }
+
+    /// The links on which it acts; none for a spring between points of one link, whose two forces cancel.
+    pub fn links(&self) -> impl Iterator<Item = LinkId> {
+        let links = match self {
+            Self::Force(Force { at: Place { link, .. }, .. })
+            | Self::Moment(Moment { link, .. })
+            | Self::Brake(Brake { link, .. })
+            | Self::Contact(Contact { center: Place { link, .. }, .. }) => [Some(*link), None],
+            Self::Spring(Spring { ends: [one, other], .. }) if one.link == other.link => [None; 2],
+            Self::Spring(Spring { ends, .. }) => ends.map(|end| Some(end.link)),
+        };
+        links.into_iter().flatten()
+    }
+
+    /// The law of its size: force, moment, pressing force of a brake, contact force. A spring has none.
+    pub fn law(&self) -> Option<&Value> {
+        match self {
+            Self::Force(Force { value, .. })
+            | Self::Moment(Moment { value, .. })
+            | Self::Brake(Brake { force: value, .. })
+            | Self::Contact(Contact { force: value, .. }) => Some(value),
+            Self::Spring(_) => None,
+        }
+    }
+
+    /// The [law](Self::law) of its size, to be changed.
+    pub fn law_mut(&mut self) -> Option<&mut Value> {
+        match self {
+            Self::Force(Force { value, .. })
+            | Self::Moment(Moment { value, .. })
+            | Self::Brake(Brake { force: value, .. })
+            | Self::Contact(Contact { force: value, .. }) => Some(value),
+            Self::Spring(_) => None,
+        }
+    }
+
+    /// The laws of its numbers that may vary: of its size and, of a contact, of the angle at which it acts.
+    pub fn laws(&self) -> impl Iterator<Item = &Value> {
+        self.law().into_iter().chain(self.contact().map(|contact| &contact.angle))
+    }
+
+    /// Whether it is always against the motion of a point or of a link, and so has none at rest.
+    pub fn is_against_motion(&self) -> bool {
+        match self {
+            Self::Force(force) => force.direction == Direction::AgainstMotion,
+            Self::Brake(_) => true,
+            Self::Moment(_) | Self::Spring(_) | Self::Contact(_) => false,
+        }
+    }
+
+    /// Unit of its value in results: that of a force or of a moment.
+    pub fn unit(&self) -> &'static str {
+        match self {
+            Self::Moment(_) | Self::Brake(_) => "N m",
+            Self::Force(_) | Self::Spring(_) | Self::Contact(_) => "N",
+        }
+    }
+}
+
+macro_rules! kinds {
+    ($($kind:ident $get:ident $get_mut:ident),*) => {$(
+        impl From<$kind> for LoadKind {
+            fn from(load: $kind) -> Self {
+                Self::$kind(load)
+            }
+        }
+
+        impl LoadKind {
+            /// The load, if it is of this kind.
+            pub fn $get(&self) -> Option<&$kind> {
+                if let Self::$kind(load) = self { Some(load) } else { None }
+            }
+
+            /// The load to be changed, if it is of this kind.
+            pub fn $get_mut(&mut self) -> Option<&mut $kind> {
+                if let Self::$kind(load) = self { Some(load) } else { None }
+            }
+        }
+    )*};
+}
+
+kinds!(Force force force_mut, Moment moment moment_mut, Brake brake brake_mut, Spring spring spring_mut, Contact contact contact_mut);
 
 /// Point of application of the balancing load.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,8 +1,9 @@
 //! The numbers of a mechanism, one after another, and the one condition that ties some of them together.
 
 use crate::{
-    Balance, Brake, Contact, Direction, Drive, Force, GROUND, Input, Link, LinkId, Mechanism, Moment, Motion,
-    Motor, Place, Point, Range, RatedMotor, Slide, Solve, Spring, Torque, Value,
+    Balance, Brake, Contact, Direction, Drive, Force, Friction, GROUND, Inertia, Input, Link, LinkId, Load,
+    LoadKind, Mechanism, Moment, Motion, Motor, Place, Point, Range, RatedMotor, Rubbing, Slide, Solve,
+    Spring, Torque, Value,
 };
 
 /// Pins nearer than this, relative to the greatest coordinate of the mechanism, coincide.
@@ -24,18 +25,19 @@ impl Mechanism {
             input,
             assembly,
             gravity,
-            forces,
-            moments,
-            springs,
-            contacts,
+            loads,
+            frictions,
             balance,
             motion,
             drive,
             output: _,
+            notes: _,
         } = self;
         let visit = &mut visit;
         for Link { name: _, mass, center, inertia } in links {
-            [mass, inertia].into_iter().chain(center).for_each(&mut *visit);
+            // A formula of its own has no number that may be changed alone.
+            let inertia = if let Inertia::Constant(inertia) = inertia { Some(inertia) } else { None };
+            std::iter::once(mass).chain(inertia).chain(center).for_each(&mut *visit);
         }
         for Point { name: _, places } in points {
             for place in places {
@@ -48,7 +50,12 @@ impl Mechanism {
         in_input(input, visit);
         assembly.iter_mut().flat_map(|(_, at)| at).for_each(&mut *visit);
         gravity.iter_mut().flatten().for_each(&mut *visit);
-        in_loads((forces, moments), (springs, contacts), visit);
+        for Load { name: _, kind } in loads {
+            in_load(kind, visit);
+        }
+        for friction in frictions {
+            in_friction(friction, visit);
+        }
         if let Some(Balance::Force { at, angle }) = balance {
             in_place(at, visit);
             visit(angle);
@@ -62,53 +69,44 @@ impl Mechanism {
     }
 }
 
-fn in_loads(
-    (forces, moments): (&mut [Force], &mut [Moment]),
-    (springs, contacts): (&mut [Spring], &mut [Contact]),
-    visit: &mut impl FnMut(&mut f64),
-) {
-    for force in forces {
-        in_force(force, visit);
-    }
-    for moment in moments {
-        in_moment(moment, visit);
-    }
-    for spring in springs {
-        in_spring(spring, visit);
-    }
-    for contact in contacts {
-        in_contact(contact, visit);
+fn in_load(kind: &mut LoadKind, visit: &mut impl FnMut(&mut f64)) {
+    match kind {
+        LoadKind::Force(Force { at, direction, value }) => {
+            in_place(at, visit);
+            match direction {
+                Direction::Ground(angle) | Direction::Link(angle) => visit(angle),
+                Direction::AgainstMotion => {}
+            }
+            in_value(value, visit);
+        }
+        LoadKind::Moment(Moment { link: _, value }) => in_value(value, visit),
+        LoadKind::Brake(Brake { link: _, force, radius, friction, lever }) => {
+            in_value(force, visit);
+            [radius, friction, lever].into_iter().for_each(visit);
+        }
+        LoadKind::Spring(Spring { ends, stiffness, length, damping }) => {
+            for end in ends {
+                in_place(end, visit);
+            }
+            [stiffness, length, damping].into_iter().for_each(visit);
+        }
+        LoadKind::Contact(contact) => {
+            let Contact { center, radius, angle, force, friction, against_sliding: _, during: _ } = contact;
+            in_place(center, visit);
+            [radius, friction].into_iter().for_each(&mut *visit);
+            for value in [angle, force] {
+                in_value(value, visit);
+            }
+        }
     }
 }
 
-fn in_force(Force { name: _, at, direction, value }: &mut Force, visit: &mut impl FnMut(&mut f64)) {
-    in_place(at, visit);
-    match direction {
-        Direction::Ground(angle) | Direction::Link(angle) => visit(angle),
-        Direction::AgainstMotion => {}
-    }
-    in_value(value, visit);
-}
-
-fn in_moment(Moment { name: _, link: _, value, brake }: &mut Moment, visit: &mut impl FnMut(&mut f64)) {
-    in_value(value, visit);
-    brake.iter_mut().flat_map(|Brake { radius, friction }| [radius, friction]).for_each(visit);
-}
-
-fn in_spring(spring: &mut Spring, visit: &mut impl FnMut(&mut f64)) {
-    let Spring { name: _, ends, stiffness, length, damping } = spring;
-    for end in ends {
-        in_place(end, visit);
-    }
-    [stiffness, length, damping].into_iter().for_each(visit);
-}
-
-fn in_contact(contact: &mut Contact, visit: &mut impl FnMut(&mut f64)) {
-    let Contact { name: _, center, radius, angle, force, friction, against_sliding: _, during: _ } = contact;
-    in_place(center, visit);
-    [radius, friction].into_iter().for_each(&mut *visit);
-    for value in [angle, force] {
-        in_value(value, visit);
+fn in_friction(Friction { pair: _, coefficient, rubbing }: &mut Friction, visit: &mut impl FnMut(&mut f64)) {
+    visit(coefficient);
+    match rubbing {
+        Rubbing::Journal { radius, owner: _ } => visit(radius),
+        Rubbing::Place => {}
+        Rubbing::Faces { length, middle: _, offset } => [length, offset].into_iter().for_each(visit),
     }
 }
 

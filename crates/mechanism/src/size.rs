@@ -33,12 +33,7 @@ pub const MOST_PARTS_KEPT: usize = 200 * MOST_KEPT;
 impl Mechanism {
     /// What has numbers in a position: links, points, slides and loads.
     pub fn parts(&self) -> usize {
-        self.links.len() + self.points.len() + self.slides.len() + self.loads()
-    }
-
-    /// How many loads there are.
-    pub fn loads(&self) -> usize {
-        self.forces.len() + self.moments.len() + self.springs.len() + self.contacts.len()
+        self.links.len() + self.points.len() + self.slides.len() + self.loads.len()
     }
 
     /// How many positions are kept at most, so that their numbers fit into memory.

@@ -92,6 +92,9 @@ pub(crate) fn named<'a>(
     })
 }
 
+/// Relative slack of a speed, so that the rounding of a unit conversion doesn't decide.
+const SLACK: f64 = 1e-9;
+
 /// Which motors to list; a field that is `None` admits all.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotorFilter {
@@ -101,6 +104,8 @@ pub struct MotorFilter {
     pub min_power: Option<f64>,
     /// Greatest rated power, W, included.
     pub max_power: Option<f64>,
+    /// Greatest synchronous speed, rad/s, included (S stage 5: the greatest admissible speed of the rotor).
+    pub max_speed: Option<f64>,
     /// Number of poles.
     pub poles: Option<u32>,
     /// A part of the designation, without regard to case, spaces and script.
@@ -112,6 +117,7 @@ impl MotorFilter {
     pub fn accepts(&self, motor: &Motor) -> bool {
         self.min_power.is_none_or(|least| motor.rated_power >= least)
             && self.max_power.is_none_or(|most| motor.rated_power <= most)
+            && self.max_speed.is_none_or(|most| motor.synchronous_speed <= most * (1.0 + SLACK))
             && self.poles.is_none_or(|poles| motor.poles == poles)
             && self.designation.as_deref().is_none_or(|part| contains(&motor.designation, part))
     }

@@ -47,6 +47,11 @@ impl Kloss {
 }
 
 impl Characteristic {
+    /// By which formula it goes.
+    pub fn kind(&self) -> CharacteristicKind {
+        if self.kloss.is_some() { CharacteristicKind::Kloss } else { CharacteristicKind::Linear }
+    }
+
     /// The characteristic of that kind through synchronous speed and the rated point.
     ///
     /// # Errors

@@ -94,19 +94,9 @@ pub enum LookupError {
     Catalogue(CatalogueError),
 }
 
-assur_words::errors!(CatalogueError, RowFault, LookupError);
-
-impl From<RegistryError> for CatalogueError {
-    fn from(error: RegistryError) -> Self {
-        Self::Registry(error)
-    }
-}
-
-impl From<CatalogueError> for LookupError {
-    fn from(error: CatalogueError) -> Self {
-        Self::Catalogue(error)
-    }
-}
+assur_words::errors!(RowFault);
+assur_words::errors!(LookupError; Catalogue(CatalogueError));
+assur_words::errors!(CatalogueError; Registry(RegistryError));
 
 fn names(list: &[String]) -> Text {
     assur_words::list(list.iter().map(|one| name(one.clone())))

@@ -39,6 +39,13 @@ pub enum MotorWarning {
     },
 }
 
+impl MotorWarning {
+    /// Whether the motor can't do its work, so that another one is needed; else only something about it is not known.
+    pub fn is_unfit(&self) -> bool {
+        !matches!(self, Self::RotorInertiaUnknown { .. })
+    }
+}
+
 impl Describe for MotorWarning {
     fn describe(&self) -> Text {
         let torque_of = |torque: f64| number(format_args!("{torque:.3}"));

@@ -19,5 +19,10 @@ pub use intervals::Intervals;
 pub use lanes::Lanes;
 pub use real::{Formula, Real};
 
+/// The greater of two numbers; NaN if one is, so that a number without a value is not hidden by others.
+pub fn greater(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
 #[cfg(test)]
 mod tests;

@@ -173,7 +173,7 @@ impl<W: Write + Send> File<W> {
             .set_encoding(Encoding::BYTE_STREAM_SPLIT)
             .set_offset_index_disabled(true)
             .set_statistics_enabled(EnabledStatistics::None);
-        // Texts repeat.
+        // The same texts occur in many rows, so they are stored once, in a dictionary.
         for column in columns.iter().filter(|column| matches!(column.values, Values::Texts(_))) {
             let path = ColumnPath::new(vec![column.name.clone()]);
             properties = properties.set_column_encoding(path.clone(), Encoding::PLAIN);

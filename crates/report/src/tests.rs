@@ -9,7 +9,7 @@ use assur_analysis::results::{
     Analysis, Column, Cycle, InputReport, Owner, Quantity, Schema, Section, Starts, StructureReport, Survey,
     Table,
 };
-use assur_mechanism::{Mechanism, PairId};
+use assur_mechanism::{Mechanism, Named, PairId};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 
@@ -54,7 +54,11 @@ fn analysis(angle: f64) -> Analysis {
     motion.add(Section::ALWAYS, [Column::of(Quantity::Time, Owner::Input), Column::COORDINATE]);
     Analysis {
         title: "a \"title\", with Ж and 🦀".to_owned(),
-        input: InputReport { link: "größe".to_owned(), angular: true, balancing_is_moment: true },
+        input: InputReport {
+            link: Named { id: 1, name: "größe".into() },
+            angular: true,
+            balancing_is_moment: true,
+        },
         structure: StructureReport {
             mobility: 1,
             mobility_by_rank: None,
@@ -74,6 +78,8 @@ fn analysis(angle: f64) -> Analysis {
         integration: None,
         no_motion: None,
         notes: Vec::new(),
+        friction: None,
+        several: Vec::new(),
         cycle: Cycle::default(),
         checks: Vec::new(),
         residuals: Table::default(),

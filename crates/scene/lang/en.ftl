@@ -90,6 +90,14 @@ scene-write-link = write [link.crank]
 scene-add-links = add the moving links: [link.crank], [link.rod] ...
 scene-no-length = link `{ $link }` has its pins { $pins } at one place: its length is zero
 scene-give-length = give them different coordinates, or join the neighbors in one pin
+scene-inertia-of-others = the formula of a moment of inertia depends on { $variables }
+scene-inertia-of-q = it may depend on `q`, the input coordinate, alone
+scene-inertia-not-smooth = `{ $function }` makes the moment of inertia jump or bend
+scene-inertia-smooth = its derivative stands in the equation of motion: use smooth functions
+scene-inertia-not-pinned = the moment of inertia of `{ $link }` varies, but no pin joins the link to the ground
+scene-inertia-of-a-number = give a number, or join the link to the ground by a pin
+scene-inertia-not-positive = `inertia` is { $value } kg*m^2 at q = { $at }
+scene-inertia-positive = a moment of inertia must be positive wherever the input comes
 scene-no-link-name = `{ $name }` is no name of a link
 scene-no-point-name = `{ $name }` is no name of a point
 scene-what-is-a-name = a name must not be empty or contain a dot or invisible characters
@@ -278,3 +286,22 @@ scene-what-is-a-key = a key consists of names joined by dots, such as `link.cran
 scene-angle-of-sliding = the friction is `against_sliding`, and `angle` depends on more than the input coordinate
 scene-law-over-coordinate = a number, or a table or formula over the input coordinate
 scene-friction-against-sliding = friction against the sliding
+
+## friction in pairs
+scene-a-friction = a friction
+scene-friction-in-free-motion = dry friction in pairs is calculated in a prescribed motion only, not in one that follows from the equation of motion
+scene-friction-prescribed = prescribe the motion (`kind = "prescribed"`), or leave `[[friction]]` out
+scene-friction-twice = the pair { $pair } has its friction already
+scene-friction-of-slides = `{ $key }` belongs to the friction of a slide, this pair is a pin
+scene-friction-of-pins = `{ $key }` belongs to the friction of a pin, this pair is a slide
+scene-friction-owner = the link `{ $link }` is not joined by this pin
+scene-friction-without-length = `{ $key }` needs a contact of some length
+scene-friction-add-length = add `length`, or leave it out
+scene-hardly-meant = `{ $key }` = { $number } is taken in { $unit }, which is { $is }; write { $instead } if that was meant.
+scene-formula-as-number = is a formula in place of a number: { $text }
+scene-same-appearance = Point `{ $name }` ({ $codes }) looks like `{ $other }`, but has letters of another alphabet: these are two points.
+scene-far-longer = Link `{ $link }` is { $length } long, the others about { $others }: is a unit wrong?
+scene-great-inertia = The moment of inertia of link `{ $link }` has a radius of gyration of { $radius }; the mechanism measures { $size }: is a unit wrong?
+scene-far-center = The center of mass of link `{ $link }` lies { $distance } from its points; the mechanism measures { $size }: is a unit wrong?
+scene-long-links = Most links are about { $length } long: is a unit missing? A number without a unit is in m.
+scene-friction-short-contact = must be at least 0.001 mm, got { $got }; without it the slide is pressed in one place

@@ -93,6 +93,14 @@ scene-write-link = напишите [link.crank]
 scene-add-links = добавьте подвижные звенья: [link.crank], [link.rod] ...
 scene-no-length = у звена `{ $link }` шарниры { $pins } в одной точке: его длина нулевая
 scene-give-length = дайте им разные координаты или соедините соседние звенья одним шарниром
+scene-inertia-of-others = формула момента инерции зависит от { $variables }
+scene-inertia-of-q = он может зависеть только от `q`, входной координаты
+scene-inertia-not-smooth = из-за `{ $function }` момент инерции имеет скачок или излом
+scene-inertia-smooth = его производная входит в уравнение движения: используйте гладкие функции
+scene-inertia-not-pinned = момент инерции звена `{ $link }` переменный, но ни один шарнир не соединяет его со стойкой
+scene-inertia-of-a-number = дайте число или соедините звено со стойкой шарниром
+scene-inertia-not-positive = `inertia` равен { $value } kg*m^2 при q = { $at }
+scene-inertia-positive = момент инерции должен быть положительным везде, где проходит входное звено
 scene-no-link-name = `{ $name }` не может быть именем звена
 scene-no-point-name = `{ $name }` не может быть именем точки
 scene-what-is-a-name = имя не может быть пустым, содержать точку или невидимые знаки
@@ -284,3 +292,22 @@ scene-what-is-a-key = ключ состоит из имён через точк�
 scene-angle-of-sliding = трение задано как `against_sliding`, а `angle` зависит не только от координаты входного звена
 scene-law-over-coordinate = число либо таблица или формула по координате входного звена
 scene-friction-against-sliding = трение против скольжения
+
+## friction in pairs
+scene-a-friction = трение
+scene-friction-in-free-motion = сухое трение в парах вычисляется только в заданном движении, а не в движении, которое следует из уравнения движения
+scene-friction-prescribed = задайте движение (`kind = "prescribed"`) или уберите `[[friction]]`
+scene-friction-twice = трение пары { $pair } уже задано
+scene-friction-of-slides = `{ $key }` относится к трению поступательной пары, а эта пара вращательная
+scene-friction-of-pins = `{ $key }` относится к трению вращательной пары, а эта пара поступательная
+scene-friction-owner = звено `{ $link }` не соединено этим шарниром
+scene-friction-without-length = `{ $key }` требует длины контакта
+scene-friction-add-length = добавьте `length` или уберите этот ключ
+scene-hardly-meant = `{ $key }` = { $number } взято в { $unit }, то есть { $is }; если имелось в виду другое, напишите { $instead }.
+scene-formula-as-number = — формула на месте числа: { $text }
+scene-same-appearance = Точка `{ $name }` ({ $codes }) выглядит как точка `{ $other }`, но содержит буквы другого алфавита: это две разные точки.
+scene-far-longer = Звено `{ $link }` имеет длину { $length }, остальные — около { $others }: верна ли единица?
+scene-great-inertia = Момент инерции звена `{ $link }` имеет радиус инерции { $radius }, а размер механизма { $size }: верна ли единица?
+scene-far-center = Центр масс звена `{ $link }` лежит в { $distance } от его точек, а размер механизма { $size }: верна ли единица?
+scene-long-links = Большинство звеньев имеет длину около { $length }: не пропущена ли единица? Число без единицы — в м.
+scene-friction-short-contact = должно быть не менее 0,001 мм, а есть { $got }; без него ползун прижат в одном месте

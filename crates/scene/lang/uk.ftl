@@ -93,6 +93,14 @@ scene-write-link = напишіть [link.crank]
 scene-add-links = додайте рухомі ланки: [link.crank], [link.rod] ...
 scene-no-length = у ланки `{ $link }` шарніри { $pins } в одній точці: її довжина нульова
 scene-give-length = дайте їм різні координати або з'єднайте сусідні ланки одним шарніром
+scene-inertia-of-others = формула моменту інерції залежить від { $variables }
+scene-inertia-of-q = він може залежати лише від `q`, вхідної координати
+scene-inertia-not-smooth = через `{ $function }` момент інерції має стрибок або злам
+scene-inertia-smooth = його похідна входить до рівняння руху: вживайте гладкі функції
+scene-inertia-not-pinned = момент інерції ланки `{ $link }` змінний, але жоден шарнір не з'єднує її зі стояком
+scene-inertia-of-a-number = дайте число або з'єднайте ланку зі стояком шарніром
+scene-inertia-not-positive = `inertia` дорівнює { $value } kg*m^2 за q = { $at }
+scene-inertia-positive = момент інерції має бути додатним всюди, де проходить вхідна ланка
 scene-no-link-name = `{ $name }` не може бути ім'ям ланки
 scene-no-point-name = `{ $name }` не може бути ім'ям точки
 scene-what-is-a-name = ім'я не може бути порожнім, містити крапку чи невидимі знаки
@@ -285,3 +293,22 @@ scene-what-is-a-key = ключ складається з імен через к�
 scene-angle-of-sliding = тертя задано як `against_sliding`, а `angle` залежить не лише від координати вхідної ланки
 scene-law-over-coordinate = число або таблиця чи формула за координатою вхідної ланки
 scene-friction-against-sliding = тертя проти ковзання
+
+## friction in pairs
+scene-a-friction = тертя
+scene-friction-in-free-motion = сухе тертя в парах обчислюється лише в заданому русі, а не в русі, що випливає з рівняння руху
+scene-friction-prescribed = задайте рух (`kind = "prescribed"`) або вилучіть `[[friction]]`
+scene-friction-twice = тертя пари { $pair } вже задано
+scene-friction-of-slides = `{ $key }` належить до тертя поступальної пари, а ця пара обертальна
+scene-friction-of-pins = `{ $key }` належить до тертя обертальної пари, а ця пара поступальна
+scene-friction-owner = ланку `{ $link }` цей шарнір не з’єднує
+scene-friction-without-length = `{ $key }` потребує довжини контакту
+scene-friction-add-length = додайте `length` або вилучіть цей ключ
+scene-hardly-meant = `{ $key }` = { $number } узято в { $unit }, тобто { $is }; якщо мали на увазі інше, напишіть { $instead }.
+scene-formula-as-number = — формула на місці числа: { $text }
+scene-same-appearance = Точка `{ $name }` ({ $codes }) має вигляд точки `{ $other }`, але містить літери іншої абетки: це дві різні точки.
+scene-far-longer = Ланка `{ $link }` має довжину { $length }, інші — близько { $others }: чи правильна одиниця?
+scene-great-inertia = Момент інерції ланки `{ $link }` має радіус інерції { $radius }, а розмір механізму { $size }: чи правильна одиниця?
+scene-far-center = Центр мас ланки `{ $link }` лежить за { $distance } від її точок, а розмір механізму { $size }: чи правильна одиниця?
+scene-long-links = Більшість ланок має довжину близько { $length }: чи не бракує одиниці? Число без одиниці — у м.
+scene-friction-short-contact = має бути щонайменше 0,001 мм, а є { $got }; без нього повзун притиснуто в одному місці

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::{Input, Name};
+use assur_mechanism::{GROUND, Input, Load, LoadKind, Name};
 use assur_words::{Text, text};
 
 use crate::error::Fault;
@@ -59,46 +59,51 @@ impl Context<'_> {
     }
 }
 
-/// The names used by loads that are already read.
-#[derive(Debug, Default)]
-pub(crate) struct LoadNames(BTreeSet<String>);
-
-/// Reads one load from its section, by its index in the list of its sort.
-type ReadLoad<T> = fn(&Section<'_>, usize, &Context<'_>, &mut LoadNames) -> Option<T>;
-
 /// A sort of loads: a list of tables in the scene.
-pub(crate) struct Sort<T> {
+pub(crate) struct Sort {
     /// Name of the list.
     pub(crate) key: &'static str,
     /// The identity of one of them, for messages: `a force`.
     pub(crate) what: &'static str,
     pub(crate) keys: &'static [&'static str],
-    pub(crate) one: ReadLoad<T>,
+    /// The name of one that has none of its own, by its number from 1 and the first link on which it acts.
+    pub(crate) unnamed: fn(usize, &Name) -> Text,
+    /// Reads one from its section.
+    pub(crate) one: fn(&Section<'_>, &Context<'_>) -> Option<LoadKind>,
 }
 
-impl<T> Sort<T> {
-    /// All loads of this sort.
-    pub(crate) fn read(&self, root: &Section<'_>, context: &Context<'_>, names: &mut LoadNames) -> Vec<T> {
+impl Sort {
+    /// Reads all loads of this sort; `names`: those of the loads before them.
+    pub(crate) fn read(
+        &self,
+        root: &Section<'_>,
+        context: &Context<'_>,
+        names: &mut BTreeSet<String>,
+    ) -> Vec<Load> {
         let sections = root.get(self.key).map(|entry| entry.sections(&text!(self.what), self.keys));
-        let each = sections.iter().flatten().enumerate();
-        each.filter_map(|(index, section)| (self.one)(section, index, context, names)).collect()
+        let mut loads = Vec::new();
+        for (index, section) in sections.iter().flatten().enumerate() {
+            let kind = (self.one)(section, context);
+            let on = kind.as_ref().and_then(|kind| kind.links().next()).unwrap_or(GROUND);
+            let name = name(section, names, || (self.unnamed)(index + 1, &context.linkage.links[on].name));
+            loads.extend(kind.map(|kind| Load { name, kind }));
+        }
+        loads
     }
 }
 
-impl LoadNames {
-    /// The `name` of a load, or its default name.
-    pub(crate) fn read(&mut self, section: &Section<'_>, default: impl FnOnce() -> Text) -> Name {
-        let entry = section.get("name");
-        let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
-        let name = given.map_or_else(|| default().into(), Name::from);
-        if let Some(entry) = &entry {
-            limits::check_name(entry, &entry.span, &name);
-        }
-        if !self.0.insert(name.to_string()) {
-            let span = entry.map_or(section.span.clone(), |entry| entry.span);
-            let fault = Fault::new(span, text!("scene-two-loads", name = shown(&name)));
-            section.faults.push(fault.label(text!("scene-own-name")));
-        }
-        name
+/// The `name` of a load, or its default name.
+fn name(section: &Section<'_>, names: &mut BTreeSet<String>, default: impl FnOnce() -> Text) -> Name {
+    let entry = section.get("name");
+    let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
+    let name = given.map_or_else(|| default().into(), Name::from);
+    if let Some(entry) = &entry {
+        limits::check_name(entry, &entry.span, &name);
     }
+    if !names.insert(name.to_string()) {
+        let span = entry.map_or(section.span.clone(), |entry| entry.span);
+        let fault = Fault::new(span, text!("scene-two-loads", name = shown(&name)));
+        section.faults.push(fault.label(text!("scene-own-name")));
+    }
+    name
 }

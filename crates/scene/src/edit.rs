@@ -15,6 +15,7 @@ use toml::de::DeTable;
 pub use key::Key;
 pub use values::{SceneValue, bare};
 pub use values::{decimal, quoted, split};
+pub(crate) use values::{key_of, key_of_steps};
 
 /// Place of a number or a text in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]

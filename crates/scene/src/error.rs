@@ -3,7 +3,11 @@
 use std::cell::{Cell, RefCell};
 use std::ops::Range;
 
+use assur_mechanism::Notice;
 use assur_words::Text;
+use toml::de::DeTable;
+
+use crate::edit::key_of;
 
 /// One fault of a scene file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -125,6 +129,8 @@ fn floor(text: &str, at: usize) -> usize {
 pub(crate) struct Faults {
     kept: RefCell<Vec<Fault>>,
     more: Cell<usize>,
+    /// What is allowed, but hardly meant: its place and what it says.
+    mistakes: RefCell<Vec<(Range<usize>, Text)>>,
 }
 
 impl Faults {
@@ -140,6 +146,29 @@ impl Faults {
 
     pub(crate) fn push(&self, fault: Fault) {
         self.note(|| fault);
+    }
+
+    /// Notes what is allowed, but hardly meant.
+    pub(crate) fn mistake(&self, span: Range<usize>, text: Text) {
+        let mut mistakes = self.mistakes.borrow_mut();
+        if mistakes.len() < MOST_FAULTS {
+            mistakes.push((span, text));
+        }
+    }
+
+    /// What is allowed, but hardly meant, at its key in the tables of the file: once for each key, in the order of the file.
+    pub(crate) fn mistakes(&self, tables: &DeTable<'_>) -> Vec<Notice> {
+        let mut mistakes = self.mistakes.borrow().clone();
+        mistakes.sort_by_key(|(span, _)| span.start);
+        let mut notes: Vec<Notice> = Vec::new();
+        for (span, text) in mistakes {
+            let key = key_of(tables, &span);
+            let same = |note: &Notice| note.key == key && note.text.identity() == text.identity();
+            if !notes.iter().any(same) {
+                notes.push(Notice::mistake(key, text));
+            }
+        }
+        notes
     }
 
     pub(crate) fn is_empty(&self) -> bool {

@@ -1,10 +1,10 @@
 //! `[[spring]]` and `[[contact]]`: loads between two links.
 
-use assur_mechanism::{Contact, GROUND, LinkId, Over, Place, PointId, Spring, Value};
+use assur_mechanism::{Contact, LinkId, LoadKind, Place, PointId, Spring, Value};
 
 use assur_words::{name, text};
 
-use crate::context::{Context, LoadNames, Sort};
+use crate::context::{Context, Sort};
 use crate::linkage::{Linkage, pair};
 use crate::numbers::Bound;
 use crate::text::{row, shown};
@@ -13,28 +13,23 @@ use crate::value;
 use crate::walk::{Entry, Section, quoted};
 
 /// Reads a `[[spring]]`.
-pub(crate) const SPRINGS: Sort<Spring> = Sort {
+pub(crate) const SPRINGS: Sort = Sort {
     key: "spring",
     what: "scene-a-spring",
     keys: &["name", "between", "stiffness", "length", "damping"],
+    unnamed: |number, _| text!("scene-unnamed-spring", number = number),
     one: spring,
 };
 
-fn spring(
-    section: &Section<'_>,
-    index: usize,
-    context: &Context<'_>,
-    names: &mut LoadNames,
-) -> Option<Spring> {
+fn spring(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let stiffness = section.quantity_or("stiffness", Dimension::Stiffness, Bound::NotNegative, 0.0);
     let length = section.quantity_or("length", Dimension::Length, Bound::NotNegative, 0.0);
     let damping = section.quantity_or("damping", Dimension::Damping, Bound::NotNegative, 0.0);
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
         context.need_motion(&entry, quoted("damping"));
     }
-    let own = names.read(section, || text!("scene-unnamed-spring", number = index + 1));
     let ends = section.need("between").and_then(|entry| ends(&entry, context))?;
-    Some(Spring { name: own, ends, stiffness, length, damping })
+    Some(Spring { ends, stiffness, length, damping }.into())
 }
 
 fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
@@ -85,19 +80,15 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 }
 
 /// Reads a `[[contact]]`.
-pub(crate) const CONTACTS: Sort<Contact> = Sort {
+pub(crate) const CONTACTS: Sort = Sort {
     key: "contact",
     what: "scene-a-contact",
     keys: &["name", "link", "center", "radius", "angle", "force", "scale", "friction", "during"],
+    unnamed: |number, link| text!("scene-unnamed-contact", number = number, link = link),
     one: contact,
 };
 
-fn contact(
-    section: &Section<'_>,
-    index: usize,
-    context: &Context<'_>,
-    names: &mut LoadNames,
-) -> Option<Contact> {
+fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let linkage = context.linkage;
     let radius =
         section.need("radius").and_then(|entry| entry.bounded(Dimension::Length, Bound::NotNegative));
@@ -108,7 +99,7 @@ fn contact(
     };
     let (friction, against_sliding) = friction(section);
     if let Some(entry) =
-        section.get("angle").filter(|_| against_sliding && angle.as_ref().is_some_and(follows_time))
+        section.get("angle").filter(|_| against_sliding && angle.as_ref().is_some_and(Value::follows_motion))
     {
         entry.fault(text!("scene-angle-of-sliding"), text!("scene-law-over-coordinate"));
     }
@@ -116,10 +107,8 @@ fn contact(
     let during = section.get("during").and_then(|entry| interval(&entry, context));
     let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-arc-of-a-link")));
     let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
-    let on = &linkage.links[link.unwrap_or(GROUND)].name;
-    let own = names.read(section, || text!("scene-unnamed-contact", number = index + 1, link = on));
     let (center, radius, angle, force) = (center?, radius?, angle?, force?);
-    Some(Contact { name: own, center, radius, angle, force, friction, against_sliding, during })
+    Some(Contact { center, radius, angle, force, friction, against_sliding, during }.into())
 }
 
 /// The coefficient of friction, and whether its sign is found from the sliding: a number with its sign, or
@@ -134,15 +123,6 @@ fn friction(section: &Section<'_>) -> (f64, bool) {
     };
     let coefficient = section.need("against_sliding");
     (coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative)).unwrap_or(0.0), true)
-}
-
-/// Whether a law depends on time or speed.
-fn follows_time(value: &Value) -> bool {
-    match value {
-        Value::Constant(_) | Value::Stroke { .. } => false,
-        Value::Table { over, .. } => *over != Over::Coordinate,
-        Value::Formula { formula, .. } => formula.used().time || formula.used().speed,
-    }
 }
 
 fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {

@@ -5,9 +5,12 @@
 
 mod context;
 pub mod document;
+mod doubts;
 mod drive;
 pub mod edit;
 mod error;
+mod friction;
+mod inertia;
 mod input;
 mod joints;
 mod limits;
@@ -30,8 +33,8 @@ use assur_words::{Text, text};
 use toml::de::{DeTable, DeValue};
 
 use context::Context;
-use context::LoadNames;
 use error::{Fault, Faults};
+use linkage::Linkage;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
@@ -45,7 +48,7 @@ pub const STARTER: &str = include_str!("starter.toml");
 
 const KEYS: &[&str] = &[
     "title", "gravity", "ground", "link", "slide", "input", "assembly", "force", "moment", "spring",
-    "contact", "brake", "balance", "motion", "drive", "output", "note",
+    "contact", "friction", "brake", "balance", "motion", "drive", "output", "note",
 ];
 
 /// Reads a scene. `file_name` appears only in errors.
@@ -65,16 +68,16 @@ const KEYS: &[&str] = &[
 /// assert!(assur_scene::read("arm.toml", &scene.replace("mm", "kg")).is_ok());
 /// ```
 pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
-    document::read(file_name, text, text!("scene-a-scene"), KEYS, scene)
+    read_with_note(file_name, text).map(|(mechanism, _)| mechanism)
 }
 
-/// What a scene says about its explanatory note. `file_name` appears only in errors.
+/// Reads a scene, and what it says about its explanatory note. `file_name` appears only in errors.
 ///
 /// # Errors
 ///
-/// [`SceneErrors`] with the faults of the TOML syntax and of `[note]`.
-pub fn note(file_name: &str, text: &str) -> Result<Note, SceneErrors> {
-    document::read(file_name, text, text!("scene-a-scene"), KEYS, |root| wishes::read(root, None))
+/// Those of [`read`].
+pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
+    document::read(file_name, text, text!("scene-a-scene"), KEYS, scene)
 }
 
 /// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an
@@ -102,9 +105,9 @@ pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: Text) -> Op
 }
 
 /// Builds the mechanism from parsed TOML. If faults were noted, the mechanism must not be used.
-fn scene(root: &Section<'_>) -> Mechanism {
+fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     if limits::exceeded(root) {
-        return nothing();
+        return (nothing(), wishes::read(root, None));
     }
     let title = root.get("title").and_then(|entry| {
         let title = entry.line()?;
@@ -125,20 +128,14 @@ fn scene(root: &Section<'_>) -> Mechanism {
         loads: limits::loads(root),
         moves: root.get("motion").is_some(),
     };
-    let names = &mut LoadNames::default();
     let motion = motion::read(root, &context);
-    wishes::read(root, input.as_ref().map(|input| input.positions));
+    let note = wishes::read(root, input.as_ref().map(|input| input.positions));
     let mechanism = Mechanism {
         title,
         assembly: wishes::assembly(root, &linkage),
         gravity: loads::gravity(root),
-        forces: loads::FORCES.read(root, &context, names),
-        moments: {
-            let moments = loads::MOMENTS.read(root, &context, names);
-            moments.into_iter().chain(loads::BRAKES.read(root, &context, names)).collect()
-        },
-        springs: joints::SPRINGS.read(root, &context, names),
-        contacts: joints::CONTACTS.read(root, &context, names),
+        loads: loads::read(root, &context),
+        frictions: friction::read(root, &linkage, motion.as_ref()),
         balance: wishes::balance(root, &linkage),
         drive: drive::read(root, motion.as_ref(), &context),
         motion,
@@ -146,7 +143,13 @@ fn scene(root: &Section<'_>) -> Mechanism {
         ..nothing()
     };
     let input = input.unwrap_or(mechanism.input);
-    Mechanism { links: linkage.links, points: linkage.points, slides: linkage.slides, input, ..mechanism }
+    let Linkage { links, points, slides, .. } = linkage;
+    let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
+    if root.faults.is_empty() {
+        inertia::refuse_not_positive(root, &mechanism);
+        mechanism.notes.extend(doubts::of(&mechanism));
+    }
+    (mechanism, note)
 }
 
 /// Placeholder for the mechanism of a scene with faults.
@@ -166,13 +169,12 @@ fn nothing() -> Mechanism {
         },
         assembly: Vec::new(),
         gravity: None,
-        forces: Vec::new(),
-        moments: Vec::new(),
-        springs: Vec::new(),
-        contacts: Vec::new(),
+        loads: Vec::new(),
+        frictions: Vec::new(),
         balance: None,
         motion: None,
         drive: None,
         output: None,
+        notes: Vec::new(),
     }
 }

@@ -1,9 +1,10 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
-use assur_mechanism::{GROUND, Link, LinkId, Name, Place, Point, Slide, links_of_length_zero};
+use assur_mechanism::{GROUND, Inertia, Link, LinkId, Name, Place, Point, Slide, links_of_length_zero};
 use assur_words::{Text, joined, text};
 
 use crate::error::Fault;
+use crate::inertia;
 use crate::limits;
 use crate::linkage::{Linkage, coordinates};
 use crate::numbers::Bound;
@@ -55,7 +56,7 @@ pub(crate) fn refuse_points(root: &Section<'_>, linkage: &Linkage) {
 }
 
 fn massless(name: Name) -> Link {
-    Link { name, mass: 0.0, center: [0.0; 2], inertia: 0.0 }
+    Link { name, mass: 0.0, center: [0.0; 2], inertia: Inertia::NONE }
 }
 
 /// A faulty link is added too: its name is then known to the rest of the scene.
@@ -102,10 +103,10 @@ fn check_name(entry: &Entry<'_>, message: &'static str) {
 
 fn add_mass(linkage: &mut Linkage, (id, first): (LinkId, [f64; 2]), section: &Section<'_>) {
     let mass = section.quantity_or("mass", Dimension::Mass, Bound::NotNegative, 0.0);
-    let inertia = section.quantity_or("inertia", Dimension::Inertia, Bound::NotNegative, 0.0);
+    let inertia = inertia::read(linkage, id, section);
     let center = match section.get("center") {
         Some(entry) => linkage.location(&entry, id),
-        None => default_center(section, first, mass > 0.0 || inertia > 0.0),
+        None => default_center(section, first, mass > 0.0 || !inertia.is_none()),
     };
     let link = &mut linkage.links[id];
     (link.mass, link.inertia, link.center) = (mass, inertia, center.unwrap_or_default());

@@ -1,9 +1,12 @@
 //! `gravity`, `[[force]]`, `[[moment]]`, `[[brake]]`: loads on single links.
 
-use assur_mechanism::{Brake, Direction, Force, GROUND, Moment};
+use std::collections::BTreeSet;
+
+use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment};
 use assur_words::{Text, name, text};
 
-use crate::context::{Context, LoadNames, Sort};
+use crate::context::{Context, Sort};
+use crate::joints::{CONTACTS, SPRINGS};
 use crate::linkage::pair;
 use crate::numbers::Bound;
 use crate::text::shown;
@@ -29,23 +32,28 @@ pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
     text!("scene-exclude", one = one, other = other)
 }
 
-/// Reads a `[[force]]`.
-pub(crate) const FORCES: Sort<Force> = Sort {
+/// Reads all loads: forces, moments, brakes, springs, contacts.
+pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
+    let mut names = BTreeSet::new();
+    let sorts = [&FORCES, &MOMENTS, &BRAKES, &SPRINGS, &CONTACTS];
+    sorts.into_iter().flat_map(|sort| sort.read(root, context, &mut names)).collect()
+}
+
+const FORCES: Sort = Sort {
     key: "force",
     what: "scene-a-force",
     keys: &["name", "link", "at", "angle", "frame", "value", "scale", "against_motion"],
+    unnamed: |number, link| text!("scene-unnamed-force", number = number, link = link),
     one: force,
 };
 
-fn force(section: &Section<'_>, index: usize, context: &Context<'_>, names: &mut LoadNames) -> Option<Force> {
+fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let direction = direction(section, context);
     let value = value::sized(section, "value", Dimension::Force, true, context);
     let weight = text!("scene-ground-carries");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
-    let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
-    let own = names.read(section, || text!("scene-unnamed-force", number = index + 1, link = on));
-    Some(Force { name: own, at: at?, direction: direction?, value: value? })
+    Some(Force { at: at?, direction: direction?, value: value? }.into())
 }
 
 fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> {
@@ -68,50 +76,40 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
     Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 
-/// Reads a `[[moment]]`.
-pub(crate) const MOMENTS: Sort<Moment> =
-    Sort { key: "moment", what: "scene-a-moment", keys: &["name", "link", "value", "scale"], one: moment };
+const MOMENTS: Sort = Sort {
+    key: "moment",
+    what: "scene-a-moment",
+    keys: &["name", "link", "value", "scale"],
+    unnamed: |number, link| text!("scene-unnamed-moment", number = number, link = link),
+    one: moment,
+};
 
-fn moment(
-    section: &Section<'_>,
-    index: usize,
-    context: &Context<'_>,
-    names: &mut LoadNames,
-) -> Option<Moment> {
+fn moment(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let value = value::sized(section, "value", Dimension::Moment, false, context);
     let weight = text!("scene-ground-carries");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
-    let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
-    let own = names.read(section, || text!("scene-unnamed-moment", number = index + 1, link = on));
-    Some(Moment { name: own, link: link?, value: value?, brake: None })
+    Some(Moment { link: link?, value: value? }.into())
 }
 
-/// Reads a `[[brake]]`: a moment against the motion.
-pub(crate) const BRAKES: Sort<Moment> = Sort {
+const BRAKES: Sort = Sort {
     key: "brake",
     what: "scene-a-brake",
-    keys: &["name", "link", "radius", "force", "scale", "friction"],
+    keys: &["name", "link", "radius", "force", "lever", "scale", "friction"],
+    unnamed: |number, link| text!("scene-unnamed-brake", number = number, link = link),
     one: brake,
 };
 
-fn brake(
-    section: &Section<'_>,
-    index: usize,
-    context: &Context<'_>,
-    names: &mut LoadNames,
-) -> Option<Moment> {
+fn brake(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let bounded =
         |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::NotNegative));
     let radius = bounded("radius", Dimension::Length);
     let friction = bounded("friction", Dimension::Number);
+    let lever = section.quantity_or("lever", Dimension::Number, Bound::Positive, 1.0);
     if let Some(entry) = section.get("force") {
         context.need_motion(&entry, text!("scene-a-brake"));
     }
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let ground = text!("scene-ground-does-not-turn");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, ground));
-    let on = &context.linkage.links[link.unwrap_or(GROUND)].name;
-    let own = names.read(section, || text!("scene-unnamed-brake", number = index + 1, link = on));
-    let brake = Brake { radius: radius?, friction: friction? };
-    Some(Moment { name: own, link: link?, value: force?, brake: Some(brake) })
+    Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever }.into())
 }

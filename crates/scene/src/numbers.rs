@@ -1,6 +1,8 @@
 //! Numbers and quantities in the file.
 
-use assur_words::{Describe, Text, joined, name, number, text};
+use std::f64::consts::TAU;
+
+use assur_words::{Describe, Text, joined, name, number, quantity as with_unit, text, unit};
 use toml::de::DeValue;
 
 use crate::text::{did_you_mean, shown, such_as};
@@ -20,8 +22,19 @@ pub(crate) enum Bound {
     Direction,
 }
 
+/// The greatest bare angle that is not doubted, rad: a turn.
+const MOST_BARE_ANGLE: f64 = TAU;
+/// The greatest bare angular speed that is not doubted, rad/s: 9549 rpm, faster than the links of any usual machine.
+const MOST_BARE_SPEED: f64 = 1e3;
+
+/// Whether an angle is one or several quarters of a turn, to seven digits: then it is meant in radians.
+fn is_in_quarter_turns(angle: f64) -> bool {
+    let quarters = angle / (TAU / 4.0);
+    (quarters - quarters.round()).abs() <= 1e-7 * quarters.abs()
+}
+
 /// The greatest angle of a direction, rad, 1000 turns: a greater one would lose more than four of its 16 digits.
-const MOST_DIRECTION: f64 = 1000.0 * std::f64::consts::TAU;
+const MOST_DIRECTION: f64 = 1000.0 * TAU;
 
 impl Entry<'_> {
     /// Reads a bare number (SI) or a text with a unit. Without a dimension (which another fault has hidden) any unit
@@ -104,7 +117,34 @@ impl Entry<'_> {
         if finite.is_none() {
             self.wants(text!("scene-a-finite-number"), self.written(), text!("scene-refused-numbers"));
         }
+        if let (Some(value), Some(wanted)) = (finite, wanted) {
+            self.doubt(value, wanted);
+        }
         finite
+    }
+
+    /// A bare number is SI: notes where it is one that nobody would give in SI, but that is common in another unit.
+    fn doubt(&self, value: f64, wanted: Dimension) {
+        let (most, usual, in_usual) = match wanted {
+            Dimension::Angle if !is_in_quarter_turns(value) => (MOST_BARE_ANGLE, "deg", value.to_degrees()),
+            Dimension::AngularSpeed => (MOST_BARE_SPEED, "rpm", value * 60.0 / TAU),
+            _ => return,
+        };
+        if value.abs() > most {
+            let number = self.written();
+            let instead = in_quotes(&format!("{number} {usual}"));
+            self.faults.mistake(
+                self.span.clone(),
+                text!(
+                    "scene-hardly-meant",
+                    key = shown(&self.name),
+                    number = number,
+                    unit = unit(wanted.si()),
+                    is = with_unit((in_usual * 100.0).round() / 100.0, usual),
+                    instead = instead
+                ),
+            );
+        }
     }
 
     /// A whole number between two limits.

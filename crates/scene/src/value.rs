@@ -1,5 +1,7 @@
 //! `value` of a load: a number, a table over angle, time, speed or stroke, or a formula.
 
+use std::ops::Range;
+
 use assur_formula::{Formula, FormulaError};
 use assur_mechanism::{Over, Shape, Table, Value};
 
@@ -7,7 +9,7 @@ use assur_words::{Describe, Text, joined, number, text, unit};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::numbers::Bound;
+use crate::numbers::{Bound, in_quotes};
 use crate::text::{brief, such_as};
 use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Section};
@@ -22,6 +24,8 @@ const SHAPES: &[(&str, Shape)] = &[("linear", Shape::Linear), ("step", Shape::St
 const ALL_KEYS: &[&str] = &["over", "table", "shape", "repeat", "axis", "forward", "back", "formula", "unit"];
 const ANGLE_KEYS: &[&str] = &["over", "table", "shape", "repeat"];
 const TABLE_KEYS: &[&str] = &["over", "table", "shape"];
+/// Keys of a formula over the coordinate alone.
+pub(crate) const FORMULA_OF_COORDINATE: &[&str] = &["formula", "unit"];
 const FORMULA_KEYS: &[&str] = &["formula", "unit", "axis"];
 const STROKE_KEYS: &[&str] = &["over", "axis", "forward", "back", "shape"];
 
@@ -42,7 +46,7 @@ pub(crate) fn read(
     context: &Context<'_>,
 ) -> Option<Value> {
     if !entry.value.is_table() {
-        return entry.quantity(dimension).map(Value::Constant);
+        return if refused_formula(entry) { None } else { entry.quantity(dimension).map(Value::Constant) };
     }
     if entry.named(text!("scene-a-table"), Text::default()).iter().any(|key| key.name == "formula") {
         return formula(&entry.section(text!("scene-a-formula"), FORMULA_KEYS)?, dimension, stroke, context);
@@ -65,6 +69,17 @@ pub(crate) fn read(
             strokes(&section, shape, dimension)
         }
     }
+}
+
+/// Refuses a formula that stands where a number with a unit is read: says where it belongs.
+fn refused_formula(entry: &Entry<'_>) -> bool {
+    let Some(text) = entry.value.as_str() else { return false };
+    let is_formula = text.trim().parse::<f64>().is_err() && Formula::read(text).is_ok();
+    if is_formula {
+        let wanted = text!("scene-formula-as-number", text = in_quotes(text));
+        entry.problem(wanted, such_as(format!("{{ formula = \"{text}\" }}")));
+    }
+    is_formula
 }
 
 /// Reads the size of a load under a key of its section, times the load's `scale`.
@@ -104,21 +119,8 @@ fn formula(
     stroke: bool,
     context: &Context<'_>,
 ) -> Option<Value> {
-    let entry = section.get("formula")?;
-    let text = entry.text(text!("scene-a-formula"))?;
-    let factor = match section.get("unit") {
-        None => 1.0,
-        Some(entry) => {
-            let name = entry.text(text!("scene-a-unit"))?;
-            quantity(&format!("1 {name}"), dimension)
-                .map_err(|error| {
-                    entry.problem(error.describe(), such_as(format!("\"{}\"", dimension.si())));
-                })
-                .ok()?
-        }
-    };
+    let (entry, formula, factor) = formula_with_unit(section, dimension)?;
     // In a scene the speed is counted along the direction of the input, in a mechanism along the coordinate.
-    let formula = Formula::read(text).map_err(|error| misread(&entry, text, &error)).ok()?;
     let formula = if context.sign() < 0.0 { formula.mirrored() } else { formula };
     let used = formula.used();
     if used.speed || used.time {
@@ -142,16 +144,38 @@ fn formula(
     Some(Value::Formula { formula, factor, axis })
 }
 
-/// Notes a fault of a formula at its place in the file, where the text stands there as it is; else at the whole text.
+/// The key `formula`, what it says, and the SI value of a result of 1 by the key `unit`.
+pub(crate) fn formula_with_unit<'a>(
+    section: &Section<'a>,
+    dimension: Dimension,
+) -> Option<(Entry<'a>, Formula, f64)> {
+    let entry = section.get("formula")?;
+    let text = entry.text(text!("scene-a-formula"))?;
+    let factor = match section.get("unit") {
+        None => 1.0,
+        Some(entry) => {
+            let name = entry.text(text!("scene-a-unit"))?;
+            quantity(&format!("1 {name}"), dimension)
+                .map_err(|error| {
+                    entry.problem(error.describe(), such_as(format!("\"{}\"", dimension.si())));
+                })
+                .ok()?
+        }
+    };
+    let formula = Formula::read(text).map_err(|error| misread(&entry, text, &error)).ok()?;
+    Some((entry, formula, factor))
+}
+
+/// Notes a fault of a formula at its place in the file.
 fn misread(entry: &Entry<'_>, text: &str, error: &FormulaError) {
+    entry.note(Fault::new(within_text(entry, text, &error.span), error.describe()));
+}
+
+/// The place in the file of a part of a text, where the text stands there as it is; else of the whole text.
+pub(crate) fn within_text(entry: &Entry<'_>, text: &str, part: &Range<usize>) -> Range<usize> {
     let quotes = entry.span.len().saturating_sub(text.len());
     let start = entry.span.start + quotes / 2;
-    let span = if matches!(quotes, 2 | 6) {
-        start + error.span.start..start + error.span.end
-    } else {
-        entry.span.clone()
-    };
-    entry.note(Fault::new(span, error.describe()));
+    if matches!(quotes, 2 | 6) { start + part.start..start + part.end } else { entry.span.clone() }
 }
 
 fn plain(

@@ -51,6 +51,11 @@ impl<'a> Section<'a> {
         section
     }
 
+    /// What is allowed, but hardly meant, as far as it was read.
+    pub(crate) fn mistakes(&self) -> Vec<assur_mechanism::Notice> {
+        self.faults.mistakes(self.table)
+    }
+
     fn refuse_unknown(&self) {
         for entry in self.entries() {
             if !self.known.contains(&entry.name.as_str()) {

@@ -90,7 +90,8 @@ fn slide(entry: &Entry<'_>, linkage: &Linkage) -> Option<SlideId> {
     found
 }
 
-fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
+/// The pin or slide named by an entry.
+pub(crate) fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
     let name = entry.text(text!("scene-name-of-a-pair"))?;
     if let Some(id) = linkage.slides.iter().position(|slide| slide.name == name) {
         return Some(PairId::Slide(id));

@@ -1,8 +1,8 @@
 //! Shaking force and counterweights as data that serializes itself.
 
-use assur_force::LoadError;
+use assur_force::{LoadError, LoadFault};
 use assur_kinematics::PositionError;
-use assur_mechanism::Mechanism;
+use assur_mechanism::{LinkId, Mechanism, Named};
 use assur_words::{Describe, Text, text};
 use serde::Serialize;
 
@@ -91,7 +91,7 @@ pub struct Proof {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Counterweight {
     /// The link.
-    pub link: String,
+    pub link: Named<LinkId>,
     /// Mass times radius, kg m.
     pub product: f64,
     /// Its direction from the pin on the ground, in the frame of the link, rad.
@@ -135,19 +135,7 @@ pub enum ShakingError {
     Position(PositionError),
 }
 
-assur_words::errors!(ShakingError);
-
-impl From<LoadError> for ShakingError {
-    fn from(error: LoadError) -> Self {
-        Self::Load(error)
-    }
-}
-
-impl From<PositionError> for ShakingError {
-    fn from(error: PositionError) -> Self {
-        Self::Position(error)
-    }
-}
+assur_words::errors!(ShakingError; Load(LoadError), Position(PositionError));
 
 impl Describe for ShakingError {
     fn describe(&self) -> Text {
@@ -178,6 +166,6 @@ impl ShakingError {
 
     /// Whether the machine has no solution, though the scene is sound.
     pub fn is_no_solution(&self) -> bool {
-        matches!(self, Self::Position(_) | Self::Load(LoadError::NotFinite { .. }))
+        matches!(self, Self::Position(_) | Self::Load(LoadError { fault: LoadFault::NotFinite(_), .. }))
     }
 }

@@ -28,7 +28,7 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
     if !matches!(mechanism.motion, Some(Motion::Prescribed { .. } | Motion::Steady { .. })) {
         return Err(ShakingError::NoMotion);
     }
-    if mechanism.links.iter().skip(1).all(|link| link.mass <= 0.0 && link.inertia <= 0.0) {
+    if mechanism.links.iter().skip(1).all(|link| !link.is_heavy()) {
         return Err(ShakingError::NoMass);
     }
     let loads = Loads::compile(linkage)?;
@@ -137,7 +137,7 @@ fn size(
 fn described(linkage: &Linkage, carrier: &Carrier, [x, y]: [f64; 2]) -> Counterweight {
     let product = x.hypot(y);
     Counterweight {
-        link: linkage.mechanism.links[carrier.link].name.to_string(),
+        link: linkage.mechanism.named_link(carrier.link),
         product,
         angle: y.atan2(x),
         radius: carrier.radius,

@@ -153,7 +153,7 @@ fn momentum_changes_by_the_shaking_force() {
             let ([x, y], [vx, vy]) = (body.point(link.center), body.first(arm).map(|v| v * speed));
             sum[0] += link.mass * vx;
             sum[1] += link.mass * vy;
-            sum[2] += link.mass * (x * vy - y * vx) + link.inertia * body.w1 * speed;
+            sum[2] += link.mass * (x * vy - y * vx) + link.inertia.constant() * body.w1 * speed;
         }
         sum
     };

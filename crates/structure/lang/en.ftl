@@ -11,7 +11,7 @@ structure-some = { $names } ... ({ $shown } of { $total } shown)
 structure-loose = mobility { $mobility } ({ $formula }), but one input moves the mechanism: { $links } can still move while the input is fixed{ $also }; join { $count ->
         [one] it
        *[other] them
-    } to another link by one more pair, or leave out what hangs there
+    } to another link by one more pair, or leave out what hangs there ({ $hint })
 structure-loose-also = {" "}(while the pairs { $pairs } have one constraint too many)
 structure-surplus = mobility { $mobility } ({ $formula }), must be 1: { $pairs } { $count ->
         [one] gives
@@ -19,3 +19,5 @@ structure-surplus = mobility { $mobility } ({ $formula }), must be 1: { $pairs }
     } one constraint too many on { $links }; take one pair or one link away there (a passive link that only repeats a motion must be left out of the scene)
 structure-no-plugin = { $links } form a group of class { $class }, order { $order } ({ $pattern }); no plugin is registered for it (see `assur plugins`; another input link may give other groups)
 structure-pattern = inner { $inner }; outer { $outer }
+structure-what-joins = a point name that stands in two links makes a pin there
+structure-alike = the points `{ $one }` and `{ $other }` stand in one link each and look alike: one name in both links makes a pin there

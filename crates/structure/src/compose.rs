@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet, VecDeque};
 
 use assur_group::{GroupFrame, Pair, plugin_for};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, PairId};
+use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, PairId, Point, likeness};
 use assur_words::{Text, joined, name, text};
 
 use crate::frame::{Incidence, frame_of, input_pair, typical_length};
@@ -117,9 +117,21 @@ fn refuse_other_mobility(
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);
-            Err(StructureError::Loose { counted, links: loose, surplus })
+            Err(StructureError::Loose { counted, links: loose, surplus, alike: alike(mechanism) })
         }
     }
+}
+
+/// Two points of different links that stand in one link each, but have nearly the same name.
+fn alike(mechanism: &Mechanism) -> Option<Box<[String; 2]>> {
+    let mut seen: HashMap<String, &Point> = HashMap::new();
+    for point in mechanism.points.iter().filter(|point| point.places.len() == 1) {
+        let like = *seen.entry(likeness(&point.name)).or_insert(point);
+        if like.places[0].link != point.places[0].link {
+            return Some(Box::new([like, point].map(|point| point.name.to_string())));
+        }
+    }
+    None
 }
 
 /// The links of one part in the order of the scene; a part that is a single pin has none.

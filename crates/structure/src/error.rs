@@ -24,6 +24,8 @@ pub enum StructureError {
         links: Vec<String>,
         /// Pairs elsewhere of which one is surplus.
         surplus: Vec<String>,
+        /// Two points of different links that stand in one link each, but have nearly the same name.
+        alike: Option<Box<[String; 2]>>,
     },
     /// Some pairs constrain what is already fixed.
     Surplus {
@@ -85,18 +87,12 @@ fn links_named(links: &[String]) -> Text {
     text!("structure-links-named", count = links.len(), links = some(links, "`"))
 }
 
-assur_words::errors!(StructureError);
-
-impl From<RegistryError> for StructureError {
-    fn from(error: RegistryError) -> Self {
-        Self::Registry(error)
-    }
-}
+assur_words::errors!(StructureError; Registry(RegistryError));
 
 impl Describe for StructureError {
     fn describe(&self) -> Text {
         match self {
-            Self::Loose { counted, links, surplus } => text!(
+            Self::Loose { counted, links, surplus, alike } => text!(
                 "structure-loose",
                 mobility = number(counted.mobility),
                 formula = name(counted.formula.clone()),
@@ -106,6 +102,13 @@ impl Describe for StructureError {
                     Text::default()
                 } else {
                     text!("structure-loose-also", pairs = some(surplus, ""))
+                },
+                hint = match alike {
+                    None => text!("structure-what-joins"),
+                    Some(both) => {
+                        let [one, other] = (**both).clone().map(name);
+                        text!("structure-alike", one = one, other = other)
+                    }
                 }
             ),
             Self::Surplus { counted, pairs, links } => text!(

@@ -83,7 +83,8 @@ impl Structure {
 impl Group {
     /// Outer pairs in the order of the kind's pattern, with their bodies in the order of the scene.
     pub fn outer(&self) -> Vec<Pair> {
-        let Some(reading) = self.plugin.pattern.find(&self.frame) else { return self.frame.outer.clone() };
+        let reading = self.plugin.pattern.and_then(|pattern| pattern.find(&self.frame));
+        let Some(reading) = reading else { return self.frame.outer.clone() };
         let original =
             |seen: &SeenPair| self.frame.outer.iter().find(|pair| pair.id == seen.pair.id).copied();
         reading.outer.iter().filter_map(original).collect()

@@ -7,3 +7,5 @@
 
 pub mod chart;
 pub mod stability;
+
+assur_words::resources!();

@@ -64,11 +64,11 @@ pub enum SweepError {
 pub enum Refusal {
     /// Its scene is faulty.
     Scene(SceneErrors),
-    /// The message of its row.
-    Row(String),
+    /// Why it has no values.
+    Row(Text),
 }
 
-assur_words::errors!(SweepError);
+assur_words::errors!(SweepError; Scene(SceneErrors));
 
 impl Describe for SweepError {
     fn describe(&self) -> Text {
@@ -95,7 +95,7 @@ impl Describe for SweepError {
             Self::AllRefused { point, problem } => {
                 let problem = match problem {
                     Refusal::Scene(errors) => errors.describe(),
-                    Refusal::Row(message) => name(message.clone()),
+                    Refusal::Row(message) => message.clone(),
                 };
                 text!("sweep-all-refused", point = name(point.clone()), problem = problem)
             }
@@ -103,12 +103,6 @@ impl Describe for SweepError {
                 text!("sweep-no-threads", threads = *threads, problem = name(problem.clone()))
             }
         }
-    }
-}
-
-impl From<SceneErrors> for SweepError {
-    fn from(errors: SceneErrors) -> Self {
-        Self::Scene(errors)
     }
 }
 

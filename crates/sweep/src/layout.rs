@@ -1,7 +1,6 @@
 //! What of a mechanism is measured, by name and by place.
 
-use assur_analysis::plan::Plan;
-use assur_analysis::{Options, methods};
+use assur_analysis::{Options, plan};
 use assur_force::{Joint, joints};
 use assur_mechanism::{LinkId, Mechanism, Motion, PointId, SlideId, Torque};
 use assur_structure::{Structure, name_of};
@@ -68,11 +67,11 @@ impl Layout {
             units: Units { coordinate, speed, balancing },
         };
         let Ok(structure) = Structure::of(mechanism) else { return layout };
-        let plan = Plan::of(mechanism, &structure, methods(mechanism, options).by_groups);
+        let plan = plan(mechanism, &structure, options);
         let wanted = plan.wanted;
         layout.groups = plan.groups_needed.contains(&true);
         layout.balancing = plan.forces && layout.motion != Some(Sought::Transient);
-        let analyzer = assur_force::choose(options.analyzer.as_deref());
+        let analyzer = assur_force::choose(options.analyzer.as_deref(), !mechanism.frictions.is_empty());
         if layout.balancing && analyzer.is_ok_and(|plugin| plugin.gives_reactions) {
             let joints = joints(mechanism, &structure).into_iter();
             let joints = joints.filter(|joint| wanted.reactions.contains(&joint.id));

@@ -21,7 +21,7 @@ pub struct Measure {
     pub(crate) angles: bool,
     /// Whether it needs the transmission angles of the groups.
     pub(crate) transmission: bool,
-    put: fn(&Layout, &Found, &mut Sheet<'_>),
+    put: fn(&Layout, &Measured, &mut Sink<'_>),
 }
 
 /// All measures, in the order of their columns.
@@ -52,7 +52,7 @@ pub const MEASURES: &[Measure] = &[
 
 /// What was found at a point of a sweep.
 #[derive(Debug)]
-pub(crate) struct Found {
+pub(crate) struct Measured {
     /// Least determinant of all groups.
     pub(crate) health: Statistics,
     /// Least transmission angle of all groups.
@@ -75,7 +75,7 @@ pub(crate) struct Found {
     pub(crate) steady: Option<Box<Steady>>,
 }
 
-impl Found {
+impl Measured {
     /// Coordinate of the position of a number, rad or m.
     fn coordinate(&self, of: &Statistics, position: fn(&Statistics) -> f64) -> Option<f64> {
         let input = self.input.as_ref().filter(|_| of.is_known())?;
@@ -136,7 +136,7 @@ impl Measure {
     const fn new(
         name: &'static str,
         summary: &'static str,
-        put: fn(&Layout, &Found, &mut Sheet<'_>),
+        put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
         Self { name, summary, by_default: true, angles: false, transmission: false, put }
     }
@@ -164,21 +164,21 @@ impl Measure {
         Ok(MEASURES.iter().filter(wanted).copied().collect())
     }
 
-    /// Puts its columns on a sheet.
-    pub(crate) fn put(&self, layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
-        (self.put)(layout, found, sheet);
+    /// Puts its columns into a sink.
+    pub(crate) fn put(&self, layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
+        (self.put)(layout, found, sink);
     }
 }
 
 /// The columns of measures: their names, or their values at one point.
-pub(crate) enum Sheet<'a> {
+pub(crate) enum Sink<'a> {
     /// Receives the names.
     Names(&'a mut Vec<String>),
     /// Receives the values, NaN for a cell without one, and the column of the first one that is not finite.
     Values(&'a mut Vec<f64>, &'a mut Option<usize>),
 }
 
-impl Sheet<'_> {
+impl Sink<'_> {
     fn put(&mut self, value: Option<f64>, name: impl FnOnce() -> String) {
         match self {
             Self::Names(names) => names.push(name()),
@@ -197,90 +197,90 @@ impl Sheet<'_> {
     }
 }
 
-fn health(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn health(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.groups {
-        sheet.of(&found.health, Statistics::least, || "smallest_health".to_owned());
+        sink.of(&found.health, Statistics::least, || "smallest_health".to_owned());
         let name = || format!("smallest_health_at_{}", layout.units.coordinate);
-        sheet.put(found.coordinate(&found.health, Statistics::at_least), name);
+        sink.put(found.coordinate(&found.health, Statistics::at_least), name);
     }
 }
 
-fn transmission(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn transmission(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.groups {
         let name = || "least_transmission_angle_rad".to_owned();
-        sheet.of(&found.transmission, Statistics::least, name);
+        sink.of(&found.transmission, Statistics::least, name);
         let name = || format!("least_transmission_angle_at_{}", layout.units.coordinate);
-        sheet.put(found.coordinate(&found.transmission, Statistics::at_least), name);
+        sink.put(found.coordinate(&found.transmission, Statistics::at_least), name);
     }
 }
 
-fn balancing(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn balancing(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.balancing {
         let unit = layout.units.balancing;
-        sheet.of(&found.load, Statistics::greatest, || format!("balancing_greatest_{unit}"));
+        sink.of(&found.load, Statistics::greatest, || format!("balancing_greatest_{unit}"));
         let name = || format!("balancing_greatest_at_{}", layout.units.coordinate);
-        sheet.put(found.coordinate(&found.load, Statistics::at_greatest), name);
-        sheet.of(&found.balancing, Statistics::mean, || format!("balancing_mean_{unit}"));
-        sheet.of(&found.load, Statistics::mean, || format!("balancing_mean_modulus_{unit}"));
+        sink.put(found.coordinate(&found.load, Statistics::at_greatest), name);
+        sink.of(&found.balancing, Statistics::mean, || format!("balancing_mean_{unit}"));
+        sink.of(&found.load, Statistics::mean, || format!("balancing_mean_modulus_{unit}"));
     }
 }
 
-fn balancing_rms(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn balancing_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.balancing {
-        sheet.of(&found.balancing, Statistics::rms, || format!("balancing_rms_{}", layout.units.balancing));
+        sink.of(&found.balancing, Statistics::rms, || format!("balancing_rms_{}", layout.units.balancing));
     }
 }
 
-fn reactions(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn reactions(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
     for ((joint, force), moment) in each {
         let name = &joint.name;
-        sheet.of(force, |square| square.greatest().sqrt(), || format!("reaction_{name}_greatest_N"));
+        sink.of(force, |square| square.greatest().sqrt(), || format!("reaction_{name}_greatest_N"));
         if matches!(joint.id.id, PairId::Slide(_)) {
-            sheet.of(moment, Statistics::greatest, || format!("reaction_{name}_moment_greatest_Nm"));
+            sink.of(moment, Statistics::greatest, || format!("reaction_{name}_moment_greatest_Nm"));
         }
     }
 }
 
-fn reaction_rms(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn reaction_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
     for ((joint, force), moment) in each {
         let name = &joint.name;
-        sheet.of(force, |square| square.mean().sqrt(), || format!("reaction_{name}_rms_N"));
+        sink.of(force, |square| square.mean().sqrt(), || format!("reaction_{name}_rms_N"));
         if matches!(joint.id.id, PairId::Slide(_)) {
-            sheet.of(moment, Statistics::rms, || format!("reaction_{name}_moment_rms_Nm"));
+            sink.of(moment, Statistics::rms, || format!("reaction_{name}_moment_rms_Nm"));
         }
     }
 }
 
-fn extremes(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     for (point, place) in layout.points.iter().zip(&found.points) {
         for (axis, of) in ["x", "y"].into_iter().zip(place) {
-            sheet.of(of, Statistics::least, || format!("{}_{axis}_min_m", point.name));
-            sheet.of(of, Statistics::greatest, || format!("{}_{axis}_max_m", point.name));
+            sink.of(of, Statistics::least, || format!("{}_{axis}_min_m", point.name));
+            sink.of(of, Statistics::greatest, || format!("{}_{axis}_max_m", point.name));
         }
     }
     for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sheet.of(displacement, Statistics::least, || format!("{}_min_m", slide.name));
-        sheet.of(displacement, Statistics::greatest, || format!("{}_max_m", slide.name));
-        sheet.of(displacement, Statistics::range, || format!("{}_travel_m", slide.name));
+        sink.of(displacement, Statistics::least, || format!("{}_min_m", slide.name));
+        sink.of(displacement, Statistics::greatest, || format!("{}_max_m", slide.name));
+        sink.of(displacement, Statistics::range, || format!("{}_travel_m", slide.name));
     }
     for (link, angle) in layout.links.iter().zip(&found.links) {
-        sheet.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
-        sheet.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
+        sink.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
+        sink.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
     }
 }
 
-fn stroke(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn stroke(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sheet.of(displacement, Statistics::range, || format!("{}_stroke_m", slide.name));
+        sink.of(displacement, Statistics::range, || format!("{}_stroke_m", slide.name));
     }
     for (link, angle) in layout.links.iter().zip(&found.links) {
-        sheet.of(angle, Statistics::range, || format!("{}_stroke_rad", link.name));
+        sink.of(angle, Statistics::range, || format!("{}_stroke_rad", link.name));
     }
 }
 
-fn time_ratio(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn time_ratio(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let ratio = |of: &Statistics| {
         let Range::Cycle(_) = found.input.as_ref()?.range else { return None };
         let positions = found.input.as_ref()?.positions as f64;
@@ -291,20 +291,20 @@ fn time_ratio(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
         Some(there.max(1.0 - there) / there.min(1.0 - there))
     };
     for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sheet.put(ratio(displacement), || format!("{}_time_ratio", slide.name));
+        sink.put(ratio(displacement), || format!("{}_time_ratio", slide.name));
     }
     for (link, angle) in layout.links.iter().zip(&found.links) {
         let swings = angle.range() < std::f64::consts::PI;
-        sheet.put(ratio(angle).filter(|_| swings), || format!("{}_time_ratio", link.name));
+        sink.put(ratio(angle).filter(|_| swings), || format!("{}_time_ratio", link.name));
     }
 }
 
-fn regime(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn regime(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let Some(Sought::Steady { flywheel, motor, torque }) = layout.motion else { return };
     let steady = found.steady.as_deref();
     let mut put = |shown: bool, name: &str, value: fn(&Steady) -> Option<f64>| {
         if shown {
-            sheet.put(steady.and_then(value), || name.to_owned());
+            sink.put(steady.and_then(value), || name.to_owned());
         }
     };
     put(flywheel, "flywheel_kgm2", |found| Some(found.regime.flywheel));
@@ -319,12 +319,12 @@ fn regime(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
     put(true, "required_power_W", |found| Some(found.regime.figures.required_power));
 }
 
-fn end(layout: &Layout, found: &Found, sheet: &mut Sheet<'_>) {
+fn end(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.motion == Some(Sought::Transient) {
         let last = found.last.map(|instant| instant.state);
-        sheet.put(last.map(|state| state.time), || "end_time_s".to_owned());
+        sink.put(last.map(|state| state.time), || "end_time_s".to_owned());
         let name = || format!("end_coordinate_{}", layout.units.coordinate);
-        sheet.put(last.map(|state| state.coordinate), name);
-        sheet.put(last.map(|state| state.speed), || format!("end_speed_{}", layout.units.speed));
+        sink.put(last.map(|state| state.coordinate), name);
+        sink.put(last.map(|state| state.speed), || format!("end_speed_{}", layout.units.speed));
     }
 }

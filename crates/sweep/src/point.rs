@@ -6,17 +6,18 @@ use assur_analysis::{AnalysisError, Calculation, InputMotion, Varied, unwatched}
 use assur_dynamics::Instant;
 use assur_group::Order;
 use assur_mechanism::Mechanism;
+use assur_words::{Describe, name, number, text};
 
 use crate::angles::Angles;
-use crate::measure::{Found, Sheet};
+use crate::measure::{Measured, Sink};
 use crate::positions::{Memory, Positions};
-use crate::rows::{Outcome, Rows};
+use crate::rows::{Failure, Outcome, Rows};
 use crate::{Status, Sweep};
 
 /// Calculates points; keeps its memory from one to the next.
 pub(crate) struct Worker<'a> {
     pub(crate) sweep: &'a Sweep,
-    pub(crate) found: Found,
+    pub(crate) found: Measured,
     pub(crate) angles: Angles,
     /// Parameters in the units of their ranges, and in SI.
     numbers: Vec<f64>,
@@ -35,7 +36,7 @@ impl<'a> Worker<'a> {
         let parameters = vec![0.0; sweep.axes.len()];
         Self {
             sweep,
-            found: Found::new(&sweep.layout),
+            found: Measured::new(&sweep.layout),
             angles: Angles::default(),
             numbers: parameters.clone(),
             parameters,
@@ -54,17 +55,17 @@ impl<'a> Worker<'a> {
     }
 
     fn add(&mut self, index: usize, rows: &mut Rows) {
+        let outcome = self.outcome(index).unwrap_or_else(Outcome::from);
+        rows.push(&self.parameters, &self.values, outcome);
+    }
+
+    /// Calculates a point and puts its values in order.
+    pub(crate) fn outcome(&mut self, index: usize) -> Result<Outcome, Failure> {
         self.sweep.points.numbers(&self.sweep.axes, index, &mut self.numbers);
         for ((axis, number), si) in self.sweep.axes.iter().zip(&self.numbers).zip(&mut self.parameters) {
             *si = axis.si(*number);
         }
         self.values.clear();
-        let outcome = self.outcome().unwrap_or_else(|failure| failure);
-        rows.push(&self.parameters, &self.values, outcome);
-    }
-
-    /// Calculates a point and puts its values in order.
-    fn outcome(&mut self) -> Result<Outcome, Outcome> {
         let mut calculation = self.compiled()?;
         let result = Positions::new(&calculation, self).outcome();
         self.found.last = last(&calculation);
@@ -77,21 +78,21 @@ impl<'a> Worker<'a> {
             self.found.steady = Some(found);
         }
         let mut wrong = None;
-        let mut sheet = Sheet::Values(&mut self.values, &mut wrong);
+        let mut sink = Sink::Values(&mut self.values, &mut wrong);
         for measure in &self.sweep.measures {
-            measure.put(&self.sweep.layout, &self.found, &mut sheet);
+            measure.put(&self.sweep.layout, &self.found, &mut sink);
         }
         if let Some(value) = wrong {
             self.values.clear();
-            let column = self.sweep.columns.value_name(value);
-            let message = format!("the number found for `{column}` is not finite");
-            return Err(Outcome::failure(Status::Error, &message, Some(0)));
+            let column = name(self.sweep.columns.value_name(value).to_owned());
+            let message = text!("sweep-not-finite", column = column);
+            return Err(Failure { status: Status::Error, message, failed: Some(0) });
         }
         Ok(outcome)
     }
 
     /// The mechanism of the point, compiled.
-    fn compiled(&mut self) -> Result<Calculation, Outcome> {
+    fn compiled(&mut self) -> Result<Calculation, Failure> {
         let sweep = self.sweep;
         let last = self.last.take();
         self.memory.keep(false);
@@ -99,8 +100,9 @@ impl<'a> Worker<'a> {
         let mechanism = sweep.variants.mechanism(&sweep.axes, &self.numbers, &self.parameters, spare);
         let mechanism = mechanism.map_err(|errors| {
             let first = errors.errors.first();
-            let message = first.map(|error| format!("{} (line {})", error.message, error.line));
-            Outcome::failure(Status::Refused, &message.unwrap_or_default(), None)
+            let message = first
+                .map(|error| text!("sweep-in-line", problem = &error.message, line = number(error.line)));
+            Failure { status: Status::Refused, message: message.unwrap_or_default(), failed: None }
         })?;
         let calculation = match last {
             Some(last) if sweep.variants.sets_numbers() => {
@@ -115,7 +117,7 @@ impl<'a> Worker<'a> {
         };
         calculation.map_err(|error: AnalysisError| {
             let status = if error.is_no_solution() { Status::NoSolution } else { Status::Error };
-            Outcome::failure(status, &error.to_string(), None)
+            Failure { status, message: error.describe(), failed: None }
         })
     }
 }

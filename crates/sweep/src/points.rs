@@ -5,7 +5,7 @@ use sobol_burley::parts::{hash, owen_scramble_rev, sobol_rev};
 use crate::axis::Axis;
 use crate::vary::between;
 
-/// Most parameters of a sample: for so many there are Sobol sequences.
+/// Most parameters of a sample: Sobol sequences of more dimensions are not available.
 pub(crate) const MOST_SAMPLED: usize = sobol_burley::NUM_DIMENSIONS as usize;
 
 /// The points of a sweep.

@@ -7,11 +7,12 @@ use assur_group::{Body, GroupError, Wrench};
 use assur_kinematics::{LanePosition, Position, PositionError};
 use assur_mechanism::Slide;
 use assur_number::{Lanes, Real};
+use assur_words::{Describe, Text, number, text};
 
 use crate::Status;
 use crate::measure::Measure;
 use crate::point::Worker;
-use crate::rows::Outcome;
+use crate::rows::{Failure, Outcome};
 use crate::statistics::Valid;
 
 /// Most blocks of eight positions that are kept from one point to the next: some ten times what fits into a fast cache, and
@@ -44,7 +45,7 @@ pub(crate) struct Positions<'a, 'w> {
     single: Position,
     forces: Option<LaneKinetostatics<'a>>,
     /// The first failure.
-    failure: Option<(Status, String)>,
+    failure: Option<(Status, Text)>,
     /// Positions with a failure.
     failed: usize,
 }
@@ -63,7 +64,7 @@ impl<'a, 'w> Positions<'a, 'w> {
     }
 
     /// Calculates every position.
-    pub(crate) fn outcome(mut self) -> Result<Outcome, Outcome> {
+    pub(crate) fn outcome(mut self) -> Result<Outcome, Failure> {
         let Calculation { linkage, no_motion, .. } = self.calculation;
         let positions = linkage.mechanism.input.positions;
         let Memory { mut blocks, holds_all, .. } = std::mem::take(&mut self.worker.memory);
@@ -91,15 +92,18 @@ impl<'a, 'w> Positions<'a, 'w> {
                 self.places(&solved, &blocks[position]);
             }
             for (lane, error) in self.forces(&solved, &blocks[position]) {
-                let message = format!("position {}: {error}", block.first + lane);
+                let position = number(block.first + lane);
+                let message = text!("sweep-at-position", position = position, problem = error.describe());
                 failures.push((lane, Status::NoSolution, message));
             }
             self.note(failures);
         }
         self.worker.memory = Memory { blocks, single: Some(self.single), holds_all: all_solved };
         match (self.failure, no_motion) {
-            (Some((status, message)), _) => Err(Outcome::failure(status, &message, Some(self.failed))),
-            (None, Some(message)) => Err(Outcome::failure(Status::NoSolution, &message.to_string(), Some(0))),
+            (Some((status, message)), _) => Err(Failure { status, message, failed: Some(self.failed) }),
+            (None, Some(error)) => {
+                Err(Failure { status: Status::NoSolution, message: error.describe(), failed: Some(0) })
+            }
             (None, None) => {
                 Ok(Outcome { status: Status::Ok, message: String::new(), failed: Some(0), motor: None })
             }
@@ -107,7 +111,7 @@ impl<'a, 'w> Positions<'a, 'w> {
     }
 
     /// Solves eight positions, or what is left of them; returns the lanes that have none.
-    fn solve(&self, block: &Block, position: &mut LanePosition) -> Vec<Failure> {
+    fn solve(&self, block: &Block, position: &mut LanePosition) -> Vec<Unsolved> {
         let Calculation { linkage, plan, .. } = self.calculation;
         let input = &linkage.mechanism.input;
         // The lanes after the last position repeat it, and are not counted.
@@ -117,13 +121,13 @@ impl<'a, 'w> Positions<'a, 'w> {
         let failure = |(lane, error): (usize, PositionError)| {
             let assembly = matches!(error.source, GroupError::NoAssembly { .. });
             let status = if assembly { Status::NoAssembly } else { Status::NoSolution };
-            (lane, status, PositionError { index: Some(block.first + lane), ..error }.to_string())
+            (lane, status, PositionError { index: Some(block.first + lane), ..error }.describe())
         };
         failed.map(failure).collect()
     }
 
     /// Counts the failures of a block, and keeps the first one of all.
-    fn note(&mut self, mut failures: Vec<Failure>) {
+    fn note(&mut self, mut failures: Vec<Unsolved>) {
         failures.sort_by_key(|(lane, ..)| *lane);
         self.failed += failures.len();
         let earliest = failures.into_iter().next().map(|(_, status, message)| (status, message));
@@ -216,7 +220,7 @@ impl<'a, 'w> Positions<'a, 'w> {
 }
 
 /// The lane of a position that is not solved, and why.
-type Failure = (usize, Status, String);
+type Unsolved = (usize, Status, Text);
 
 /// Eight successive positions.
 #[derive(Debug, Clone, Copy)]
@@ -228,7 +232,7 @@ struct Block {
 }
 
 impl Block {
-    /// The positions from `first` on, of so many in all.
+    /// The positions from `first` on, of `count` in all.
     fn new(first: usize, count: usize) -> Self {
         Self { first, valid: std::array::from_fn(|lane| first + lane < count) }
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use assur_report::csv::{Cell, CsvError, header, rows};
+use assur_words::Text;
 use strum::{EnumString, IntoStaticStr};
 
 use crate::Sweep;
@@ -109,10 +110,20 @@ pub(crate) struct Outcome {
     pub(crate) motor: Option<String>,
 }
 
-impl Outcome {
-    /// A failure.
-    pub(crate) fn failure(status: Status, message: &str, failed: Option<usize>) -> Self {
-        let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
+/// Why a point has no values.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Failure {
+    pub(crate) status: Status,
+    /// The first failure.
+    pub(crate) message: Text,
+    /// Positions without a solution; `None` where none was tried.
+    pub(crate) failed: Option<usize>,
+}
+
+impl From<Failure> for Outcome {
+    /// Tables are in English, and a cell has one line.
+    fn from(Failure { status, message, failed }: Failure) -> Self {
+        let message = message.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
         Self { status, message, failed, motor: None }
     }
 }

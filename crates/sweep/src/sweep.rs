@@ -7,10 +7,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
 use assur_scene::edit::Document;
+use assur_words::Text;
 
 use crate::axis::Axis;
 use crate::layout::Layout;
-use crate::measure::{Found, Measure, Sheet};
+use crate::measure::{Measure, Measured, Sink};
 use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
 use crate::rows::{Columns, Rows};
@@ -30,7 +31,7 @@ const NUMBERS: usize = 1 << 15;
 /// need not wait.
 const AHEAD: usize = 16;
 
-/// A sweep has so many parts, so that little is lost if it is ended; but parts have at least so many rows.
+/// Number of parts of a sweep, so that little is lost if it is ended early; and fewest rows of a part.
 const PARTS: usize = 64;
 
 /// Most rows of a part.
@@ -93,9 +94,9 @@ impl Sweep {
         let variants = Variants::of(file_name, scene, &axes);
         let layout = Layout::of(&variants.richest(&axes).unwrap_or(base), &options);
         let mut names = Vec::new();
-        let mut sheet = Sheet::Names(&mut names);
+        let mut sink = Sink::Names(&mut names);
         for measure in &measures {
-            measure.put(&layout, &Found::new(&layout), &mut sheet);
+            measure.put(&layout, &Measured::new(&layout), &mut sink);
         }
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
@@ -112,7 +113,7 @@ impl Sweep {
         self.count
     }
 
-    /// Rows of each part of a Parquet file of so many points, except the last one: few enough to keep in memory.
+    /// Rows of each part of a Parquet file of `points` rows, except the last part: few enough to keep in memory.
     pub fn rows_of_part(&self, points: usize) -> usize {
         let few = points.div_ceil(PARTS).clamp(PARTS, MOST_ROWS);
         few.min(PART_NUMBERS / self.columns.names().len().max(1)).max(1)
@@ -185,6 +186,11 @@ impl Sweep {
         Worker::new(self).rows(index..index + 1)
     }
 
+    /// Why one point has no values; `None` where it has.
+    pub fn failure(&self, index: usize) -> Option<Text> {
+        Worker::new(self).outcome(index).err().map(|failure| failure.message)
+    }
+
     /// Keys and values of a point: "link.crank.mass = 2 kg, drive.ratio = 24".
     pub fn describe(&self, index: usize) -> String {
         let numbers = self.numbers(index);
@@ -201,8 +207,7 @@ impl Sweep {
         let problem = if let Err(errors) = self.variants.read(&self.axes, &self.numbers(first)) {
             Refusal::Scene(errors)
         } else {
-            let message = self.row(first).status(0).map(|(_, message)| message.to_owned());
-            Refusal::Row(message.unwrap_or_default())
+            Refusal::Row(self.failure(first).unwrap_or_default())
         };
         SweepError::AllRefused { point: self.describe(first), problem }
     }

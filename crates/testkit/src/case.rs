@@ -45,11 +45,12 @@ impl Case {
     /// Builds the kernel; a fault if the kind refuses the group, or declares another number of ways than it has.
     pub(crate) fn new(plugin: &'static GroupPlugin, sample: Sample, seed: u64) -> Result<Self, Fault> {
         let fault = |what| Fault { check: "build", seed: Some(seed), what };
-        if plugin.pattern.find(&sample.frame).is_none() {
+        if !plugin.fits(&sample.frame) {
             return Err(fault("does not match a group of its own kind".into()));
         }
         let kernel = kernel_of::<f64>(plugin, &sample.frame).map_err(|error| fault(error.to_string()))?;
-        if kernel.ways() != plugin.ways.most {
+        // A kind that iterates may tell its modes apart otherwise than by their number.
+        if !plugin.iterates && kernel.ways() != plugin.ways.most {
             return Err(fault(format!("declares {} ways, and has {}", plugin.ways.most, kernel.ways())));
         }
         Ok(Self { plugin, sample, kernel, seed })
@@ -68,7 +69,7 @@ impl Case {
     /// Places the bodies in a way; `None` if a kind with a varying number of ways does not have this one here.
     pub(crate) fn placed(&self, bodies: &mut [Body<f64>], way: usize) -> Result<Option<f64>, Fault> {
         match self.kernel.place(bodies, way) {
-            Err(GroupError::NoAssembly { .. }) if self.plugin.ways.varies => Ok(None),
+            Err(GroupError::NoAssembly { .. }) if self.plugin.ways.varies || self.plugin.iterates => Ok(None),
             other => self.called("place", other).map(Some),
         }
     }

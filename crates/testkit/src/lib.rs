@@ -58,21 +58,58 @@ pub fn judge(name: &str) -> Result<(), Fault> {
         );
         broken("registry", what)
     })?;
-    pattern::is_assur_group(&plugin.pattern).map_err(|what| broken("pattern", what))?;
+    match plugin.pattern {
+        Some(pattern) => judge_on(plugin, &pattern),
+        None => {
+            Err(broken("pattern", "a kind for any group is tested with patterns of your choice".to_owned()))
+        }
+    }
+}
+
+/// Tests a registered kind for any group with the whole suite, on groups of a pattern.
+///
+/// # Errors
+///
+/// The first [`Fault`] found.
+pub fn judge_with(name: &str, pattern: &Pattern) -> Result<(), Fault> {
+    let broken =
+        |error: assur_group::RegistryError| Fault { check: "registry", seed: None, what: error.to_string() };
+    let all = groups().map_err(broken)?;
+    let found = all.into_iter().find(|plugin| plugin.name == name);
+    let plugin = found.ok_or_else(|| {
+        broken(assur_group::RegistryError::Unknown {
+            what: assur_words::text!("group-sort"),
+            name: name.to_owned(),
+            known: Vec::new(),
+        })
+    })?;
+    judge_on(plugin, pattern)
+}
+
+fn judge_on(plugin: &'static GroupPlugin, pattern: &Pattern) -> Result<(), Fault> {
+    let broken = |check: &'static str, what: String| Fault { check, seed: None, what };
+    pattern::is_assur_group(pattern).map_err(|what| broken("pattern", what))?;
     let mut tried = checks::Tried::default();
     for seed in 0..SAMPLES {
         let mut rng = Rng::new(seed);
-        if let Some(sample) = Sample::regular(&mut rng, &plugin.pattern) {
+        if let Some(sample) = Sample::regular(&mut rng, pattern) {
             let case = Case::new(plugin, sample, seed)?;
             checks::regular(&case, &mut rng, &mut tried)?;
         }
     }
     for seed in SAMPLES..2 * SAMPLES {
-        if let Some(sample) = Sample::singular(&mut Rng::new(seed), &plugin.pattern) {
+        if let Some(sample) = Sample::singular(&mut Rng::new(seed), pattern) {
             checks::singular(&Case::new(plugin, sample, seed)?, &mut tried)?;
         }
     }
     tried.enough()
+}
+
+/// Random groups of a pattern, well away from singular positions, each with all bodies (the ground first) in the poses to which
+/// its pairs were fitted; the same ones for one seed everywhere.
+pub fn random_groups(pattern: &Pattern, seeds: std::ops::Range<u64>) -> Vec<(GroupFrame, Vec<Body<f64>>)> {
+    let drawn = seeds.filter_map(|seed| Sample::regular(&mut Rng::new(seed), pattern));
+    drawn.map(|sample| (sample.frame.clone(), sample.built())).collect()
 }
 
 /// The words of a kind of a test.
@@ -86,7 +123,9 @@ pub const fn iterated(name: &'static str, pattern: Pattern) -> GroupPlugin {
         number: 0,
         crate_name: env!("CARGO_PKG_NAME"),
         summary: TEST,
-        pattern,
+        pattern: Some(pattern),
+        // Before the kinds of the repository.
+        rank: 1,
         ways: Ways { most: 1, varies: false, words: TEST },
         iterates: true,
         singular: TEST,

@@ -86,7 +86,7 @@ impl Language {
         self.formatted(id, &FluentArgs::new())
     }
 
-    /// Behind a point the identity names an attribute of a message.
+    /// An identity with a point in it names an attribute of a message: `quantity-speed.short`.
     fn formatted(&self, id: &str, values: &FluentArgs<'_>) -> Option<String> {
         let (id, attribute) = id.split_once('.').map_or((id, None), |(id, attribute)| (id, Some(attribute)));
         let message = self.bundle.get_message(id)?;

@@ -11,7 +11,7 @@ mod text;
 pub use inventory;
 pub use language::{LANGUAGES, Language};
 pub use resource::Resource;
-pub use text::{Describe, Text, count, joined, list, name, number, quantity, unit};
+pub use text::{Describe, Text, Told, count, joined, list, name, number, quantity, text_of, unit};
 
 resources!();
 

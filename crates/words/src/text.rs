@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::fmt::{self, Display};
+use std::io;
 
 use serde::{Serialize, Serializer};
 
@@ -46,6 +47,16 @@ impl Text {
         Self(Part::Message { id, values })
     }
 
+    /// The identity of its message; of several texts, that of the first that has one. `None` for letters and numbers alone.
+    pub fn identity(&self) -> Option<&'static str> {
+        match &self.0 {
+            Part::Message { id, .. } => Some(id),
+            Part::Short(text) => text.identity(),
+            Part::Joined { parts, .. } => parts.iter().find_map(Self::identity),
+            Part::Name(_) | Part::Number(_) | Part::Unit(_) | Part::Count(_) => None,
+        }
+    }
+
     /// Whether it has no letters in any language.
     pub fn is_empty(&self) -> bool {
         match &self.0 {
@@ -54,6 +65,17 @@ impl Text {
             Part::Joined { parts, .. } => parts.iter().all(Self::is_empty),
             Part::Short(text) => text.is_empty(),
             Part::Message { .. } | Part::Count(_) => false,
+        }
+    }
+
+    /// What stands in it with the same letters in every language: names, keys, paths, symbols.
+    pub fn names(&self) -> Vec<&str> {
+        match &self.0 {
+            Part::Name(letters) => vec![letters],
+            Part::Message { values, .. } => values.iter().flat_map(|(_, value)| value.names()).collect(),
+            Part::Short(text) => text.names(),
+            Part::Joined { parts, .. } => parts.iter().flat_map(Self::names).collect(),
+            Part::Number(_) | Part::Unit(_) | Part::Count(_) => Vec::new(),
         }
     }
 
@@ -144,6 +166,9 @@ pub trait Describe {
 }
 
 /// Makes types that [`Describe`] themselves errors, whose `Display` is the English text.
+///
+/// After a semicolon stand the variants of one type that hold an error of another crate:
+/// `errors!(Own; Position(PositionError), Load(LoadError))`. The operator `?` converts such an error.
 #[macro_export]
 macro_rules! errors {
     ($($error:ty),* $(,)?) => {
@@ -155,4 +180,31 @@ macro_rules! errors {
 
         impl std::error::Error for $error {})*
     };
+    ($error:ty; $($variant:ident($cause:ty)),+ $(,)?) => {
+        $crate::errors!($error);
+
+        $(impl From<$cause> for $error {
+            fn from(error: $cause) -> Self {
+                Self::$variant(error)
+            }
+        })+
+    };
+}
+
+/// A text as an error, for a library that takes errors and hands them back: [`text_of`] has the text again.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Told(pub Text);
+
+impl Describe for Told {
+    fn describe(&self) -> Text {
+        self.0.clone()
+    }
+}
+
+errors!(Told);
+
+/// What an error says: the [`Told`] text in it, or the words of the system or library that it comes from.
+pub fn text_of(error: &io::Error) -> Text {
+    let told = error.get_ref().and_then(|inner| inner.downcast_ref::<Told>());
+    told.map_or_else(|| name(error.to_string()), Told::describe)
 }

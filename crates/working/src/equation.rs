@@ -47,7 +47,7 @@ impl Work<'_> {
         let (mut sums, two) = ([Expr::zero(), Expr::zero()], Expr::number(2.0));
         for link in 1..self.linkage.structure.links {
             let found = &self.linkage.mechanism.links[link];
-            let (center, own) = (found.center, found.inertia);
+            let center = found.center;
             let m = self.mass(link);
             let tag = self.sheet.body_name(link);
             let (mut inertia, mut slope) = (Expr::zero(), Expr::zero());
@@ -58,11 +58,9 @@ impl Work<'_> {
                 slope = &two * &m * (x1 * x2 + y1 * y2);
             }
             let [_, first, second] = self.sheet.angle(link);
-            if own != 0.0 {
-                let own = self.own_inertia(link, own);
-                inertia = inertia + &own * first.squared();
-                slope = slope + &two * own * first * second;
-            }
+            let [own, varies] = self.own_inertia(link);
+            inertia = inertia + &own * first.squared();
+            slope = slope + &two * own * &first * second + varies * first.squared();
             let shares = [
                 self.sheet.work_unless_zero(Symbol::from("J").of(&tag), &inertia, units.inertia),
                 self.sheet.work_unless_zero(Symbol::from("J").prime(1).of(&tag), &slope, units.slope),

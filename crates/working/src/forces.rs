@@ -10,7 +10,11 @@ use crate::{Work, WorkingError, balancing};
 
 impl Work<'_> {
     /// Writes all forces; the balancing load is returned if it is determined.
-    pub(crate) fn forces(&mut self, loads: &Loads) -> Result<Option<f64>, WorkingError> {
+    pub(crate) fn forces(
+        &mut self,
+        loads: &Loads,
+        analyzer: Option<&str>,
+    ) -> Result<Option<f64>, WorkingError> {
         self.loads(loads);
         let elsewhere = self.balance();
         if self.sheet.is_unfit() {
@@ -27,6 +31,9 @@ impl Work<'_> {
         if elsewhere.is_none() {
             self.virtual_power();
             self.drive_check();
+        }
+        if let Some(analyzer) = analyzer {
+            self.by_method(analyzer)?;
         }
         Ok(Some(elsewhere.unwrap_or(drive).value()))
     }

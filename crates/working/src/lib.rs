@@ -1,18 +1,24 @@
 //! The working of one position: the equations of the input link and of every group with the numbers of this position,
 //! in solving order, then the forces from the last group to the input link, in the form of a calculation by hand.
 //!
-//! The equations of a kind are in its plugin ([`assur_worksheet::WorkingPlugin`]). For a kind without its own
+//! The equations of a kind are in its plugin ([`assur_worksheet::WorkingPlugin`]), those of a force analyzer in its own
+//! ([`AnalyzerWorking`]). For a kind without its own
 //! equations, and in a position where they are singular (0/0), the general linear system is used. This crate is
 //! independent of concrete kinds, of files and of the terminal.
 
+mod area;
 mod chain;
 mod conventions;
+mod energy;
 mod equation;
 mod forces;
 mod general;
 mod input;
 mod loads;
+mod method;
 mod names;
+
+pub use energy::{Cycle, Done, Ending, EnergyForm};
 
 use assur_force::{LoadError, Loads, State};
 use assur_group::{Body, Order};
@@ -20,6 +26,9 @@ use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::Mechanism;
 use assur_words::{Describe, Language, Text, text};
 use assur_worksheet::{Reaction, RegistryError, Section, Sheet, Symbol, Units};
+
+pub use assur_group::inventory;
+pub use method::{AnalyzerWorking, FoundForces, WriteForces};
 
 assur_words::resources!();
 
@@ -60,7 +69,7 @@ pub enum WorkingError {
     Registry(RegistryError),
 }
 
-assur_words::errors!(WorkingError);
+assur_words::errors!(WorkingError; Position(PositionError), Registry(RegistryError));
 
 impl Describe for WorkingError {
     fn describe(&self) -> Text {
@@ -72,18 +81,6 @@ impl Describe for WorkingError {
             }
             Self::Registry(error) => error.describe(),
         }
-    }
-}
-
-impl From<PositionError> for WorkingError {
-    fn from(error: PositionError) -> Self {
-        Self::Position(error)
-    }
-}
-
-impl From<RegistryError> for WorkingError {
-    fn from(error: RegistryError) -> Self {
-        Self::Registry(error)
     }
 }
 
@@ -100,6 +97,8 @@ pub struct Task<'a> {
     pub place: Place,
     /// What drives the input where its acceleration follows from the equation of motion.
     pub drive: Option<Drive>,
+    /// Name of the force analyzer whose working follows that of the groups, where it has one.
+    pub analyzer: Option<&'a str>,
 }
 
 /// Which position is worked.
@@ -159,7 +158,7 @@ impl Working {
     }
 
     pub(crate) fn by(task: &Task<'_>, own: bool) -> Result<Self, WorkingError> {
-        let Task { linkage, loads, state, place, drive } = *task;
+        let Task { linkage, loads, state, place, drive, analyzer } = *task;
         let mut position = linkage.position();
         match place {
             Place::Position(index) => {
@@ -185,7 +184,7 @@ impl Working {
             work.group(group)?;
         }
         let balancing = match loads {
-            Some(loads) => work.forces(loads)?,
+            Some(loads) => work.forces(loads, analyzer)?,
             None => None,
         };
         let reactions = work.sheet.reactions().to_vec();

@@ -3,8 +3,8 @@
 use assur_force::{Cause, Loads};
 use assur_group::Wrench;
 use assur_group::plane::direction;
-use assur_mechanism::{Direction, LinkId, Place};
-use assur_words::{Text, text};
+use assur_mechanism::{Contact, Direction, Force, Inertia, LinkId, LoadKind, Place, Spring};
+use assur_words::{Text, name, text};
 use assur_worksheet::{Expr, Load, Point, Symbol};
 
 use crate::Work;
@@ -31,6 +31,7 @@ impl Work<'_> {
                 self.sheet.given("ε", self.state.acceleration, e, text!("working-acceleration"));
             }
         }
+        let mechanism = &self.linkage.mechanism;
         let mut drive = self.drive;
         for (cause, link, wrench) in each {
             if let (Cause::Inertia(_), Some(found)) = (cause, drive) {
@@ -39,15 +40,19 @@ impl Work<'_> {
                 self.sheet.section(text!("working-inertia-loads"));
                 drive = None;
             }
-            let name = cause.name(&self.linkage.mechanism);
-            self.sheet.note(text!("working-load-of", load = name));
+            let name = Text::from(cause.name(mechanism));
+            self.sheet.note(text!("working-load-of", load = &name));
             match cause {
                 Cause::Weight(link) => self.weight(link),
                 Cause::Inertia(link) => self.inertia(link),
-                Cause::Force(id) => self.point_force(id, &wrench),
-                Cause::Moment(id) => self.moment(id, link, wrench.m),
-                Cause::Spring(id) => self.spring(id),
-                Cause::Contact(id) => self.contact(id, loads.contact(id, &self.state), &wrench),
+                Cause::Load(id) => match &mechanism.loads[id].kind {
+                    LoadKind::Force(force) => self.point_force(&name, force, &wrench),
+                    LoadKind::Moment(_) | LoadKind::Brake(_) => self.moment(&name, link, wrench.m),
+                    LoadKind::Spring(spring) => self.spring(&name, spring),
+                    LoadKind::Contact(contact) => {
+                        self.contact(&name, contact, loads.contact(id, &self.state), &wrench);
+                    }
+                },
             }
         }
         // Massless links have no inertia loads.
@@ -73,9 +78,24 @@ impl Work<'_> {
         self.sheet.given(symbol, found.mass, "kg", text!("working-mass"))
     }
 
-    pub(crate) fn own_inertia(&mut self, link: LinkId, inertia: f64) -> Expr {
+    /// The moment of inertia of a link, and its derivative by the coordinate; zero where there is none.
+    pub(crate) fn own_inertia(&mut self, link: LinkId) -> [Expr; 2] {
+        let found = self.linkage.mechanism.links[link].inertia.clone();
         let symbol = Symbol::from("I").of(self.sheet.body_name(link));
-        self.sheet.given(symbol, inertia, "kg·m²", text!("working-own-inertia"))
+        match &found {
+            _ if found.is_none() => [Expr::zero(), Expr::zero()],
+            Inertia::Constant(inertia) => {
+                [self.sheet.given(symbol, *inertia, "kg·m²", text!("working-own-inertia")), Expr::zero()]
+            }
+            Inertia::Varying(law) => {
+                let [inertia, slope] = law.at(self.state.coordinate);
+                let what = text!("working-inertia-here", formula = name(law.formula.text().to_owned()));
+                let inertia = self.sheet.given(symbol, inertia, "kg·m²", what);
+                let symbol = Symbol::from("I").prime(1).of(self.sheet.body_name(link));
+                let unit = if self.linkage.angular() { "kg·m²/rad" } else { "kg·m" };
+                [inertia, self.sheet.given(symbol, slope, unit, text!("working-inertia-slope-here"))]
+            }
+        }
     }
 
     fn weight(&mut self, link: LinkId) {
@@ -100,7 +120,7 @@ impl Work<'_> {
 
     fn inertia(&mut self, link: LinkId) {
         let found = &self.linkage.mechanism.links[link];
-        let (center, inertia) = (found.center, found.inertia);
+        let center = found.center;
         let m = self.mass(link);
         let at = self.sheet.point(link, center);
         let tag = Symbol::from(text!("working-of-inertia")).of(self.sheet.body_name(link));
@@ -118,29 +138,28 @@ impl Work<'_> {
             self.apply(link, force, at);
         }
         let [_, first, second] = self.sheet.angle(link);
-        if inertia != 0.0 {
-            let i = self.own_inertia(link, inertia);
-            let moment = -(i * by_time(&first, &second));
+        let [i, slope] = self.own_inertia(link);
+        if !i.is_zero() {
+            let changing = slope * &first * w.squared() / Expr::number(2.0);
+            let moment = -(i * by_time(&first, &second)) - changing;
             let moment = self.sheet.work_unless_zero(Symbol::from("M").of(tag), &moment, "N·m");
             self.sheet.load(link, Load { force: None, moment, applied: true });
         }
     }
 
-    fn point_force(&mut self, id: usize, wrench: &Wrench<f64>) {
-        let force = self.linkage.mechanism.forces[id].clone();
+    fn point_force(&mut self, name: &Text, force: &Force, wrench: &Wrench<f64>) {
         let link = force.at.link;
         let at = self.sheet.point(link, force.at.at);
-        let name = Text::from(&force.name);
         let toward = match force.direction {
             Direction::Ground(angle) => {
                 let angle =
-                    self.sheet.given(Symbol::from("α").of(&name), angle, "rad", text!("working-direction"));
+                    self.sheet.given(Symbol::from("α").of(name), angle, "rad", text!("working-direction"));
                 [angle.cos(), angle.sin()]
             }
             Direction::Link(angle) => {
                 let own = {
                     let what = text!("working-direction-in-link");
-                    self.sheet.fixed_angle(Symbol::from("α").of(&name), angle, what)
+                    self.sheet.fixed_angle(Symbol::from("α").of(name), angle, what)
                 };
                 let angle = &self.sheet.angle(link)[0] + own;
                 [angle.cos(), angle.sin()]
@@ -158,22 +177,20 @@ impl Work<'_> {
             self.sheet.note(text!("working-none-here"));
             return;
         }
-        let size = self.sheet.given(Symbol::from("F").of(&name), size, "N", text!("working-size-here"));
-        let force = self.sheet.components("F", &name, &[&size * &toward[0], &size * &toward[1]], "N");
+        let size = self.sheet.given(Symbol::from("F").of(name), size, "N", text!("working-size-here"));
+        let force = self.sheet.components("F", name, &[&size * &toward[0], &size * &toward[1]], "N");
         self.apply(link, force, at);
     }
 
-    fn moment(&mut self, id: usize, link: LinkId, value: f64) {
-        let symbol = Symbol::from("M").of(Text::from(&self.linkage.mechanism.moments[id].name));
+    fn moment(&mut self, name: &Text, link: LinkId, value: f64) {
+        let symbol = Symbol::from("M").of(name);
         let what = text!("working-on-link-here", link = self.sheet.body_name(link));
         let moment = self.sheet.given(symbol, value, "N·m", what);
         self.sheet.load(link, Load { force: None, moment, applied: true });
     }
 
-    fn spring(&mut self, id: usize) {
-        let spring = self.linkage.mechanism.springs[id].clone();
-        let name = Text::from(&spring.name);
-        let of = |letter: &'static str| Symbol::from(letter).of(&name);
+    fn spring(&mut self, name: &Text, spring: &Spring) {
+        let of = |letter: &'static str| Symbol::from(letter).of(name);
         let [p, q] = spring.ends.map(|Place { link, at }| self.sheet.point(link, at));
         let d = q.from(&p, 0);
         let length = self.sheet.work(of("L"), &(d[0].squared() + d[1].squared()).sqrt(), "m");
@@ -183,7 +200,7 @@ impl Work<'_> {
         }
         let stiffness = self.sheet.given(of("c"), spring.stiffness, "N/m", text!("working-stiffness"));
         let free = {
-            let symbol = Symbol::from("L").of(0).of(&name);
+            let symbol = Symbol::from("L").of(0).of(name);
             self.sheet.given(symbol, spring.length, "m", text!("working-free-length"))
         };
         let mut tension = stiffness * (&length - free);
@@ -196,7 +213,7 @@ impl Work<'_> {
         }
         let tension = self.sheet.work(of("T"), &tension, "N");
         let pull = [&tension * &d[0] / &length, &tension * &d[1] / &length];
-        let pull = self.sheet.components("F", &name, &pull, "N");
+        let pull = self.sheet.components("F", name, &pull, "N");
         let back = pull.each_ref().map(|part| -part);
         for (end, force, at) in [(spring.ends[0], pull, p), (spring.ends[1], back, q)] {
             if end.link != 0 {
@@ -206,11 +223,10 @@ impl Work<'_> {
     }
 
     /// K = N + R (-sin a, -cos a); F along (sin a, cos a), friction along (cos a, -sin a).
-    fn contact(&mut self, id: usize, found: Option<[f64; 2]>, wrench: &Wrench<f64>) {
+    fn contact(&mut self, name: &Text, contact: &Contact, found: Option<[f64; 2]>, wrench: &Wrench<f64>) {
         let [angle, friction] = found.unwrap_or_default();
-        let contact = self.linkage.mechanism.contacts[id].clone();
-        let (link, name) = (contact.center.link, Text::from(&contact.name));
-        let of = |letter: &'static str| Symbol::from(letter).of(&name);
+        let link = contact.center.link;
+        let of = |letter: &'static str| Symbol::from(letter).of(name);
         let center = self.sheet.point(link, contact.center.at);
         let a = self.sheet.fixed_angle(of("α"), angle, text!("working-where-the-force-acts"));
         let radius = self.sheet.given(of("R"), contact.radius, "m", text!("working-radius"));
@@ -223,7 +239,7 @@ impl Work<'_> {
         let along = [s + friction * c, c - friction * s];
         let size =
             (wrench.fx * along[0] + wrench.fy * along[1]) / (along[0] * along[0] + along[1] * along[1]);
-        let size = self.sheet.given(Symbol::from("F").of(&name), size, "N", text!("working-size-here"));
+        let size = self.sheet.given(Symbol::from("F").of(name), size, "N", text!("working-size-here"));
         let [xn, yn] = &center.pf[0];
         let place = [xn - &radius * a.sin(), yn - &radius * a.cos()];
         let k = of("K");
@@ -231,7 +247,7 @@ impl Work<'_> {
         let [first, second] = [1, 2].map(|order| self.sheet.under(link, &center, &place, order));
         let first = self.sheet.vector(&k, 1, &first);
         let force = [&size * (a.sin() + &f * a.cos()), &size * (a.cos() - &f * a.sin())];
-        let force = self.sheet.components("F", &name, &force, "N");
+        let force = self.sheet.components("F", name, &force, "N");
         self.apply(link, force, Point { name: k, pf: [place, first, second] });
     }
 }

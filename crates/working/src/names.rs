@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use assur_kinematics::Linkage;
-use assur_mechanism::{Balance, Mechanism, Name, Place};
+use assur_mechanism::{Balance, LoadKind, Mechanism, Name, Place};
 use assur_words::{Language, Text, joined, name, text};
 use assur_worksheet::{Names, Symbol};
 
@@ -19,7 +19,7 @@ pub(crate) fn of(linkage: &Linkage) -> Names {
         }
     }
     for (link, found) in mechanism.links.iter().enumerate().skip(1) {
-        if found.mass != 0.0 || found.inertia != 0.0 {
+        if found.is_heavy() {
             places.add(Place { link, at: found.center }, Symbol::from("S").of(letters(&found.name)));
         }
     }
@@ -71,16 +71,18 @@ impl Places {
     }
 
     fn loads(&mut self, mechanism: &Mechanism) {
-        for force in &mechanism.forces {
-            self.add(force.at, Symbol::from("K").of(letters(&force.name)));
-        }
-        for spring in &mechanism.springs {
-            for (number, end) in spring.ends.into_iter().enumerate() {
-                self.add(end, Symbol::from("E").of(number + 1).of(letters(&spring.name)));
+        for load in &mechanism.loads {
+            let name = || letters(&load.name);
+            match &load.kind {
+                LoadKind::Force(force) => self.add(force.at, Symbol::from("K").of(name())),
+                LoadKind::Spring(spring) => {
+                    for (number, end) in spring.ends.into_iter().enumerate() {
+                        self.add(end, Symbol::from("E").of(number + 1).of(name()));
+                    }
+                }
+                LoadKind::Contact(contact) => self.add(contact.center, Symbol::from("N").of(name())),
+                LoadKind::Moment(_) | LoadKind::Brake(_) => {}
             }
-        }
-        for contact in &mechanism.contacts {
-            self.add(contact.center, Symbol::from("N").of(letters(&contact.name)));
         }
         if let Some(Balance::Force { at, .. }) = mechanism.balance {
             self.add(at, Symbol::from("K").of(text!("working-balancing")));

@@ -1,4 +1,4 @@
-own-triad = a link with three inner pairs, and three links on outer bodies
+own-plates = two links with three inner pairs each, joined to each other, and four links on outer bodies
     .ways = the one near the places of [assembly]
-    .singular = with pins alone: the lines of the three outer links through one point, or parallel
+    .singular = the constraints of the pairs depend on each other
     .source = Newton's method on the constraints of the pairs

@@ -1,4 +1,4 @@
-//! The program `assur` with a group of class III more: `cargo run -- analyze stephenson2.toml`, `cargo run -- plugins`.
+//! The program `assur` with a group of class III more: `cargo run -- analyze eight-bar.toml`, `cargo run -- plugins`.
 
 use std::process::ExitCode;
 

@@ -25,6 +25,7 @@ assur_force::inventory::submit! {
         source: text!("force-groups.source"),
         instance: &Groups,
         gives_reactions: true,
+        treats_friction: false,
         by_groups: true,
         rank: 0,
     }

@@ -1,10 +1,9 @@
 //! The construction as L draws it: the pole, F resolved along KA and KP, the polygon that closes in P.
 
-use assur_force::{Construction, Drawing, Step, VectorKind};
+use assur_force::{Acting, Construction, Drawing, Step, VectorKind};
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
-use assur_mechanism::Value;
 use assur_words::{Text, joined, name, quantity, text};
 
 use crate::deliver::{at_a, at_b};
@@ -35,27 +34,13 @@ impl Scene {
         layout: &Layout,
         linkage: &Linkage,
         bodies: &[Body<f64>],
-        loads: &[Wrench<f64>],
+        (acting, loads): (&[Acting], &[Wrench<f64>]),
     ) -> Self {
         let mechanism = &linkage.mechanism;
         let link = |link: usize| Text::from(&mechanism.links[link].name);
         let pair = |id: usize| Text::from(linkage.structure.pair_name(mechanism, id));
-        let forces = mechanism.forces.iter().filter(|force| force.at.link == layout.coupler);
-        let mut places: Vec<_> = forces.map(|force| bodies[layout.coupler].point(force.at.at)).collect();
-        for contact in mechanism.contacts.iter().filter(|contact| contact.center.link == layout.coupler) {
-            let center = bodies[layout.coupler].point(contact.center.at);
-            // Of a coupler without other loads; where there are others, the place lies on no line of action and is not taken, nor is
-            // that of the other sense of a friction against the sliding.
-            let [fx, fy] = loads[layout.coupler].force();
-            for friction in [contact.friction, -contact.friction] {
-                let angle = match contact.angle {
-                    Value::Constant(angle) => angle,
-                    _ => fx.atan2(fy) - friction.atan(),
-                };
-                let (s, c) = angle.sin_cos();
-                places.push(plus(center, [-contact.radius * s, -contact.radius * c]));
-            }
-        }
+        let own = acting.iter().filter(|load| load.link == layout.coupler);
+        let mut places: Vec<_> = own.filter_map(|load| load.at).collect();
         places.push(bodies[layout.coupler].point(mechanism.links[layout.coupler].center));
         places.push(bodies[layout.coupler].point(layout.b.own));
         let end = match layout.end {
@@ -109,7 +94,7 @@ fn push<const N: usize>(
 ) {
     let unit = if matches!(kind, VectorKind::Point | VectorKind::Line) { "m" } else { "N" };
     draft.extend(steps.map(|(symbol, start, vector, note)| Step {
-        name: name(symbol),
+        name: lettered(symbol),
         kind,
         drawing,
         start,
@@ -117,6 +102,15 @@ fn push<const N: usize>(
         unit,
         note,
     }));
+}
+
+/// The symbol of a step; some have letters of their own in each language.
+fn lettered(symbol: &'static str) -> Text {
+    match symbol {
+        "Fb" => text!("force-longitudinal-fb"),
+        "FA across" => text!("force-longitudinal-across"),
+        _ => name(symbol),
+    }
 }
 
 /// All steps in order.
@@ -222,12 +216,12 @@ fn resolution(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, found: &Unknow
     let through_pole = text!("force-longitudinal-part-pole");
     let moved = text!("force-longitudinal-part-moved", point = &scene.a);
     let cancelled = text!("force-longitudinal-part-across");
-    let parts =
-        [("F(KP)", k, part_p, through_pole), ("F(KA)", at.a, part_a, moved), ("", at.a, across, cancelled)];
+    let parts = [
+        ("FP", k, part_p, through_pole),
+        ("FA", at.a, part_a, moved),
+        ("FA across", at.a, across, cancelled),
+    ];
     push(draft, (Drawing::Mechanism, VectorKind::Part), parts);
-    if let Some(last) = draft.last_mut() {
-        last.name = text!("force-longitudinal-across");
-    }
     let what = if couple == 0.0 {
         text!("force-longitudinal-balancing", point = &scene.a)
     } else {

@@ -27,8 +27,9 @@ mod layout;
 mod published;
 mod setting;
 mod stable;
+mod working;
 
-use assur_force::{AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions};
+use assur_force::{Acting, AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions};
 use assur_group::{GroupError, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_words::{Text, text};
@@ -46,6 +47,7 @@ assur_force::inventory::submit! {
         source: text!("force-longitudinal.source"),
         instance: &Longitudinal { form: Form::Stable },
         gives_reactions: true,
+        treats_friction: false,
         by_groups: false,
         rank: 2,
     }
@@ -59,6 +61,7 @@ assur_force::inventory::submit! {
         source: text!("force-longitudinal.source"),
         instance: &Longitudinal { form: Form::Published },
         gives_reactions: true,
+        treats_friction: false,
         by_groups: false,
         rank: 3,
     }
@@ -139,10 +142,11 @@ impl ForceAnalyzer for Longitudinal {
         &self,
         linkage: &Linkage,
         position: &Position,
-        loads: &[Wrench<f64>],
+        loads: &[Acting],
     ) -> Result<Option<Construction>, ForceError> {
-        let (layout, setting, unknowns) = self.solved(linkage, position, loads)?;
-        let scene = drawing::Scene::of(&layout, linkage, &position.bodies, loads);
+        let wrenches = Acting::total(loads, position.bodies.len());
+        let (layout, setting, unknowns) = self.solved(linkage, position, &wrenches)?;
+        let scene = drawing::Scene::of(&layout, linkage, &position.bodies, (loads, &wrenches));
         Ok(Some(drawing::draw(&scene, &setting, &unknowns)))
     }
 

@@ -3,8 +3,10 @@
 mod agreement;
 mod construction;
 mod press;
+mod presses;
 mod print;
 mod refusals;
+mod working;
 
 use assur_force::{ForceAnalyzer, ForceError, Loads, Reactions, State};
 use assur_group::Order;

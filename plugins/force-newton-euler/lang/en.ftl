@@ -1,3 +1,4 @@
 force-newton-euler = one linear system for all links: every reaction and the balancing load, without groups
     .source = equilibrium of each link with its inertia loads (d'Alembert); sparse elimination with partial pivoting
 force-newton-euler-unbalanced = { $equations } equations of equilibrium for { $unknowns } unknown reactions
+force-newton-euler-all = the mechanism

@@ -6,6 +6,7 @@
 //! uses them.
 
 mod elimination;
+mod friction;
 mod system;
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions};
@@ -14,6 +15,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_mechanism::PairId;
 use assur_words::{Text, text};
 
+use friction::{Frictional, add_to_pairs};
 use system::{Solution, System};
 
 assur_words::resources!();
@@ -26,6 +28,7 @@ assur_force::inventory::submit! {
         source: text!("force-newton-euler.source"),
         instance: &NewtonEuler,
         gives_reactions: true,
+        treats_friction: true,
         by_groups: false,
         rank: 1,
     }
@@ -54,11 +57,25 @@ impl ForceAnalyzer for NewtonEuler {
     ) -> Result<(), ForceError> {
         let system = System::of(&linkage.mechanism, linkage.structure.scale);
         let coordinate = position.coordinate;
-        let solution = system
-            .solve(&position.bodies, loads)
-            .map_err(|health| ForceError::Singular { coordinate, health })?;
-        out.balancing = solution.balancing;
-        to_pairs(linkage, &system, &solution, &mut out.pairs);
+        let singular = |health| ForceError::Singular { coordinate, health };
+        let put = |solution: &Solution, out: &mut Reactions| {
+            out.balancing = solution.balancing;
+            to_pairs(linkage, &system, solution, &mut out.pairs);
+        };
+        let Some(mut rubbing) = out.rubbing.take() else {
+            put(&system.solve(&position.bodies, loads, &[]).map_err(singular)?, out);
+            return Ok(());
+        };
+        let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
+        let frictional = Frictional { system: &system, mechanism, bodies };
+        let found = frictional.solve(loads, &mut rubbing, put, out);
+        if matches!(found, Ok(true)) {
+            add_to_pairs(mechanism, bodies, &rubbing, &mut out.pairs);
+        }
+        out.rubbing = Some(rubbing);
+        if !found.map_err(singular)? {
+            return Err(ForceError::Jammed { what: text!("force-newton-euler-all"), coordinate });
+        }
         Ok(())
     }
 }

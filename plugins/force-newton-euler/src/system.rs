@@ -39,7 +39,7 @@ pub(crate) struct System<'a> {
 }
 
 /// The solution for pins and slides.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Solution {
     columns: Vec<f64>,
     pub(crate) slides: Vec<Wrench<f64>>,
@@ -71,17 +71,23 @@ impl<'a> System<'a> {
         (3 * (self.mechanism.links.len() - 1), 2 * self.unknowns.len() + 1)
     }
 
-    /// Solves for all reactions and the balancing load.
+    /// Solves for all reactions and the balancing load; `shifts`: for each slide, the moment on the sliding link that its friction
+    /// adds by unit of normal force (none where the list is empty).
     ///
     /// # Errors
     ///
     /// The ratio of least to greatest pivot of a system that can't be solved.
-    pub(crate) fn solve(&self, bodies: &[Body<f64>], loads: &[Wrench<f64>]) -> Result<Solution, f64> {
+    pub(crate) fn solve(
+        &self,
+        bodies: &[Body<f64>],
+        loads: &[Wrench<f64>],
+        shifts: &[f64],
+    ) -> Result<Solution, f64> {
         let (rows, columns) = self.size();
         if rows != columns {
             return Err(0.0);
         }
-        let (solved, health) = elimination::solve(self.equations(bodies, loads));
+        let (solved, health) = elimination::solve(self.equations(bodies, loads, shifts));
         if health.is_nan() || health < LEAST_HEALTH {
             return Err(health);
         }
@@ -89,11 +95,11 @@ impl<'a> System<'a> {
     }
 
     /// The equations of all moving links, three of each.
-    fn equations(&self, bodies: &[Body<f64>], loads: &[Wrench<f64>]) -> Vec<Row> {
+    fn equations(&self, bodies: &[Body<f64>], loads: &[Wrench<f64>], shifts: &[f64]) -> Vec<Row> {
         let (rows, columns) = self.size();
         let mut equations: Vec<Row> = (0..rows).map(|_| Row::with_capacity(ENTRIES)).collect();
         for (k, unknown) in self.unknowns.iter().enumerate() {
-            self.fill(&mut equations, [2 * k, 2 * k + 1], *unknown, bodies);
+            self.fill(&mut equations, [2 * k, 2 * k + 1], *unknown, bodies, shifts);
         }
         self.fill_balance(&mut equations, columns - 1, bodies);
         let right_sides = loads.iter().skip(1).flat_map(|load| [-load.fx, -load.fy, -load.m / self.scale]);
@@ -102,7 +108,14 @@ impl<'a> System<'a> {
     }
 
     /// The effect of an unknown on every moving link.
-    fn fill(&self, rows: &mut [Row], columns: [usize; 2], unknown: Unknown, bodies: &[Body<f64>]) {
+    fn fill(
+        &self,
+        rows: &mut [Row],
+        columns: [usize; 2],
+        unknown: Unknown,
+        bodies: &[Body<f64>],
+        shifts: &[f64],
+    ) {
         let units = [[1.0, 0.0], [0.0, 1.0]];
         match unknown {
             Unknown::Member(pin, member) => {
@@ -120,8 +133,9 @@ impl<'a> System<'a> {
                 let normal = self.normal(id, bodies);
                 let arm = link.arm(slide.point);
                 let arm_on = [link.x + arm[0] - on.x, link.y + arm[1] - on.y];
-                self.add(rows, columns[0], slide.link, (arm, normal, 0.0));
-                self.add(rows, columns[0], slide.on, (arm_on, normal.map(|n| -n), 0.0));
+                let shift = shifts.get(id).copied().unwrap_or(0.0);
+                self.add(rows, columns[0], slide.link, (arm, normal, shift));
+                self.add(rows, columns[0], slide.on, (arm_on, normal.map(|n| -n), -shift));
                 // The unknown moment is M / scale, in N.
                 self.add(rows, columns[1], slide.link, (arm, [0.0, 0.0], self.scale));
                 self.add(rows, columns[1], slide.on, (arm_on, [0.0, 0.0], -self.scale));
@@ -201,6 +215,20 @@ impl<'a> System<'a> {
             sum = [sum[0] - force[0], sum[1] - force[1]];
         }
         sum
+    }
+}
+
+impl Solution {
+    /// This solution and a multiple of another.
+    pub(crate) fn plus(mut self, factor: f64, other: &Self) -> Self {
+        self.columns.iter_mut().zip(&other.columns).for_each(|(own, other)| *own += factor * other);
+        for (own, other) in self.slides.iter_mut().zip(&other.slides) {
+            own.fx += factor * other.fx;
+            own.fy += factor * other.fy;
+            own.m += factor * other.m;
+        }
+        self.balancing += factor * other.balancing;
+        self
     }
 }
 

@@ -6,7 +6,7 @@ use assur_force::{ForceAnalyzer, Loads, Reactions, State, joints, power};
 use assur_force_groups::Groups;
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{Balance, Direction, Force, Mechanism, Place, Value};
+use assur_mechanism::{Balance, Direction, Force, Load, Mechanism, Place, Value};
 use proptest::prelude::*;
 
 use crate::NewtonEuler;
@@ -44,17 +44,15 @@ fn shaken(name: &str, dice: &mut Dice) -> Mechanism {
         slide.through[1] += 0.002 * dice.next();
     }
     for link in mechanism.links.iter_mut().skip(1) {
-        (link.mass, link.inertia, link.center) = (1.0 + dice.next(), 1.0 + dice.next(), dice.pair());
+        (link.mass, link.inertia, link.center) = (1.0 + dice.next(), (1.0 + dice.next()).into(), dice.pair());
     }
     mechanism.gravity = Some([dice.next(), -9.81]);
-    mechanism.forces.clear();
+    mechanism.loads.clear();
     for link in 1..mechanism.links.len() {
-        mechanism.forces.push(Force {
-            name: format!("force {link}").into(),
-            at: Place { link, at: dice.pair() },
-            direction: Direction::Ground(3.0 * dice.next()),
-            value: Value::Constant(100.0 * dice.next()),
-        });
+        let at = Place { link, at: dice.pair() };
+        let direction = Direction::Ground(3.0 * dice.next());
+        let value = Value::Constant(100.0 * dice.next());
+        mechanism.loads.push(Load::new(format!("force {link}"), Force { at, direction, value }));
     }
     mechanism
 }

@@ -1,13 +1,12 @@
 force-virtual-power = уравновешивающая нагрузка по мощностям всех нагрузок (рычаг Жуковского); без реакций
     .source = принцип возможных мощностей; рычаг Жуковского
-force-lever-title = Рычаг Жуковского: план скоростей для dq = 1, повёрнутый на прямой угол по часовой стрелке
-force-lever-loads = нагрузки звена `{ $link }`
+force-lever-title = Рычаг Жуковского: план скоростей для dq = 1, повёрнутый по часовой стрелке
 force-lever-image = скорость точки { $point } для dq = 1, повёрнутая
-force-lever-on-line = { $what }, в образе точки их линии действия
-force-lever-first = момент { $couple } ({ $what }), первая из двух сил на расстоянии 1 м
-force-lever-second = момент { $couple } ({ $what }), вторая из двух сил на расстоянии 1 м
-force-lever-couple = { $name } пара { $number }
-force-lever-balance = уравновешивание
+force-lever-contact = скорость точки контакта ({ $what }) для dq = 1, повёрнутая
+force-lever-link = звено `{ $link }` между изображениями его точек
+force-lever-at = { $what }, в изображении точки приложения
+force-lever-couple = момент { $couple } ({ $what }) парой сил поперёк линии двух точек звена: сила в точке { $point }; в неподвижной точке её нет
+force-lever-balance = Fур
 force-lever-balancing-load = уравновешивающая нагрузка на входном звене
 force-lever-balancing-force = уравновешивающая сила
 force-lever-balancing-moment = уравновешивающий момент

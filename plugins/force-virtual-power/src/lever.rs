@@ -1,35 +1,23 @@
 //! The turned velocity plan with the forces on it.
 
-use assur_force::{Construction, Drawing, Step, UnitBalance, VectorKind};
-use assur_group::plane::{opposite, perp, scaled};
-use assur_group::{Body, Wrench};
+use assur_force::{Acting, Construction, Drawing, Step, UnitBalance, VectorKind};
+use assur_group::Body;
+use assur_group::plane::{minus, opposite, perp, scaled};
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{Balance, InputPair};
-use assur_words::{Text, name, quantity, text};
+use assur_mechanism::{Balance, GROUND, InputPair, LinkId};
+use assur_words::{Text, joined, name, quantity, text};
 
-/// A moment is shown as the arm of the force on its link up to this many typical lengths.
-const FAR: f64 = 1e2;
-
-/// The lever: images of the points turned clockwise by a right angle, then each link's load in the image of its point.
-pub(crate) fn draw(
-    linkage: &Linkage,
-    position: &Position,
-    loads: &[Wrench<f64>],
-    balancing: f64,
-) -> Construction {
-    let mut steps = images(linkage, position);
-    for (link, load) in loads.iter().enumerate().skip(1) {
-        let of = &linkage.mechanism.links[link].name;
-        let words = [name(format!("F({of})")), text!("force-lever-loads", link = of)];
-        steps.extend(on_lever(linkage, &position.bodies[link], load, VectorKind::Load, words));
+/// The lever: images of the points turned clockwise by a right angle, then each load in the image of the point where it acts.
+pub(crate) fn draw(linkage: &Linkage, position: &Position, loads: &[Acting], balancing: f64) -> Construction {
+    let lever = Lever { linkage, bodies: &position.bodies };
+    let mut steps = lever.images(position);
+    for (number, load) in loads.iter().enumerate() {
+        let what = Text::from(load.cause.name(&linkage.mechanism));
+        let symbol = name(format!("F{}", number + 1));
+        steps.extend(lever.load(load, VectorKind::Load, &symbol, &what));
     }
-    steps.extend(balance(linkage, position, balancing));
-    let title = text!("force-lever-title");
-    Construction { title, corner: [0.0; 2], steps }
-}
-
-fn unit(linkage: &Linkage) -> &'static str {
-    if linkage.angular() { "m/rad" } else { "m/m" }
+    steps.extend(lever.balance(balancing));
+    Construction { title: text!("force-lever-title"), corner: [0.0; 2], steps }
 }
 
 /// PF1 turned clockwise: the moment about the pole of a force there is its power.
@@ -37,82 +25,161 @@ fn turned(first: [f64; 2]) -> [f64; 2] {
     opposite(perp(first))
 }
 
-fn images(linkage: &Linkage, position: &Position) -> Vec<Step> {
-    let points = linkage.mechanism.points.iter().enumerate();
-    points
-        .map(|(id, point)| Step {
-            name: Text::from(&point.name),
-            kind: VectorKind::Absolute,
-            drawing: Drawing::Lever,
-            start: [0.0; 2],
-            vector: turned(linkage.point_motion(id, position).pf1),
-            unit: unit(linkage),
-            note: text!("force-lever-image", point = &point.name),
-        })
-        .collect()
+fn force(name: Text, kind: VectorKind, start: [f64; 2], vector: [f64; 2], note: Text) -> Step {
+    Step { name, kind, drawing: Drawing::Lever, start, vector, unit: "N", note }
 }
 
-/// The load of a link as a force in the image of a point of its line of action, or as a couple if there is no such
-/// point.
-fn on_lever(
-    linkage: &Linkage,
-    body: &Body<f64>,
-    load: &Wrench<f64>,
-    kind: VectorKind,
-    [name, what]: [Text; 2],
-) -> Vec<Step> {
-    let force = load.force();
-    let square = force[0] * force[0] + force[1] * force[1];
-    let (mut arm, mut couple) = ([0.0; 2], load.m);
-    if load.m.abs() <= FAR * linkage.structure.scale * square.sqrt() && square > 0.0 {
-        (arm, couple) = (scaled(-load.m / square, perp(force)), 0.0);
-    }
-    let step = |name: Text, start, vector, note| Step {
-        name,
-        kind,
-        drawing: Drawing::Lever,
-        start,
-        vector,
-        unit: "N",
-        note,
-    };
-    let mut steps = Vec::new();
-    if square > 0.0 {
-        let note = text!("force-lever-on-line", what = &what);
-        steps.push(step(name.clone(), turned(body.first(arm)), force, note));
-    }
-    if couple != 0.0 && body.w1 != 0.0 {
-        // A couple of two forces across a unit vector of the link: their images are w1 apart.
-        let [start, end] = [[0.0; 2], [1.0, 0.0]].map(|arm| turned(body.first(arm)));
-        let moment = quantity(format_args!("{couple:.6e}"), "N m");
-        let named = |number: usize| text!("force-lever-couple", name = &name, number = number);
-        let note = text!("force-lever-first", couple = &moment, what = &what);
-        steps.push(step(named(1), start, [0.0, -couple], note));
-        let note = text!("force-lever-second", couple = moment, what = what);
-        steps.push(step(named(2), end, [0.0, couple], note));
-    }
-    steps
+struct Lever<'a> {
+    linkage: &'a Linkage,
+    bodies: &'a [Body<f64>],
 }
 
-/// The balancing load where it acts.
-fn balance(linkage: &Linkage, position: &Position, size: f64) -> Vec<Step> {
-    let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
-    let kind = VectorKind::Balancing;
-    let Some(unit) = UnitBalance::of(mechanism) else {
-        let body = &bodies[mechanism.input.link];
-        let load = match mechanism.input.pair {
-            InputPair::Pin(_) => Wrench { fx: 0.0, fy: 0.0, m: size },
-            // The origin of a sliding input moves by the unit vector along the coordinate.
-            InputPair::Slide(_) => Wrench { fx: size * body.x1, fy: size * body.y1, m: 0.0 },
+impl Lever<'_> {
+    /// The image of a point of a link, which is at a place of the ground.
+    fn image(&self, link: LinkId, at: [f64; 2]) -> [f64; 2] {
+        let body = &self.bodies[link];
+        turned(body.first(minus(at, [body.x, body.y])))
+    }
+
+    /// The velocity of a point for dq = 1, turned, from the pole.
+    fn image_step(&self, name: Text, vector: [f64; 2], note: Text) -> Step {
+        let unit = if self.linkage.angular() { "m/rad" } else { "m/m" };
+        let (kind, drawing, start) = (VectorKind::Absolute, Drawing::Lever, [0.0; 2]);
+        Step { name, kind, drawing, start, vector, unit, note }
+    }
+
+    /// The images of the points from the pole, and each link between the images of its points.
+    fn images(&self, position: &Position) -> Vec<Step> {
+        let mechanism = &self.linkage.mechanism;
+        let moving = mechanism
+            .points
+            .iter()
+            .enumerate()
+            .filter(|(_, point)| point.places.iter().all(|place| place.link != GROUND));
+        let mut steps: Vec<Step> = moving
+            .map(|(id, point)| {
+                let image = turned(self.linkage.point_motion(id, position).pf1);
+                let letter = name(point.name.to_lowercase());
+                let note = text!("force-lever-image", point = &point.name);
+                self.image_step(letter, image, note)
+            })
+            .collect();
+        for link in 1..mechanism.links.len() {
+            let places = self.places(link);
+            for (from, to) in
+                places.iter().zip(places.iter().skip(1)).filter(|(one, two)| !one.rests && !two.rests)
+            {
+                let [start, end] = [from, to].map(|place| self.image(link, place.at));
+                let note = text!("force-lever-link", link = &mechanism.links[link].name);
+                let letters = joined("", [from, to].map(|place| name(place.name.to_lowercase())));
+                let line = Step {
+                    kind: VectorKind::Line,
+                    start,
+                    ..self.image_step(letters, minus(end, start), note)
+                };
+                steps.push(line);
+            }
+        }
+        steps
+    }
+
+    /// The named points of a link.
+    fn places(&self, link: LinkId) -> Vec<Named<'_>> {
+        let points = self.linkage.mechanism.points.iter();
+        let own = points.filter_map(|point| {
+            let place = point.places.iter().find(|place| place.link == link)?;
+            let rests = point.places.iter().any(|place| place.link == GROUND);
+            Some(Named { name: &point.name, at: self.bodies[link].point(place.at), rests })
+        });
+        own.collect()
+    }
+
+    /// A load in the image of the point where it acts, and its moment as a couple.
+    fn load(&self, load: &Acting, kind: VectorKind, symbol: &Text, what: &Text) -> Vec<Step> {
+        let (force_of, couple) = (load.wrench.force(), load.couple(self.bodies));
+        let mut steps = Vec::new();
+        if let Some(at) = load.at.filter(|_| force_of != [0.0, 0.0]) {
+            if load.parts(&self.linkage.mechanism, self.bodies).is_some() {
+                steps.push(self.image_step(
+                    name("k"),
+                    self.image(load.link, at),
+                    text!("force-lever-contact", what = what),
+                ));
+            }
+            let note = text!("force-lever-at", what = what);
+            steps.push(force(symbol.clone(), kind, self.image(load.link, at), force_of, note));
+        }
+        // What is left of the moment of a force about its own point is rounding.
+        let size = self.linkage.structure.scale * force_of[0].hypot(force_of[1]);
+        if couple.abs() > 1e-12 * size {
+            steps.extend(self.couple(load.link, couple, kind, symbol, what));
+        }
+        steps
+    }
+
+    /// A moment on a link as two opposite forces across the line of two of its points. One in a point at rest has no moment about
+    /// the pole and is not drawn: a moment on the crank is a force across it at its pin.
+    fn couple(&self, link: LinkId, moment: f64, kind: VectorKind, symbol: &Text, what: &Text) -> Vec<Step> {
+        let body = &self.bodies[link];
+        let places = self.places(link);
+        let far = |from: &Named<'_>, to: &Named<'_>| (to.at[0] - from.at[0]).hypot(to.at[1] - from.at[1]);
+        let from = places.iter().find(|place| place.rests).or(places.first());
+        let to = from.and_then(|from| places.iter().max_by(|a, b| far(from, a).total_cmp(&far(from, b))));
+        // A link without two points has an arm of 1 m.
+        let ends = from.zip(to).filter(|(from, to)| far(from, to) > 0.0);
+        let origin = [body.x, body.y];
+        let [(at_from, rests), (at_to, _)] = match ends {
+            Some((from, to)) => [(from.at, from.rests), (to.at, to.rests)],
+            None => [(origin, false), ([origin[0] + 1.0, origin[1]], false)],
         };
-        let words = [text!("force-lever-balance"), text!("force-lever-balancing-load")];
-        return on_lever(linkage, body, &load, kind, words);
-    };
-    let Wrench { fx, fy, m } = unit.wrench(bodies);
-    let load = Wrench { fx: size * fx, fy: size * fy, m: size * m };
-    let what = match mechanism.balance {
-        Some(Balance::Force { .. }) => text!("force-lever-balancing-force"),
-        _ => text!("force-lever-balancing-moment"),
-    };
-    on_lever(linkage, &bodies[unit.link], &load, kind, [text!("force-lever-balance"), what])
+        let arm = minus(at_to, at_from);
+        let across = scaled(moment / (arm[0] * arm[0] + arm[1] * arm[1]), perp(arm));
+        let told = quantity(format_args!("{moment:.6e}"), "N m");
+        let at = |end: Option<&Named<'_>>| end.map_or_else(Text::default, |end| Text::from(end.name));
+        let step = |place: [f64; 2], vector, end: Text, symbol: Text| {
+            let note = text!("force-lever-couple", couple = &told, what = what, point = end);
+            force(symbol, kind, self.image(link, place), vector, note)
+        };
+        let mut steps = vec![step(at_to, across, at(ends.map(|(_, to)| to)), symbol.clone())];
+        if !rests {
+            let second = joined("", [symbol.clone(), name("′")]);
+            steps.push(step(at_from, opposite(across), at(ends.map(|(from, _)| from)), second));
+        }
+        steps
+    }
+
+    /// The balancing load where it acts; a moment on the crank as a force at its pin.
+    fn balance(&self, size: f64) -> Vec<Step> {
+        let (mechanism, bodies) = (&self.linkage.mechanism, self.bodies);
+        let (kind, symbol) = (VectorKind::Balancing, text!("force-lever-balance"));
+        let on_input = text!("force-lever-balancing-load");
+        let input = mechanism.input.link;
+        match (UnitBalance::of(mechanism), mechanism.balance, mechanism.input.pair) {
+            (Some(unit), Some(Balance::Force { at, .. }), _) => {
+                let vector = scaled(size, unit.wrench(bodies).force());
+                let image = self.image(at.link, bodies[at.link].point(at.at));
+                vec![force(symbol, kind, image, vector, text!("force-lever-balancing-force"))]
+            }
+            (Some(unit), ..) => {
+                let what = text!("force-lever-balancing-moment");
+                self.couple(unit.link, size * unit.wrench(bodies).m, kind, &symbol, &what)
+            }
+            (None, _, InputPair::Pin(_)) => self.couple(input, size, kind, &symbol, &on_input),
+            (None, _, InputPair::Slide(_)) => {
+                // The origin of a sliding input moves by the unit vector along the coordinate.
+                let body = &bodies[input];
+                let vector = scaled(size, [body.x1, body.y1]);
+                vec![force(symbol, kind, self.image(input, [body.x, body.y]), vector, on_input)]
+            }
+        }
+    }
+}
+
+/// A named point of a link.
+struct Named<'a> {
+    name: &'a assur_mechanism::Name,
+    /// Its place in the ground's frame, m.
+    at: [f64; 2],
+    /// Whether it is a point of the ground.
+    rests: bool,
 }

@@ -10,7 +10,9 @@
 
 mod lever;
 
-use assur_force::{AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions, UnitBalance, power};
+use assur_force::{
+    Acting, AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions, UnitBalance, power,
+};
 use assur_group::Wrench;
 use assur_kinematics::{Linkage, Position};
 use assur_words::{Text, text};
@@ -25,6 +27,7 @@ assur_force::inventory::submit! {
         source: text!("force-virtual-power.source"),
         instance: &VirtualPower,
         gives_reactions: false,
+        treats_friction: false,
         by_groups: false,
         rank: 4,
     }
@@ -69,9 +72,10 @@ impl ForceAnalyzer for VirtualPower {
         &self,
         linkage: &Linkage,
         position: &Position,
-        loads: &[Wrench<f64>],
+        loads: &[Acting],
     ) -> Result<Option<Construction>, ForceError> {
-        let balancing = balancing(linkage, position, loads, UnitBalance::of(&linkage.mechanism))?;
+        let wrenches = Acting::total(loads, position.bodies.len());
+        let balancing = balancing(linkage, position, &wrenches, UnitBalance::of(&linkage.mechanism))?;
         Ok(Some(lever::draw(linkage, position, loads, balancing)))
     }
 }

@@ -1,4 +1,4 @@
-use assur_force::{Drawing, ForceAnalyzer, Loads, Reactions, State, VectorKind, find};
+use assur_force::{Construction, Drawing, ForceAnalyzer, Loads, Reactions, State, find};
 use assur_force_newton_euler::NewtonEuler;
 use assur_group::plane::cross;
 use assur_group::{Order, Wrench};
@@ -57,11 +57,18 @@ fn agrees_with_newton_euler_on_fixtures() {
     }
 }
 
+/// The lever at a coordinate, under all loads with inertia.
+fn lever(linkage: &Linkage, coordinate: f64) -> Construction {
+    let (position, _) = loaded(linkage, coordinate);
+    let state = State { speed: 3.0, acceleration: 2.0, ..State::prescribed(&linkage.mechanism, coordinate) };
+    let loads = Loads::compile(linkage).unwrap().acting(&state, &position.bodies);
+    VirtualPower.construction(linkage, &position, &loads).unwrap().unwrap()
+}
+
 /// Sum of the moments about the pole of the lever, and of their sizes.
-fn moments(linkage: &Linkage, position: &Position, loads: &[Wrench<f64>]) -> (f64, f64) {
-    let drawn = VirtualPower.construction(linkage, position, loads).unwrap().unwrap();
-    let forces =
-        drawn.steps.iter().filter(|step| step.drawing == Drawing::Lever && step.kind != VectorKind::Absolute);
+fn moments(linkage: &Linkage, coordinate: f64) -> (f64, f64) {
+    let drawn = lever(linkage, coordinate);
+    let forces = drawn.steps.iter().filter(|step| step.unit == "N");
     let moments: Vec<f64> = forces.map(|step| cross(step.start, step.vector)).collect();
     (moments.iter().sum(), moments.iter().map(|m| m.abs()).sum())
 }
@@ -71,8 +78,7 @@ fn the_lever_is_in_equilibrium() {
     for name in SCENES {
         let linkage = compile(name);
         for index in 0..linkage.mechanism.input.positions {
-            let (position, loads) = loaded(&linkage, linkage.mechanism.input.coordinate(index));
-            let (sum, size) = moments(&linkage, &position, &loads);
+            let (sum, size) = moments(&linkage, linkage.mechanism.input.coordinate(index));
             assert!(sum.abs() <= 1e-12 * size, "{name} {index}: {sum} of {size}");
         }
     }
@@ -94,7 +100,7 @@ fn random_mechanisms_balance_and_agree() {
         let greatest =
             out.pairs.iter().fold(out.balancing.abs(), |g, pair| g.max(pair.fx.abs()).max(pair.fy.abs()));
         assert!((lever.balancing - out.balancing).abs() < 1e-9 * greatest, "{seed}");
-        let (sum, size) = moments(&linkage, &position, &loads);
+        let (sum, size) = moments(&linkage, linkage.mechanism.input.coordinate(0));
         assert!(sum.abs() <= 1e-10 * size, "{seed}: {sum} of {size}");
         compared += 1;
     }
@@ -105,14 +111,40 @@ fn random_mechanisms_balance_and_agree() {
 fn images_are_velocities_turned_clockwise() {
     // A crank of 60 mm pointing up: A moves to the left with 0.06 m/rad; turned clockwise, its image lies upward.
     let linkage = compile("slider-crank");
-    let (position, loads) = loaded(&linkage, std::f64::consts::FRAC_PI_2);
-    let drawn = VirtualPower.construction(&linkage, &position, &loads).unwrap().unwrap();
-    let image = drawn.step(Drawing::Lever, "A").unwrap();
+    let drawn = lever(&linkage, std::f64::consts::FRAC_PI_2);
+    let image = drawn.step(Drawing::Lever, "a").unwrap();
     assert!(image.vector[0].abs() < 1e-16 && (image.vector[1] - 0.06).abs() < 1e-16);
     assert_eq!((image.unit, image.note.to_string().as_str()), ("m/rad", "velocity of A for dq = 1, turned"));
-    assert_eq!(
-        drawn.title.to_string(),
-        "Zhukovsky's lever: velocity plan for dq = 1, turned by a right angle clockwise"
+    assert_eq!(drawn.title.to_string(), "Zhukovsky's lever: velocity plan for dq = 1, turned clockwise");
+}
+
+/// L: the lever of the press is balanced by a force across the crank at A, the balancing moment over the crank; the force of
+/// the contact acts in the image of K, and no force is drawn in a point at rest.
+#[test]
+fn the_lever_of_the_press_is_balanced_by_a_force_at_a() {
+    let linkage = compile("press");
+    let coordinate = linkage.mechanism.input.coordinate(16);
+    let (position, loads) = loaded(&linkage, coordinate);
+    let moment = solve(&NewtonEuler, &linkage, &position, &loads).balancing;
+    let drawn = lever(&linkage, coordinate);
+    let forces: Vec<_> = drawn.steps.iter().filter(|step| step.unit == "N").collect();
+    assert_eq!(forces.len(), 2, "{forces:?}");
+    let (a, balance) = (drawn.step(Drawing::Lever, "a").unwrap(), drawn.step(Drawing::Lever, "Fb").unwrap());
+    assert!((0..2).all(|i| (balance.start[i] - a.vector[i]).abs() < 1e-15), "{balance:?} {a:?}");
+    let [sin, cos] = [coordinate.sin(), coordinate.cos()];
+    let along = balance.vector[0] * cos + balance.vector[1] * sin;
+    let across = balance.vector[1] * cos - balance.vector[0] * sin;
+    assert!(along.abs() < 1e-9 && (across - moment / 0.04).abs() < 1e-9, "{balance:?} {moment}");
+    // K of the rod: 4 degrees from below the center of the arc.
+    let rod = &position.bodies[linkage.mechanism.link("rod").unwrap()];
+    let (s, c) = 4.0_f64.to_radians().sin_cos();
+    let center = rod.arm([-0.64, 0.0]);
+    let first = rod.first([center[0] - 0.75 * s, center[1] - 0.75 * c]);
+    let image = drawn.step(Drawing::Lever, "k").unwrap().vector;
+    assert!((0..2).all(|i| (image[i] - forces[0].start[i]).abs() < 1e-15), "{image:?} {forces:?}");
+    assert!(
+        (image[0] - first[1]).abs() < 1e-15 && (image[1] + first[0]).abs() < 1e-15,
+        "{image:?} {first:?}"
     );
 }
 

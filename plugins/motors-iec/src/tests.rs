@@ -88,6 +88,7 @@ fn lists_are_filtered() {
         catalogue: Some("delphi".to_owned()),
         min_power: Some(1000.0),
         max_power: Some(1600.0),
+        max_speed: None,
         poles: Some(4),
         designation: None,
     };

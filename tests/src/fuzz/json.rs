@@ -5,13 +5,17 @@ use std::fmt;
 
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
-/// Keys whose value is null where a check is not conclusive, or has no reason for that.
-const MAY_BE_NULL: [&str; 2] = ["ok", "why"];
+/// Keys whose value is null where a check is not conclusive, or has no reason for that; where a note is about no key; where a kind of
+/// groups can't list its modes, or one of them is singular; where a position without a solution has no limit, or an efficiency is undetermined.
+const MAY_BE_NULL: [&str; 9] =
+    ["ok", "why", "key", "way", "ways", "modes", "condition", "limit", "efficiency"];
 
 /// Reads a value and keeps nothing of it.
 #[derive(Clone, Copy, Default)]
 struct Unique {
     may_be_null: bool,
+    /// Whether each value of the object may be: the works of pairs, where a position of the cycle has no solution.
+    each_may_be_null: bool,
 }
 
 impl<'de> DeserializeSeed<'de> for Unique {
@@ -61,7 +65,8 @@ impl<'de> Visitor<'de> for Unique {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
         let mut keys = BTreeSet::new();
         while let Some(key) = map.next_key::<String>()? {
-            map.next_value_seed(Self { may_be_null: MAY_BE_NULL.contains(&key.as_str()) })?;
+            let may_be_null = self.each_may_be_null || MAY_BE_NULL.contains(&key.as_str());
+            map.next_value_seed(Self { may_be_null, each_may_be_null: key == "friction_work" })?;
             if let Some(twice) = keys.replace(key) {
                 return Err(A::Error::custom(format!("the key `{twice}` stands twice")));
             }

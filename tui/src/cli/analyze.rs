@@ -2,11 +2,11 @@
 
 use std::io::{self, Write};
 
-use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, Table};
+use assur_analysis::{Calculation, Options};
 use assur_parquet as parquet;
 use assur_report::{csv, json, text as report};
-use assur_words::text;
+use assur_words::{Describe, Told, text};
 
 use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
@@ -21,7 +21,9 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let form = Form::of(args)?;
     let scene = &args.checked.scene;
     let output = Output::of(args.output.as_deref(), &scene.scene)?;
-    let study = scene::study(scene, style)?;
+    let options = scene::options(&scene.methods, false)?;
+    let session = scene::open(&scene.scene, style)?;
+    let study = scene::calculation(&session, &options, style)?;
     args.plans.refuse(args.format, &study)?;
     let line = ProgressLine::new(style.language);
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
@@ -29,8 +31,9 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     analysis.add_checks(checks.map_err(Fault::told)?);
     let count = study.linkage.mechanism.input.positions;
     let positions = plans::chosen(&args.positions, form == Form::Text, &analysis, count)?;
-    let added = args.plans.add(&study, scene, style, &mut analysis)?;
-    let verdict = Verdict::of(&analysis, &study, &scene.scene.as_path());
+    let whole = || scene::calculated(&session, &Options { whole: true, ..options }, style);
+    let added = args.plans.add(&study, whole, style, &mut analysis)?;
+    let verdict = Verdict::of(&analysis, &study, Some(&session));
     if !verdict.writable {
         verdict.tell(style);
         return Ok(verdict.status());
@@ -43,11 +46,11 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         Form::Parquet => results.parquet(output, status),
         Form::Text => {
             let report = report::report(&analysis, &study.linkage, positions.as_deref(), style.words());
-            output.write(report.map_err(Fault::other)? + &plans::text(&analysis, style), status)
+            output.write(report.map_err(Fault::told)? + &plans::text(&analysis, style), status)
         }
     };
     drop(line);
-    for note in &analysis.notes {
+    for note in analysis.notes.iter().filter(|note| !note.is_mistake()) {
         style.tell(text!("cli-note", note = note));
     }
     if form == Form::Parquet && !analysis.trajectory.is_empty() {
@@ -69,8 +72,9 @@ enum Form {
 impl Form {
     fn of(args: &AnalyzeArgs) -> Result<Self, Fault> {
         let ending = args.output.as_deref().and_then(|path| path.extension());
-        let parquet = ending.is_some_and(|ending| ending.eq_ignore_ascii_case("parquet"));
-        match (args.format, parquet) {
+        let ends_in = |form: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(form));
+        match (args.format, ends_in("parquet")) {
+            (Format::Text, false) if ends_in("json") => Ok(Self::Json),
             (Format::Text, true) => Ok(Self::Parquet),
             (_, true) => Err(Fault::Other(text!("cli-parquet-form"))),
             (Format::Csv, _) if args.output.is_none() => Err(Fault::Other(text!("cli-csv-folder"))),
@@ -97,12 +101,11 @@ impl Results<'_> {
         take: impl FnMut(T) -> io::Result<()>,
     ) -> io::Result<()> {
         let done = self.study.each_block(self.analysis, &mut self.line.watch(), work, take);
-        done.map_err(io::Error::other)?
+        done.map_err(other)?
     }
 
     fn json(&self, output: Output<'_>, status: Status) -> Result<(), Fault> {
-        let around =
-            json::analysis::Around::of(self.analysis, self.style.ascii_data).map_err(Fault::other)?;
+        let around = json::analysis::Around::of(self.analysis, self.style.ascii_data).map_err(Fault::told)?;
         output.write_by(status, |out| {
             out.write_all(&around.before)?;
             // Each row stands after a comma, but the first of all.
@@ -123,7 +126,7 @@ impl Results<'_> {
         let sheets = csv::of_positions(self.analysis, ascii);
         let trajectory = csv::of_trajectory(self.analysis, ascii);
         let headers = sheets.iter().chain(&trajectory).map(csv::Sheet::header);
-        let headers = headers.collect::<Result<Vec<_>, _>>().map_err(Fault::other)?;
+        let headers = headers.collect::<Result<Vec<_>, _>>().map_err(Fault::told)?;
         let names: Vec<&str> = sheets.iter().chain(&trajectory).map(|sheet| sheet.file).collect();
         output.write_folder(status, &csv::FILES, &names, |outs| {
             outs.iter_mut().zip(&headers).try_for_each(|(out, header)| out.write_all(header))?;
@@ -139,9 +142,15 @@ impl Results<'_> {
 
     fn parquet(&self, output: Output<'_>, status: Status) -> Result<(), Fault> {
         output.write_by(status, |out| {
-            let mut writer = parquet::Writer::new(self.analysis, out).map_err(io::Error::other)?;
-            self.each(Table::clone, |table| writer.add(&table).map_err(io::Error::other))?;
-            writer.finish().map_err(io::Error::other)
+            let mut writer = parquet::Writer::new(self.analysis, out).map_err(other)?;
+            self.each(Table::clone, |table| writer.add(&table).map_err(other))?;
+            writer.finish().map_err(other)
         })
     }
+}
+
+/// An error where errors of writing are expected.
+#[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
+fn other(error: impl Describe) -> io::Error {
+    io::Error::other(Told(error.describe()))
 }

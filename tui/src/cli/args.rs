@@ -22,6 +22,9 @@ pub(crate) struct Cli {
     /// Print no character beyond ASCII (the default where the locale is not UTF-8)
     #[arg(long, global = true)]
     pub(crate) ascii: bool,
+    /// Take what is hardly meant in a scene for an error: status 2, nothing is written
+    #[arg(long, global = true)]
+    pub(crate) strict: bool,
     /// Language of texts and pictures: en, uk, ru (default: as configured; in the terminal UI else that of the scene's note)
     #[arg(long, global = true, value_name = "NAME", value_parser = LANGUAGES)]
     pub(crate) language: Option<String>,
@@ -120,6 +123,10 @@ pub(crate) struct ExplainArgs {
     /// follow by hand
     #[arg(long, value_name = "N")]
     pub(crate) position: Option<usize>,
+    /// Write the energy form of the motion instead, step by step: works of the loads, kinetic energy, and the speed at the end or
+    /// the flywheel
+    #[arg(long, conflicts_with = "position")]
+    pub(crate) energy: bool,
 }
 
 /// Arguments of `motors`.
@@ -134,11 +141,14 @@ pub(crate) struct MotorArgs {
     /// Greatest rated power
     #[arg(long, value_name = "POWER")]
     pub(crate) max_power: Option<String>,
+    /// Greatest synchronous speed of the rotor, for example "1500 rpm"
+    #[arg(long, value_name = "SPEED")]
+    pub(crate) max_speed: Option<String>,
     /// Number of poles
     #[arg(long, value_name = "N")]
     pub(crate) poles: Option<u32>,
     /// Compare the motors that suit this scene by the unevenness that each allows
-    #[arg(long, value_name = "SCENE", conflicts_with_all = ["catalogue", "min_power", "max_power", "poles", "designation"])]
+    #[arg(long, value_name = "SCENE", conflicts_with_all = ["catalogue", "min_power", "max_power", "max_speed", "poles", "designation"])]
     pub(crate) advise: Option<PathBuf>,
     /// Only designations that contain this
     pub(crate) designation: Option<String>,

@@ -5,17 +5,19 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use assur_study::chart::{self, ChartData, ChartError, Options};
-use assur_words::{name, text};
+use assur_analysis::Options;
+use assur_study::chart::{self, ChartData, ChartError};
+use assur_words::{Describe, text, text_of};
 use clap::Args;
 use signal_hook::consts::SIGINT;
 
 use super::fault::{Fault, Status};
-use super::options::{Format, MethodArgs, SceneArgs};
+use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
 use crate::progress::{ProgressLine, SystemClock};
+use crate::session::Session;
 
 /// Exit status after Ctrl-C, the usual one in shells.
 const INTERRUPTED: u8 = 130;
@@ -49,14 +51,14 @@ fn is_picture(path: &Path) -> bool {
 pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &args.scene)?;
     let stop = on_interrupt()?;
-    let scene = SceneArgs { scene: args.scene.clone(), methods: MethodArgs::default() };
-    let verdict = scene::verdict(&scene::whole_study(&scene, style)?, &args.scene, style)?;
+    let session = scene::open(&args.scene, style)?;
+    let options = Options { whole: true, ..Options::default() };
+    let verdict = scene::verdict(&session, &scene::calculation(&session, &options, style)?, style)?;
     verdict.tell(style);
-    let data = match charted(&args.scene, args.quick, style, &stop)? {
+    let data = match charted(&session, args.quick, style, &stop)? {
         Ok(data) => data,
         Err(failure) => {
-            let (file, problem) = (name(args.scene.display().to_string()), name(failure.to_string()));
-            style.tell(text!("cli-error-in", file = file, problem = problem));
+            style.tell(session.in_file(failure.describe()));
             return Ok(Status::Failed);
         }
     };
@@ -72,9 +74,9 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
         return output.write(picture, status).map(|()| status);
     }
     let text = match args.format {
-        Format::Text => style.text(&chart::text(&data, style.ascii, chart::WIDTH)).into_owned(),
+        Format::Text => chart::text(&data, style.words(), chart::WIDTH),
         Format::Json => data.to_json().map_err(Fault::other)?,
-        Format::Csv => chart::csv(&data).map_err(Fault::other)?,
+        Format::Csv => chart::csv(&data).map_err(Fault::told)?,
     };
     output.write(text, status).map(|()| status)
 }
@@ -84,28 +86,28 @@ fn on_interrupt() -> Result<Arc<AtomicBool>, Fault> {
     let stop = Arc::new(AtomicBool::new(false));
     signal_hook::flag::register_conditional_shutdown(SIGINT, i32::from(INTERRUPTED), Arc::clone(&stop))
         .and_then(|_| signal_hook::flag::register(SIGINT, Arc::clone(&stop)))
-        .map_err(|error| Fault::Other(text!("cli-no-interrupt", problem = name(error.to_string()))))?;
+        .map_err(|error| Fault::Other(text!("cli-no-interrupt", problem = text_of(&error))))?;
     Ok(stop)
 }
 
 /// The chart of one scene; the inner error says why a good scene has none.
 fn charted(
-    path: &Path,
+    session: &Session,
     quick: bool,
     style: Style,
     stop: &AtomicBool,
 ) -> Result<Result<ChartData, ChartError>, Fault> {
-    let linkage = scene::linkage(path)?;
-    let options = if quick { Options::QUICK } else { Options::THOROUGH };
+    let linkage = scene::linkage(session)?;
+    let options = if quick { chart::Options::QUICK } else { chart::Options::THOROUGH };
     let line = ProgressLine::new(style.language);
     let mut clock = SystemClock::default();
     let found = chart::chart(&linkage, &mut clock, options, &mut |progress| {
-        line.count(&name(progress.stage.heading()), progress.done, progress.total);
+        line.count(&progress.stage.heading(), progress.done, progress.total);
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     drop(line);
     match found {
-        Err(error @ ChartError::Compile(_)) => Err(scene::in_file(path, name(error.to_string()))),
+        Err(error @ ChartError::Compile(_)) => Err(Fault::Scene(session.in_file(error.describe()))),
         other => Ok(other),
     }
 }

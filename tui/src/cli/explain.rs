@@ -1,8 +1,6 @@
 //! `assur explain`.
 
-use assur_analysis::plan::Plan;
-use assur_analysis::{method_of_motion, methods};
-use assur_structure::Structure;
+use assur_analysis::{Options, method_of_motion, methods, plan};
 use assur_words::{Describe, number, text};
 use assur_working::WorkingError;
 
@@ -10,41 +8,63 @@ use super::args::ExplainArgs;
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, scene};
+use crate::progress::ProgressLine;
+use crate::session::Session;
 use crate::verdict::Verdict;
 use crate::working;
 
 pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
-    let options = scene::options(&args.scene.methods)?;
+    let options = scene::options(&args.scene.methods, args.position.is_some() || args.energy)?;
+    let session = scene::open(&args.scene.scene, style)?;
     if let Some(position) = args.position {
-        return working(args, position, style);
+        return working(&session, &options, position, style);
     }
-    let mechanism = scene::read(&args.scene.scene)?;
-    let path = &args.scene.scene;
-    let fault = |error: &dyn Describe| scene::in_file(path, error.describe());
-    let structure = Structure::of(&mechanism).map_err(|error| fault(&error))?;
-    let methods = methods(&mechanism, &options);
-    let plan = Plan::of(&mechanism, &structure, methods.by_groups);
-    let equation = method_of_motion(&mechanism, structure.clone(), &options)
-        .map_err(|error| scene::fault(path, &error))?;
+    if args.energy {
+        return energy(&session, &options, style);
+    }
+    let Session { mechanism, structure, .. } = &session;
+    let (methods, plan) = (methods(mechanism, &options), plan(mechanism, structure, &options));
+    let equation = if mechanism.has_equation_of_motion() {
+        let linkage = scene::linkage(&session)?;
+        method_of_motion(&linkage, &options).map_err(|error| Fault::Scene(session.fault(&error)))?
+    } else {
+        None
+    };
     let words = style.words();
-    let text = assur_report::text::explain(&mechanism, &structure, &plan, &methods, equation.as_ref(), words);
+    let text = assur_report::text::told(words, |page| {
+        assur_report::topic::explain(mechanism, structure, &plan, &methods, equation.as_ref(), page);
+    });
     output::print(&text)?;
     Ok(Status::Done)
 }
 
+/// The energy form of the motion.
+fn energy(session: &Session, options: &Options, style: Style) -> Result<Status, Fault> {
+    let study = scene::calculation(session, options, style)?;
+    let analysis = study.analyze(&mut ProgressLine::new(style.language).watch()).map_err(Fault::told)?;
+    let verdict = Verdict::of_motion(&study, session);
+    verdict.tell(style);
+    let sections = working::energy(&analysis, &study.linkage.mechanism);
+    if sections.is_empty() {
+        return Err(Fault::Scene(session.in_file(text!("cli-no-energy-form"))));
+    }
+    let told = assur_worksheet::text(&sections, assur_worksheet::WIDTH, style.language);
+    output::print(&style.text(&told))?;
+    Ok(verdict.status())
+}
+
 /// Every equation of one position, or of one sample of a transient motion, with its numbers.
-fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fault> {
-    let path = &args.scene.scene;
-    let fault = |error: &dyn Describe| scene::in_file(path, error.describe());
-    let study = scene::whole_study(&args.scene, style)?;
-    let verdict = Verdict::of_motion(&study, &path.as_path());
+fn working(session: &Session, options: &Options, index: usize, style: Style) -> Result<Status, Fault> {
+    let study = scene::calculation(session, options, style)?;
+    let verdict = Verdict::of_motion(&study, session);
     verdict.tell(style);
     let worked = match study.sample(index) {
         (Some(state), _) => working::of_sample(&study, index, state),
         (None, 0) => working::of_position(&study, index),
         (None, count) => {
             let [sample, last] = [index, count - 1].map(number);
-            return Err(scene::in_file(path, text!("cli-no-sample", sample = sample, last = last)));
+            let problem = text!("cli-no-sample", sample = sample, last = last);
+            return Err(Fault::Scene(session.in_file(problem)));
         }
     };
     match worked {
@@ -52,16 +72,10 @@ fn working(args: &ExplainArgs, index: usize, style: Style) -> Result<Status, Fau
             output::print(&style.text(&working.text(style.language)))?;
             Ok(verdict.status())
         }
-        Err(error @ WorkingError::Position(_)) => {
-            style.tell(fault(&error).describe());
+        Err(error @ (WorkingError::Position(_) | WorkingError::Load { .. })) => {
+            style.tell(session.fault_at(error.key(&session.mechanism), error.describe()));
             Ok(Status::Failed)
         }
-        Err(error @ WorkingError::Load { .. }) => {
-            let key = error.key(&study.linkage.mechanism);
-            let located = key.and_then(|key| scene::at_key(path, &key, error.describe()));
-            style.tell(located.unwrap_or_else(|| fault(&error)).describe());
-            Ok(Status::Failed)
-        }
-        Err(error) => Err(fault(&error)),
+        Err(error) => Err(Fault::Scene(session.in_file(error.describe()))),
     }
 }

@@ -3,7 +3,7 @@
 use std::io;
 use std::process::ExitCode;
 
-use assur_words::{Describe, Text, name, text};
+use assur_words::{Describe, Text, name, text, text_of};
 
 use crate::files::FileError;
 use crate::screen::ScreenError;
@@ -60,7 +60,7 @@ impl Describe for Fault {
     fn describe(&self) -> Text {
         match self {
             Self::File(error) | Self::Partial(error, _) => error.describe(),
-            Self::Stdout(error) => text!("cli-stdout", problem = name(error.to_string())),
+            Self::Stdout(error) => text!("cli-stdout", problem = text_of(error)),
             Self::Scene(faults) => faults.clone(),
             Self::Other(problem) => text!("cli-error", problem = problem),
             Self::Screen(error) => error.describe(),

@@ -33,7 +33,8 @@ pub(crate) struct GeometryArgs {
 pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene;
     let output = Output::of(args.output.as_deref(), path)?;
-    let linkage = scene::linkage(path)?;
+    let session = scene::open(path, style)?;
+    let linkage = scene::linkage(&session)?;
     let against = match &args.against {
         None => GROUND,
         Some(name) => linkage.mechanism.link(name).ok_or_else(|| {
@@ -41,20 +42,19 @@ pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
             Fault::Other(text!("cli-no-such-link", link = words::name(name.clone()), links = links))
         })?,
     };
-    let verdict = Verdict::of_positions(&linkage, &path.as_path());
+    let verdict = Verdict::of_positions(&linkage, &session);
     verdict.tell(style);
     let found = match assur_geometry::geometry(&linkage, against) {
         Ok(found) => found,
         Err(error) => {
-            let (file, problem) = (words::name(path.display().to_string()), error.describe());
-            style.tell(text!("cli-error-in", file = file, problem = problem));
+            style.tell(session.in_file(error.describe()));
             return Ok(Status::Failed);
         }
     };
     let text = match args.format {
-        Format::Text => report::geometry(&found, style.words()).map_err(Fault::other)?,
-        Format::Json => json::to_json(&found, style.ascii).map_err(Fault::other)?,
-        Format::Csv => csv::geometry(&found, style.ascii).map_err(Fault::other)?,
+        Format::Text => report::geometry(&found, style.words()).map_err(Fault::told)?,
+        Format::Json => json::to_json(&found, style.ascii).map_err(Fault::told)?,
+        Format::Csv => csv::geometry(&found, style.ascii).map_err(Fault::told)?,
     };
     output.write(text, verdict.status()).map(|()| verdict.status())
 }

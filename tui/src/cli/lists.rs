@@ -2,39 +2,38 @@
 
 use std::path::Path;
 
-use assur_analysis::{Calculation, Options};
+use assur_analysis::Options;
 use assur_motor::{Motor, MotorFilter, catalogues, flag_meaning, list_motors, rpm};
-use assur_report::text::columns;
+use assur_report::text::{columns, told};
+use assur_report::topic;
 use assur_scene::{Dimension, quantity};
-use assur_words::{joined, name, text, unit};
+use assur_words::{Text, joined, name, number, text, unit};
 
 use super::args::MotorArgs;
 use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, scene};
-use crate::progress::ProgressLine;
 
 /// Every registered plugin: kind, name, crate, one line.
 pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     let mut rows = Vec::new();
-    let told = |id: &'static str| text!(id).render(style.language);
-    let mut add = |sort: &'static str, name: &str, crate_name: &str, summary: &str| {
-        rows.push([told(sort).as_str(), name, crate_name, summary].map(String::from).to_vec());
+    let mut add = |sort: &'static str, of: &'static str, crate_name: &'static str, summary: &Text| {
+        rows.push(vec![text!(sort), name(of), name(crate_name), summary.clone()]);
     };
     for plugin in assur_group::groups().map_err(Fault::told)? {
-        add("cli-plugin-group", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
+        add("cli-plugin-group", plugin.name, plugin.crate_name, &plugin.summary);
     }
     for plugin in assur_force::analyzers().map_err(Fault::told)? {
-        add("cli-plugin-analyzer", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
+        add("cli-plugin-analyzer", plugin.name, plugin.crate_name, &plugin.summary);
     }
     for plugin in assur_integrator::integrators().map_err(Fault::told)? {
-        add("cli-plugin-integrator", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
+        add("cli-plugin-integrator", plugin.name, plugin.crate_name, &plugin.summary);
     }
     for plugin in catalogues().map_err(Fault::told)? {
-        add("cli-plugin-catalogue", plugin.name, plugin.crate_name, &plugin.summary.render(style.language));
+        add("cli-plugin-catalogue", plugin.name, plugin.crate_name, &plugin.summary);
     }
-    let head = ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what"].map(told);
-    output::print(&columns(&head.each_ref().map(String::as_str), &rows, style.ascii))?;
+    let head = ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what"];
+    output::print(&columns(&head.map(|id| text!(id)), &rows, style.words()))?;
     Ok(Status::Done)
 }
 
@@ -47,6 +46,7 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
         catalogue: args.catalogue.clone(),
         min_power: args.min_power.as_deref().map(power).transpose()?,
         max_power: args.max_power.as_deref().map(power).transpose()?,
+        max_speed: args.max_speed.as_deref().map(speed).transpose()?,
         poles: args.poles,
         designation: args.designation.clone(),
     };
@@ -62,10 +62,9 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
         text!("cli-motor-breakdown"),
         joined(" ", [name("J"), unit("kg m^2")]),
         text!("cli-motor-remarks"),
-    ]
-    .map(|text| text.render(style.language));
+    ];
     let rows: Vec<_> = motors.iter().map(|motor| row(motor, style)).collect();
-    output::print(&columns(&header.each_ref().map(String::as_str), &rows, style.ascii))?;
+    output::print(&columns(&header, &rows, style.words()))?;
     output::print(&remarks(&motors, style))?;
     if motors.is_empty() {
         style.tell(text!("cli-no-motor"));
@@ -77,12 +76,10 @@ pub(crate) fn motors(args: &MotorArgs, style: Style) -> Result<Status, Fault> {
 fn advise(path: &Path, style: Style) -> Result<Status, Fault> {
     /// Most motors that are compared.
     const MOST: usize = 20;
-    let mechanism = scene::read(path)?;
-    let study =
-        Calculation::of(mechanism, &Options::default(), &mut ProgressLine::new(style.language).watch())
-            .map_err(|error| scene::fault(path, &error))?;
-    let (motors, count) = study.advice(MOST).map_err(|error| scene::fault(path, &error))?;
-    output::print(&assur_report::text::advice(&motors, count, style.words()))?;
+    let session = scene::open(path, style)?;
+    let study = scene::calculation(&session, &Options::default(), style)?;
+    let (motors, count) = study.advice(MOST).map_err(|error| Fault::Scene(session.fault(&error)))?;
+    output::print(&told(style.words(), |page| topic::advice(&motors, count, page)))?;
     Ok(Status::Done)
 }
 
@@ -91,7 +88,9 @@ fn remarks(motors: &[&Motor], style: Style) -> String {
     let mut flags: Vec<&str> = motors.iter().flat_map(|motor| &motor.flags).map(String::as_str).collect();
     flags.sort_unstable();
     flags.dedup();
-    let line = |flag: &str| flag_meaning(flag).map(|meaning| format!("  {flag}: {meaning}\n"));
+    let line = |flag: &str| {
+        flag_meaning(flag).map(|meaning| format!("  {flag}: {}\n", meaning.render(style.language)))
+    };
     let lines: String = flags.into_iter().filter_map(line).collect();
     if lines.is_empty() {
         lines
@@ -100,22 +99,26 @@ fn remarks(motors: &[&Motor], style: Style) -> String {
     }
 }
 
-fn row(motor: &Motor, style: Style) -> Vec<String> {
-    let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value}"));
+fn row(motor: &Motor, style: Style) -> Vec<Text> {
+    let or_dash = |value: Option<f64>| value.map_or_else(|| name("-"), number);
     let designation = if style.ascii { motor.latin_designation() } else { motor.designation.clone() };
     vec![
-        motor.catalogue.clone(),
-        designation,
-        motor.poles.to_string(),
-        format!("{}", motor.rated_power / 1e3),
-        format!("{:.0}", rpm(motor.synchronous_speed)),
-        format!("{:.0}", rpm(motor.rated_speed)),
+        name(motor.catalogue.clone()),
+        name(designation),
+        number(motor.poles),
+        number(motor.rated_power / 1e3),
+        number(format_args!("{:.0}", rpm(motor.synchronous_speed))),
+        number(format_args!("{:.0}", rpm(motor.rated_speed))),
         or_dash(motor.max_torque_ratio),
         or_dash(motor.rotor_inertia),
-        motor.flags.join(" "),
+        name(motor.flags.join(" ")),
     ]
 }
 
+fn speed(text: &str) -> Result<f64, Fault> {
+    quantity(text, Dimension::AngularSpeed).map_err(Fault::other)
+}
+
 fn power(text: &str) -> Result<f64, Fault> {
-    quantity(text, Dimension::Power).map_err(Fault::other)
+    quantity(text, Dimension::Power).map_err(Fault::told)
 }

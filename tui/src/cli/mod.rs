@@ -22,7 +22,6 @@ mod starter;
 mod style;
 mod sweep;
 mod usage;
-mod verdict;
 
 use std::ffi::OsString;
 use std::io::IsTerminal;
@@ -36,6 +35,7 @@ use fault::{Fault, Status};
 use options::{CheckedArgs, Checks, Format, SceneArgs};
 use plans::PlanArgs;
 use style::Style;
+use usage::Refused;
 
 use crate::files::{self, FileError};
 use crate::screen::Config;
@@ -44,12 +44,17 @@ use crate::screen::Config;
 /// scene or usage.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let (config, config_fault) = config::load();
+    let asked = usage::language(&arguments).into_iter().chain([config.language()]);
     let cli = match usage::parse(&arguments) {
         Ok(cli) => cli,
-        Err(error) => return refused(&error),
+        Err(Refused::Fault(problem)) => {
+            Style::of(false, asked).tell(text!("cli-error", problem = problem));
+            return Status::Bad.into();
+        }
+        Err(Refused::Parser(error)) => return refused(&error),
     };
-    let (config, config_fault) = config::load();
-    let style = Style::of(cli.ascii, cli.language.as_deref().into_iter().chain([config.language()]));
+    let style = Style { strict: cli.strict, ..Style::of(cli.ascii, asked) };
     match command(cli, (config, config_fault), style) {
         Ok(status) => status.into(),
         Err(Fault::File(FileError::Reader)) => ExitCode::SUCCESS,
@@ -146,12 +151,11 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
                 ascii: style.ascii,
                 look: cli.look,
                 language: cli.language,
-                analyzer: cli.methods.analyzer,
-                integrator: cli.methods.integrator,
+                methods: cli.methods.into(),
                 config,
                 config_fault: fault.clone(),
                 config_file: config::file(),
-                note: Some(report::of_text),
+                note: Some(report::of_session),
             };
             let code = crate::screen::run(scene, options);
             if let Some(fault) = fault {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use assur_analysis::Coverage;
+use assur_analysis::{Coverage, Options};
 use clap::{Args, ValueEnum};
 
 /// Methods by name.
@@ -14,6 +14,12 @@ pub(crate) struct MethodArgs {
     /// Integrator (see `assur plugins`)
     #[arg(long, value_name = "NAME")]
     pub(crate) integrator: Option<String>,
+}
+
+impl From<MethodArgs> for Options {
+    fn from(MethodArgs { analyzer, integrator }: MethodArgs) -> Self {
+        Self { analyzer, integrator, whole: false }
+    }
 }
 
 /// A scene and methods.

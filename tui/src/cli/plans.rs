@@ -5,21 +5,20 @@ use std::ops::RangeInclusive;
 use assur_analysis::Calculation;
 use assur_analysis::results::{Analysis, PositionPlans};
 use assur_mechanism::MOST_PARTS_KEPT;
-use assur_words::{self as words, Describe, text};
+use assur_words::{self as words, Describe, Told, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
-use super::options::{Format, SceneArgs};
-use super::scene;
+use super::options::Format;
 use super::style::Style;
 
 /// Reads a number of a position, or two with `..` between them: the positions from the first to the second.
-pub(crate) fn interval(text: &str) -> Result<RangeInclusive<usize>, String> {
+pub(crate) fn interval(text: &str) -> Result<RangeInclusive<usize>, Told> {
     let (first, last) = text.split_once("..").unwrap_or((text, text));
     let number = |text: &str| text.trim().trim_start_matches('=').parse::<usize>().ok();
     match (number(first), number(last)) {
         (Some(first), Some(last)) if first <= last => Ok(first..=last),
-        _ => Err("positions are numbers and intervals, as in 0,18,30..36".to_owned()),
+        _ => Err(Told(text!("cli-write-positions"))),
     }
 }
 
@@ -76,7 +75,7 @@ impl PlanArgs {
         let count = study.linkage.mechanism.input.positions;
         let mechanism = &study.linkage.mechanism;
         // Each load has a share in the reactions of each part, beside weight and inertia.
-        let shares = mechanism.parts() * (mechanism.loads() + 2);
+        let shares = mechanism.parts() * (mechanism.loads.len() + 2);
         let most = mechanism.most_kept().min(10 * MOST_PARTS_KEPT / shares);
         if self.by_cause && count > most {
             let [most, count] = [most, count].map(words::number);
@@ -88,11 +87,11 @@ impl PlanArgs {
         }
     }
 
-    /// Adds the requested plans; a position without plans is reported and makes the command fail.
+    /// Adds the requested plans, of the `whole` mechanism; a position without plans is reported and makes the command fail.
     pub(crate) fn add(
         &self,
         study: &Calculation,
-        args: &SceneArgs,
+        whole: impl FnOnce() -> Result<Calculation, Fault>,
         style: Style,
         analysis: &mut Analysis,
     ) -> Result<Status, Fault> {
@@ -107,7 +106,7 @@ impl PlanArgs {
             return Ok(status);
         }
         // The plans show the whole mechanism, whatever results the scene requests.
-        let whole = if study.plan.is_partial() { Some(scene::whole_study(args, style)?) } else { None };
+        let whole = if study.plan.is_partial() { Some(whole()?) } else { None };
         let study = whole.as_ref().unwrap_or(study);
         let mut indices = self.plans.clone();
         indices.sort_unstable();
@@ -135,13 +134,13 @@ pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
         } else {
             words::quantity(format_args!("{:.6}", plans.sheet.coordinate), "m")
         };
-        let (position, link) = (words::number(plans.index), words::name(analysis.input.link.clone()));
+        let (position, link) = (words::number(plans.index), analysis.input.link.name.clone());
         let heading = text!("cli-plans-of", position = position, link = link, at = coordinate);
         let heading = heading.render(style.language);
         let rule = "-".repeat(heading.chars().count());
         text += &style.text(&format!(
             "\n{heading}\n{rule}\n{}",
-            assur_report::text::plans(&plans.sheet, style.words())
+            assur_report::text::told(style.words(), |page| assur_report::topic::plans(&plans.sheet, page))
         ));
     }
     text

@@ -2,7 +2,9 @@
 
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Arc;
 
+use assur_analysis::Options;
 use assur_words::{Describe, Language, Text, name, text};
 use clap::Args;
 
@@ -11,10 +13,10 @@ use super::options::SceneArgs;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::files;
 use crate::note::{self, Form};
-use crate::screen::state::{Scene, Source};
 use crate::screen::still;
+use crate::session::Session;
+use crate::verdict::Verdict;
 
 /// Arguments of `report`.
 #[derive(Debug, Clone, Args)]
@@ -35,17 +37,16 @@ pub(crate) fn run(args: &ReportArgs, language: Option<&str>, style: Style) -> Re
     let form = Form::of(&ending)
         .ok_or_else(|| text!("cli-note-ending", file = name(args.output.display().to_string())))
         .map_err(Fault::Other)?;
-    scene::options(&args.scene.methods)?;
-    let text = files::read(path)?;
-    let file = path.display().to_string();
-    let mut note = assur_scene::note(&file, &text).map_err(|errors| scene::faults(&errors))?;
+    let options = scene::options(&args.scene.methods, false)?;
+    let session = Arc::new(scene::open(path, style)?);
+    let mut note = session.note.clone();
     if let Some(language) = language.and_then(Language::find) {
         note.language = language.code;
     }
     let language = Language::find(note.language).unwrap_or_else(Language::english);
-    let methods = [args.scene.methods.analyzer.clone(), args.scene.methods.integrator.clone()];
-    let mut state = still::analyzed(still::open(path.clone())?, methods, true, language);
-    let verdict = scene::verdict_of(&state, &args.scene, style)?;
+    let mut state = still::analyzed(&session, options, true, language).map_err(Fault::Scene)?;
+    scene::doubt_of_state(&state, &session, style)?;
+    let verdict = Verdict::of_state(&state, &session);
     verdict.tell(style);
     let status = verdict.proved();
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
@@ -65,17 +66,15 @@ pub(crate) fn run(args: &ReportArgs, language: Option<&str>, style: Style) -> Re
     output.write(written.text, status).map(|()| status)
 }
 
-/// The note of a scene that is open in the terminal UI, from its name, its present text, and its methods.
+/// The note of a scene that is open in the terminal UI, by these methods.
 ///
 /// # Errors
 ///
 /// Why there is no note; in words.
-pub(crate) fn of_text(file: &str, text: &str, methods: [Option<String>; 2]) -> Result<String, Text> {
-    let note = assur_scene::note(file, text).map_err(|errors| name(errors.to_string()))?;
-    let scene = Scene::read(Source::File(file.into()), text)?;
-    let language = Language::find(note.language).unwrap_or_else(Language::english);
-    let mut state = still::analyzed(scene, methods, true, language);
-    note::write(&mut state, &note, Form::Html, "")
+pub(crate) fn of_session(session: &Arc<Session>, options: Options) -> Result<String, Text> {
+    let language = Language::find(session.note.language).unwrap_or_else(Language::english);
+    let mut state = still::analyzed(session, options, true, language)?;
+    note::write(&mut state, &session.note, Form::Html, "")
         .map(|written| written.text)
         .map_err(|error| error.describe())
 }

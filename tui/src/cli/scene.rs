@@ -1,113 +1,120 @@
-//! Reading a scene file.
+//! Scenes and methods of a command, and how it ends.
 
 use std::path::Path;
+use std::sync::Arc;
 
-use assur_analysis::{AnalysisError, Calculation, Options};
+use assur_analysis::{Calculation, Options};
 use assur_kinematics::Linkage;
-use assur_mechanism::Mechanism;
+use assur_mechanism::Notice;
 use assur_scene::SceneErrors;
-use assur_structure::Structure;
-use assur_words::{Describe, Text};
+use assur_words::{Describe, Text, joined, text};
 
-use super::fault::Fault;
-use super::options::{MethodArgs, SceneArgs};
+use super::fault::{Fault, Status};
+use super::options::MethodArgs;
 use super::style::Style;
-use crate::files::{self, FileError};
+use crate::files::FileError;
 use crate::progress::ProgressLine;
-use crate::screen::state::State;
+use crate::screen::state::{Found, State};
+use crate::session::{Session, Source};
 use crate::verdict::Verdict;
 
-/// Reads a scene file.
-pub(crate) fn read(path: &Path) -> Result<Mechanism, Fault> {
-    let text = files::read(path)?;
-    let file = path.display().to_string();
-    let mechanism = assur_scene::read(&file, &text).map_err(|errors| faults(&errors))?;
-    let structure =
-        || Structure::of(&mechanism).err().and_then(|error| files::located(&file, &text, &error.into()));
-    match files::integrator_fault(&file, &text, &mechanism).or_else(structure) {
-        Some(errors) => Err(faults(&errors)),
-        None => Ok(mechanism),
+/// Reads a scene file. What is hardly meant in it is told, as far as reading finds it; where that is an error, it is not read.
+pub(crate) fn open(path: &Path, style: Style) -> Result<Session, Fault> {
+    let session = Session::open(Source::File(path.to_owned())).map_err(Fault::Scene)?;
+    doubt(&session, &session.mechanism.notes, style)?;
+    Ok(session)
+}
+
+/// The calculation of a scene. What the motion shows to be hardly meant is told; where that is an error, there is no calculation.
+pub(crate) fn calculation(session: &Session, options: &Options, style: Style) -> Result<Calculation, Fault> {
+    let found = calculated(session, options, style)?;
+    doubt_motion(session, &found, style)?;
+    Ok(found)
+}
+
+/// The calculation of a scene, beside one that told what is hardly meant in it.
+pub(crate) fn calculated(session: &Session, options: &Options, style: Style) -> Result<Calculation, Fault> {
+    let line = ProgressLine::new(style.language);
+    session.calculation(options, &mut line.watch()).map_err(|error| Fault::Scene(session.fault(&error)))
+}
+
+/// Tells what the motion of a scene shows to be hardly meant, or refuses it where that is an error.
+fn doubt_motion(session: &Session, calculation: &Calculation, style: Style) -> Result<(), Fault> {
+    // What reading found is told when the scene is opened.
+    doubt(session, &calculation.doubts()[session.mechanism.notes.len()..], style)
+}
+
+/// Tells what the motion shows to be hardly meant in a scene of which the views are made.
+pub(crate) fn doubt_of_state(state: &State, session: &Session, style: Style) -> Result<(), Fault> {
+    state.found().map_or(Ok(()), |found| doubt_motion(session, found.plans.calculation(), style))
+}
+
+/// Tells what is hardly meant in a scene, or refuses it where that is an error.
+fn doubt(session: &Session, doubts: &[Notice], style: Style) -> Result<(), Fault> {
+    let told: Vec<Text> = doubts.iter().map(|doubt| session.doubt(doubt)).collect();
+    if style.strict && !told.is_empty() {
+        return Err(Fault::Scene(text!("cli-strict", notes = joined("\n", told))));
     }
+    for doubt in told {
+        style.tell(doubt);
+    }
+    Ok(())
 }
 
-/// The errors of a scene.
-pub(crate) fn faults(errors: &SceneErrors) -> Fault {
-    Fault::Scene(errors.describe())
-}
-
-/// Reads and compiles a scene file.
-pub(crate) fn study(args: &SceneArgs, style: Style) -> Result<Calculation, Fault> {
-    let options = options(&args.methods)?;
-    compiled(args, &options, read(&args.scene)?, style)
-}
-
-/// Reads and compiles a scene file, as if the scene requested all results.
-pub(crate) fn whole_study(args: &SceneArgs, style: Style) -> Result<Calculation, Fault> {
-    let options = options(&args.methods)?;
-    let mechanism = read(&args.scene)?;
-    compiled(args, &options, Mechanism { output: None, ..mechanism }, style)
-}
-
-fn compiled(
-    args: &SceneArgs,
-    options: &Options,
-    mechanism: Mechanism,
-    style: Style,
-) -> Result<Calculation, Fault> {
-    Calculation::of(mechanism, options, &mut ProgressLine::new(style.language).watch())
-        .map_err(|error| fault(&args.scene, &error))
-}
-
-/// An error of a calculation, at the key of the scene that it concerns if there is one.
-pub(crate) fn fault(path: &Path, error: &AnalysisError) -> Fault {
-    let located = || {
-        let mechanism = assur_scene::read(&path.display().to_string(), &files::read(path).ok()?).ok()?;
-        at_key(path, &error.key(&mechanism)?, error.describe())
-    };
-    located().unwrap_or_else(|| in_file(path, error.describe()))
-}
-
-/// A fault that is found while calculating, at a key of the scene; `None` if the scene has no such key.
-pub(crate) fn at_key(path: &Path, key: &[String], message: Text) -> Option<Fault> {
-    let text = files::read(path).ok()?;
-    let steps: Vec<&str> = key.iter().map(String::as_str).collect();
-    let errors = assur_scene::fault_at(&path.display().to_string(), &text, &steps, message)?;
-    Some(faults(&errors))
+/// The mechanism of a scene, for a command that needs neither loads nor motion.
+pub(crate) fn linkage(session: &Session) -> Result<Arc<Linkage>, Fault> {
+    session.linkage().map_err(|error| Fault::Scene(session.fault(&error.into())))
 }
 
 /// Calculates the results of a scene, for a command that gives others: what they lack, those lack too.
-pub(crate) fn verdict(calculation: &Calculation, path: &Path, style: Style) -> Result<Verdict, Fault> {
+pub(crate) fn verdict(session: &Session, calculation: &Calculation, style: Style) -> Result<Verdict, Fault> {
     let analysis =
         calculation.analyze(&mut ProgressLine::new(style.language).watch()).map_err(Fault::told)?;
-    Ok(Verdict::of(&analysis, calculation, &path))
+    Ok(Verdict::of(&analysis, calculation, Some(session)))
 }
 
-/// What the results lack that the views and the note are made of.
-pub(crate) fn verdict_of(state: &State, args: &SceneArgs, style: Style) -> Result<Verdict, Fault> {
-    if let Some(found) = state.found() {
-        return Ok(Verdict::of(&found.analysis, found.plans.calculation(), &args.scene.as_path()));
-    }
-    // The same calculation, which says why there is none, and where.
-    verdict(&study(args, style)?, &args.scene, style)
-}
-
-/// Reads a scene file and compiles its mechanism, for a command that needs neither loads nor motion.
-pub(crate) fn linkage(path: &Path) -> Result<Linkage, Fault> {
-    Linkage::compile(read(path)?).map_err(|error| fault(path, &error.into()))
-}
-
-/// The requested methods, which must exist even if the scene does not use them.
-pub(crate) fn options(methods: &MethodArgs) -> Result<Options, Fault> {
+/// The requested methods, which must exist even if the scene does not use them; for all results, or what the scene requests.
+pub(crate) fn options(methods: &MethodArgs, whole: bool) -> Result<Options, Fault> {
     if let Some(method) = &methods.analyzer {
         assur_force::find(method).map_err(Fault::told)?;
     }
     if let Some(method) = methods.integrator.as_deref().filter(|method| *method != "auto") {
         assur_integrator::find(method).map_err(Fault::told)?;
     }
-    Ok(Options { analyzer: methods.analyzer.clone(), integrator: methods.integrator.clone() })
+    Ok(Options { whole, ..methods.clone().into() })
+}
+
+/// The errors of a scene or a configuration.
+pub(crate) fn faults(errors: &SceneErrors) -> Fault {
+    Fault::Scene(errors.describe())
 }
 
 /// An error of the scene as a whole.
 pub(crate) fn in_file(path: &Path, message: Text) -> Fault {
     FileError::read(path, message).into()
+}
+
+/// How a command that calculates a scene ends, and what is told on standard error.
+impl Verdict {
+    /// What the results lack that the views and the note are made of.
+    pub(crate) fn of_state(state: &State, session: &Session) -> Self {
+        let found = state.found();
+        let of = |found: &Found| Self::of(&found.analysis, found.plans.calculation(), Some(session));
+        found.map(of).unwrap_or_default()
+    }
+
+    /// The exit status of a command that gives results: 1 where some of them are missing.
+    pub(crate) fn status(&self) -> Status {
+        if self.is_complete() { Status::Done } else { Status::Failed }
+    }
+
+    /// The exit status of a command that vouches for the results: 1 also where a check fails.
+    pub(crate) fn proved(&self) -> Status {
+        if self.is_proved() { Status::Done } else { Status::Failed }
+    }
+
+    /// Tells everything on standard error, what is missing first.
+    pub(crate) fn tell(&self, style: Style) {
+        self.messages().for_each(|message| style.tell(message));
+    }
 }

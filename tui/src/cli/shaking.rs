@@ -28,8 +28,10 @@ pub(crate) struct ShakingArgs {
 pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene.scene;
     let output = Output::of(args.output.as_deref(), path)?;
-    let calculation = scene::whole_study(&args.scene, style)?;
-    let verdict = scene::verdict(&calculation, path, style)?;
+    let options = scene::options(&args.scene.methods, true)?;
+    let session = scene::open(path, style)?;
+    let calculation = scene::calculation(&session, &options, style)?;
+    let verdict = scene::verdict(&session, &calculation, style)?;
     verdict.tell(style);
     if calculation.no_motion.is_some() {
         return Ok(verdict.status());
@@ -37,20 +39,18 @@ pub(crate) fn run(args: &ShakingArgs, style: Style) -> Result<Status, Fault> {
     let found = match assur_shaking::shaking(&calculation.linkage, &|q| calculation.state(q)) {
         Ok(found) => found,
         Err(error) => {
-            let key = error.key(&calculation.linkage.mechanism);
-            let located = key.and_then(|key| scene::at_key(path, &key, error.describe()));
-            let fault = located.unwrap_or_else(|| scene::in_file(path, error.describe()));
+            let fault = session.fault_at(error.key(&session.mechanism), error.describe());
             if !error.is_no_solution() {
-                return Err(fault);
+                return Err(Fault::Scene(fault));
             }
-            style.tell(fault.describe());
+            style.tell(fault);
             return Ok(Status::Failed);
         }
     };
     let text = match args.format {
-        Format::Text => text::shaking(&found, style.words()).map_err(Fault::other)?,
-        Format::Json => json::to_json(&found, style.ascii).map_err(Fault::other)?,
-        Format::Csv => csv::shaking(&found, style.ascii).map_err(Fault::other)?,
+        Format::Text => text::shaking(&found, style.words()).map_err(Fault::told)?,
+        Format::Json => json::to_json(&found, style.ascii).map_err(Fault::told)?,
+        Format::Csv => csv::shaking(&found, style.ascii).map_err(Fault::told)?,
     };
     output.write(text, verdict.status()).map(|()| verdict.status())
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use assur_study::stability::stability;
-use assur_words::{name, text};
+use assur_words::{Describe, text};
 
 use super::args::StabilityArgs;
 use super::fault::{Fault, Status};
@@ -17,24 +17,25 @@ use crate::verdict::Verdict;
 pub(crate) fn run(args: &StabilityArgs, style: Style) -> Result<Status, Fault> {
     let path = &args.scene;
     let output = Output::of(args.output.as_deref(), path)?;
-    let linkage = scene::linkage(path)?;
-    let verdict = Verdict::of_positions(&linkage, &path.as_path());
+    let session = scene::open(path, style)?;
+    let linkage = scene::linkage(&session)?;
+    let verdict = Verdict::of_positions(&linkage, &session);
     verdict.tell(style);
     let line = ProgressLine::new(style.language);
-    let found = stability(linkage.mechanism, &mut |done, total| {
+    let found = stability(session.mechanism.clone(), &mut |done, total| {
         line.count(&text!("progress-step"), done, total);
         ControlFlow::Continue(())
     });
     drop(line);
     let ControlFlow::Continue(found) = found else { return Err(Fault::Other(text!("cli-study-stopped"))) };
-    let found = found.map_err(|error| scene::in_file(path, name(error.to_string())))?;
+    let found = found.map_err(|error| Fault::Scene(session.in_file(error.describe())))?;
     let text = match args.format {
         Format::Json => found.to_json().map_err(Fault::other)?,
-        Format::Csv => found.to_csv().map_err(Fault::other)?,
-        Format::Text => style.text(&found.to_text()).into_owned(),
+        Format::Csv => found.to_csv().map_err(Fault::told)?,
+        Format::Text => style.text(&found.text(style.language)).into_owned(),
     };
     if let Some(failure) = &found.failure {
-        style.tell(text!("cli-error", problem = name(failure.clone())));
+        style.tell(text!("cli-error", problem = failure));
     }
     let status = verdict.status().or(if found.is_ok() { Status::Done } else { Status::Failed });
     output.write(text, status).map(|()| status)

@@ -5,7 +5,7 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use assur_fixtures::SCENES;
-use assur_words::{name, text};
+use assur_words::{text, text_of};
 
 use super::fault::{Fault, Status};
 use crate::files::FileError;
@@ -22,14 +22,14 @@ pub(crate) fn run(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
     let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| {
         fault(match error.kind() {
             ErrorKind::AlreadyExists => text!("file-exists"),
-            _ => name(error.to_string()),
+            _ => text_of(&error),
         })
     })?;
     if let Err(error) = file.write_all(scene.as_bytes()) {
         drop(file);
         // An incomplete scene is worse than none.
         let _ = std::fs::remove_file(path);
-        return Err(fault(name(error.to_string())).into());
+        return Err(fault(text_of(&error)).into());
     }
     Ok(Status::Done)
 }

@@ -22,7 +22,7 @@ pub(crate) fn escaped(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(escape).collect())
 }
 
-/// Which characters are printed.
+/// How a command speaks, and what it takes for an error.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Style {
     /// In text: no character beyond ASCII.
@@ -31,6 +31,8 @@ pub(crate) struct Style {
     pub(crate) ascii_data: bool,
     /// The language in which a command speaks.
     pub(crate) language: &'static Language,
+    /// Whether what is hardly meant in a scene is an error.
+    pub(crate) strict: bool,
 }
 
 impl Style {
@@ -39,7 +41,7 @@ impl Style {
     pub(crate) fn of<'a>(ascii_data: bool, asked: impl IntoIterator<Item = &'a str>) -> Self {
         let ascii = ascii_data || !is_utf8(|name| std::env::var(name).ok());
         let language = asked.into_iter().find_map(Language::find).filter(|_| !ascii);
-        Self { ascii, ascii_data, language: language.unwrap_or_else(Language::english) }
+        Self { ascii, ascii_data, language: language.unwrap_or_else(Language::english), strict: false }
     }
 
     /// How a report is written.

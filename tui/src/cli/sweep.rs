@@ -4,12 +4,13 @@ mod lines;
 mod parts;
 mod target;
 
+use std::fmt::Write;
 use std::num::{NonZeroU32, NonZeroUsize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use assur_sweep::{Measure, Points, Request, Sweep, SweepError, Tally, Vary};
-use assur_words::{Describe, name, number, text};
+use assur_sweep::{MEASURES, Measure, Points, Request, Sweep, SweepError, Tally, Vary};
+use assur_words::{Describe, Told, name, number, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -17,31 +18,26 @@ use super::options::MethodArgs;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::files;
 use crate::progress::ProgressLine;
 use target::{Form, form};
 
-/// Explanations of measures and columns.
-const COLUMNS: &str = "\
-Measures; --measure default,NAME adds to those that are written by default (*):
-  health *               least determinant of all groups over the positions, and where
-  transmission           least transmission angle of all groups, and where
-  balancing *            balancing load: greatest modulus and where, mean, mean of the modulus
-  balancing-rms          root of its mean square
-  reactions *            greatest force in each pair, greatest moment of each slide
-  reaction-rms           roots of their mean squares
-  extremes *             extremes of points, slides and angles of links over the positions
-  stroke                 greatest less least displacement of each slide and angle of each link
-  time-ratio             time of the longer way over that of the shorter one, of slides and links that swing
-  regime *               periodic regime and drive
-  end *                  last state of a transient motion
-
-Columns are in SI, the unit in the name, and empty where something does not apply. The first ones are each parameter,
-status (ok, no assembly, no solution, error, refused), message (the first failure) and failed_positions.";
+/// What the measures are, and what columns there are besides.
+fn columns() -> String {
+    let mut help =
+        "Measures; --measure default,NAME adds to those that are written by default (*):\n".to_owned();
+    for measure in MEASURES {
+        let mark = if measure.by_default { " *" } else { "" };
+        let name = format!("{}{mark}", measure.name);
+        let _ = writeln!(help, "  {name:<23}{}", measure.describe());
+    }
+    help + "\nColumns are in SI, the unit in the name, and empty where something does not apply. The first ones are each \
+            parameter,\nstatus (ok, no assembly, no solution, error, refused), message (the first failure) and \
+            failed_positions."
+}
 
 /// Arguments of `sweep`.
 #[derive(Debug, Clone, Args)]
-#[command(after_help = COLUMNS)]
+#[command(after_help = columns())]
 pub(crate) struct SweepArgs {
     /// Scene file
     scene: PathBuf,
@@ -76,17 +72,17 @@ pub(crate) struct SweepArgs {
 }
 
 /// Reads I/N.
-fn shard(text: &str) -> Result<(NonZeroU32, NonZeroU32), String> {
+fn shard(text: &str) -> Result<(NonZeroU32, NonZeroU32), Told> {
     let parts = text.split_once('/').and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
     let parts: Option<(NonZeroU32, NonZeroU32)> = parts.filter(|(part, of)| part <= of);
-    parts.ok_or_else(|| "write it as I/N with I from 1 to N, such as 3/8".to_owned())
+    parts.ok_or_else(|| Told(text!("cli-write-shard")))
 }
 
 pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     // A target that is the scene itself is refused before anything is calculated.
     Output::of(args.output.as_deref(), &args.scene)?;
     let form = args.output.as_deref().map_or(Ok(Form::Csv), form)?;
-    let sweep = sweep(args)?;
+    let sweep = sweep(args, style)?;
     let job = Job::of(args, &sweep, style);
     match (&args.output, form) {
         (Some(path), Form::Parquet) => parts::run(&job, path, args.resume),
@@ -94,15 +90,15 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     }
 }
 
-fn sweep(args: &SweepArgs) -> Result<Sweep, Fault> {
+fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let points = match args.sample {
         Some(count) => Points::Sample { count: count.get(), seed: args.seed },
         None => Points::Grid,
     };
     let fault = |error| fault(&args.scene, error);
     let measures = Measure::named(&args.measure).map_err(fault)?;
-    let request = Request { points, measures, options: scene::options(&args.methods)? };
-    let text = files::read(&args.scene)?;
+    let request = Request { points, measures, options: scene::options(&args.methods, false)? };
+    let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();
     Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)
@@ -179,15 +175,12 @@ impl<'a> Job<'a> {
     fn tell_failures(&self, tally: &Tally) -> Status {
         let Some(first) = tally.first else { return Status::Done };
         let Tally { failures, points, .. } = tally;
-        let row = self.sweep.row(first);
-        let message = row.status(0).map_or("", |(_, message)| message);
-        let point = self.sweep.describe(first);
         self.style.tell(text!(
             "cli-sweep-failures",
             failures = number(failures),
             points = number(points),
-            point = name(point),
-            message = name(message.to_owned()),
+            point = name(self.sweep.describe(first)),
+            message = self.sweep.failure(first).unwrap_or_default(),
         ));
         Status::Failed
     }
@@ -195,6 +188,6 @@ impl<'a> Job<'a> {
 
 impl From<SweepError> for Fault {
     fn from(error: SweepError) -> Self {
-        Self::other(error)
+        Self::told(error)
     }
 }

@@ -1,73 +1,106 @@
 //! Errors of a command line that the argument parser can't explain: a first word is a scene or a command.
 
+use std::error::Error;
 use std::path::Path;
 
+use assur_words::{Describe, Text, Told, name, text};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser};
 
 use super::args::Cli;
 
-/// The command line, or the text to print and the kind of exit.
-pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, clap::Error> {
-    let cli = Cli::try_parse_from(arguments).map_err(|error| explained(arguments, error))?;
+/// What ends a command line before anything is done.
+pub(crate) enum Refused {
+    /// What is wrong, and what to write.
+    Fault(Text),
+    /// The parser's own: help and version too.
+    Parser(clap::Error),
+}
+
+/// The command line, or why there is none.
+pub(crate) fn parse(arguments: &[std::ffi::OsString]) -> Result<Cli, Refused> {
+    let cli = Cli::try_parse_from(arguments).map_err(|error| match explained(arguments, &error) {
+        Some(fault) => Refused::Fault(fault),
+        None => Refused::Parser(error),
+    })?;
     let program = Cli::command();
     let words = arguments.iter().skip(1).filter_map(|word| word.to_str());
     let command =
         words.filter(|_| cli.command.is_some()).find(|word| program.find_subcommand(word).is_some());
-    command.and_then(|command| misplaced(&cli, command)).map_or(Ok(cli), Err)
+    match command.and_then(|command| misplaced(&cli, command)) {
+        Some(fault) => Err(Refused::Fault(fault)),
+        None => Ok(cli),
+    }
 }
 
-/// The error in words that say what to write, if the order or the spelling of the words is wrong; else the parser's.
-fn explained(arguments: &[std::ffi::OsString], error: clap::Error) -> clap::Error {
+/// The language that a command line names, whether or not the rest of it can be read.
+pub(crate) fn language(arguments: &[std::ffi::OsString]) -> Option<&str> {
+    let words: Vec<&str> = arguments.iter().filter_map(|word| word.to_str()).collect();
+    let after = words.iter().position(|word| *word == "--language").and_then(|at| words.get(at + 1).copied());
+    after.or_else(|| words.iter().find_map(|word| word.strip_prefix("--language=")))
+}
+
+/// The error in words that say what to write, if the order or the spelling of the words is wrong; `None`: the parser's will do.
+fn explained(arguments: &[std::ffi::OsString], error: &clap::Error) -> Option<Text> {
     let program = Cli::command();
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|word| word.to_str()).collect();
     let command_at = words.iter().position(|word| program.find_subcommand(word).is_some());
     let before = &words[..command_at.unwrap_or(words.len())];
     let command = command_at.map(|at| words[at]);
     let is_file = |word: &&&str| !word.starts_with('-') && Path::new(word).exists();
-    let message = match (error.kind(), error.get(ContextKind::InvalidArg)) {
+    match (error.kind(), error.get(ContextKind::InvalidArg)) {
+        (ErrorKind::ValueValidation, Some(ContextValue::String(option))) => {
+            let problem = error.source()?.downcast_ref::<Told>()?.describe();
+            let Some(ContextValue::String(value)) = error.get(ContextKind::InvalidValue) else { return None };
+            // The parser adds the name of the value.
+            let option = option.split(' ').next().unwrap_or_default().to_owned();
+            let (option, value) = (name(option), name(value.clone()));
+            Some(text!("cli-value", option = option, value = value, problem = problem))
+        }
         (ErrorKind::UnknownArgument, Some(ContextValue::String(option)))
             if option.starts_with('-')
                 && before.iter().any(|word| word.starts_with(option.as_str()))
                 && words.first().is_some_and(|word| word.starts_with('-') || is_file(&word)) =>
         {
-            let takes = |of: &&clap::Command| {
-                let names = |arg: &clap::Arg| {
-                    let short = arg.get_short().map(|short| format!("-{short}"));
-                    [short, arg.get_long().map(|long| format!("--{long}"))]
-                };
-                of.get_arguments().flat_map(names).flatten().any(|name| name == *option)
-            };
-            let known = |name: &str| program.find_subcommand(name).filter(takes).map(clap::Command::get_name);
-            let owner = match command {
-                Some(name) => known(name),
-                None => program.get_subcommands().find(takes).map(clap::Command::get_name),
-            };
-            owner.map(|owner| {
-                format!(
-                    "`{option}` belongs to a command and must follow it: `assur {owner} SCENE {option} ...`"
-                )
-            })
+            let owner = owner(&program, option, command)?;
+            Some(text!("cli-option-of-command", option = name(option.clone()), command = name(owner)))
         }
         (ErrorKind::UnknownArgument | ErrorKind::InvalidSubcommand, _) => {
             let first = words.iter().find(|word| !word.starts_with('-'));
-            first.filter(|word| !is_file(word) && command != Some(**word)).map(|word| {
-                let offer = nearest_command(word).map_or_else(
-                    || "`assur --help` lists the commands".to_owned(),
-                    |command| format!("did you mean `assur {command}`?"),
-                );
-                format!("there is neither a command nor a scene file `{word}`; {offer}")
-            })
+            let word = first.filter(|word| !is_file(word) && command != Some(**word))?;
+            let offer = nearest_command(word).map_or_else(
+                || text!("cli-help-lists"),
+                |command| text!("cli-offer", command = name(command)),
+            );
+            Some(text!("cli-unknown-word", word = name((*word).to_owned()), offer = offer))
         }
-        (ErrorKind::MissingRequiredArgument, _) => before.iter().find(is_file).zip(command).map(behind),
+        (ErrorKind::MissingRequiredArgument, _) => {
+            before.iter().find(is_file).zip(command).map(|(scene, command)| behind(scene, command))
+        }
         _ => None,
-    };
-    message.map_or(error, |message| fault(&message))
+    }
 }
 
-/// The error that a scene precedes the command.
-fn behind((scene, command): (&&str, &str)) -> String {
-    format!("`{scene}` stands before the command `{command}`; write it behind: `assur {command} {scene}`")
+/// The command that has an option: the one that is named, if it has it.
+fn owner(program: &clap::Command, option: &str, command: Option<&str>) -> Option<String> {
+    let takes = |of: &&clap::Command| {
+        let names = |arg: &clap::Arg| {
+            let short = arg.get_short().map(|short| format!("-{short}"));
+            [short, arg.get_long().map(|long| format!("--{long}"))]
+        };
+        of.get_arguments().flat_map(names).flatten().any(|name| name == option)
+    };
+    let found = match command {
+        Some(name) => program.find_subcommand(name).filter(takes),
+        None => program.get_subcommands().find(takes),
+    };
+    found.map(|command| command.get_name().to_owned())
+}
+
+/// The fault that a scene precedes the command.
+fn behind(scene: &str, command: &str) -> Text {
+    let [scene, command] = [scene, command].map(|word| name(word.to_owned()));
+    text!("cli-scene-first", scene = scene, command = command)
 }
 
 /// The command whose spelling is near to `word`: at most two letters away.
@@ -79,7 +112,7 @@ pub(crate) fn nearest_command(word: &str) -> Option<String> {
 }
 
 /// Options of the terminal UI, or methods, before a command would be ignored without a message.
-fn misplaced(cli: &Cli, name: &str) -> Option<clap::Error> {
+fn misplaced(cli: &Cli, command: &str) -> Option<Text> {
     let before = [
         ("--analyzer", cli.methods.analyzer.is_some()),
         ("--integrator", cli.methods.integrator.is_some()),
@@ -87,21 +120,10 @@ fn misplaced(cli: &Cli, name: &str) -> Option<clap::Error> {
         ("--fps", cli.look.fps.is_some()),
         ("--cell-ratio", cli.look.cell_ratio.is_some()),
     ];
-    let lost = before.iter().find(|(_, given)| *given);
-    if let Some((option @ ("--analyzer" | "--integrator"), _)) = lost {
-        return Some(fault(&format!(
-            "`{option}` stands before the command `{name}`, where it has no effect; write it behind: `assur {name} ... {option} NAME`"
-        )));
+    if let Some((option, _)) = before.iter().find(|(_, given)| *given) {
+        let is_method = matches!(*option, "--analyzer" | "--integrator");
+        let id = if is_method { "cli-option-first" } else { "cli-option-of-screen" };
+        return Some(text!(id, option = name(*option), command = name(command.to_owned())));
     }
-    if let Some((option, _)) = lost {
-        return Some(fault(&format!(
-            "`{option}` is for the terminal UI (`assur SCENE`); `{name}` has no use for it"
-        )));
-    }
-    let scene = cli.scene.as_ref()?.display().to_string();
-    Some(fault(&behind((&scene.as_str(), name))))
-}
-
-fn fault(message: &str) -> clap::Error {
-    Cli::command().error(ErrorKind::InvalidSubcommand, message)
+    Some(behind(&cli.scene.as_ref()?.display().to_string(), command))
 }

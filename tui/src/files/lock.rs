@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use assur_words::{Text, name, text};
+use assur_words::{Text, Told, name, text};
 
 use super::FileError;
 
@@ -130,7 +130,7 @@ pub(crate) fn open_own(path: &Path) -> io::Result<File> {
             _ => {}
         }
     }
-    Err(io::Error::other("it is removed and created again and again"))
+    Err(io::Error::other(Told(text!("file-comes-and-goes"))))
 }
 
 /// An empty file of our own in the place of an old one; a link there is removed, and what it points to is left.
@@ -152,13 +152,13 @@ fn check_own(path: &Path) -> io::Result<()> {
     let problem = if found.is_file() && has_one_name(&found) {
         return Ok(());
     } else if found.is_symlink() {
-        "it is a symbolic link, which is not followed: remove it"
+        text!("file-is-link")
     } else if found.is_file() {
-        "it is a file with several names (hard links), so writing would change the others too: remove it"
+        text!("file-has-names")
     } else {
-        "it is no file: remove it"
+        text!("file-is-no-file")
     };
-    Err(io::Error::new(io::ErrorKind::AlreadyExists, problem))
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, Told(problem)))
 }
 
 fn has_one_name(found: &fs::Metadata) -> bool {

@@ -6,7 +6,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use assur_words::text;
+use assur_words::{Told, name, text};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 use tempfile::NamedTempFile;
@@ -138,14 +138,14 @@ impl Replacement {
         if let Ok(old) = fs::metadata(&path) {
             refuse_special(&old)?;
             if old.permissions().readonly() {
-                let problem = "the file that is there is read-only";
+                let problem = Told(text!("file-read-only"));
                 return Err(io::Error::new(io::ErrorKind::PermissionDenied, problem));
             }
         }
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         if !folder.is_dir() {
-            let missing = format!("there is no folder {}", folder.display());
-            return Err(io::Error::new(io::ErrorKind::NotFound, missing));
+            let missing = text!("file-no-folder", folder = name(folder.display().to_string()));
+            return Err(io::Error::new(io::ErrorKind::NotFound, Told(missing)));
         }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".assur-");
@@ -182,7 +182,7 @@ fn take_place(complete: &Path, path: &Path) -> io::Result<()> {
             refuse_special(&old)?;
             let mut target = OpenOptions::new().write(true).open(path)?;
             if let Err(TryLockError::WouldBlock) = target.try_lock() {
-                return Err(io::Error::other("another process is writing it now"));
+                return Err(io::Error::other(Told(text!("file-being-written"))));
             }
             let length = io::copy(&mut File::open(complete)?, &mut target)?;
             target.set_len(length)?;
@@ -204,7 +204,7 @@ fn refuse_special(old: &fs::Metadata) -> io::Result<()> {
     if old.is_file() {
         return Ok(());
     }
-    Err(io::Error::new(io::ErrorKind::AlreadyExists, "what is there is not a file"))
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, Told(text!("file-replaces-no-file"))))
 }
 
 /// Whether an old file has other names, or an owner that a new file would not have.

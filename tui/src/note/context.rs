@@ -50,11 +50,12 @@ impl Context<'_> {
         position: usize,
         set: impl FnOnce(&mut State),
     ) -> Option<(Figure, Text)> {
-        let before = (self.state.position, self.state.chosen, self.state.parts.clone());
+        let before =
+            (self.state.position, self.state.chosen, self.state.parts.clone(), self.state.picked.clone());
         self.state.position = position;
         set(self.state);
         let figure = view::figure(self.state, shown);
-        (self.state.position, self.state.chosen, self.state.parts) = before;
+        (self.state.position, self.state.chosen, self.state.parts, self.state.picked) = before;
         figure.map(|mut figure| {
             figure.panels.iter_mut().for_each(still);
             let title = std::mem::take(&mut figure.title);

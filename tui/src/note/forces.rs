@@ -7,8 +7,8 @@ use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_report::topic;
 use assur_words::{Text, name, number, text};
 
-use super::NoteError;
 use super::context::{Context, still};
+use super::{NoteError, construction};
 use crate::screen::state::{Part, Reaction, Series, View};
 use crate::screen::view::{plans, plots};
 
@@ -17,6 +17,8 @@ const POLYGONS: [f64; 2] = [165.0, 80.0];
 const CURVE: [f64; 2] = [165.0, 85.0];
 /// Loads in one figure.
 const MOST_LOADS: usize = 4;
+/// Reactions in one diagram: there are so many strokes.
+const MOST_REACTIONS: usize = 4;
 
 /// Polygons and reactions in the chosen positions, curves of the greatest reaction and of the balancing load; nothing without
 /// forces.
@@ -32,7 +34,11 @@ pub(super) fn forces(context: &mut Context<'_>, page: &mut Document) -> Result<(
     page.figure(Some(drawn).filter(|drawn| !drawn.panels.is_empty()), size, text!("note-loads-drawn"));
     context.tell(page, &[topic::inertia_loads])?;
     polygons(context, page)?;
-    context.tell(page, &[topic::reactions_at_positions, topic::balancing_at_positions])?;
+    construction::construction(context, page)?;
+    context.tell(
+        page,
+        &[topic::reactions_at_positions, topic::balancing_at_positions, topic::friction_tables],
+    )?;
     curves(context, page)
 }
 
@@ -102,9 +108,15 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let found = context.found()?;
     let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
     let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
-    let most = pairs.map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
-    let balancing = found.reactions.iter().position(|reaction| reaction.pair.is_empty());
+    let most = pairs.clone().map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
+    let moduli = pairs.filter_map(|(_, reaction)| reaction.series.last());
+    let moduli: Vec<String> =
+        moduli.map(|index| found.series[*index].short.clone()).take(MOST_REACTIONS).collect();
+    let balancing = found.reactions.iter().position(|reaction| reaction.of.is_none());
     let of = most.map(|index| found.reactions[index].name.clone()).unwrap_or_default();
+    // All of them in one diagram, as L fig. 2 has them.
+    let together = context.first(View::Curves, |state| state.picked = moduli);
+    page.figure(together, CURVE, text!("note-reactions-drawn"));
     let all = [
         (most, Part::Overview, text!("note-reaction-curve", of = of)),
         (balancing, Part::Curves, text!("note-balancing-curve")),

@@ -3,7 +3,7 @@
 use assur_book::{Block, Document, Term};
 use assur_words::{Describe, name, number, text, unit};
 use assur_working::WorkingError;
-use assur_worksheet::{Entry, Term as Part};
+use assur_worksheet::{Entry, Section, Term as Part};
 
 use super::NoteError;
 use super::context::Context;
@@ -22,14 +22,29 @@ pub(super) fn working(context: &mut Context<'_>, page: &mut Document) -> Result<
         Err(error) => return Err(NoteError::Working(error.describe())),
     };
     // The first section repeats title and structure.
-    for section in sections.iter().skip(1) {
-        page.blocks.push(Block::Subheading(section.title.clone()));
-        page.blocks.extend(section.entries.iter().map(|entry| match entry {
-            Entry::Note(text) => Block::Paragraph(text.clone()),
-            equation => Block::Equation(terms(equation)),
-        }));
+    sections.iter().skip(1).for_each(|section| add(section, page));
+    Ok(())
+}
+
+/// The energy form of the motion, step by step; nothing where the motion is prescribed.
+pub(super) fn energy(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    let sections = crate::working::energy(&context.found()?.analysis, &context.scene()?.linkage.mechanism);
+    if !sections.is_empty() {
+        page.heading(text!("note-energy-form"));
+        for section in &sections {
+            add(section, page);
+        }
     }
     Ok(())
+}
+
+/// A section with its equations.
+fn add(section: &Section, page: &mut Document) {
+    page.blocks.push(Block::Subheading(section.title.clone()));
+    page.blocks.extend(section.entries.iter().map(|entry| match entry {
+        Entry::Note(text) => Block::Paragraph(text.clone()),
+        equation => Block::Equation(terms(equation)),
+    }));
 }
 
 /// An equation with the signs of print.

@@ -1,6 +1,6 @@
 //! The parts of the note: topics of the report with figures between them.
 
-use assur_analysis::results::Failure;
+use assur_analysis::results::{Column, Failure, Owner, Quantity};
 use assur_book::{Block, Document};
 use assur_figure::mechanism::Drawing;
 use assur_figure::{Figure, Item, Panel};
@@ -24,6 +24,8 @@ const CURVE: [f64; 2] = [160.0, 80.0];
 /// Page of the energy-mass diagram, and of the link of reduction, mm.
 const DIAGRAM: [f64; 2] = [130.0, 110.0];
 const LINK: [f64; 2] = [165.0, 75.0];
+/// Page of the two drives, mm.
+const PLACES: [f64; 2] = [165.0, 90.0];
 /// Width of the assembly and height of a row of its panels, mm; panels beside each other, and in one figure.
 const PANELS: [f64; 2] = [165.0, 78.0];
 const COLUMNS: usize = 2;
@@ -35,7 +37,17 @@ pub(super) fn document(context: &mut Context<'_>) -> Result<Document, NoteError>
     let facts = topic::summary(&context.found()?.analysis, &context.scene()?.linkage);
     page.heading(text!("report-results"));
     page.facts(text!("note-main-results"), facts);
-    for part in [task, structure, kinematics, forces::forces, dynamics, formula::working, checks, limits] {
+    for part in [
+        task,
+        structure,
+        kinematics,
+        forces::forces,
+        dynamics,
+        formula::energy,
+        formula::working,
+        checks,
+        limits,
+    ] {
         part(context, &mut page)?;
     }
     Ok(page)
@@ -129,12 +141,14 @@ fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
         let Some(mut figure) = context.first(View::Motion, |_| {}) else { return Ok(()) };
         figure.panels.retain(|panel| !is_zero(panel));
         page.heading(text!("report-motion"));
+        reduced_inertia(context, page)?;
         page.figure(Some(figure), CURVES, text!("note-motion-curves"));
         return Ok(());
     }
     page.heading(text!("note-dynamics"));
     page.paragraph(text!("note-dynamics-text"));
     page.facts(text!("note-regime"), facts);
+    reduced_inertia(context, page)?;
     let reduction = context.beside(View::Drive, |state| {
         state.parts.insert(View::Drive, Part::Reduction);
     });
@@ -152,13 +166,35 @@ fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
     }
     page.figure(reduction, LINK, caption);
     context.tell(page, &[topic::iteration, topic::drive])?;
-    // The second panel repeats the moments.
-    let drive = context.first(View::Drive, |_| {}).filter(|figure| figure.panels.len() > 1);
+    // The last panel repeats the moments.
+    let drive = context.first(View::Drive, |state| {
+        state.parts.insert(View::Drive, Part::Curves);
+    });
+    let drive = drive.filter(|figure| figure.panels.len() > 1);
     let drive = drive.map(|mut figure| {
-        figure.panels.truncate(1);
+        figure.panels.pop();
         figure
     });
-    page.figure(drive, CURVE, text!("note-characteristic"));
+    page.figure(drive, CURVES, text!("note-characteristic"));
+    let places = context.first(View::Drive, |state| {
+        state.parts.insert(View::Drive, Part::Places);
+    });
+    page.figure(places, PLACES, text!("note-places-drawn"));
+    Ok(())
+}
+
+/// J and its derivative in one diagram (S fig. 8); nothing where there is no mass.
+fn reduced_inertia(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    let found = context.found()?;
+    let of =
+        |quantity| found.series.iter().find(|series| series.column == Column::of(quantity, Owner::Input));
+    let both = [Quantity::ReducedInertia, Quantity::ReducedInertiaDerivative].map(of);
+    let [Some(inertia), Some(slope)] = both else { return Ok(()) };
+    if inertia.size() > 0.0 {
+        let picked = [inertia, slope].map(|series| series.short.clone()).to_vec();
+        let figure = context.first(View::Curves, |state| state.picked = picked);
+        page.figure(figure, CURVE, text!("note-reduced-inertia-drawn"));
+    }
     Ok(())
 }
 

@@ -1,16 +1,19 @@
 //! Tests of `note`.
 
 mod facts;
+mod figures;
 mod numbers;
 
 use std::collections::BTreeSet;
 
 use assur_all as _;
+use assur_analysis::Options;
 use assur_scene::Note;
 
 use super::{Form, Written};
 use crate::screen::state::State;
-use crate::screen::still::{analyzed, open};
+use crate::screen::still::analyzed;
+use crate::session::{Session, Source};
 
 fn note(language: &'static str) -> Note {
     let text = |text: &str| Some(text.to_owned());
@@ -19,12 +22,8 @@ fn note(language: &'static str) -> Note {
 
 /// A scene with its analysis done.
 fn state(scene: &str) -> State {
-    analyzed(
-        open(assur_fixtures::path(&format!("{scene}.toml"))).unwrap(),
-        [None, None],
-        true,
-        assur_words::Language::english(),
-    )
+    let session = Session::open(Source::File(assur_fixtures::path(&format!("{scene}.toml")))).unwrap();
+    analyzed(&session.into(), Options::default(), true, assur_words::Language::english()).unwrap()
 }
 
 fn of(scene: &str, language: &'static str, form: Form) -> Written {
@@ -48,10 +47,8 @@ fn no_english_word_is_left_in_another_language() {
         let links = mechanism.links.iter().map(|link| link.name.as_str());
         let points = mechanism.points.iter().map(|point| point.name.as_str());
         let slides = mechanism.slides.iter().map(|slide| slide.name.as_str());
-        let forces = mechanism.forces.iter().map(|load| load.name.as_str());
-        let moments = mechanism.moments.iter().map(|load| load.name.as_str());
-        let springs = mechanism.springs.iter().map(|load| load.name.as_str());
-        let names = links.chain(points).chain(slides).chain(forces).chain(moments).chain(springs);
+        let loads = mechanism.loads.iter().map(|load| load.name.as_str());
+        let names = links.chain(points).chain(slides).chain(loads);
         // The name of the check of the source, of the analyzers, of functions, kinds of groups.
         let analyzers = assur_force::analyzers().unwrap();
         let names = names.chain(analyzers.iter().map(|plugin| plugin.name));

@@ -4,7 +4,6 @@ pub(crate) use assur_figure::cells::cut;
 
 use assur_figure::cells::{self, Look};
 use assur_figure::{Figure, Frame, Ink};
-use assur_words::Text;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -78,20 +77,6 @@ pub(crate) fn put_lines<'a>(
     for (row, (role, line)) in lines.into_iter().enumerate() {
         put(buffer, area, column, short(row), line, state.look.theme.style(*role));
     }
-}
-
-/// A table in lines: its head, then its rows, each column as wide as it needs.
-pub(crate) fn table<const N: usize>(
-    state: &State,
-    head: [Text; N],
-    rows: impl IntoIterator<Item = [Text; N]>,
-) -> Vec<(Role, String)> {
-    let head = head.map(|text| state.told(text));
-    let rows: Vec<_> = rows.into_iter().map(|row| row.map(|text| state.told(text)).to_vec()).collect();
-    let text = assur_report::text::columns(&head.each_ref().map(String::as_str), &rows, false);
-    // The second line is a rule.
-    let lines = text.lines().enumerate().filter(|(number, _)| *number != 1);
-    lines.map(|(number, line)| (if number == 0 { Role::Dim } else { Role::Plain }, line.to_owned())).collect()
 }
 
 /// The first item of a list that is shown in this many rows, with the chosen item as the last at most.

@@ -3,16 +3,16 @@
 //! [`run`] is the entry point. The layers, from below: `state` is everything on which a frame depends; `draw` puts
 //! figures, curves and text into cells; `view` is pure functions from the state to a frame; `command` changes the
 //! state, by a table of commands that is passed to the state, so that views can show its keys without depending on it;
-//! `still` draws a view without a terminal; `session` applies the events that wait in `inbox` and redraws only after one that
+//! `still` draws a view without a terminal; `event_loop` applies the events that wait in `inbox` and redraws only after one that
 //! changed something. Nothing here calculates; reading and calculating (`work`) run in threads of `workers`.
 
 pub(crate) mod command;
 mod config;
 mod draw;
+mod event_loop;
 mod inbox;
 mod input;
 mod pixels;
-mod session;
 pub(crate) mod state;
 pub(crate) mod still;
 mod terminal;
@@ -21,17 +21,18 @@ mod work;
 mod workers;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
 
-use assur_words::{Describe, Text, errors, name, text};
+use assur_words::{Describe, Text, errors, text, text_of};
 use command::COMMANDS;
 pub use config::Config;
 pub(crate) use config::default_text;
-pub use state::NoteWriter;
-use state::{Look, Marker, State, Theme};
+use state::{Look, Marker, NoteWriter, Scene, State, Theme};
+
+use crate::session::{Session, Source};
 
 /// Options of the command line that go before the configuration.
 #[derive(Debug, Clone, Default, clap::Args)]
@@ -56,10 +57,8 @@ pub struct Options {
     pub look: LookArgs,
     /// The language that is asked for; `None`: as configured, else that of the scene's note.
     pub language: Option<String>,
-    /// Force analyzer by name; `None`: the scene's.
-    pub analyzer: Option<String>,
-    /// Integrator by name; `None`: the scene's.
-    pub integrator: Option<String>,
+    /// Force analyzer and integrator.
+    pub methods: assur_analysis::Options,
     /// The configuration; the options above have precedence.
     pub config: Config,
     /// Why the configuration of the user was not used; the text is complete.
@@ -67,7 +66,7 @@ pub struct Options {
     /// The configuration file of the user, which need not exist; `None`: there is no place for it.
     pub config_file: Option<PathBuf>,
     /// Writes the note of a scene.
-    pub note: Option<NoteWriter>,
+    pub(crate) note: Option<NoteWriter>,
 }
 
 /// Why the terminal UI could not open.
@@ -86,7 +85,7 @@ impl Describe for ScreenError {
     fn describe(&self) -> Text {
         match self {
             Self::NoTerminal => text!("screen-no-terminal"),
-            Self::Terminal(problem) => text!("screen-terminal-fails", problem = name(problem.to_string())),
+            Self::Terminal(problem) => text!("screen-terminal-fails", problem = text_of(problem)),
             Self::Scene(fault) => fault.clone(),
         }
     }
@@ -102,7 +101,10 @@ errors!(ScreenError);
 #[expect(clippy::needless_pass_by_value, reason = "the command line gives its options away")]
 pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     let scene = match path {
-        Some(path) => Some(still::open(path)?),
+        Some(path) => {
+            let session = Session::open(Source::File(path));
+            Some(session.and_then(Scene::of).map_err(ScreenError::Scene)?)
+        }
         None => None,
     };
     if !(std::io::stdin().is_terminal() && std::io::stdout().is_terminal()) {
@@ -113,10 +115,9 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     state.panels.clone_from(&options.config.panels);
     state.note = options.note;
     state.size = terminal::size().unwrap_or(state.size);
-    state.analyzer.clone_from(&options.analyzer);
-    state.integrator.clone_from(&options.integrator);
+    state.options.clone_from(&options.methods);
     command::start(&mut state);
-    session::run(state, options.config_file.as_deref()).map_err(ScreenError::Terminal)
+    event_loop::run(state, options.config_file.as_deref()).map_err(ScreenError::Terminal)
 }
 
 /// How to draw, from options, configuration, locale and `NO_COLOR`.

@@ -1,20 +1,22 @@
 //! Pictures of the views without a terminal.
 
-use std::cell::RefCell;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::sync::Arc;
 
+use assur_analysis::{Coverage, Options, unwatched};
 use assur_figure::{Figure, svg};
-use assur_words::{Language, Text, list, name, number, text};
+use assur_words::{self as words, Describe, Language, Text, Told, list, name, number, text};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use super::command::{self, COMMANDS, PAGE, picture};
-use super::state::{Cancel, Job, Keymap, Look, Part, Purpose, Report, Scene, Source, State, View, Wish};
-use super::{ScreenError, view, work};
+use super::state::{Found, Keymap, Look, Part, Scene, State, View};
+use super::view;
+use crate::session::Session;
 
 /// What is drawn.
 #[derive(Debug, Clone, Args)]
-pub(crate) struct Request {
+pub(crate) struct PictureArgs {
     /// View of the terminal UI that is drawn
     #[arg(long, value_name = "NAME", default_value = "mechanism", value_parser = PossibleValuesParser::new(views()))]
     pub(crate) view: String,
@@ -22,9 +24,13 @@ pub(crate) struct Request {
     /// (forces); overview, course, iteration (motion); overview, curves, energy-mass, inertia, reduction (drive)
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
-    /// Quantity, pair or link that is shown, found as by `/` in the terminal UI
+    /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI; several
+    /// quantities with commas between them lie over each other
     #[arg(long, value_name = "NAME")]
     pub(crate) show: Option<String>,
+    /// Step up to which a construction is drawn, counted from 1; without it, all steps
+    #[arg(long, value_name = "N")]
+    pub(crate) step: Option<usize>,
     /// Position that is drawn
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(crate) position: usize,
@@ -39,12 +45,13 @@ pub(crate) struct Request {
 /// Sides of a page, mm.
 const SIDES: std::ops::RangeInclusive<f64> = 20.0..=2000.0;
 
-fn page(text: &str) -> Result<[f64; 2], String> {
+fn page(text: &str) -> Result<[f64; 2], Told> {
     let side = |text: &str| text.parse().ok().filter(|side| SIDES.contains(side));
     let sides =
         text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([side(width)?, side(height)?]));
     sides.ok_or_else(|| {
-        format!("a size is two numbers of {} to {} mm, as in 160x120", SIDES.start(), SIDES.end())
+        let [least, most] = [SIDES.start(), SIDES.end()].map(number);
+        Told(text!("cli-write-size", least = least, most = most))
     })
 }
 
@@ -57,7 +64,7 @@ pub(crate) enum StillError {
     Nothing(Text),
 }
 
-impl Request {
+impl PictureArgs {
     /// Whether the checks belong to what is drawn: residuals are quantities too.
     pub(crate) fn shows_checks(&self) -> bool {
         self.show.is_some() && self.view == View::Curves.command()
@@ -78,7 +85,7 @@ pub(crate) fn views() -> Vec<&'static str> {
 /// # Errors
 ///
 /// [`StillError`]: a request without a meaning, a view that has nothing to show.
-pub(crate) fn draw(mut state: State, request: &Request, output: &Path) -> Result<Vec<u8>, StillError> {
+pub(crate) fn draw(mut state: State, request: &PictureArgs, output: &Path) -> Result<Vec<u8>, StillError> {
     let size = request.size.unwrap_or(PAGE);
     let wrong = StillError::Request;
     state.view = request.view.parse().unwrap_or(View::Mechanism);
@@ -91,11 +98,20 @@ pub(crate) fn draw(mut state: State, request: &Request, output: &Path) -> Result
     if let Some(part) = &request.part {
         choose_part(&mut state, part).map_err(wrong)?;
     }
-    if let Some(name) = &request.show {
+    if let Some(name) =
+        request.show.as_ref().filter(|names| state.view == View::Curves && names.contains(','))
+    {
+        command::pick_all(&mut state, name.split(',')).map_err(|missing| {
+            wrong(text!("say-not-found", text = words::name(missing.trim().to_owned())))
+        })?;
+    } else if let Some(name) = &request.show {
         command::search(&mut state, name);
         if let Some((_, text)) = state.message.take() {
             return Err(wrong(text));
         }
+    }
+    if let Some(step) = request.step {
+        choose_step(&mut state, step).map_err(wrong)?;
     }
     if request.animate {
         return animation(&mut state, output, size);
@@ -104,49 +120,28 @@ pub(crate) fn draw(mut state: State, request: &Request, output: &Path) -> Result
     picture(&figure, output, size, state.language()).map_err(wrong)
 }
 
-/// Reads a scene from a file.
+/// The state of a scene with its analysis done, and with its checks where they are wanted.
 ///
 /// # Errors
 ///
-/// A scene that can't be read.
-pub(crate) fn open(scene: PathBuf) -> Result<Scene, ScreenError> {
-    work::open(Source::File(scene)).map_err(ScreenError::Scene)
-}
-
-/// The state of a scene with its analysis done, by a force analyzer and an integrator, and with its checks where they
-/// are wanted.
+/// Why there is no analysis: the text is complete, with file and line.
 pub(crate) fn analyzed(
-    scene: Scene,
-    [analyzer, integrator]: [Option<String>; 2],
+    session: &Arc<Session>,
+    options: Options,
     checks: bool,
     language: &'static Language,
-) -> State {
-    let look = Look { language: language.code, ..Look::default() };
-    let mut state = State::new(Some(scene), look, COMMANDS, Keymap::of(COMMANDS));
-    (state.analyzer, state.integrator) = (analyzer, integrator);
-    command::ask(&mut state, Purpose::Main);
-    for wish in std::mem::take(&mut state.wishes) {
-        let Wish::Work(job) = wish else { continue };
-        let cancel =
-            if let Job::Calculate(request) = &job { request.cancel.clone() } else { Cancel::default() };
-        let reports = RefCell::new(Vec::new());
-        let last = work::run(&job, &|report| {
-            if matches!(report, Report::Analyzed { .. }) && !checks {
-                cancel.stop();
-            }
-            reports.borrow_mut().push(report);
-        });
-        for report in reports.into_inner().into_iter().chain([last]) {
-            let wanted = checks || !matches!(report, Report::Checked { .. });
-            if wanted && !matches!(report, Report::Counted { .. }) {
-                command::take(&mut state, report);
-            }
-        }
+) -> Result<State, Text> {
+    let mut scene = Scene::of(Arc::clone(session))?;
+    let found = Found::of(session, &options, &mut unwatched);
+    let mut found = found.map_err(|error| session.fault(&error))?;
+    if checks {
+        let all = found.plans.calculation().checks(Coverage::Sample, &mut unwatched);
+        found.take_checks(all.map_err(|stopped| stopped.describe())?);
     }
-    // Checks that nobody asked for were not waited for.
-    state.running.clear();
-    state.message = None;
-    state
+    scene.found = Some(Box::new(found));
+    let look = Look { language: language.code, ..Look::default() };
+    let state = State::new(Some(scene), look, COMMANDS, Keymap::of(COMMANDS));
+    Ok(State { options, ..state })
 }
 
 fn choose_part(state: &mut State, wanted: &str) -> Result<(), Text> {
@@ -162,6 +157,24 @@ fn choose_part(state: &mut State, wanted: &str) -> Result<(), Text> {
     if *part == Part::Construction {
         state.chosen.step = usize::MAX;
     }
+    Ok(())
+}
+
+/// A step of the construction that is shown, counted from 1.
+fn choose_step(state: &mut State, step: usize) -> Result<(), Text> {
+    let plans = state.found().map(|found| found.plans.at(state.position));
+    let is_drawn = state.view == View::Plans && state.part(View::Plans) == Part::Construction;
+    let Some(plans) = plans.filter(|plans| is_drawn && plans.step_count() > 0) else {
+        let options = name("--view plans --part construction");
+        return Err(text!("draw-step-of-construction", step = name("--step"), options = options));
+    };
+    let shown = state.chosen.step.min(plans.step_count() - 1);
+    let steps = (0..plans.constructions.len()).map(|number| plans.steps_of(number));
+    let steps = steps.into_iter().find(|steps| steps.contains(&shown)).unwrap_or(0..0);
+    if step == 0 || step > steps.len() {
+        return Err(text!("draw-no-step", step = number(step), last = number(steps.len())));
+    }
+    state.chosen.step = steps.start + step - 1;
     Ok(())
 }
 

@@ -1,7 +1,7 @@
 //! Frames, keys and sizes, without a terminal.
 
 mod compare;
-mod courses;
+pub(crate) mod courses;
 mod forces;
 mod frames;
 mod keys;
@@ -10,6 +10,7 @@ mod lists;
 mod pictures;
 mod random;
 mod reading;
+mod readme;
 mod running;
 mod sizes;
 mod tasks;
@@ -23,8 +24,9 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
 use super::command::{self, COMMANDS};
-use super::state::{Job, Key, Keymap, Look, Purpose, Scene, Source, State, View, Wish};
+use super::state::{Job, Key, Keymap, Look, Scene, Source, State, View, Wish};
 use super::{view, work};
+use crate::session::Session;
 
 const VIEWS: [View; 9] = [
     View::Mechanism,
@@ -40,12 +42,16 @@ const VIEWS: [View; 9] = [
 
 /// The state of a shipped scene, its analysis done.
 pub(super) fn opened(name: &'static str) -> State {
-    state_of(Scene::read(Source::Shipped(name), assur_fixtures::scene(name)).unwrap())
+    state_of(read(Source::Shipped(name), assur_fixtures::scene(name)).unwrap())
 }
 
 /// The state of a scene given as text, its analysis done.
 fn scene(text: &str) -> State {
-    state_of(Scene::read(Source::File("scene.toml".into()), text).unwrap())
+    state_of(read(Source::File("scene.toml".into()), text).unwrap())
+}
+
+fn read(source: Source, text: &str) -> Result<Scene, assur_words::Text> {
+    Session::read(source, text.to_owned()).and_then(Scene::of)
 }
 
 fn empty(scene: Option<Scene>) -> State {
@@ -54,7 +60,7 @@ fn empty(scene: Option<Scene>) -> State {
 
 fn state_of(scene: Scene) -> State {
     let mut state = empty(Some(scene));
-    command::ask(&mut state, Purpose::Main);
+    command::start(&mut state);
     settle(&mut state);
     state.message = None;
     state

@@ -4,17 +4,16 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use assur_analysis::Coverage;
 use assur_analysis::results::Checks;
-use assur_analysis::{Calculation, Coverage, Options};
 use assur_fixtures::SCENES;
-use assur_mechanism::Mechanism;
 use assur_study::chart;
 use assur_study::stability::stability;
-use assur_words::{Describe, Text, name, number, text};
+use assur_words::{Describe, Text, number, text};
 
-use super::state::{Cancel, Found, Job, Measured, Planner, Purpose, Report, Request, Scene, Source, Wanted};
-use crate::files;
+use super::state::{Cancel, Found, Job, Measured, Outcome, Purpose, Report, Request, Scene, Wanted};
 use crate::progress::{SystemClock, told};
+use crate::session::{Session, Source};
 
 /// Time between two updates of the progress.
 const PAUSE: Duration = Duration::from_millis(150);
@@ -25,9 +24,9 @@ pub(crate) fn failed(job: &Job, text: Text) -> Report {
         Job::Read(wanted) => Report::Read(wanted.clone(), Err(text)),
         Job::Note { path, .. } => Report::Noted(path.clone(), Err(text)),
         Job::Calculate(Request { number, purpose: Purpose::Measurement, .. }) => {
-            Report::Measured { number: *number, measured: Err(text) }
+            Report::Calculated(*number, Outcome::Measured(Err(text)))
         }
-        Job::Calculate(Request { number, .. }) => Report::Analyzed { number: *number, found: Err(text) },
+        Job::Calculate(Request { number, .. }) => Report::Calculated(*number, Outcome::Found(Err(text))),
     }
 }
 
@@ -36,101 +35,72 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
     match job {
         Job::Read(wanted) => {
             let scene = match wanted {
-                Wanted::Open(source) | Wanted::Compare(source) => open(source.clone()),
+                Wanted::Open(source) | Wanted::Compare(source) => Session::open(source.clone()),
                 Wanted::Preview(index) => {
-                    open(Source::Shipped(SCENES.get(*index).map_or("", |(name, _)| name)))
+                    Session::open(Source::Shipped(SCENES.get(*index).map_or("", |(name, _)| name)))
                 }
-                Wanted::Change(change) => Scene::read(change.source.clone(), &change.text),
+                Wanted::Change(change) => change.session.changed(change.text.clone()),
             };
-            Report::Read(wanted.clone(), scene.map(Box::new))
+            Report::Read(wanted.clone(), scene.and_then(Scene::of).map(Box::new))
         }
-        Job::Note { write, name, text, methods, path } => {
-            Report::Noted(path.clone(), write(name, text, methods.clone()))
+        Job::Note { write, session, options, path } => {
+            Report::Noted(path.clone(), write(session, options.clone()))
         }
         Job::Calculate(request) => {
-            let number = request.number;
+            let tell = |outcome| tell(Report::Calculated(request.number, outcome));
             let mut watch = Watch {
                 cancel: &request.cancel,
-                tell: &|count| tell(Report::Counted { number, count }),
+                tell: &|count| tell(Outcome::Count(count)),
                 last: Instant::now(),
             };
-            if request.purpose == Purpose::Measurement {
-                Report::Measured { number, measured: Ok(Box::new(measure(request, &mut watch))) }
+            let last = if request.purpose == Purpose::Measurement {
+                Outcome::Measured(Ok(Box::new(measure(request, &mut watch))))
             } else {
-                analyze(request, &mut watch, tell)
-            }
+                analyze(request, &mut watch, &tell)
+            };
+            Report::Calculated(request.number, last)
         }
     }
-}
-
-/// Reads a scene from its source.
-///
-/// # Errors
-///
-/// The errors as text.
-pub(crate) fn open(source: Source) -> Result<Scene, Text> {
-    let text = match &source {
-        Source::File(path) => files::read(path).map_err(|error| error.describe())?,
-        Source::Shipped(name) => {
-            let scene = SCENES.iter().find(|(known, _)| known == name);
-            scene.map(|(_, text)| (*text).to_owned()).unwrap_or_default()
-        }
-    };
-    Scene::read(source, &text)
 }
 
 /// Calculates a scene and reports the results, then checks them; results for a difference are not checked.
-fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Report)) -> Report {
-    let (mechanism, number) = (&request.linkage.mechanism, request.number);
-    let options = Options { analyzer: request.analyzer.clone(), integrator: request.integrator.clone() };
+fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Outcome)) -> Outcome {
     let mut watch = |progress| watch.see(|| told(progress));
-    let failed = |text: Text| Report::Analyzed { number, found: Err(text) };
-    let calculation = match Calculation::of(mechanism.clone(), &options, &mut watch) {
-        Ok(calculation) => calculation,
-        Err(error) => return failed(error.describe()),
+    let found = match Found::of(&request.session, &request.options, &mut watch) {
+        Ok(found) => found,
+        Err(error) => return Outcome::Found(Err(error.describe())),
     };
-    let analysis = match calculation.analyze(&mut watch) {
-        Ok(analysis) => analysis,
-        Err(stopped) => return failed(stopped.describe()),
-    };
-    let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
-    let ending = calculation.ending(&analysis.positions);
-    // The whole mechanism is checked and has plans, whatever results the scene requests.
-    let whole = mechanism.output.as_ref().and_then(|_| {
-        let whole = Mechanism { output: None, ..mechanism.clone() };
-        Calculation::of(whole, &options, &mut watch).ok()
-    });
-    let whole = Arc::new(whole.unwrap_or(calculation));
-    let planner = Planner::new(Arc::clone(&whole));
-    let found = Box::new(Found::of(analyzer, analysis, ending, planner));
-    let report = Report::Analyzed { number, found: Ok(found) };
+    let whole = Arc::clone(found.plans.calculation());
+    let found = Outcome::Found(Ok(Box::new(found)));
     if request.purpose == Purpose::Difference {
-        return report;
+        return found;
     }
-    tell(report);
+    tell(found);
     let checks = whole.checks(Coverage::Sample, &mut watch);
-    Report::Checked { number, checks: checks.unwrap_or_else(|_| Checks::none()) }
+    Outcome::Checks(checks.unwrap_or_else(|_| Checks::none()))
 }
 
 /// Measures the methods; finished measurements are kept after a stop.
 fn measure(request: &Request, watch: &mut Watch<'_>) -> Measured {
-    let (linkage, mut clock) = (&request.linkage, SystemClock::default());
-    let chart = chart::chart(linkage, &mut clock, chart::Options::QUICK, &mut |now| {
+    let (session, mut clock) = (&request.session, SystemClock::default());
+    let mut see = |now: chart::Progress| {
         watch.see(|| {
             let [done, total] = [now.done, now.total].map(number);
-            text!("measure-progress", stage = name(now.stage.heading()), done = done, total = total)
+            text!("measure-progress", stage = now.stage.heading(), done = done, total = total)
         })
-    });
+    };
+    let chart = match session.linkage() {
+        Ok(linkage) => chart::chart(&linkage, &mut clock, chart::Options::QUICK, &mut see)
+            .map_err(|error| error.describe()),
+        Err(error) => Err(error.describe()),
+    };
     let stability = request.cancel.flow().is_continue().then(|| {
-        stability(linkage.mechanism.clone(), &mut |done, total| {
+        stability(session.mechanism.clone(), &mut |done, total| {
             watch.see(|| text!("measure-stability", done = number(done), total = number(total)))
         })
         .continue_value()
     });
-    Measured {
-        chart: chart.map_err(|error| error.to_string()),
-        stability: stability.flatten().map(|found| found.map_err(|error| error.to_string())),
-    }
+    Measured { chart, stability: stability.flatten().map(|found| found.map_err(|error| error.describe())) }
 }
 
 /// Watches a calculation: passes on its progress now and then, and stops it when requested.

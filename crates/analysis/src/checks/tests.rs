@@ -66,10 +66,12 @@ fn released(mechanism: &Mechanism) -> Option<Asked> {
 }
 
 fn keep_weights_and_springs(mechanism: &mut Mechanism) {
-    mechanism.forces.clear();
-    mechanism.moments.clear();
-    mechanism.contacts.clear();
-    mechanism.springs.iter_mut().for_each(|spring| spring.damping = 0.0);
+    mechanism.loads.retain(|load| load.kind.spring().is_some());
+    mechanism
+        .loads
+        .iter_mut()
+        .filter_map(|load| load.kind.spring_mut())
+        .for_each(|spring| spring.damping = 0.0);
 }
 
 #[test]
@@ -117,9 +119,7 @@ fn keep_what_repeats(mechanism: &mut Mechanism) {
         Value::Table { over, repeat, .. } => *over == Over::Coordinate && *repeat,
         _ => false,
     };
-    mechanism.forces.retain(|force| repeats(&force.value));
-    mechanism.moments.retain(|moment| repeats(&moment.value));
-    mechanism.contacts.clear();
+    mechanism.loads.retain(|load| load.kind.contact().is_none() && load.kind.law().is_none_or(repeats));
 }
 
 #[test]

@@ -37,7 +37,8 @@ pub(super) const INERTIA_OF_LINKS: Family = Family {
         let mechanism = &rows.calculation.linkage.mechanism;
         for link in heavy(mechanism) {
             let (found, body) = (&mechanism.links[link], &rows.position.bodies[link]);
-            let [mass, inertia] = [found.mass, found.inertia].map(Lanes::from_f64);
+            let [inertia, _] = own_inertia(rows, link);
+            let mass = Lanes::from_f64(found.mass);
             let first = body.first(body.arm(found.center.map(Lanes::from_f64)));
             cells.all([mass * dot(first, first) + inertia * body.w1 * body.w1]);
         }
@@ -53,22 +54,13 @@ pub(super) const LOADS: Family = Family {
         schema.add(Section::ALWAYS, loads);
     },
     fill: |rows, cells| {
-        let Mechanism { forces, moments, springs, contacts, .. } = &rows.calculation.linkage.mechanism;
-        let moment = forces.len();
-        let spring = moment + moments.len();
-        let contact = spring + springs.len();
-        let mut sizes = vec![Lanes::ZERO; contact + contacts.len()];
+        let mut sizes = vec![Lanes::ZERO; rows.calculation.linkage.mechanism.loads.len()];
         if let Some(loads) = &rows.calculation.loads {
             let states = rows.instants.map(|instant| instant.state);
             loads.sizes(&states, &rows.position.bodies, |cause, size| {
-                let load = match cause {
-                    Cause::Force(id) => id,
-                    Cause::Moment(id) => moment + id,
-                    Cause::Spring(id) => spring + id,
-                    Cause::Contact(id) => contact + id,
-                    Cause::Weight(_) | Cause::Inertia(_) => return,
-                };
-                sizes[load] = size;
+                if let Cause::Load(load) = cause {
+                    sizes[load] = size;
+                }
             });
         }
         cells.all(sizes);
@@ -117,7 +109,7 @@ fn heavy(mechanism: &Mechanism) -> impl Iterator<Item = LinkId> {
     (1..mechanism.links.len()).filter(|link| is_heavy(mechanism, *link))
 }
 
-/// Force at the center of mass, and moment: -m a and -I e.
+/// Force at the center of mass, and moment: -m a and -I e; of a moment of inertia I(q) less I' phi' w² / 2.
 fn inertia_load(rows: &Rows<'_>, link: LinkId) -> ([Lanes; 2], Lanes) {
     let (found, body) = (&rows.calculation.linkage.mechanism.links[link], &rows.position.bodies[link]);
     let speed = rows.state(|state| state.speed);
@@ -126,5 +118,17 @@ fn inertia_load(rows: &Rows<'_>, link: LinkId) -> ([Lanes; 2], Lanes) {
     let arm = body.arm(found.center.map(Lanes::from_f64));
     let (first, second) = (body.first(arm), body.second(arm));
     let force = scaled(Lanes::from_f64(-found.mass), [0, 1].map(|axis| rate(first[axis], second[axis])));
-    (force, Lanes::from_f64(-found.inertia) * rate(body.w1, body.w2))
+    let [inertia, slope] = own_inertia(rows, link);
+    let moment = -inertia * rate(body.w1, body.w2);
+    // Without a slope the sign of a zero stays.
+    let moment =
+        if found.inertia.varying().is_some() { moment - (slope * body.w1 * square).half() } else { moment };
+    (force, moment)
+}
+
+/// The moment of inertia of a link about its center of mass, and its derivative by the coordinate.
+fn own_inertia(rows: &Rows<'_>, link: LinkId) -> [Lanes; 2] {
+    let inertia = &rows.calculation.linkage.mechanism.links[link].inertia;
+    let coordinates = rows.position.coordinates.0.map(|coordinate| inertia.at(coordinate));
+    [0, 1].map(|order| Lanes(coordinates.map(|at| at[order])))
 }

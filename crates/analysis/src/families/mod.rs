@@ -4,6 +4,7 @@
 //! results is a further family in [`POSITIONS`], [`TRANSIENT`] or [`STEADY`]; the writers need a name for it.
 
 mod forces;
+mod friction;
 mod loads;
 mod motion;
 
@@ -23,6 +24,7 @@ use crate::{Calculation, InputMotion};
 pub(crate) use motion::Motions;
 
 use forces::{BALANCING, HOLDING, REACTIONS};
+use friction::{EFFICIENCY, FRICTION};
 use loads::{INERTIA_LOADS, INERTIA_OF_LINKS, LOADS, REDUCED, SHAKING};
 use motion::{COORDINATE, LINKS, PLACES, POINTS, RATES, SLIDES, SPEEDS, TIME};
 
@@ -91,7 +93,9 @@ const POSITIONS: &[Family] = &[
     INERTIA_LOADS,
     SHAKING,
     Family { applies: |found| found.positions_have_forces() && (REACTIONS.applies)(found), ..REACTIONS },
+    FRICTION,
     Family { applies: |found| found.positions_have_forces() && (BALANCING.applies)(found), ..BALANCING },
+    EFFICIENCY,
     CONDITION,
 ];
 /// Of the samples of a transient motion.
@@ -145,7 +149,7 @@ impl Calculation {
 
     /// Whether all loads can be evaluated: groups that nothing wanted depends on are not solved.
     pub(crate) fn knows_all_loads(&self) -> bool {
-        self.loads.is_some() && self.linkage.mechanism.output.is_none()
+        self.loads.is_some() && self.plan.all
     }
 
     /// Whether the positions have inertia loads.

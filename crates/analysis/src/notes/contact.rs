@@ -2,7 +2,7 @@
 
 use assur_force::{Cause, State};
 use assur_group::Order;
-use assur_mechanism::Contact;
+use assur_mechanism::{Contact, LoadId, Name};
 use assur_words::{Text, number, text};
 
 use super::Listed;
@@ -14,14 +14,15 @@ const ROLLS: f64 = 1e-12;
 impl Calculation {
     /// Where a friction whose sign is given pushes with the sliding, and where one against the sliding has nothing to oppose.
     pub(super) fn friction_of_contacts(&self) -> Vec<Text> {
-        let contacts = self.linkage.mechanism.contacts.iter().enumerate();
-        contacts
-            .filter(|(_, contact)| contact.friction != 0.0)
-            .filter_map(|(id, contact)| self.friction(id, contact))
-            .collect()
+        let loads = self.linkage.mechanism.loads.iter().enumerate();
+        let rough = loads.filter_map(|(id, load)| {
+            let contact = load.kind.contact().filter(|contact| contact.friction != 0.0)?;
+            self.friction(id, &load.name, contact)
+        });
+        rough.collect()
     }
 
-    fn friction(&self, id: usize, contact: &Contact) -> Option<Text> {
+    fn friction(&self, id: LoadId, name: &Name, contact: &Contact) -> Option<Text> {
         let count = self.linkage.mechanism.input.positions;
         let (mut pushing, mut rolling, mut known) = (Listed::default(), Listed::default(), 0);
         for index in 0..count {
@@ -33,7 +34,6 @@ impl Calculation {
                 pushing.add(index);
             }
         }
-        let name = Text::from(&contact.name);
         if contact.against_sliding && rolling.count() == known && known > 0 {
             return Some(text!("analysis-arc-never-slides", contact = name));
         }
@@ -48,7 +48,7 @@ impl Calculation {
     }
 
     /// Sliding of the arc along its line in the direction of motion, and the friction along it, N; `None` where there is no contact.
-    fn sliding(&self, id: usize, contact: &Contact, index: usize) -> Option<[f64; 2]> {
+    fn sliding(&self, id: LoadId, contact: &Contact, index: usize) -> Option<[f64; 2]> {
         let (linkage, loads) = (&self.linkage, self.loads.as_ref()?);
         let mut position = linkage.position();
         linkage.solve_index(index, Order::First, &mut position).ok()?;
@@ -56,7 +56,7 @@ impl Calculation {
         let [angle, friction] = loads.contact(id, &state)?;
         let mut force = None;
         loads.sizes(&state, &position.bodies, |cause, size| {
-            if cause == Cause::Contact(id) {
+            if cause == Cause::Load(id) {
                 force = Some(size);
             }
         });

@@ -1,4 +1,4 @@
-//! Loads that never act, and times that a prescribed motion does not have.
+//! Springs without a direction, and times that a prescribed motion does not have.
 
 use assur_group::Order;
 use assur_mechanism::{Motion, Over, Spring, Value, passage};
@@ -6,43 +6,13 @@ use assur_words::{Text, quantity, text};
 
 use super::Listed;
 use crate::Calculation;
-use crate::results::{Column, Owner, Quantity, Table};
-
-/// A transfer function below this, 1/rad or 1/m, is rounding: the link does not turn.
-const STILL: f64 = 1e-12;
 
 impl Calculation {
-    /// Loads whose value is zero in every position, and moments on links that do not turn.
-    pub(crate) fn idle_loads(&self, positions: &Table) -> Vec<Text> {
-        let (schema, mechanism) = (positions.schema(), &self.linkage.mechanism);
-        let all = |column: Column, test: fn(f64) -> bool| {
-            let found = schema.find(column).filter(|column| positions.has(*column));
-            found.is_some_and(|column| positions.each(column).flatten().all(test))
-        };
-        let mut notes = Vec::new();
-        for owner in schema.owners(Quantity::Load) {
-            if all(Column::of(Quantity::Load, owner), |value| value == 0.0) {
-                notes.extend(schema.named(owner).map(|load| text!("analysis-load-idle", load = load)));
-            }
-        }
-        for moment in mechanism.moments.iter().filter(|moment| moment.brake.is_none()) {
-            let turns = Column::of(Quantity::Transfer(1), Owner::Link(moment.link));
-            if all(turns, |pf1| pf1.abs() <= STILL) {
-                let link = &mechanism.links[moment.link].name;
-                notes.push(text!("analysis-moment-idle", load = &moment.name, link = link));
-            }
-        }
-        notes
-    }
-
     /// Positions that lie before time zero of a prescribed motion, or that it never reaches, where a load depends on time.
     pub(super) fn positions_out_of_time(&self) -> Vec<Text> {
         let mechanism = &self.linkage.mechanism;
         let Some(Motion::Prescribed { speed, acceleration }) = mechanism.motion else { return Vec::new() };
-        let forces = mechanism.forces.iter().map(|force| &force.value);
-        let moments = mechanism.moments.iter().map(|moment| &moment.value);
-        let contacts = mechanism.contacts.iter().flat_map(|contact| [&contact.force, &contact.angle]);
-        if !forces.chain(moments).chain(contacts).any(depends_on_time) {
+        if !mechanism.loads.iter().flat_map(|load| load.kind.laws()).any(depends_on_time) {
             return Vec::new();
         }
         let input = &mechanism.input;
@@ -87,14 +57,14 @@ impl Calculation {
             let [a, b] = spring.ends.map(|end| position.bodies[end.link].point(end.at));
             (b[0] - a[0]).hypot(b[1] - a[1]) <= NEAR * linkage.structure.scale
         };
-        let pushing = mechanism.springs.iter().filter(|spring| spring.stiffness > 0.0 && spring.length > 0.0);
-        let words = pushing.filter_map(|spring| {
+        let words = mechanism.loads.iter().filter_map(|load| {
+            let spring = load.kind.spring().filter(|spring| spring.stiffness > 0.0 && spring.length > 0.0)?;
             let found: Listed =
                 (0..mechanism.input.positions).filter(|index| meets(spring, *index)).collect();
             (!found.is_empty()).then(|| {
                 text!(
                     "analysis-spring-without-direction",
-                    spring = &spring.name,
+                    spring = &load.name,
                     positions = found.words(),
                     length = quantity(spring.length, "m")
                 )

@@ -8,7 +8,7 @@ mod needs;
 pub(crate) use needs::is_heavy;
 
 use assur_group::Order;
-use assur_mechanism::{LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
+use assur_mechanism::{LinkId, Mechanism, Output, PairId, Place, PointId, SlideId};
 use assur_structure::Structure;
 use assur_words::Text;
 
@@ -31,6 +31,8 @@ pub struct Wanted {
 pub struct Plan {
     /// The content of the results.
     pub wanted: Wanted,
+    /// Whether these are all results.
+    pub all: bool,
     /// By group: whether any requested result depends on it.
     pub groups_needed: Vec<bool>,
     /// By group: whether its reactions can differ from zero, by the loads on its links and on the groups after it.
@@ -72,7 +74,7 @@ impl Basis {
     fn of(mechanism: &Mechanism) -> Self {
         Self {
             gravity: mechanism.gravity.is_some_and(|gravity| gravity != [0.0, 0.0]),
-            heavy: mechanism.links.iter().map(|link| [link.mass > 0.0, link.inertia > 0.0]).collect(),
+            heavy: mechanism.links.iter().map(|link| [link.mass > 0.0, !link.inertia.is_none()]).collect(),
             inertia_constant: mechanism.has_constant_reduced_inertia(),
         }
     }
@@ -86,17 +88,23 @@ impl Wanted {
 }
 
 impl Plan {
-    /// The plan for a mechanism; `by_groups`: whether the force analyzer solves group by group, so that groups without
-    /// a load can be left out.
-    pub fn of(mechanism: &Mechanism, structure: &Structure, by_groups: bool) -> Self {
+    /// The plan for some results of a mechanism, or for all; `by_groups`: whether the force analyzer solves group by group,
+    /// so that groups without a load can be left out.
+    pub fn of(
+        mechanism: &Mechanism,
+        structure: &Structure,
+        output: Option<&Output>,
+        by_groups: bool,
+    ) -> Self {
         let moves = mechanism.motion.is_some();
         let heavy = (1..mechanism.links.len()).any(|link| needs::is_heavy(mechanism, link));
-        let wanted = needs::wanted(mechanism, structure);
+        let wanted = needs::wanted(mechanism, structure, output);
         // With `[output]`, forces are requested only where reactions are.
-        let asked = mechanism.output.is_none() || !wanted.reactions.is_empty();
-        let dynamics = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
+        let asked = output.is_none() || !wanted.reactions.is_empty();
+        let dynamics = mechanism.has_equation_of_motion();
         let forces = asked && (moves || mechanism.has_loads());
         let mut plan = Self {
+            all: output.is_none(),
             groups_needed: Vec::new(),
             groups_carrying: needs::groups_carrying(mechanism, structure),
             by_groups,
@@ -119,7 +127,8 @@ impl Plan {
     /// Turns the plan of a mechanism into that of another one, which differs in numbers only.
     pub fn fit(&mut self, mechanism: &Mechanism, structure: &Structure) {
         if self.basis != Basis::of(mechanism) {
-            *self = Self::of(mechanism, structure, self.by_groups);
+            let output = mechanism.output.as_ref().filter(|_| !self.all);
+            *self = Self::of(mechanism, structure, output, self.by_groups);
             return;
         }
         for (point, place) in &mut self.wanted.points {

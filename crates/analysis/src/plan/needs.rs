@@ -1,15 +1,15 @@
 //! The requested results, and the groups on which they depend.
 
 use assur_group::Order;
-use assur_mechanism::{Balance, GROUND, LinkId, Mechanism, PairId, Place};
+use assur_mechanism::{Balance, GROUND, LinkId, Mechanism, Output, PairId, Place};
 use assur_structure::Structure;
 use assur_words::{Text, text};
 
 use crate::plan::{Plan, Wanted};
 
-/// The results that `[output]` names, or all, without repetition and in the order of the scene.
-pub(crate) fn wanted(mechanism: &Mechanism, structure: &Structure) -> Wanted {
-    let Some(output) = &mechanism.output else { return everything(mechanism, structure) };
+/// The results that an output names, or all, without repetition and in the order of the scene.
+pub(crate) fn wanted(mechanism: &Mechanism, structure: &Structure, output: Option<&Output>) -> Wanted {
+    let Some(output) = output else { return everything(mechanism, structure) };
     Wanted {
         links: (1..mechanism.links.len()).filter(|id| output.links.contains(id)).collect(),
         points: (0..mechanism.points.len())
@@ -128,13 +128,7 @@ pub(crate) fn order(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -
 /// A load whose value happens to be zero is a load: the plan considers what the scene defines, not numbers.
 fn loaded(mechanism: &Mechanism, heavy: impl Fn(LinkId) -> bool) -> Vec<bool> {
     let mut loaded: Vec<bool> = (0..mechanism.links.len()).map(|id| id != GROUND && heavy(id)).collect();
-    let forces = mechanism.forces.iter().map(|force| force.at.link);
-    let moments = mechanism.moments.iter().map(|moment| moment.link);
-    let contacts = mechanism.contacts.iter().map(|contact| contact.center.link);
-    // Between points of one link the two forces of a spring cancel.
-    let springs = mechanism.springs.iter().filter(|spring| spring.ends[0].link != spring.ends[1].link);
-    let springs = springs.flat_map(|spring| spring.ends.map(|end| end.link));
-    for link in forces.chain(moments).chain(contacts).chain(springs) {
+    for link in mechanism.loads.iter().flat_map(|load| load.kind.links()) {
         loaded[link] = true;
     }
     loaded
@@ -153,7 +147,7 @@ pub(crate) fn reduced_links(mechanism: &Mechanism) -> Vec<LinkId> {
 
 /// Whether a link has mass or moment of inertia.
 pub(crate) fn is_heavy(mechanism: &Mechanism, link: LinkId) -> bool {
-    mechanism.links[link].mass > 0.0 || mechanism.links[link].inertia > 0.0
+    mechanism.links[link].is_heavy()
 }
 
 /// By group: whether its reactions can differ from zero. The groups are visited from the last to the first: one carries
@@ -182,9 +176,7 @@ pub(crate) fn groups_carrying(mechanism: &Mechanism, structure: &Structure) -> V
 /// its point is at rest.
 pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
     let far = |link: LinkId| link != GROUND && link != mechanism.input.link;
-    let against = |direction| matches!(direction, assur_mechanism::Direction::AgainstMotion);
-    let brakes = mechanism.moments.iter().any(|moment| moment.brake.is_some() && far(moment.link));
-    brakes || mechanism.forces.iter().any(|force| against(force.direction) && far(force.at.link))
+    mechanism.loads.iter().any(|load| load.kind.is_against_motion() && load.kind.links().any(far))
 }
 
 /// Whether a link of a group has mass.

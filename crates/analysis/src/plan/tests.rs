@@ -13,7 +13,7 @@ fn scene(name: &str, change: impl Fn(String) -> String) -> Mechanism {
 }
 
 fn plan_by(mechanism: &Mechanism, by_groups: bool) -> Plan {
-    Plan::of(mechanism, &Structure::of(mechanism).unwrap(), by_groups)
+    Plan::of(mechanism, &Structure::of(mechanism).unwrap(), mechanism.output.as_ref(), by_groups)
 }
 
 fn plan(mechanism: &Mechanism) -> Plan {

@@ -3,12 +3,13 @@
 use assur_check::Check;
 use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
 use assur_integrator::{Event, State, Statistics};
-use assur_mechanism::Name;
+use assur_mechanism::{LinkId, Name, Named, Notice, SlideId};
 use assur_words::{Text, text};
 use indexmap::IndexMap;
 use serde::Serialize;
 
 use super::Owner;
+use crate::friction::{FrictionCycle, Several};
 use crate::results::{Dynamics, Starts, StructureReport, Survey, Table};
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.
@@ -36,8 +37,12 @@ pub struct Analysis {
     pub integration: Option<Integration>,
     /// Why the requested motion is not found; results that do not depend on it are given nevertheless.
     pub no_motion: Option<Text>,
-    /// What had to be left out, and what was decided during the calculation.
-    pub notes: Vec<Text>,
+    /// What in the scene is hardly meant, what had to be left out, and what was decided during the calculation.
+    pub notes: Vec<Notice>,
+    /// Dry friction over the cycle; `None` without.
+    pub friction: Option<FrictionCycle>,
+    /// Positions in which friction has several solutions, or may have others.
+    pub several: Vec<Several>,
     /// Reactions over the cycle, contacts, plans.
     pub cycle: Cycle,
     /// Checks of the numbers.
@@ -61,8 +66,8 @@ impl Analysis {
 /// The input link and its coordinate.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InputReport {
-    /// Name of the link.
-    pub link: String,
+    /// The link.
+    pub link: Named<LinkId>,
     /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
     pub angular: bool,
     /// Whether the balancing load is a moment (N m), otherwise a force (N).
@@ -81,6 +86,10 @@ pub struct Failure {
     /// The key of the scene that is at fault, step by step, where there is one.
     #[serde(skip)]
     pub key: Option<Vec<String>>,
+    /// Where it jams by friction: the upper end of the interval from 0 of the factors of all coefficients for which there is a
+    /// solution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<f64>,
 }
 
 /// Reactions over the cycle, geometry of the contacts, plans of the requested positions. Sections that don't apply are
@@ -93,7 +102,7 @@ pub struct Cycle {
     /// By slide that carries a force: where the force changes the side of the guide. A slide without a change has an
     /// empty list.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
-    pub sign_changes: IndexMap<String, Vec<SignChange>>,
+    pub sign_changes: IndexMap<Named<SlideId>, Vec<SignChange>>,
     /// The straight line that the arc of each contact envelopes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub enveloping: Vec<Enveloping>,
@@ -133,6 +142,9 @@ pub struct Integration {
     pub statistics: Statistics,
     /// The state in which the motion ended.
     pub end: State,
+    /// Turns of the input from the start to the end, positive along the growing coordinate; absent where it slides.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turns: Option<f64>,
     /// What happened between, in order of time.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub events: Vec<Event>,

@@ -29,8 +29,13 @@ pub enum Quantity {
     /// Work since the first sample of the drive and of all loads whose power is negative; itself negative, so that both works
     /// together are the change of the kinetic energy.
     ResistingWork,
-    /// Kinetic energy of the mechanism with flywheel and rotor.
+    /// Kinetic energy of the mechanism with flywheel and rotor; or of one link.
     KineticEnergy,
+    /// Work since the first sample of one load; of the input: of its drive; of the ground: of all weights.
+    Work,
+    /// One load, reduced to the input: its share of the reduced moment (force); of the input: the moment of its drive; of the
+    /// ground: that of all weights.
+    ReducedLoad,
     /// Force that a pair exerts on a link, in the frame of the ground.
     Force,
     /// Moment of a slide on its sliding link about its point.
@@ -43,6 +48,18 @@ pub enum Quantity {
     Holding,
     /// The greatest size that [`Holding`](Self::Holding) can have.
     HoldingBound,
+    /// Moment (N m) of the dry friction of a pin, on the link that turns on the journal.
+    FrictionMoment,
+    /// Force (N) of the dry friction of a slide along its guide, on the sliding link.
+    FrictionForce,
+    /// Power of the dry friction of a pair; without a motion per unit of travel of the input along its direction.
+    FrictionPower,
+    /// The balancing load without dry friction.
+    IdealBalancing,
+    /// Efficiency with dry friction.
+    Efficiency,
+    /// Spectral radius of the friction of a group: below 1 there is exactly one solution.
+    FrictionCertificate,
     /// Value of a load: of a force along its direction, of a moment counter-clockwise, of a spring its tension.
     Load,
     /// Principal vector of the inertia loads of a link, at its center of mass: -m a.

@@ -1,6 +1,7 @@
 //! Periodic regime, drive and flywheel.
 
 use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
+use assur_mechanism::{Named, PointId};
 use assur_motor::{FlywheelSize, RatedData};
 use assur_words::Text;
 use indexmap::IndexMap;
@@ -126,8 +127,8 @@ pub struct RegimePoint {
 /// The point to which loads and masses are reduced, in addition to the input link (E eqs. 4-6).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PointReport {
-    /// Its name.
-    pub name: String,
+    /// The point.
+    pub name: Named<PointId>,
     /// |PF1| of the point: force = moment / radius, mass = inertia / radius².
     pub radius: f64,
 }

@@ -29,6 +29,8 @@ mod survey;
 mod table;
 
 pub use crate::angles::Starts;
+pub use crate::edges::Edges;
+pub use crate::friction::{FrictionCycle, Load, Several, SolutionReport};
 pub use analysis::{Analysis, Failure, InputReport};
 pub use analysis::{Checks, Residual};
 pub use analysis::{Cycle, PositionPlans};
@@ -42,6 +44,6 @@ pub use dynamics::{
     RegimePoint, RegimeReport, RunnerUp,
 };
 pub use schema::{Schema, Section};
-pub use structure::{GroupReport, StructureReport};
+pub use structure::{GroupReport, ModeReport, StructureReport};
 pub use survey::Survey;
 pub use table::{Cells, Mask, Table};

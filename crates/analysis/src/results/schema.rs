@@ -130,7 +130,7 @@ impl Schema {
         }
     }
 
-    /// How many loads the scene has: forces, moments, springs, contacts, in this order.
+    /// How many loads the scene has.
     pub fn loads(&self) -> usize {
         self.loads.len()
     }
@@ -151,11 +151,7 @@ impl Schema {
     }
 }
 
-/// Names and units of the loads of a scene: forces, moments, springs, contacts.
+/// Names and units of the loads of a scene.
 fn loads(mechanism: &Mechanism) -> Vec<(Name, &'static str)> {
-    let forces = mechanism.forces.iter().map(|load| (load.name.clone(), "N"));
-    let moments = mechanism.moments.iter().map(|load| (load.name.clone(), "N m"));
-    let springs = mechanism.springs.iter().map(|load| (load.name.clone(), "N"));
-    let contacts = mechanism.contacts.iter().map(|load| (load.name.clone(), "N"));
-    forces.chain(moments).chain(springs).chain(contacts).collect()
+    mechanism.loads.iter().map(|load| (load.name.clone(), load.kind.unit())).collect()
 }

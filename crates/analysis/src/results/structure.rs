@@ -1,9 +1,10 @@
 //! Mobility, groups and formula as results show them.
 
-use assur_group::{Order, Pair};
-use assur_kinematics::{Linkage, mobility_in};
-use assur_mechanism::Name;
+use assur_group::{Mode, Order, Pair};
+use assur_kinematics::{Linkage, Modes, mobility_in};
+use assur_mechanism::{LinkId, Name, Named, PairId, Point};
 use assur_words::{Text, number, text};
+use indexmap::IndexMap;
 use serde::Serialize;
 
 /// Mobility, groups and formula.
@@ -30,7 +31,7 @@ pub struct StructureReport {
 }
 
 /// One group.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GroupReport {
     /// The registered kind: `RPR`.
     pub kind: String,
@@ -42,15 +43,29 @@ pub struct GroupReport {
     /// Order.
     pub order: u8,
     /// Its links.
-    pub links: Vec<String>,
+    pub links: Vec<Named<LinkId>>,
     /// Pairs between its links.
-    pub inner: Vec<String>,
+    pub inner: Vec<Named<PairId>>,
     /// Pairs to links solved before.
-    pub outer: Vec<String>,
-    /// The assembly in the first position, counted as the kind documents.
-    pub way: u8,
-    /// In how many ways it can be assembled.
-    pub ways: usize,
+    pub outer: Vec<Named<PairId>>,
+    /// The assembly in the first position, counted as the kind documents; `None` where the kind can't list them, or the first
+    /// position can't be assembled.
+    pub way: Option<usize>,
+    /// In how many ways it can be assembled there.
+    pub ways: Option<usize>,
+    /// All of them, in the first position.
+    pub modes: Option<Vec<ModeReport>>,
+}
+
+/// One real assembly of a group.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ModeReport {
+    /// Its number, from 0.
+    pub way: usize,
+    /// Places of the points of the group's links but the outer pins, m.
+    pub points: IndexMap<String, [f64; 2]>,
+    /// 1 / determinant: how near it is to a singular position; `None` in one.
+    pub condition: Option<f64>,
 }
 
 pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
@@ -64,7 +79,7 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
         formula: structure.formula.clone(),
         moving_links: structure.mobility.moving_links,
         pairs: structure.mobility.pairs,
-        groups: (0..structure.groups.len()).map(|index| group(linkage, index)).collect(),
+        groups: groups(linkage),
     }
 }
 
@@ -81,21 +96,50 @@ fn note(counted: i64, found: usize) -> Option<Text> {
     Some(text!("analysis-other-mobility", counted = number(counted), found = found))
 }
 
-fn group(linkage: &Linkage, index: usize) -> GroupReport {
+/// All groups, with their modes in the first position.
+fn groups(linkage: &Linkage) -> Vec<GroupReport> {
+    let mut position = linkage.position();
+    let is_placed = linkage.solve_index(0, Order::Place, &mut position).is_ok();
+    let modes = |index: usize| {
+        let is_known = is_placed && linkage.chain.is_needed(index);
+        is_known.then(|| linkage.modes(index, &position).ok().flatten()).flatten()
+    };
+    (0..linkage.structure.groups.len()).map(|index| group(linkage, index, modes(index))).collect()
+}
+
+/// The points of a group's links but its outer pins, with their places in a mode, m.
+fn points(linkage: &Linkage, index: usize, mode: &Mode<f64>) -> IndexMap<String, [f64; 2]> {
+    let (mechanism, frame) = (&linkage.mechanism, &linkage.structure.groups[index].frame);
+    let is_outer =
+        |point: &Point| point.is_pin() && point.places.iter().any(|place| frame.column(place.link).is_none());
+    let placed = |point: &Point| {
+        let of = point.places.iter().find_map(|place| Some((frame.column(place.link)?, place.at)))?;
+        Some((point.name.to_string(), mode.bodies[of.0].point(of.1)))
+    };
+    mechanism.points.iter().filter(|point| !is_outer(point)).filter_map(placed).collect()
+}
+
+fn group(linkage: &Linkage, index: usize, modes: Option<Modes>) -> GroupReport {
     let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
     let found = &structure.groups[index];
-    let pairs = |list: &[Pair]| {
-        list.iter().map(|pair| structure.pair_name(mechanism, pair.id).to_string()).collect::<Vec<_>>()
-    };
+    let pair = |pair: &Pair| mechanism.named_pair(structure.pairs[pair.id].source);
     GroupReport {
         kind: found.plugin.kind.to_owned(),
         class: found.class,
         number: found.plugin.number,
         order: found.order,
-        links: found.frame.links.iter().map(|&link| mechanism.links[link].name.to_string()).collect(),
-        inner: pairs(&found.frame.inner),
-        outer: pairs(&found.outer()),
-        way: linkage.ways.at(mechanism.input.from)[index],
-        ways: linkage.groups()[index].ways(),
+        links: found.frame.links.iter().map(|&link| mechanism.named_link(link)).collect(),
+        inner: found.frame.inner.iter().map(pair).collect(),
+        outer: found.outer().iter().map(pair).collect(),
+        way: modes.as_ref().filter(|modes| !modes.all.is_empty()).map(|modes| modes.number(modes.present)),
+        ways: modes.as_ref().map(|modes| modes.all.len()),
+        modes: modes.map(|modes| {
+            let told = |(number, mode): (usize, &Mode<f64>)| ModeReport {
+                way: modes.number(number),
+                points: points(linkage, index, mode),
+                condition: (mode.health > f64::MIN_POSITIVE).then(|| 1.0 / mode.health),
+            };
+            modes.all.iter().enumerate().map(told).collect()
+        }),
     }
 }

@@ -101,3 +101,44 @@ fn the_energy_mass_diagram_lies_between_its_tangents() {
         assert!((inertia - dynamics.regime.shaft_inertia).abs() < 1e-9 * inertia, "{name}: {inertia}");
     }
 }
+
+/// The works of all loads are the driving and the resisting work together, and the kinetic energies of the links those of the
+/// mechanism; E example 1: 150 pi and -100 pi J.
+#[test]
+fn works_by_load_and_energies_by_link_sum_up() {
+    let found = analyzed(&text("run-up")).trajectory;
+    let of = |quantity, owner| found.get(found.len() - 1, Column::of(quantity, owner)).unwrap();
+    for (load, wanted) in [150.0 * PI, -100.0 * PI].into_iter().enumerate() {
+        let work = of(Quantity::Work, Owner::Load(load));
+        assert!((work - wanted).abs() < 1e-8 * wanted.abs(), "{work} {wanted}");
+    }
+    // Half of the way: 15 N m.
+    let moments: Vec<f64> = (0..found.len())
+        .map(|row| found.get(row, Column::of(Quantity::ReducedLoad, Owner::Load(0))).unwrap())
+        .collect();
+    for (row, moment) in moments.into_iter().enumerate() {
+        let q = found.get(row, Column::COORDINATE).unwrap();
+        assert!((moment - 30.0 * (1.0 - q / (10.0 * PI))).abs() < 1e-9, "{q}: {moment}");
+    }
+    for name in ["shaper-drive", "andrews", "n-four-bar-2"] {
+        let table = analyzed(&text(name)).trajectory;
+        let owners = |quantity| table.schema().owners(quantity);
+        for row in (0..table.len()).step_by(7) {
+            let at = |quantity, owner| table.get(row, Column::of(quantity, owner)).unwrap();
+            let sum = |quantity: Quantity, owners: Vec<Owner>| {
+                owners.into_iter().map(|owner| at(quantity, owner)).sum::<f64>()
+            };
+            let both = at(Quantity::DrivingWork, Owner::Input) + at(Quantity::ResistingWork, Owner::Input);
+            let works = sum(Quantity::Work, owners(Quantity::Work));
+            let size = at(Quantity::DrivingWork, Owner::Input) + at(Quantity::KineticEnergy, Owner::Input);
+            assert!((works - both).abs() <= 1e-9 * (1.0 + size.abs()), "{name} {row}: {works} {both}");
+            let whole = at(Quantity::KineticEnergy, Owner::Input);
+            let links = owners(Quantity::KineticEnergy).into_iter().filter(|owner| *owner != Owner::Input);
+            let links = sum(Quantity::KineticEnergy, links.collect());
+            // The rest is that of flywheel and rotor.
+            let has_drive = name == "shaper-drive";
+            let rest = (whole - links) / whole.max(1e-12);
+            assert!(rest > -1e-9 && (has_drive || rest < 1e-7), "{name} {row}: {whole} {links}");
+        }
+    }
+}

@@ -37,7 +37,7 @@ fn a_wrong_load_in_a_transient_motion_is_caught() {
     assert_eq!(failing(|_| ()), [""; 0]);
     let changes: [(&str, Change); 4] = [
         ("weights upwards", |m| m.gravity = m.gravity.map(|g| g.map(|g| -g))),
-        ("force turned round", |m| m.forces[0].direction = Direction::Ground(0.0)),
+        ("force turned round", |m| m.loads[0].kind.force_mut().unwrap().direction = Direction::Ground(0.0)),
         ("mass by 1e-6", |m| m.links[2].mass *= 1.0 + 1e-6),
         ("inertia negative", |m| m.links[2].inertia *= -1.0),
     ];

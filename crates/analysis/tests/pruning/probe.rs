@@ -104,8 +104,10 @@ impl<T: Number> AssurGroup<T> for Probe<T> {
 /// Puts a counter before every kernel of a compiled study.
 pub(crate) fn probe(study: &mut Calculation) -> Vec<Arc<Calls>> {
     let counters: Vec<Arc<Calls>> = study.linkage.groups().iter().map(|_| Arc::default()).collect();
-    watch(&mut study.linkage.chain.groups, &counters);
-    watch(&mut study.linkage.lane_chain.groups, &counters);
+    // Nobody else has the linkage.
+    let linkage = Arc::get_mut(&mut study.linkage).expect("its own linkage");
+    watch(&mut Arc::get_mut(&mut linkage.chain).expect("its own chain").groups, &counters);
+    watch(&mut Arc::get_mut(&mut linkage.lane_chain).expect("its own chain").groups, &counters);
     counters
 }
 

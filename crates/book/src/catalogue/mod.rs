@@ -47,6 +47,7 @@ const fn without_sense(row: Row) -> Row {
 }
 
 /// The row of a quantity and its kind of owner.
+#[expect(clippy::too_many_lines, reason = "one table, a row for each quantity")]
 fn of(column: Column) -> Row {
     use Measure as M;
     use Owner::{Input, Link, PairOn, Slide};
@@ -65,6 +66,29 @@ fn of(column: Column) -> Row {
         }
         (Q::ResistingWork, _) => {
             without_sense(row("quantity-work-resisting", "", M::Energy, "work_resisting", "work_resisting"))
+        }
+        (Q::KineticEnergy, Link(_)) => without_sense(row(
+            "quantity-kinetic-energy",
+            "T",
+            M::Energy,
+            "kinetic_energies.*",
+            "*_kinetic_energy",
+        )),
+        (Q::Work, Input) => {
+            without_sense(row("quantity-work-drive", "", M::Energy, "works.drive", "work_drive"))
+        }
+        (Q::Work, Link(_)) => {
+            without_sense(row("quantity-work-weights", "", M::Energy, "works.weights", "work_weights"))
+        }
+        (Q::Work, _) => without_sense(row("quantity-work", "A", M::Energy, "works.loads.*", "work_*")),
+        (Q::ReducedLoad, Input) => {
+            row("quantity-reduced-drive", "", M::OnInput, "reduced_loads.drive", "reduced_drive")
+        }
+        (Q::ReducedLoad, Link(_)) => {
+            row("quantity-reduced-weights", "", M::OnInput, "reduced_loads.weights", "reduced_weights")
+        }
+        (Q::ReducedLoad, _) => {
+            row("quantity-reduced-load", "", M::OnInput, "reduced_loads.loads.*", "reduced_load_*")
         }
         (Q::KineticEnergy, _) => {
             without_sense(row("quantity-kinetic-energy", "T", M::Energy, "kinetic_energy", "kinetic_energy"))
@@ -140,6 +164,39 @@ fn of(column: Column) -> Row {
         (Q::Moment, _) => row("quantity-moment", "M", M::Moment, "reactions.*.moment", "*_moment"),
         (Q::Offset, _) => without_sense(row("quantity-offset", "", M::Length, "", "")),
         (Q::Balancing, _) => row("quantity-balancing", "", M::Balancing, "balancing", "balancing"),
+        (Q::FrictionMoment, PairOn(..)) => {
+            row("quantity-friction-moment", "Mf", M::Moment, "friction.*.moments.+", "*_+_friction_moment")
+        }
+        (Q::FrictionMoment, _) => {
+            row("quantity-friction-moment", "Mf", M::Moment, "friction.*.moment", "*_friction_moment")
+        }
+        (Q::FrictionForce, _) => {
+            row("quantity-friction-force", "Ff", M::Force, "friction.*.force", "*_friction_force")
+        }
+        (Q::FrictionPower, _) => without_sense(row(
+            "quantity-friction-power",
+            "Pf",
+            M::Power,
+            "friction.*.power",
+            "*_friction_power",
+        )),
+        (Q::IdealBalancing, _) => row(
+            "quantity-ideal-balancing",
+            "",
+            M::Balancing,
+            "balancing_without_friction",
+            "balancing_without_friction",
+        ),
+        (Q::Efficiency, _) => {
+            without_sense(row("quantity-efficiency", "", M::Number, "efficiency", "efficiency"))
+        }
+        (Q::FrictionCertificate, _) => without_sense(row(
+            "quantity-friction-certificate",
+            "",
+            M::Number,
+            "friction_certificate.*",
+            "friction_certificate_*",
+        )),
         (Q::Holding, _) => row("quantity-holding", "", M::OnInput, "holding.moment", ""),
         (Q::HoldingBound, _) => row("quantity-holding-bound", "", M::OnInput, "holding.bound", ""),
         (Q::Condition, _) => {

@@ -1,6 +1,6 @@
 //! The unit of a quantity, in SI and as it is shown.
 
-use assur_analysis::results::{Column, Owner, Schema};
+use assur_analysis::results::{Column, Owner, Quantity, Schema};
 
 use super::of;
 
@@ -31,6 +31,8 @@ pub(super) enum Measure {
     Force,
     /// Work or energy.
     Energy,
+    /// A power; without a motion the work by unit of the coordinate.
+    Power,
     /// A length.
     Length,
     /// A load of the scene.
@@ -63,11 +65,12 @@ pub fn unit(schema: &Schema, column: Column) -> String {
         Measure::Rate(order) => return derivative(place, "s", order),
         Measure::Inertia => inertia,
         Measure::InertiaDerivative => return derivative(inertia, coordinate, 1),
-        Measure::OnInput => on_input,
         Measure::Balancing if schema.balances_by_moment() => "N m",
         Measure::Moment => "N m",
         Measure::Balancing | Measure::Force => "N",
         Measure::Energy => "J",
+        Measure::Power if schema.find(Column::of(Quantity::Velocity, Owner::Input)).is_some() => "W",
+        Measure::OnInput | Measure::Power => on_input,
         Measure::Length => "m",
         Measure::Load => match column.owner {
             Owner::Load(load) => schema.unit_of_load(load),

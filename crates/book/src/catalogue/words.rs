@@ -1,6 +1,7 @@
 //! What a reader calls a quantity of an owner.
 
 use assur_analysis::results::{Column, Owner, Quantity, Schema};
+use assur_mechanism::GROUND;
 use assur_words::{Text, joined, name, text};
 
 use super::{axis, of};
@@ -15,7 +16,8 @@ pub fn owner(schema: &Schema, column: Column) -> Text {
     let of = |owner| schema.named(owner).map_or_else(Text::default, Text::from);
     let own = || of(column.owner);
     match column.owner {
-        Owner::Input => Text::default(),
+        // Results of the ground are those of the whole.
+        Owner::Input | Owner::Link(GROUND) => Text::default(),
         Owner::Link(_) => text!("owner-link", name = own()),
         Owner::Point(_) => text!("owner-point", name = own()),
         Owner::Slide(_) => text!("owner-slide", name = own()),
@@ -42,8 +44,10 @@ pub fn kind(column: Column) -> Text {
 
 /// Whether owner and symbol alone don't tell what a column is: the input needs no name, and F of a link may be a reaction.
 const fn needs_its_kind(column: Column) -> bool {
-    use Quantity::{Condition, InertiaForce, InertiaMoment, Residual};
+    use Quantity::{Condition, InertiaForce, InertiaMoment, ReducedLoad, Residual, Work};
+    // The work of the weights is of the ground, that of a load of the load.
     matches!(column.owner, Owner::Input)
+        || matches!(column.quantity, Work | ReducedLoad)
         || matches!(column.quantity, InertiaForce | InertiaMoment | Condition | Residual(_))
 }
 
@@ -70,6 +74,7 @@ pub fn short(schema: &Schema, column: Column) -> Text {
             name(if symbol.is_empty() { own() + &primes } else { format!("{}.{symbol}{primes}", own()) })
         }
         (_, Owner::PairOn(_, link)) => dotted(format!("{}>{}", own(), schema.link(link)), &symbol),
+        (Quantity::Work | Quantity::ReducedLoad, Owner::Input | Owner::Link(_)) => kind(column),
         (Quantity::InertiaForce | Quantity::InertiaMoment, _) => {
             spaced([name(own()), kind(column), name(symbol)])
         }

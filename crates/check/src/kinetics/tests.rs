@@ -9,10 +9,10 @@ use super::{reduced, slope_terms};
 fn terms([x1, x2]: [[f64; 2]; 2], [w1, w2]: [f64; 2]) -> ([f64; 2], f64) {
     let scene = "[ground]\npoints = { O = 0 }\n[link.a]\npoints = { O = 0 }\n[input]\nlink = \"a\"\n";
     let mut mechanism = assur_scene::read("scene", scene).unwrap();
-    mechanism.links[1] = Link { name: "a".into(), mass: 3.0, center: [0.0; 2], inertia: 0.5 };
+    mechanism.links[1] = Link { name: "a".into(), mass: 3.0, center: [0.0; 2], inertia: 0.5.into() };
     let moving = Body { x1: x1[0], y1: x1[1], x2: x2[0], y2: x2[1], w1, w2, ..Body::ground() };
     let bodies = [Body::ground(), moving];
-    (reduced(&mechanism, &bodies), slope_terms(&mechanism, &bodies))
+    (reduced(&mechanism, 0.0, &bodies), slope_terms(&mechanism, 0.0, &bodies))
 }
 
 #[test]

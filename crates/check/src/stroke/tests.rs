@@ -11,7 +11,7 @@ fn value(text: &str) -> Value {
         "[ground]\npoints = {{ O = 0 }}\n[link.a]\npoints = {{ O = 0 }}\n[input]\nlink = \"a\"\n\
          [[moment]]\nlink = \"a\"\nvalue = {text}\n[motion]\nspeed = 1\n"
     );
-    assur_scene::read("scene", &scene).unwrap().moments.remove(0).value
+    assur_scene::read("scene", &scene).unwrap().loads[0].kind.law().unwrap().clone()
 }
 
 const PERIOD: f64 = 8.0;

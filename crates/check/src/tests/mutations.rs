@@ -2,11 +2,12 @@
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Loads, Reactions, State};
 use assur_group::{Anchor, Order, Wrench};
 use assur_kinematics::{Input, Linkage, Position};
-use assur_mechanism::{Direction, Mechanism, Value};
+use assur_mechanism::{Direction, Mechanism, Spring, Value};
 
 use super::mutants::{Mutant, SLIP, SLIPS, Slip};
 use crate::{Chosen, Subject, methods};
@@ -103,9 +104,10 @@ fn every_slip_in_a_closed_form_is_caught() {
         let numbers = everything(&sound, &loads);
         for (group, victim, slip) in cases(sound.structure.groups.len()) {
             let mut linkage = compiled(&mechanism);
-            let kernel = linkage.chain.groups.remove(group);
+            let groups = &mut Arc::get_mut(&mut linkage.chain).unwrap().groups;
+            let kernel = groups.remove(group);
             let kind = sound.structure.groups[group].plugin.kind;
-            linkage.chain.groups.insert(group, Box::new(Mutant { sound: kernel, slip, victim }));
+            groups.insert(group, Box::new(Mutant { sound: kernel, slip, victim }));
             if !differs(&numbers, &everything(&linkage, &loads)) {
                 continue;
             }
@@ -144,9 +146,9 @@ fn every_slip_in_the_loads_is_caught() {
         ("force turned round", "stephenson3", |m| turn(m, std::f64::consts::PI)),
         ("force by 1e-6 rad", "guide-shaper", |m| turn(m, 1e-6)),
         ("stroke by 1e-6", "shaper", stretch),
-        ("stiffness negative", "stephenson3", |m| m.springs.iter_mut().for_each(|s| s.stiffness *= -1.0)),
-        ("damping forgotten", "stephenson3", |m| m.springs.iter_mut().for_each(|s| s.damping = 0.0)),
-        ("friction turned round", "press", |m| m.contacts.iter_mut().for_each(|c| c.friction *= -1.0)),
+        ("stiffness negative", "stephenson3", |m| springs(m).for_each(|s| s.stiffness *= -1.0)),
+        ("damping forgotten", "stephenson3", |m| springs(m).for_each(|s| s.damping = 0.0)),
+        ("friction turned round", "press", turn_friction),
     ];
     for (what, name, change) in changes {
         let mechanism = fixture(name);
@@ -160,8 +162,17 @@ fn every_slip_in_the_loads_is_caught() {
     }
 }
 
+fn springs(mechanism: &mut Mechanism) -> impl Iterator<Item = &mut Spring> {
+    mechanism.loads.iter_mut().filter_map(|load| load.kind.spring_mut())
+}
+
+fn turn_friction(mechanism: &mut Mechanism) {
+    let contacts = mechanism.loads.iter_mut().filter_map(|load| load.kind.contact_mut());
+    contacts.for_each(|contact| contact.friction *= -1.0);
+}
+
 fn turn(mechanism: &mut Mechanism, by: f64) {
-    for force in &mut mechanism.forces {
+    for force in mechanism.loads.iter_mut().filter_map(|load| load.kind.force_mut()) {
         if let Direction::Ground(angle) | Direction::Link(angle) = &mut force.direction {
             *angle += by;
         }
@@ -169,8 +180,8 @@ fn turn(mechanism: &mut Mechanism, by: f64) {
 }
 
 fn stretch(mechanism: &mut Mechanism) {
-    for force in &mut mechanism.forces {
-        if let Value::Stroke { forward, .. } = &mut force.value {
+    for law in mechanism.loads.iter_mut().filter_map(|load| load.kind.law_mut()) {
+        if let Value::Stroke { forward, .. } = law {
             forward.rows.iter_mut().for_each(|row| row[1] *= SLIP);
         }
     }
@@ -256,7 +267,7 @@ fn a_slip_in_the_input_is_caught() {
     ] {
         let mut linkage = compiled(&fixture("shaper"));
         let loads = Loads::compile(&linkage).unwrap();
-        slip(&mut linkage.chain.input);
+        slip(&mut Arc::get_mut(&mut linkage.chain).unwrap().input);
         let caught = failed(&linkage, &loads, methods(&linkage, None));
         assert!(caught.iter().any(|name| name == "closure PF0"), "{caught:?}");
     }

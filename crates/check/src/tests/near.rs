@@ -1,5 +1,7 @@
 //! Planted mistakes next to singular positions of each type, and sound mechanisms there.
 
+use std::sync::Arc;
+
 use assur_force::Loads;
 use assur_kinematics::Linkage;
 
@@ -123,8 +125,9 @@ fn is_hidden(sound: &Linkage, numbers: &[f64], found: &[f64]) -> bool {
 
 fn mutant(sound: &Linkage, slip: Slip, victim: usize) -> Linkage {
     let mut linkage = Linkage::compile(sound.mechanism.clone()).unwrap();
-    let kernel = linkage.chain.groups.remove(0);
-    linkage.chain.groups.push(Box::new(Mutant { sound: kernel, slip, victim }));
+    let groups = &mut Arc::get_mut(&mut linkage.chain).expect("its own chain").groups;
+    let kernel = groups.remove(0);
+    groups.push(Box::new(Mutant { sound: kernel, slip, victim }));
     linkage
 }
 

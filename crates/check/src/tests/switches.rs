@@ -3,11 +3,11 @@
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-use assur_force::{LoadError, Loads, State};
+use assur_force::{LoadFault, Loads, State};
 use assur_formula::{Formula, Variables};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Direction, Force, Input, Mechanism, Moment, Motion, Place, Range, Value};
+use assur_mechanism::{Direction, Force, Input, Load, Mechanism, Moment, Motion, Place, Range, Value};
 use assur_testkit::specimen::{Recipe, Rng, Terms, formula, scene_text};
 
 use super::show;
@@ -35,22 +35,22 @@ fn specimen(seed: u64) -> Option<(Mechanism, f64)> {
     let State { coordinate, speed, time, .. } = State::prescribed(&mechanism, at);
     let mut linkage = Linkage::compile(mechanism.clone()).ok()?;
     linkage.solve(at, Order::Place, &mut linkage.position()).ok()?;
-    linkage.mechanism.forces.clear();
+    linkage.mechanism.loads.clear();
     let variables = Variables { coordinate, speed, time, place: 0.5 };
     let motion = mechanism.motion.is_some();
     let link = 1 + rng.below(mechanism.links.len() - 1);
     let moment = formula(&mut rng, Terms { motion, place: false }, &variables);
     let value = Value::Formula { formula: moment, factor: 1.0, axis: None };
-    mechanism.moments.push(Moment { name: "by formula".into(), link, value, brake: None });
+    mechanism.loads.push(Load::new("by formula", Moment { link, value }));
     let full = matches!(mechanism.input.range, Range::Cycle(_));
     let size = formula(&mut rng, Terms { motion, place: full }, &variables);
     let axis = size.used().place.then(|| rng.angle());
-    mechanism.forces.push(Force {
-        name: "along".into(),
+    let along = Force {
         at: Place { link, at: [rng.signed(0.0, 0.4), rng.signed(0.0, 0.4)] },
         direction: Direction::Link(rng.angle()),
         value: Value::Formula { formula: size, factor: 1.0, axis },
-    });
+    };
+    mechanism.loads.push(Load::new("along", along));
     Some((mechanism, at))
 }
 
@@ -91,10 +91,13 @@ fn fault(mechanism: &Mechanism, at: f64) -> Result<bool, String> {
     let loads = match Loads::compile(&linkage) {
         Ok(loads) => loads,
         // A draft may have a force on a point that does not move, or a place that does not repeat with the cycle.
-        Err(LoadError::NoStroke { .. } | LoadError::Unlocated { .. } | LoadError::InfiniteStroke { .. }) => {
-            return Ok(false);
+        Err(error) => {
+            let is_no_load = matches!(
+                error.fault,
+                LoadFault::NoStroke(_) | LoadFault::Unlocated { .. } | LoadFault::InfiniteStroke(_)
+            );
+            return if is_no_load { Ok(false) } else { Err(error.to_string()) };
         }
-        Err(error) => return Err(error.to_string()),
     };
     let state = |off: f64| State::prescribed(mechanism, at + off);
     let beside = [0.0, -4e-16, 4e-16, -1e-13, 1e-13, -1e-9, 1e-9, -1e-3, 1e-3].map(state);
@@ -147,7 +150,7 @@ fn checks_hold_where_a_formula_is_zero() {
             let mut mechanism = mechanism.clone();
             let (link, formula) = (2.min(mechanism.links.len() - 1), Formula::read(formula).unwrap());
             let value = Value::Formula { formula, factor: 1.0, axis: None };
-            mechanism.moments.push(Moment { name: "zero".into(), link, value, brake: None });
+            mechanism.loads.push(Load::new("zero", Moment { link, value }));
             let all = crate::checks(&Linkage::compile(mechanism).unwrap());
             assert!(super::hold(&all), "{name}\n{}", show(&all));
         }

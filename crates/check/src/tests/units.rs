@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use assur_force::{Loads, State};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Balance, InputPair, Mechanism, Table, Value};
+use assur_mechanism::{Balance, InputPair, LoadKind, Mechanism, Table, Value};
 use assur_testkit::specimen::Recipe;
 
 use crate::{Check, Chosen, Subject, methods};
@@ -55,20 +55,28 @@ fn in_units(mechanism: &Mechanism, Units { length, mass }: Units) -> Mechanism {
     }
     m.assembly.iter_mut().for_each(|(_, at)| scaled(at, length));
     m.gravity.iter_mut().for_each(|g| scaled(g, length));
-    for one in &mut m.forces {
-        scaled(&mut one.at.at, length);
-        value(&mut one.value, force);
-    }
-    m.moments.iter_mut().for_each(|one| value(&mut one.value, moment));
-    for spring in &mut m.springs {
-        spring.ends.iter_mut().for_each(|end| scaled(&mut end.at, length));
-        (spring.stiffness, spring.damping) = (mass * spring.stiffness, mass * spring.damping);
-        spring.length *= length;
-    }
-    for contact in &mut m.contacts {
-        scaled(&mut contact.center.at, length);
-        contact.radius *= length;
-        value(&mut contact.force, force);
+    for load in &mut m.loads {
+        match &mut load.kind {
+            LoadKind::Force(one) => {
+                scaled(&mut one.at.at, length);
+                value(&mut one.value, force);
+            }
+            LoadKind::Moment(one) => value(&mut one.value, moment),
+            LoadKind::Brake(brake) => {
+                brake.radius *= length;
+                value(&mut brake.force, force);
+            }
+            LoadKind::Spring(spring) => {
+                spring.ends.iter_mut().for_each(|end| scaled(&mut end.at, length));
+                (spring.stiffness, spring.damping) = (mass * spring.stiffness, mass * spring.damping);
+                spring.length *= length;
+            }
+            LoadKind::Contact(contact) => {
+                scaled(&mut contact.center.at, length);
+                contact.radius *= length;
+                value(&mut contact.force, force);
+            }
+        }
     }
     if let Some(Balance::Force { at, .. }) = &mut m.balance {
         scaled(&mut at.at, length);

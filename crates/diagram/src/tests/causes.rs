@@ -1,5 +1,5 @@
 use assur_force::{Loads, State, analyzers};
-use assur_group::Wrench;
+use assur_mechanism::PairId;
 
 use super::{analyzer, compile, fixture, reactions, solved, state};
 use crate::sheet::joint_forces;
@@ -17,7 +17,10 @@ fn hodograph(scene: &str, closed: bool) -> Hodograph {
         joint_forces(&linkage, &out).into_iter().find(|one| one.on == "arm").unwrap().force
     };
     let points = coordinates.iter().map(force).collect();
-    Hodograph { joint: "O".to_owned(), on: "arm".to_owned(), coordinates, points, closed }
+    let mechanism = &linkage.mechanism;
+    let joint = mechanism.named_pair(PairId::Pin(mechanism.point("O").unwrap()));
+    let on = mechanism.named_link(mechanism.link("arm").unwrap());
+    Hodograph { joint, on, coordinates, points, closed }
 }
 
 #[test]
@@ -100,12 +103,12 @@ fn over_a_range_the_mean_is_by_trapezoids() {
 #[test]
 fn every_analyzer_gives_its_construction_or_none() {
     let linkage = compile(&fixture("press"));
-    let wrenches = vec![Wrench { fx: 1.0, fy: 2.0, m: 0.1 }; linkage.structure.links];
     let position = solved(&linkage, -1.9);
+    let loads = Loads::compile(&linkage).unwrap().acting(&state(&linkage, -1.9), &position.bodies);
     let drawn = analyzers()
         .unwrap()
         .into_iter()
-        .filter(|plugin| plugin.instance.construction(&linkage, &position, &wrenches).unwrap().is_some());
+        .filter(|plugin| plugin.instance.construction(&linkage, &position, &loads).unwrap().is_some());
     let names: Vec<_> = drawn.map(|plugin| plugin.name).collect();
     assert_eq!(names, ["longitudinal", "longitudinal-published", "virtual-power"]);
 }

@@ -4,7 +4,7 @@ use assur_group::plane::{minus, plus};
 
 use super::{all, reactions, solved, state};
 use crate::plan::length;
-use crate::{Plan, VectorKind, acceleration_plan, force_polygons, named_loads, velocity_plan};
+use crate::{Plan, VectorKind, acceleration_plan, force_polygons, velocity_plan};
 
 /// Sum of the sides of a polygon, over the greatest of them.
 fn left_open(plan: &Plan) -> f64 {
@@ -23,7 +23,7 @@ fn polygons_close() {
             let coordinate = linkage.mechanism.input.coordinate(index);
             let (position, state) = (solved(&linkage, coordinate), state(&linkage, coordinate));
             let Some(found) = reactions(&linkage, &loads, &state, &position) else { continue };
-            let list = named_loads(&loads, &state, &position.bodies);
+            let list = loads.acting(&state, &position.bodies);
             let plans = force_polygons(&linkage, &position, &list, &found);
             assert_eq!(plans.len(), linkage.structure.groups.len() + 1);
             for plan in plans {

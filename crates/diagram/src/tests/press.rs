@@ -1,6 +1,7 @@
 use assur_force::{Loads, State};
 use assur_group::Order;
 use assur_kinematics::Linkage;
+use assur_mechanism::Contact;
 
 use super::{analyzer, compile, fixture};
 use crate::{Solver, enveloping, sign_changes};
@@ -9,10 +10,15 @@ fn solver<'a>(linkage: &'a Linkage, loads: &'a Loads, name: &str) -> Solver<'a> 
     Solver { linkage, loads, analyzer: analyzer(name), order: Order::Second, carrying: &[true] }
 }
 
+/// Its only contact.
+fn contact(linkage: &Linkage) -> &Contact {
+    linkage.mechanism.loads.iter().find_map(|load| load.kind.contact()).expect("a contact")
+}
+
 #[test]
 fn the_arc_envelopes_a_straight_line() {
     let linkage = compile(&fixture("press"));
-    let found = enveloping(&linkage, &linkage.mechanism.contacts[0], 81).unwrap();
+    let found = enveloping(&linkage, &"".into(), contact(&linkage), 81).unwrap();
     // N lies r2 cos psi - r1 cos f1 above O, the lowest point R under it; lowest in the middle, highest at both ends.
     let f1 = 20.0_f64.to_radians();
     let lean = 0.04 * f1.sin() / 0.16;
@@ -34,7 +40,7 @@ fn the_arc_envelopes_a_straight_line() {
 fn the_interval_of_the_contact_counts() {
     let during = "friction = 0.1\nduring = [\"-100 deg\", \"-80 deg\"]";
     let linkage = compile(&fixture("press").replace("friction = 0.1", during));
-    let found = enveloping(&linkage, &linkage.mechanism.contacts[0], 11).unwrap();
+    let found = enveloping(&linkage, &"".into(), contact(&linkage), 11).unwrap();
     assert!((found.interval[0] + 100.0_f64.to_radians()).abs() < 1e-15);
     assert!((found.interval[1] + 80.0_f64.to_radians()).abs() < 1e-15);
 }

@@ -14,7 +14,7 @@ fn a_sheet_has_everything_and_serializes() {
     let json = serde_json::to_value(&found).unwrap();
     assert_eq!(json["constructions"][1]["items"][0]["name"], "F");
     assert_eq!(json["velocities"]["unit"], "m/s");
-    assert_eq!(json["by_cause"]["shares"][0]["cause"], linkage.mechanism.contacts[0].name.as_str());
+    assert_eq!(json["by_cause"]["shares"][0]["cause"], linkage.mechanism.loads[0].name.as_str());
 }
 
 #[test]

@@ -28,6 +28,17 @@ pub struct DriveRequest {
     pub unevenness: Option<f64>,
 }
 
+impl DriveRequest {
+    /// The same with another motor in the place of its own.
+    pub(crate) fn with(&self, other: &Characteristic, of_other: f64) -> Self {
+        let mut drive = *self;
+        if let TorqueRequest::Motor { characteristic, rotor, .. } = &mut drive.torque {
+            (*characteristic, *rotor) = (*other, of_other);
+        }
+        drive
+    }
+}
+
 /// Torque of the drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TorqueRequest {

@@ -56,3 +56,46 @@ fn a_grid_of_wishes_is_met() {
     }
     assert_eq!(met, 160);
 }
+
+/// A chosen motor is the first of those that have the power, in their order, that does its work without being overloaded.
+#[test]
+fn a_chosen_motor_is_fit_for_its_work() {
+    let mut passed_over = 0;
+    for catalogue in ["4A", "AIR"] {
+        for speed in ["1000 rpm", "1500 rpm", "3000 rpm"] {
+            let given = |motor: &str| {
+                let scene = scene("shaper-drive");
+                let (before, rest) = scene.split_once("motor = {").unwrap();
+                let (_, after) = rest.split_once('\n').unwrap();
+                let drive = format!(
+                    "motor = \"{motor}\"\ncatalogue = \"{catalogue}\"\nmax_motor_speed = \"{speed}\"\n"
+                );
+                let (linkage, loads) = compiled(&format!("{before}{drive}{after}"));
+                steady(&linkage, &loads, None).map(|found| found.motor.unwrap())
+            };
+            let chosen = given("auto").unwrap();
+            assert!(chosen.is_fit(), "{catalogue} {speed}: {:?}", chosen.warnings);
+            let power = chosen.motor.rated.power;
+            let all = assur_motor::list_motors(
+                &assur_motor::catalogues().unwrap(),
+                &assur_motor::MotorFilter {
+                    catalogue: Some(catalogue.to_owned()),
+                    min_power: Some(497.4),
+                    max_power: Some(0.999 * power),
+                    ..assur_motor::MotorFilter::default()
+                },
+            );
+            let limit =
+                assur_motor::rad_per_s(speed.split_once(' ').unwrap().0.parse().unwrap()) * (1.0 + 1e-9);
+            let known = |motor: &&&assur_motor::Motor| {
+                motor.max_torque_ratio.is_some() && motor.synchronous_speed <= limit
+            };
+            for smaller in all.unwrap().iter().filter(known) {
+                let other = given(&smaller.designation);
+                assert!(!other.is_ok_and(|other| other.is_fit()), "{} is fit", smaller.designation);
+                passed_over += 1;
+            }
+        }
+    }
+    assert!(passed_over > 0);
+}

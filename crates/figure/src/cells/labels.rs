@@ -11,11 +11,13 @@ use crate::model::Ink;
 pub(crate) struct Labels {
     size: [u16; 2],
     texts: Vec<Spot>,
+    /// Rows and columns of the names among them, with a free column on each side, so that two names don't read as one.
+    names: Vec<(u16, std::ops::Range<u16>)>,
 }
 
 impl Labels {
     pub(crate) fn new(size: [u16; 2]) -> Self {
-        Self { size, texts: Vec::new() }
+        Self { size, texts: Vec::new(), names: Vec::new() }
     }
 
     /// Occupies exactly a cell; does nothing outside the area.
@@ -50,10 +52,15 @@ impl Labels {
             [left - 1.0, y],
         ];
         let offers = offers.into_iter().filter_map(|offer| self.spot(offer, text, ink));
-        let mut spots: Vec<Spot> = offers.filter(|spot| !self.is_taken(spot)).collect();
+        let mut spots: Vec<Spot> =
+            offers.filter(|spot| !self.is_taken(spot) && !self.meets_name(spot)).collect();
         let free = spots.iter().position(|spot| is_blank(raster, spot));
         let chosen = free.or((needed && !spots.is_empty()).then_some(0));
-        self.texts.extend(chosen.map(|index| spots.swap_remove(index)));
+        if let Some(spot) = chosen.map(|index| spots.swap_remove(index)) {
+            let end = spot.column + short(spot.text.width());
+            self.names.push((spot.row, spot.column.saturating_sub(1)..end + 1));
+            self.texts.push(spot);
+        }
     }
 
     /// All texts, over the drawing.
@@ -66,6 +73,14 @@ impl Labels {
         let meets =
             |other: &Spot| other.row == spot.row && other.column < end(spot) && spot.column < end(other);
         self.texts.iter().any(meets)
+    }
+
+    fn meets_name(&self, spot: &Spot) -> bool {
+        let end = spot.column + short(spot.text.width());
+        let meets = |(row, columns): &(u16, std::ops::Range<u16>)| {
+            *row == spot.row && columns.start < end && spot.column < columns.end
+        };
+        self.names.iter().any(meets)
     }
 
     fn spot(&self, [x, y]: [f64; 2], text: &str, ink: Ink) -> Option<Spot> {

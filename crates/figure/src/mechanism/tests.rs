@@ -25,7 +25,8 @@ fn items(name: &str) -> (Linkage, Vec<Item>) {
         .map(|slide| linkage.slide_motion(slide, &position).pf0)
         .map(|at| [at, at])
         .collect();
-    let items = Drawing { linkage: &linkage, strokes: &strokes, marked: &[], hidden: &[] }.items(&position);
+    let items = Drawing { linkage: &linkage, strokes: &strokes, arcs: &[], marked: &[], hidden: &[] }
+        .items(&position);
     (linkage, items)
 }
 
@@ -55,7 +56,7 @@ fn a_link_with_one_named_point_reaches_its_pairs() {
 fn springs_are_drawn_between_their_ends() {
     let (linkage, items) = items("andrews");
     let springs = items.iter().filter(|item| matches!(item, Item::Spring { .. })).count();
-    assert_eq!(springs, linkage.mechanism.springs.len());
+    assert_eq!(springs, linkage.mechanism.loads.iter().filter_map(|load| load.kind.spring()).count());
 }
 
 /// The length of the gap that is drawn in a position, m.
@@ -64,7 +65,7 @@ fn gap(text: &str, index: usize) -> f64 {
     let mut position = linkage.position();
     let error = linkage.solve_index(index, Order::Place, &mut position).unwrap_err();
     let strokes = vec![[0.0; 2]; linkage.mechanism.slides.len()];
-    let drawing = Drawing { linkage: &linkage, strokes: &strokes, marked: &[], hidden: &[] };
+    let drawing = Drawing { linkage: &linkage, strokes: &strokes, arcs: &[], marked: &[], hidden: &[] };
     let items = drawing.gap(&position, None, error.group);
     let ends = items.iter().find_map(|item| match item {
         Item::Line { points, ink: Ink::Marked, .. } => Some([points[0], points[1]]),
@@ -106,7 +107,7 @@ fn a_group_of_any_kind_shows_what_is_open() {
     let [mut there, mut here] = [linkage.position(), linkage.position()];
     linkage.solve_index(0, Order::Place, &mut there).unwrap();
     let error = linkage.solve_index(6, Order::Place, &mut here).unwrap_err();
-    let drawing = Drawing { linkage: &linkage, strokes: &[[0.0; 2]], marked: &[], hidden: &[] };
+    let drawing = Drawing { linkage: &linkage, strokes: &[[0.0; 2]], arcs: &[], marked: &[], hidden: &[] };
     assert!(drawing.gap(&here, None, error.group).is_empty(), "without another position nothing is known");
     let items = drawing.gap(&here, Some(&there), error.group);
     let gaps = items.iter().filter_map(|item| match item {

@@ -38,6 +38,9 @@ pub(super) fn fitted(text: &str, width: f64) -> String {
     kept + "…"
 }
 
+/// Least distance of two names beside each other, in text sizes: closer, they read as one.
+const BETWEEN: f64 = 0.3;
+
 /// Most comparisons of a place with what is covered, after which only the names that are needed find places: half a second
 /// of work, and some ten times that of the largest fixture.
 const MOST_COMPARED: usize = 100_000_000;
@@ -123,8 +126,10 @@ impl Names {
             && bottom <= room.top + room.height;
         let crosses = |line: &&[Point; 2]| inside(**line, [left, top], [right, bottom]).is_some();
         let crossed = self.lines.iter().filter(crosses).count();
-        let meets =
-            |other: &&[f64; 4]| other[0] < right && left < other[2] && other[1] < bottom && top < other[3];
+        let apart = BETWEEN * EM;
+        let meets = |other: &&[f64; 4]| {
+            other[0] < right + apart && left < other[2] + apart && other[1] < bottom && top < other[3]
+        };
         // Two names over each other are unreadable, a name over a line is not.
         let written = self.texts.iter().filter(meets).count();
         fits.then_some(crossed + 10 * written)

@@ -1,5 +1,5 @@
 use assur_kinematics::Linkage;
-use assur_mechanism::{Table, Value};
+use assur_mechanism::{Load, Moment, Table, Value};
 
 use super::{fixture, linkage};
 use crate::Loads;
@@ -14,7 +14,7 @@ fn error(change: impl FnOnce(&mut assur_mechanism::Mechanism)) -> String {
 fn a_load_that_needs_a_motion() {
     let text = error(|mechanism| {
         mechanism.motion = None;
-        mechanism.forces[0].direction = assur_mechanism::Direction::AgainstMotion;
+        mechanism.loads[0].kind.force_mut().unwrap().direction = assur_mechanism::Direction::AgainstMotion;
     });
     assert_eq!(text, "load `gas`: a force against the motion needs a motion; add `[motion]` with a speed");
 }
@@ -22,7 +22,7 @@ fn a_load_that_needs_a_motion() {
 #[test]
 fn a_point_without_a_stroke() {
     let text = error(|mechanism| {
-        let Value::Stroke { axis, .. } = &mut mechanism.forces[0].value else {
+        let Some(Value::Stroke { axis, .. }) = mechanism.loads[0].kind.law_mut() else {
             panic!("the gas force follows a stroke")
         };
         *axis = 0.0;
@@ -36,7 +36,7 @@ fn a_moment_has_no_stroke() {
     let text = error(|mechanism| {
         let table = Table::constant(1.0);
         let value = Value::Stroke { axis: 0.0, forward: table.clone(), back: table };
-        mechanism.moments.push(assur_mechanism::Moment { name: "drag".into(), link: 1, value, brake: None });
+        mechanism.loads.push(Load::new("drag", Moment { link: 1, value }));
     });
     assert_eq!(
         text,

@@ -3,7 +3,7 @@
 use assur_mechanism::Mechanism;
 
 use super::{applied, at, bodies, compiled, linkage, near};
-use crate::{LoadError, Loads, Piece, State};
+use crate::{LoadFault, Loads, Piece, State};
 
 /// A slider-crank with a force on its slider; the piston moves between 0.1 and 0.3 m.
 fn scene(value: &str, motion: &str) -> String {
@@ -86,11 +86,11 @@ fn what_can_not_be_located_is_refused() {
     let refused = |value: &str, motion: &str| {
         let linkage = linkage(&scene(value, motion));
         let _: &Mechanism = &linkage.mechanism;
-        Loads::compile(&linkage).err()
+        Loads::compile(&linkage).err().map(|error| error.fault)
     };
     let mixed = "{ formula = '1 + sign(q - w)' }";
     match refused(mixed, TRANSIENT) {
-        Some(LoadError::Unlocated { function, column, .. }) => assert_eq!((&*function, column), ("sign", 5)),
+        Some(LoadFault::Unlocated { function, column }) => assert_eq!((&*function, column), ("sign", 5)),
         other => panic!("{other:?}"),
     }
     assert_eq!(refused(mixed, "[motion]\nspeed = 1"), None);
@@ -107,19 +107,20 @@ fn what_can_not_be_located_is_refused() {
 fn what_changes_too_often_is_refused() {
     let motions = ["", "[motion]\nspeed = 0.5\nacceleration = 3", TRANSIENT];
     let refused = |formula: &str, motion: &str| {
-        Loads::compile(&linkage(&scene(&format!("{{ formula = '{formula}' }}"), motion))).err()
+        let found = Loads::compile(&linkage(&scene(&format!("{{ formula = '{formula}' }}"), motion)));
+        found.err().map(|error| error.fault)
     };
     for motion in motions {
         for formula in ["1 + sign(sin(1e5*q))", "2 + abs(sin(1e6*q))", "q + step(sin(1e9*q))"] {
             match refused(formula, motion) {
-                Some(LoadError::ChangesTooOften { column, most: 10_000, .. }) => assert_eq!(column, 5),
+                Some(LoadFault::ChangesTooOften { column, most: 10_000, .. }) => assert_eq!(column, 5),
                 other => panic!("{formula}: {other:?}"),
             }
         }
         assert_eq!(refused("sign(sin(4999*q))", motion), None);
     }
     // Under a known motion time passes with the coordinate; in any other its steps are counted.
-    assert!(matches!(refused("sign(sin(1e5*t))", motions[1]), Some(LoadError::ChangesTooOften { .. })));
+    assert!(matches!(refused("sign(sin(1e5*t))", motions[1]), Some(LoadFault::ChangesTooOften { .. })));
     assert_eq!(refused("sign(sin(1e5*t))", TRANSIENT), None);
 }
 

@@ -78,7 +78,7 @@ fn the_size_of_a_force() {
         let mut found = Vec::new();
         loads.sizes(&at(0.3, speed), &bodies(&linkage, 0.3), |cause, size: f64| found.push((cause, size)));
         assert_eq!(found.len(), 1);
-        assert_eq!(found[0].0, Cause::Force(0));
+        assert_eq!(found[0].0, Cause::Load(0));
         found[0].1
     };
     near(size("angle = 0", 3.0), 8.0, 1.0);

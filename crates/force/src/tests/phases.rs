@@ -130,9 +130,9 @@ fn a_contact_begins_and_ends_with_a_piece() {
     let within = loads.enter(&at(TAU, 1.0), &mut phase).coordinate;
     near(within[0], TAU - PI / 6.0, 10.0);
     near(within[1], TAU + PI / 6.0, 10.0);
-    assert!(phase.contacts[0]);
+    assert!(phase.loads[0].touches);
     loads.enter(&at(within[1], 1.0), &mut phase);
-    assert!(!phase.contacts[0]);
+    assert!(!phase.loads[0].touches);
 }
 
 #[test]

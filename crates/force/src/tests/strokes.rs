@@ -5,8 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use proptest::prelude::*;
 
 use super::{applied, at, bodies, compiled, fixture, near};
+use crate::LoadFault;
 use crate::grid::{Bodies, GRID, Span};
-use crate::stroke::{NoStroke, Stroke};
+use crate::stroke::Stroke;
 use assur_kinematics::PositionError;
 use assur_mechanism::Place;
 
@@ -158,7 +159,7 @@ fn a_point_that_runs_through_infinity_has_no_stroke() {
         };
         let span = Span { from: 0.0, length: 1.0, periodic: false, cells: GRID };
         match Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], [&span, &span], 1.0) {
-            Err(NoStroke::Infinite(q)) => near(q, c, 1.0),
+            Err(LoadFault::InfiniteStroke(q)) => near(q, c, 1.0),
             other => panic!("{other:?}"),
         }
     }

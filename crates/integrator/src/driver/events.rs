@@ -88,7 +88,7 @@ impl<S: Stepper> Drive<'_, S> {
     /// After a step: an error if the speed stays below the tolerance, since such a motion approaches rest without
     /// reaching it.
     pub(super) fn check_creeping(&mut self) -> Result<(), IntegrationError> {
-        /// From so many slow steps, and so much slow time relative to the time before, the motion counts as creeping.
+        /// From this many slow steps, and this much slow time relative to the time before, the motion counts as creeping.
         const STEPS: usize = 1000;
         const TIMES: f64 = 10.0;
         const LEAST: usize = 10;

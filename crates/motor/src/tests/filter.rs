@@ -18,6 +18,10 @@ fn every_field_narrows_the_list() {
     assert_eq!(admitted(&four), ["4A100L4U3", "AIR100L4"]);
     let power = MotorFilter { min_power: Some(4000.0), max_power: Some(4000.0), ..Default::default() };
     assert_eq!(admitted(&power), ["4A100L4U3", "AIR100L4"]);
+    let slow = MotorFilter { max_speed: Some(rad_per_s(1500.0)), ..Default::default() };
+    assert_eq!(admitted(&slow), ["4A100L4U3", "AIR100L4", "4A71B8U3"]);
+    let slower = MotorFilter { max_speed: Some(rad_per_s(1499.0)), ..Default::default() };
+    assert_eq!(admitted(&slower), ["4A71B8U3"]);
     let part = |text: &str| MotorFilter { designation: Some(text.to_owned()), ..Default::default() };
     assert_eq!(admitted(&part("100 l")), ["4A100L2U3", "4A100L4U3", "AIR100L4"]);
     assert_eq!(admitted(&part("air")), ["AIR100L4"]);

@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use ::csv::Writer;
+use assur_words::{Describe, Text, errors, name, text};
 
 use crate::json::NotFinite;
 use crate::to_ascii;
@@ -16,22 +17,33 @@ pub use geometry::geometry;
 pub use geometry::shaking;
 
 /// A table can't be written as CSV.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum CsvError {
     /// The writer fails.
-    #[error("the result can't be written as CSV: {0}")]
-    Write(#[from] ::csv::Error),
+    Write(::csv::Error),
     /// A number of the results is not finite.
-    #[error(transparent)]
-    Results(#[from] NotFinite),
+    Results(NotFinite),
     /// A number of a table is not finite.
-    #[error("column `{column}`, row {row}: the number found is not finite, and is not written")]
     NotFinite {
         /// The column.
         column: String,
         /// The row, counted from 1 below the header.
         row: usize,
     },
+}
+
+errors!(CsvError; Write(::csv::Error), Results(NotFinite));
+
+impl Describe for CsvError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Write(error) => text!("report-no-csv", problem = name(error.to_string())),
+            Self::Results(error) => error.describe(),
+            Self::NotFinite { column, row } => {
+                text!("report-cell-not-finite", column = name(column.clone()), row = assur_words::number(row))
+            }
+        }
+    }
 }
 
 /// One cell of a table.
@@ -94,10 +106,15 @@ where
         }
         writer.write_record(None::<&[u8]>)?;
     }
-    text_of(writer)
+    finished(writer)
 }
 
-fn text_of(writer: Writer<Vec<u8>>) -> Result<String, CsvError> {
+/// What a writer has written.
+///
+/// # Errors
+///
+/// [`CsvError`] if the writer fails.
+pub fn finished(writer: Writer<Vec<u8>>) -> Result<String, CsvError> {
     let bytes = writer.into_inner().map_err(|error| ::csv::Error::from(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
@@ -135,7 +152,7 @@ pub fn header(names: &[impl AsRef<str>], ascii: bool) -> Result<String, CsvError
     if !names.is_empty() {
         writer.write_record(unique(names.iter().map(|name| harmless(name.as_ref(), ascii).into_owned())))?;
     }
-    text_of(writer)
+    finished(writer)
 }
 
 /// The shortest text that reads back as the same number; whole numbers without a point.

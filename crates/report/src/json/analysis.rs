@@ -1,9 +1,11 @@
 //! The results of a scene as JSON.
 
 use assur_analysis::results::{
-    Analysis, Check, Cycle, Dynamics, Failure, InputReport, Integration, StructureReport, Table,
+    Analysis, Check, Cycle, Dynamics, Failure, FrictionCycle, InputReport, Integration, StructureReport,
+    Table,
 };
 use assur_book::catalogue;
+use assur_mechanism::Notice;
 use assur_words::Text;
 use serde::Serialize;
 
@@ -38,8 +40,10 @@ struct Tail<'a> {
     integration: Option<&'a Integration>,
     #[serde(skip_serializing_if = "Option::is_none")]
     no_motion: Option<&'a Text>,
-    #[serde(skip_serializing_if = "<[Text]>::is_empty")]
-    notes: &'a [Text],
+    #[serde(flatten)]
+    friction: Option<&'a FrictionCycle>,
+    #[serde(skip_serializing_if = "<[Notice]>::is_empty")]
+    notes: &'a [Notice],
     #[serde(flatten)]
     cycle: &'a Cycle,
     #[serde(skip_serializing_if = "<[Check]>::is_empty")]
@@ -52,6 +56,7 @@ impl<'a> Tail<'a> {
             dynamics: analysis.dynamics.as_ref(),
             integration: analysis.integration.as_ref(),
             no_motion: analysis.no_motion.as_ref(),
+            friction: analysis.friction.as_ref(),
             notes: &analysis.notes,
             cycle: &analysis.cycle,
             checks: &analysis.checks,
@@ -115,7 +120,8 @@ impl Around {
         members(&mut end, &Tail::of(analysis), ascii)?;
         end.extend_from_slice(b"}\n");
         after.push(end);
-        let rows = Rows::new(analysis.positions.schema(), POSITIONS, ascii);
+        let mut rows = Rows::new(analysis.positions.schema(), POSITIONS, ascii);
+        rows.several(&analysis.several)?;
         Ok(Self { rows, before, after })
     }
 

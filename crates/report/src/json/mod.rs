@@ -6,26 +6,43 @@ mod rows;
 
 use std::io::{self, Write};
 
+use assur_words::{Describe, Text, errors, name, text};
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
 /// A result can't be written as JSON.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum JsonError {
     /// The writer fails.
-    #[error("the result can't be written as JSON: {0}")]
-    Write(#[from] serde_json::Error),
+    Write(serde_json::Error),
     /// A number is not finite.
-    #[error(transparent)]
-    NotFinite(#[from] NotFinite),
+    NotFinite(NotFinite),
+}
+
+errors!(JsonError; Write(serde_json::Error), NotFinite(NotFinite));
+
+impl Describe for JsonError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Write(error) => text!("report-no-json", problem = name(error.to_string())),
+            Self::NotFinite(error) => error.describe(),
+        }
+    }
 }
 
 /// A number of the results is not finite: nothing is written, in any format.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("the number found for `{place}` is not finite, so the results are not written")]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotFinite {
     /// Its place in the JSON: `positions[3].links.rocker.pf1`.
     pub place: String,
+}
+
+errors!(NotFinite);
+
+impl Describe for NotFinite {
+    fn describe(&self) -> Text {
+        text!("report-not-finite", place = name(self.place.clone()))
+    }
 }
 
 /// A result, if all its numbers are finite.

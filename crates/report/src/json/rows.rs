@@ -1,12 +1,13 @@
 //! The rows of a table as JSON objects.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::ops::Range;
 
-use assur_analysis::results::{Schema, Table};
+use assur_analysis::results::{Schema, Several, Table};
 use rayon::prelude::*;
 
-use super::quoted;
+use super::{JsonError, finite, quoted, serialized};
 use crate::template::{Template, Templates};
 use assur_book::catalogue::{KEYS, Step, path};
 
@@ -48,6 +49,8 @@ pub(super) struct Rows {
     form: Form,
     ascii: bool,
     columns: Vec<usize>,
+    /// What stands at the end of some rows, by their numbers.
+    ends: BTreeMap<usize, Vec<u8>>,
 }
 
 impl Rows {
@@ -59,7 +62,22 @@ impl Rows {
         let mut ranked: Vec<_> =
             ranks.enumerate().filter_map(|(column, rank)| Some((rank?, column))).collect();
         ranked.sort_unstable();
-        Self { form, ascii, columns: ranked.into_iter().map(|(_, column)| column).collect() }
+        Self {
+            form,
+            ascii,
+            columns: ranked.into_iter().map(|(_, column)| column).collect(),
+            ends: BTreeMap::new(),
+        }
+    }
+
+    /// Puts several solutions at the ends of the rows that have them.
+    pub(super) fn several(&mut self, several: &[Several]) -> Result<(), JsonError> {
+        for one in several.iter().filter(|one| one.solutions.len() > 1) {
+            let text = serialized(finite(&one.solutions)?, self.ascii)?;
+            let end = [&b",\"solutions\":"[..], &text, b"}"].concat();
+            self.ends.insert(one.index, end);
+        }
+        Ok(())
     }
 
     /// The rows of a table, each after a comma; those of a large table in parts that all threads write.
@@ -73,7 +91,7 @@ impl Rows {
     }
 
     fn some(&self, table: &Table, rows: Range<usize>) -> Vec<u8> {
-        let Self { form, ascii, columns } = self;
+        let Self { form, ascii, columns, ends } = self;
         let mut templates = Templates::new(table, columns.iter().copied());
         let mut out = Vec::with_capacity(rows.len() * columns.len() * USUAL);
         for row in rows {
@@ -88,6 +106,10 @@ impl Rows {
                 out.extend_from_slice(table.numbers()[row].to_string().as_bytes());
             }
             template.write(table, row, &mut out, number);
+            if let Some(end) = ends.get(&table.numbers()[row]) {
+                out.pop();
+                out.extend_from_slice(end);
+            }
         }
         out
     }

@@ -1,4 +1,4 @@
-//! A document as lines of at most [`WIDTH`] columns.
+//! Blocks of a document as lines of a width: for a page of the text report, and for a view of the terminal UI.
 
 use std::borrow::Cow;
 
@@ -9,18 +9,19 @@ use textwrap::WordSeparator::AsciiSpace;
 use textwrap::WordSplitter::NoHyphenation;
 use unicode_width::UnicodeWidthStr;
 
+use super::grid::{GAP, Ready, fold, grid, total};
 use crate::to_ascii;
 
 /// Columns of the report.
 const WIDTH: usize = 100;
-/// Blanks between the columns of a table.
-const GAP: usize = 2;
 /// Rows of a table that are shown.
 const MOST_ROWS: usize = 4096;
 /// Lines of a table that are shown, all its blocks together: sixteen blocks of the most positions that are kept.
 const MOST_LINES: usize = 16 * MOST_ROWS;
 /// A fact whose value is longer has lines of its own, since columns don't break.
 const LONG: usize = 30;
+/// Facts on a narrower page are no table.
+const NARROW: usize = 60;
 
 /// How a text is written.
 #[derive(Debug, Clone, Copy)]
@@ -31,11 +32,46 @@ pub struct Style<'l> {
     pub ascii: bool,
 }
 
-/// A document as lines.
+/// What a line is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A heading, or the caption of a table.
+    Heading,
+    /// The heads of the columns of a table, and their units.
+    Head,
+    /// A rule below a heading or below the heads of columns.
+    Rule,
+    /// Words, or facts.
+    Words,
+    /// The row of a table of this number, from 0; a row may have several lines.
+    Row(usize),
+}
+
+/// A line of a page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Line {
+    /// What it is.
+    pub kind: Kind,
+    /// Its characters.
+    pub text: String,
+}
+
+/// A document as a text.
 pub fn written(document: &Document, style: Style<'_>) -> String {
-    let mut page = Page { text: String::new(), style, sections: 0 };
-    document.blocks.iter().for_each(|block| page.block(block));
-    page.text
+    joined(&lines(&document.blocks, style, WIDTH))
+}
+
+/// Blocks as lines of at most `width` columns.
+pub fn lines(blocks: &[Block], style: Style<'_>, width: usize) -> Vec<Line> {
+    let mut page = Page { lines: Vec::new(), style, width, sections: 0 };
+    for block in blocks {
+        page.block(block);
+    }
+    page.lines
+}
+
+pub(super) fn joined(lines: &[Line]) -> String {
+    lines.iter().flat_map(|line| [line.text.as_str(), "\n"]).collect()
 }
 
 impl Style<'_> {
@@ -51,18 +87,19 @@ impl Style<'_> {
     }
 }
 
-/// A text that is being written.
+/// A page that is being written.
 #[derive(Debug)]
 struct Page<'l> {
-    text: String,
+    lines: Vec<Line>,
     style: Style<'l>,
+    width: usize,
     sections: usize,
 }
 
 impl Page<'_> {
     fn block(&mut self, block: &Block) {
         match block {
-            Block::Title(title) => self.underlined(&self.style.line(title), "="),
+            Block::Title(title) => self.underlined(self.style.line(title), "="),
             Block::Heading(name) => self.section(name),
             Block::Subheading(name) => self.caption(name),
             Block::Paragraph(words) => self.paragraph(words),
@@ -74,30 +111,41 @@ impl Page<'_> {
         }
     }
 
-    fn underlined(&mut self, line: &str, with: &str) {
-        self.text.extend([line, "\n", &with.repeat(line.width()), "\n"]);
+    fn push(&mut self, kind: Kind, text: impl Into<String>) {
+        self.lines.push(Line { kind, text: text.into() });
+    }
+
+    fn underlined(&mut self, line: String, with: &str) {
+        let rule = with.repeat(line.width());
+        self.push(Kind::Heading, line);
+        self.push(Kind::Rule, rule);
     }
 
     /// A numbered heading.
     fn section(&mut self, name: &Text) {
         self.sections += 1;
-        if !self.text.is_empty() {
-            self.text.push('\n');
+        if !self.lines.is_empty() {
+            self.push(Kind::Words, "");
         }
-        self.underlined(&format!("{}. {}", self.sections, self.style.line(name)), "-");
+        self.underlined(format!("{}. {}", self.sections, self.style.line(name)), "-");
     }
 
     /// A line that names the table below it.
     fn caption(&mut self, caption: &Text) {
         if !caption.is_empty() {
-            self.text.push('\n');
-            self.paragraph(caption);
+            self.push(Kind::Words, "");
+            self.wrapped(Kind::Heading, &self.style.line(caption), 0, 2);
         }
     }
 
     /// Words, broken into lines.
     fn paragraph(&mut self, words: &Text) {
-        self.text += &wrap(&self.style.line(words), 0, 2);
+        self.wrapped(Kind::Words, &self.style.line(words), 0, 2);
+    }
+
+    fn wrapped(&mut self, kind: Kind, words: &str, first: usize, rest: usize) {
+        let lines = wrap(words, first, rest, self.width);
+        self.lines.extend(lines.into_iter().map(|text| Line { kind, text }));
     }
 
     fn equation(&mut self, terms: &[Term]) {
@@ -113,12 +161,15 @@ impl Page<'_> {
                 Term::Unit(text) => format!(" {}", self.style.line(text)),
             }
         });
-        self.text += &wrap(&line, 2, 4);
+        self.wrapped(Kind::Words, &line, 2, 4);
     }
 
     fn facts(&mut self, caption: &Text, facts: &[Fact]) {
         self.caption(caption);
-        let is_long = |fact: &&Fact| self.style.line(&fact.value()).len() > LONG;
+        if self.width < NARROW {
+            return facts.iter().for_each(|fact| self.fact(fact));
+        }
+        let is_long = |fact: &&Fact| self.style.line(&fact.value()).width() > LONG;
         let (long, short): (Vec<_>, Vec<_>) = facts.iter().partition(is_long);
         for fact in long {
             self.paragraph(&text!("report-fact", what = fact.what(), value = fact.with_unit()));
@@ -131,27 +182,43 @@ impl Page<'_> {
         self.table(&Table::list(Text::default(), heads).rows(short.iter().map(row)));
     }
 
-    /// A table in blocks of the page's width, each with the key columns in front. Columns of one group stay together where
-    /// they fit.
+    /// A fact where there is little room: its value behind its short name, its place below.
+    fn fact(&mut self, fact: &Fact) {
+        let place = (!fact.at.is_empty()).then(|| text!("report-fact-at", place = fact.place()));
+        let [what, value] = [fact.what().short(), fact.with_unit()].map(|text| self.style.line(&text));
+        // A value that has a line of its own is not broken.
+        if what.width() + 1 + value.width() > self.width && value.width() + 2 <= self.width {
+            self.wrapped(Kind::Words, &what, 0, 2);
+            self.wrapped(Kind::Words, &value, 2, 2);
+        } else {
+            self.wrapped(Kind::Words, &format!("{what} {value}"), 0, 2);
+        }
+        if let Some(place) = place {
+            self.wrapped(Kind::Words, &self.style.line(&place), 2, 2);
+        }
+    }
+
+    /// A table: where it is too wide, with its words folded, else in blocks of the page's width, each with the key columns in
+    /// front. Columns of one group stay together where they fit.
     fn table(&mut self, table: &Table) {
         self.caption(&table.caption);
         let (keys, groups) = table.printed();
-        let keys: Vec<_> = keys.into_iter().map(|key| self.ready(key)).collect();
-        let room = WIDTH - total(&keys).min(WIDTH);
-        if groups
-            .iter()
-            .flatten()
-            .any(|column| column.cells.iter().any(|cell| self.style.line(cell).width() > room))
-        {
+        let mut keys: Vec<_> = keys.into_iter().map(|key| self.ready(key)).collect();
+        let mut groups: Vec<Vec<Ready>> =
+            groups.into_iter().map(|group| group.into_iter().map(|one| self.ready(one)).collect()).collect();
+        if let [group] = &mut groups[..] {
+            fold(keys.iter_mut().chain(group).collect(), self.width);
+        }
+        let room = self.width - total(&keys).min(self.width);
+        if groups.iter().flatten().any(|column| column.width > room) {
             return self.rows(table);
         }
         let mut blocks: Vec<Vec<Ready>> = Vec::new();
         for group in groups {
-            let group: Vec<_> = group.into_iter().map(|column| self.ready(column)).collect();
-            let fits = total(&group) <= room;
+            let fits = total(&group) <= room + GAP;
             let pieces = if fits { vec![group] } else { group.into_iter().map(|one| vec![one]).collect() };
             for piece in pieces {
-                match blocks.last_mut().filter(|block| total(block) + total(&piece) <= room) {
+                match blocks.last_mut().filter(|block| total(block) + total(&piece) <= room + GAP) {
                     Some(block) => block.extend(piece),
                     None => blocks.push(piece),
                 }
@@ -169,7 +236,8 @@ impl Page<'_> {
                 assur_words::joined("; ", cells.collect::<Vec<_>>())
             };
             let (what, value) = (cells(&mut keys.iter()), cells(&mut groups.iter().flatten()));
-            self.paragraph(&text!("report-fact", what = what, value = value));
+            let line = self.style.line(&text!("report-fact", what = what, value = value));
+            self.wrapped(Kind::Row(row), &line, 0, 2);
         }
     }
 
@@ -178,99 +246,43 @@ impl Page<'_> {
         let most = (MOST_LINES / rows.max(1)).max(1);
         let count = |blocks: &[Vec<Ready>]| blocks.iter().map(Vec::len).sum::<usize>();
         let (all, shown) = (count(blocks), count(&blocks[..blocks.len().min(most)]));
-        let lines: Vec<_> = match blocks {
-            [] => vec![grid(&keys.iter().collect::<Vec<_>>(), rows)],
-            blocks => blocks
-                .iter()
-                .take(most)
-                .map(|block| grid(&keys.iter().chain(block).collect::<Vec<_>>(), rows))
-                .collect(),
-        };
-        self.text += &lines.join("\n");
-        let mut shortened = |text: Text| self.text.extend([self.style.line(&text).as_str(), "\n"]);
+        let only_keys = [Vec::new()];
+        let blocks = if blocks.is_empty() { &only_keys } else { blocks };
+        for (number, block) in blocks.iter().take(most).enumerate() {
+            if number > 0 {
+                self.push(Kind::Words, "");
+            }
+            self.lines.extend(grid(&keys.iter().chain(block).collect::<Vec<_>>(), rows));
+        }
         if rows < height {
-            shortened(text!("report-rows-shown", shown = rows, all = height));
+            self.push(Kind::Words, self.style.line(&text!("report-rows-shown", shown = rows, all = height)));
         }
         if shown < all {
-            shortened(text!("report-columns-shown", shown = shown, all = all));
+            self.push(Kind::Words, self.style.line(&text!("report-columns-shown", shown = shown, all = all)));
         }
     }
 
     fn ready(&self, column: Printed) -> Ready {
         let right = column.is_of_numbers();
-        let cells: Vec<_> = column.cells.iter().map(|cell| self.style.line(cell)).collect();
+        let cells = column.cells.iter().map(|cell| self.style.line(cell)).collect();
         let [head, unit] = [column.head, assur_words::unit(column.unit)].map(|text| self.style.line(&text));
         // Lines have no subscripts.
-        let head = head.replace("_{", "").replace('}', "");
-        let width = cells.iter().chain([&head, &unit]).map(|text| text.width()).max().unwrap_or(0);
-        Ready { head, unit, cells, width, right }
+        Ready::of(head.replace("_{", "").replace('}', ""), unit, cells, right)
     }
-}
-
-/// A column of texts, flush right or left.
-#[derive(Debug)]
-struct Ready {
-    head: String,
-    unit: String,
-    cells: Vec<String>,
-    width: usize,
-    right: bool,
-}
-
-/// Width of columns with the gaps in front of them.
-fn total(columns: &[Ready]) -> usize {
-    columns.iter().map(|column| column.width + GAP).sum()
-}
-
-/// Heads, units, a line, and rows.
-fn grid(columns: &[&Ready], rows: usize) -> String {
-    let mut text = String::new();
-    let mut line = |cell: &dyn Fn(&Ready) -> String| {
-        let mut line = String::new();
-        for (number, column) in columns.iter().enumerate() {
-            let cell = cell(column);
-            let blanks = " ".repeat(column.width - cell.width());
-            let gap = " ".repeat(if number == 0 { 0 } else { GAP });
-            let (before, after) = if column.right { (&*blanks, "") } else { ("", &*blanks) };
-            line.extend([&gap, before, &cell, after]);
-        }
-        text.extend([line.trim_end(), "\n"]);
-    };
-    line(&|column| column.head.clone());
-    if columns.iter().any(|column| !column.unit.is_empty()) {
-        line(&|column| column.unit.clone());
-    }
-    line(&|column| "-".repeat(column.width));
-    (0..rows).for_each(|row| line(&|column| column.cells.get(row).cloned().unwrap_or_default()));
-    text
-}
-
-/// Rows of words in aligned columns below their heads and a line; columns of numbers are flush right.
-pub fn columns(head: &[&str], rows: &[Vec<String>], ascii: bool) -> String {
-    let fold = |text: &str| if ascii { to_ascii(text).into_owned() } else { text.to_owned() };
-    let column = |(number, head): (usize, &&str)| {
-        let cells: Vec<_> =
-            rows.iter().map(|row| row.get(number).map_or_else(String::new, |cell| fold(cell))).collect();
-        let head = fold(head);
-        let right = cells.iter().all(|cell| cell.is_empty() || cell == "-" || cell.parse::<f64>().is_ok());
-        let width = cells.iter().chain([&head]).map(|text| text.width()).max().unwrap_or(0);
-        Ready { head, unit: String::new(), cells, width, right }
-    };
-    let all: Vec<_> = head.iter().enumerate().map(column).collect();
-    grid(&all.iter().collect::<Vec<_>>(), rows.len())
 }
 
 /// Broken into lines of the report's width; all but the first are indented by `indent` columns.
 pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
-    wrap(&if ascii { to_ascii(words) } else { Cow::Borrowed(words) }, 0, indent)
+    let words = if ascii { to_ascii(words) } else { Cow::Borrowed(words) };
+    wrap(&words, 0, indent, WIDTH).join("\n") + "\n"
 }
 
 /// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.
-pub(super) fn wrap(words: &str, first: usize, rest: usize) -> String {
+pub(super) fn wrap(words: &str, first: usize, rest: usize, width: usize) -> Vec<String> {
     // A space that does not break keeps the digits of a number together.
     let words: Vec<_> = words.split_ascii_whitespace().collect();
     let indents = [first, rest].map(|columns| " ".repeat(columns));
-    let options = Options::new(WIDTH).initial_indent(&indents[0]).subsequent_indent(&indents[1]);
+    let options = Options::new(width).initial_indent(&indents[0]).subsequent_indent(&indents[1]);
     let whole = options.break_words(false).word_separator(AsciiSpace).word_splitter(NoHyphenation);
-    textwrap::fill(&words.join(" "), whole) + "\n"
+    textwrap::wrap(&words.join(" "), whole).into_iter().map(Cow::into_owned).collect()
 }

@@ -1,13 +1,14 @@
 //! Digits and columns.
 
-use super::layout::{columns, wrap};
-use super::{Style, plans, written};
+use super::columns;
+use super::layout::wrap;
+use super::{Style, told, written};
 use assur_all as _;
 use assur_analysis::results::Check;
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_book::{Column, Document, Table, Unit, row};
 use assur_diagram::{Plan, PlanVector, Sheet, VectorKind};
-use assur_words::{Text, name};
+use assur_words::{Language, Text, name, number};
 
 fn ascii() -> Style<'static> {
     Style { ascii: true, ..Style::english() }
@@ -15,16 +16,19 @@ fn ascii() -> Style<'static> {
 
 #[test]
 fn columns_of_words_are_flush_left_and_of_numbers_flush_right() {
-    let head = ["pair", "N"];
-    let rows = [["A", "1.5"], ["größe", "-12.25"]].map(|row| row.map(String::from).to_vec());
-    assert_eq!(columns(&head, &rows, false), "pair        N\n-----  ------\nA         1.5\ngröße  -12.25\n");
-    assert!(columns(&head, &rows, true).contains("groesse  -12.25\n"));
+    let head = ["pair", "N"].map(name);
+    let rows = [("A", "1.5"), ("größe", "-12.25")].map(|(word, digits)| vec![name(word), number(digits)]);
+    let plain = columns(&head, &rows, Style::english());
+    assert_eq!(plain, "pair        N\n-----  ------\nA         1.5\ngröße  -12.25\n");
+    assert!(columns(&head, &rows, ascii()).contains("groesse  -12.25\n"));
+    let russian = Style { language: Language::find("ru").unwrap(), ascii: false };
+    assert!(columns(&head, &rows, russian).contains("größe  −12,25\n"));
 }
 
 #[test]
 fn words_break_at_the_width_and_are_never_lost() {
     let words = "word ".repeat(60);
-    let text = wrap(&words, 0, 2);
+    let text = wrap(&words, 0, 2, 100).join("\n");
     assert!(
         text.lines().all(|line| line.len() <= 100) && text.lines().skip(1).all(|line| line.starts_with("  "))
     );
@@ -55,7 +59,7 @@ fn what_could_not_be_judged_is_neither_ok_nor_failed_and_is_counted() {
         check("PF2", 2, false, false),
         check("J", 1, true, false),
     ];
-    let text = super::checks(&rows, Style::english());
+    let text = told(Style::english(), |page| crate::topic::checks(&rows, page));
     let words: Vec<_> = text.lines().skip(2).take(4).map(|line| line.rsplit("  ").next().unwrap()).collect();
     assert_eq!(words, ["ok", "ok", "not judged", "FAILED"]);
     let below: Vec<_> = text.lines().skip(6).collect();
@@ -88,7 +92,7 @@ fn a_number_that_is_not_finite_is_found_behind_an_empty_one_and_never_printed() 
     assert_eq!(crate::json::finite(&rows).unwrap_err().place, "[1].residual");
     let nested = std::collections::BTreeMap::from([("a", Some((1, [0.0, f64::INFINITY])))]);
     assert_eq!(crate::json::finite(&nested).unwrap_err().place, "a[1][1]");
-    let text = super::checks(&rows, Style::english());
+    let text = told(Style::english(), |page| crate::topic::checks(&rows, page));
     let residual = text.lines().nth(3).and_then(|line| line.split_whitespace().nth(1));
     assert!(!text.contains("NaN") && residual == Some("-"), "{text}");
 }
@@ -102,7 +106,7 @@ fn a_sample_of_the_positions_is_named() {
         sampled("loads", Some([360, 1200])),
         sampled("energy", None),
     ];
-    let text = super::checks(&rows, Style::english());
+    let text = told(Style::english(), |page| crate::topic::checks(&rows, page));
     let below: Vec<_> = text.lines().skip(6).collect();
     assert_eq!(below, ["checked in 360 of 1,000,000: closure, PF1", "checked in 360 of 1,200: loads"]);
 }
@@ -130,18 +134,18 @@ fn sheet_of(vectors: [[f64; 2]; 2]) -> Sheet {
 
 #[test]
 fn plans_are_tables_with_directions_that_rounding_does_not_change() {
-    let text = plans(&sheet_of([[1.0, -1e-17], [-1.0, -0.0]]), ascii());
+    let text = told(ascii(), |page| crate::topic::plans(&sheet_of([[1.0, -1e-17], [-1.0, -0.0]]), page));
     let two = &text[..text.find("Plan of accelerations").unwrap()];
     assert!(two.starts_with("\nTwo: unit N, 1 mm = 0.2 N; residual "), "{two}");
     assert!(two.contains(" 0.0000 ") && two.contains(" 180.0000 ") && !two.contains("-180"), "{two}");
     assert!(two.contains("  1  N ") && two.contains("load on `arm`"), "{two}");
-    let text = plans(&sheet_of([[0.0, -20.0], [0.0, 20.0]]), ascii());
+    let text = told(ascii(), |page| crate::topic::plans(&sheet_of([[0.0, -20.0], [0.0, 20.0]]), page));
     assert!(text.contains("  20  N ") && text.contains(" -90.0000 ") && text.contains(" 90.0000 "), "{text}");
 }
 
 #[test]
 fn the_plans_of_a_position_have_every_table() {
-    let text = plans(&sheet_of([[1.0, 0.0], [0.0, 1.0]]), ascii());
+    let text = told(ascii(), |page| crate::topic::plans(&sheet_of([[1.0, 0.0], [0.0, 1.0]]), page));
     assert!(text.is_ascii());
     for title in [
         "Plan of accelerations: ",

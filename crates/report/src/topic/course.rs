@@ -1,7 +1,7 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
 use assur_analysis::results::{Event, Integration, Owner, Quantity, Table as Results};
-use assur_book::{Column, Document, Table, Unit, named, row};
+use assur_book::{Column, Document, Table, Unit, row};
 use assur_integrator::EventKind;
 use assur_words::{Text, name, number, text};
 
@@ -99,7 +99,7 @@ fn samples(source: &Source<'_>, page: &mut Document) {
     let of = |quantity| Values::of(quantity, Owner::Input);
     let time = column(text!("head-time"), SECOND, of(Quantity::Time));
     let mut columns = vec![
-        column(named(&source.analysis.input.link), units.coordinate, Values::COORDINATE),
+        column(Text::from(&source.analysis.input.link), units.coordinate, Values::COORDINATE),
         column(text!("head-speed"), units.rates[0], of(Quantity::Velocity)),
         column(text!("head-acceleration"), units.rates[1], of(Quantity::Acceleration)),
     ];
@@ -179,7 +179,7 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
     if !has_reactions(all) {
         return;
     }
-    let (schema, times) = (all.schema(), each(all, Values::of(Quantity::Time, Owner::Input)));
+    let times = each(all, Values::of(Quantity::Time, Owner::Input));
     let heads = [
         Column::of(text!("head-pair")),
         Column::of(text!("head-on")),
@@ -192,7 +192,7 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
             let sizes = modulus(all, force(pair, link)).into_iter().zip(&times);
             let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
             let Some((size, time)) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-            table.row(row![named(&schema.name(Owner::Pair(pair))), named(schema.link(link)), size, time]);
+            table.row(row![source.name(Owner::Pair(pair)), source.name(Owner::Link(link)), size, time]);
         }
     }
     page.table(table);

@@ -33,10 +33,12 @@ pub fn drive(source: &Source<'_>, page: &mut Document) {
         }
         runners_up(motor, page);
     }
-    flywheels(found, page);
+    page.table(flywheel_methods(found));
+    page.table(flywheel_places(found));
 }
 
-fn motor_facts(motor: &MotorReport) -> Vec<Fact> {
+/// The motor: what it is rated for, and how it works in the regime.
+pub fn motor_facts(motor: &MotorReport) -> Vec<Fact> {
     let given = motor.designation.is_empty();
     let designation = if given { text!("fact-motor-given") } else { name(motor.designation.clone()) };
     let catalogue = motor.catalogue.clone().map(|of| Fact::text("fact-catalogue", name(of)));
@@ -76,7 +78,7 @@ fn clean(part: f64) -> f64 {
 }
 
 /// The words of a method for the flywheel by its key.
-pub fn flywheel_method(key: &'static str) -> Text {
+fn flywheel_method(key: &'static str) -> Text {
     match key {
         "excess-work" => text!("drive-excess-work"),
         "excess-work-less-inertia" => text!("drive-excess-work-less-inertia"),
@@ -117,7 +119,8 @@ fn runners_up(motor: &MotorReport, page: &mut Document) {
     page.table(Table::list(caption, motor_columns().into_iter().chain(last)).rows(others.map(row)));
 }
 
-fn flywheels(found: &Dynamics, page: &mut Document) {
+/// The flywheel by each method, and how far from the exact one.
+pub fn flywheel_methods(found: &Dynamics) -> Table {
     let heads = [
         Column::of(text!("head-method")),
         Column::short(text!("head-flywheel"), INERTIA),
@@ -127,9 +130,11 @@ fn flywheels(found: &Dynamics, page: &mut Document) {
     let row = |one: &FlywheelByMethod| {
         row![flywheel_method(one.method), one.flywheel, one.difference.map(clean), one.formula.clone()]
     };
-    page.table(
-        Table::list(text!("report-flywheel-methods"), heads).rows(found.flywheel_methods.iter().map(row)),
-    );
+    Table::list(text!("report-flywheel-methods"), heads).rows(found.flywheel_methods.iter().map(row))
+}
+
+/// The flywheel on each of the two shafts.
+fn flywheel_places(found: &Dynamics) -> Table {
     let heads = [
         Column::of(text!("head-shaft")),
         Column::short(name("J"), INERTIA),
@@ -154,7 +159,7 @@ fn flywheels(found: &Dynamics, page: &mut Document) {
             kept
         ]);
     }
-    page.table(table);
+    table
 }
 
 /// The motors that suit a scene, the best first, out of `count`.

@@ -1,14 +1,15 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
 use assur_analysis::results::{Analysis, Column, Owner, Quantity};
-use assur_book::{Fact, Unit, named};
+use assur_book::{Fact, Unit};
+use assur_diagram::Extreme;
 use assur_geometry::output_strokes;
 use assur_kinematics::Linkage;
 use assur_mechanism::Range;
 use assur_words::{Text, count, joined, list, name, number, text};
 
-use super::forces::shown;
-use super::units::{FORCE, LENGTH, MOMENT, POWER, SECOND};
+use super::forces::greatest_reactions;
+use super::units::{FORCE, LENGTH, MOMENT, POWER, SECOND, TURN};
 use super::{Units, regime};
 
 /// The results that are asked for first. Greatest values are those of the positions of the scene, strokes are found between
@@ -50,13 +51,12 @@ fn structure(analysis: &Analysis) -> Vec<Fact> {
 fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
     let units = Units::of(analysis.input.angular);
     let facts = analysis.integration.as_ref().map(|found| {
-        [
-            Fact::number("fact-end-time", found.end.time, SECOND)
-                .at(&[found.end.coordinate], units.coordinate),
-            Fact::number("fact-end-speed", found.end.speed, units.rates[0]),
-        ]
+        let time = Fact::number("fact-end-time", found.end.time, SECOND)
+            .at(&[found.end.coordinate], units.coordinate);
+        let turns = found.turns.map(|turns| Fact::number("fact-turns", turns, TURN));
+        [Some(time), turns, Some(Fact::number("fact-end-speed", found.end.speed, units.rates[0]))]
     });
-    facts.into_iter().flatten().collect()
+    facts.into_iter().flatten().flatten().collect()
 }
 
 /// A mechanism that can't be assembled everywhere has no strokes.
@@ -71,23 +71,21 @@ fn strokes(linkage: &Linkage, place: Unit) -> Vec<Fact> {
 }
 
 fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let schema = analysis.positions.schema();
     let mut facts = Vec::new();
-    for (pair, links) in shown(&analysis.positions) {
-        let name = schema.name(Owner::Pair(pair));
-        for on in links.into_iter().map(|link| schema.link(link)) {
-            let all = &analysis.cycle.reaction_extremes;
-            let here = all.iter().find(|one| one.joint == name && on == one.on.as_str());
-            let Some(found) = here.filter(|one| one.greatest > 0.0) else { continue };
+    let all: Vec<&Extreme> = greatest_reactions(analysis).collect();
+    for of_pair in all.chunk_by(|one, next| one.joint == next.joint) {
+        for found in of_pair.iter().filter(|one| one.greatest > 0.0) {
             let fact = Fact::number("fact-greatest-reaction", found.greatest, FORCE);
-            facts.push(fact.of("pair", named(&name)).of("link", named(on)).at(&[found.coordinate], place));
+            let fact = fact.of("pair", (&found.joint).into()).of("link", (&found.on).into());
+            facts.push(fact.at(&[found.coordinate], place));
         }
+        let joint = &of_pair[0].joint;
         let moments = &analysis.survey.greatest_moments;
-        let found = moments.iter().find(|(guide, (_, moment))| *guide == pair && *moment != 0.0);
+        let found = moments.iter().find(|(guide, (_, moment))| *guide == joint.id && *moment != 0.0);
         if let Some((_, (number, moment))) = found {
             let at = linkage.mechanism.input.coordinate(*number);
             let fact = Fact::number("fact-greatest-moment", *moment, MOMENT);
-            facts.push(fact.of("pair", named(&name)).at(&[at], place));
+            facts.push(fact.of("pair", joint.into()).at(&[at], place));
         }
     }
     facts

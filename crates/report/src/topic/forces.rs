@@ -1,7 +1,8 @@
 //! Reduction, reactions with their causes, loads and the balancing load.
 
-use assur_analysis::results::{Owner, Part, Quantity, Table as Results};
-use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name, named, row};
+use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table as Results};
+use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name, row};
+use assur_diagram::Extreme;
 use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
 use assur_words::{Text, name, number, text};
 
@@ -34,7 +35,7 @@ pub fn reduction(source: &Source<'_>, page: &mut Document) {
     let dynamics = source.analysis.dynamics.as_ref();
     let Some(point) = dynamics.and_then(|found| found.reduction_point.as_ref()) else { return };
     let radius = point.radius;
-    let (to, r) = (name(point.name.clone()), LENGTH.show(radius));
+    let (to, r) = (Text::from(&point.name), LENGTH.show(radius));
     let scaled = |values, by: f64| each(table, values).into_iter().map(move |value| Some(value? / by));
     let columns = vec![
         Column::numbers(name("m"), KILOGRAM, scaled(inertia, radius * radius)),
@@ -60,6 +61,14 @@ pub(super) fn shown(table: &Results) -> Vec<(PairId, Vec<LinkId>)> {
         }
     }
     pairs
+}
+
+/// The greatest value of each reaction that is [`shown`].
+pub(super) fn greatest_reactions(analysis: &Analysis) -> impl Iterator<Item = &Extreme> {
+    let of = |(pair, links): (PairId, Vec<LinkId>)| links.into_iter().map(move |link| (pair, link));
+    let all = &analysis.cycle.reaction_extremes;
+    let wanted = shown(&analysis.positions).into_iter().flat_map(of);
+    wanted.filter_map(|(pair, link)| all.iter().find(|one| one.joint.id == pair && one.on.id == link))
 }
 
 /// Whether any row has reactions.
@@ -112,8 +121,8 @@ fn of_pair(source: &Source<'_>, pair: PairId, link: LinkId) -> Group {
     Group { owner: pair_on(source, pair, link), columns }
 }
 
-/// Angle of a force; a zero force has none. A component that is rounding counts as zero.
-fn direction(force: [f64; 2]) -> Option<f64> {
+/// Angle of a force, rad; a zero force has none. A component that is rounding counts as zero.
+pub fn direction(force: [f64; 2]) -> Option<f64> {
     let modulus = force[0].hypot(force[1]);
     let [x, y] = force.map(|part| if part.abs() <= 1e-12 * modulus { 0.0 } else { part });
     (modulus > 1e-9).then(|| y.atan2(x))
@@ -125,21 +134,14 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
         Column::of(text!("head-on")),
         Column::short(text!("head-greatest-force"), FORCE),
         Column::of(text!("head-position")),
-        Column::short(named(&source.analysis.input.link), source.units.coordinate),
+        Column::short(Text::from(&source.analysis.input.link), source.units.coordinate),
         Column::short(text!("head-rms-force"), FORCE),
     ];
     let mut table = Table::list(text!("report-greatest-reactions"), heads);
-    let schema = source.positions.schema();
-    for (pair, links) in shown(&source.positions) {
-        let name = schema.name(Owner::Pair(pair));
-        for on in links.into_iter().map(|link| schema.link(link)) {
-            let all = &source.analysis.cycle.reaction_extremes;
-            let Some(found) = all.iter().find(|one| one.joint == name && on == one.on.as_str()) else {
-                continue;
-            };
-            let position = number(found.index);
-            table.row(row![named(&name), named(on), found.greatest, position, found.coordinate, found.rms]);
-        }
+    for found in greatest_reactions(source.analysis) {
+        let [pair, on] = [Text::from(&found.joint), Text::from(&found.on)];
+        let position = number(found.index);
+        table.row(row![pair, on, found.greatest, position, found.coordinate, found.rms]);
     }
     page.table(table);
 }

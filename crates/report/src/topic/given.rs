@@ -1,7 +1,9 @@
 //! Loads, motion and drive as they are given.
 
 use assur_book::{Column, Document, Fact, Table as List, Unit, link_name, row};
-use assur_mechanism::{Direction, Drive, Mechanism, Motion, Motor, Over, Place, Solve, Table, Torque, Value};
+use assur_mechanism::{
+    Direction, Drive, Force, LinkId, LoadKind, Mechanism, Motion, Motor, Over, Solve, Table, Torque, Value,
+};
 use assur_words::{Text, joined, list, name, text, unit};
 
 use super::Source;
@@ -21,46 +23,55 @@ pub fn loads_given(source: &Source<'_>, page: &mut Document) {
         let size = Unit::of("m/s²", 1.0).show(x.hypot(y));
         rows.row(row![name("G"), text!("given-gravity"), joined(" = ", [name("g"), size])]);
     }
-    for force in &mechanism.forces {
-        let what = list([at(mechanism, force.at), direction(force.direction)]);
-        rows.row(row![Text::from(&force.name), what, law(mechanism, &force.value, NEWTON)]);
-    }
-    for moment in &mechanism.moments {
-        let link = link_name(mechanism, moment.link);
-        let (what, unit) = match &moment.brake {
-            None => (text!("given-moment", link = link), MOMENT.name),
-            Some(brake) => {
-                let (radius, friction) = (LENGTH.show(brake.radius), Unit::NONE.number(brake.friction));
-                (text!("given-brake", link = link, radius = radius, friction = friction), NEWTON)
-            }
-        };
-        rows.row(row![Text::from(&moment.name), what, law(mechanism, &moment.value, unit)]);
-    }
-    for spring in &mechanism.springs {
-        let [one, other] = spring.ends.map(|end| link_name(mechanism, end.link));
-        let data = text!(
-            "given-spring-data",
-            stiffness = Unit::of("N/m", 1.0).show(spring.stiffness),
-            length = LENGTH.show(spring.length),
-            damping = Unit::of("N·s/m", 1.0).show(spring.damping)
-        );
-        rows.row(row![Text::from(&spring.name), text!("given-spring", one = one, other = other), data]);
-    }
-    for contact in &mechanism.contacts {
-        let (link, radius) = (link_name(mechanism, contact.center.link), LENGTH.show(contact.radius));
-        let what = text!(
-            "given-contact",
-            link = link,
-            radius = radius,
-            friction = Unit::NONE.number(contact.friction)
-        );
-        rows.row(row![Text::from(&contact.name), what, law(mechanism, &contact.force, NEWTON)]);
+    for load in &mechanism.loads {
+        let (what, value) = given(mechanism, &load.kind);
+        rows.row(row![Text::from(&load.name), what, value]);
     }
     page.table(rows);
 }
 
-fn at(mechanism: &Mechanism, place: Place) -> Text {
-    text!("given-force", place = LENGTH.show_all(&place.at), link = link_name(mechanism, place.link))
+/// Where and how a load acts, and the law of its value.
+fn given(mechanism: &Mechanism, load: &LoadKind) -> (Text, Text) {
+    let link = |id: LinkId| link_name(mechanism, id);
+    let law = |value: &Value, unit| law(mechanism, value, unit);
+    match load {
+        LoadKind::Force(Force { at, direction: along, value }) => {
+            let place = text!("given-force", place = LENGTH.show_all(&at.at), link = link(at.link));
+            (list([place, direction(*along)]), law(value, NEWTON))
+        }
+        LoadKind::Moment(moment) => {
+            (text!("given-moment", link = link(moment.link)), law(&moment.value, MOMENT.name))
+        }
+        LoadKind::Brake(brake) => {
+            let what = text!(
+                "given-brake",
+                link = link(brake.link),
+                radius = LENGTH.show(brake.radius),
+                lever = Unit::NONE.number(brake.lever),
+                friction = Unit::NONE.number(brake.friction)
+            );
+            (what, law(&brake.force, NEWTON))
+        }
+        LoadKind::Spring(spring) => {
+            let [one, other] = spring.ends.map(|end| link(end.link));
+            let data = text!(
+                "given-spring-data",
+                stiffness = Unit::of("N/m", 1.0).show(spring.stiffness),
+                length = LENGTH.show(spring.length),
+                damping = Unit::of("N·s/m", 1.0).show(spring.damping)
+            );
+            (text!("given-spring", one = one, other = other), data)
+        }
+        LoadKind::Contact(contact) => {
+            let what = text!(
+                "given-contact",
+                link = link(contact.center.link),
+                radius = LENGTH.show(contact.radius),
+                friction = Unit::NONE.number(contact.friction)
+            );
+            (what, law(&contact.force, NEWTON))
+        }
+    }
 }
 
 fn direction(direction: Direction) -> Text {

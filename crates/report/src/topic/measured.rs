@@ -1,10 +1,12 @@
 //! The geometry of the motion as tables.
 
-use assur_book::{Column, Document, Group, Table, Unit, listed, named, row};
+use assur_book::{Column, Document, Group, Table, Unit, row};
 use assur_geometry::{AtPosition, CenterAt, Centers, Extremes, Geometry, Stroke};
+use assur_mechanism::Named;
 use assur_words::{Text, name, text};
 
 use super::Units;
+use super::structure::named;
 use super::units::{ANGLE, LENGTH, MOVING, TURNING};
 
 /// What was measured on the motion.
@@ -34,23 +36,23 @@ fn list(values: &[f64], unit: Unit) -> Text {
 }
 
 /// What goes to and fro: name, stroke, units of its displacement and of its speed.
-fn swinging(found: &Geometry) -> impl Iterator<Item = (&str, &Stroke, Unit, Unit)> {
+fn swinging(found: &Geometry) -> impl Iterator<Item = (&Named<usize>, &Stroke, Unit, Unit)> {
     let slides = found.slides.iter().map(|(name, at)| (name, &at.stroke, LENGTH, MOVING[0]));
     let links = found.links.iter().map(|(name, at)| (name, &at.stroke, ANGLE, TURNING[0]));
     let points = found.points.iter().map(|(name, at)| (name, &at.stroke, LENGTH, MOVING[0]));
     let all = slides.chain(links).chain(points);
-    all.filter_map(|(name, stroke, unit, speed)| Some((name.as_str(), stroke.as_ref()?, unit, speed)))
+    all.filter_map(|(name, stroke, unit, speed)| Some((name, stroke.as_ref()?, unit, speed)))
 }
 
 fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
     page.heading(text!("geometry-strokes"));
     let unit = units.coordinate;
-    let row = |(name, stroke, own, speed): (&str, &Stroke, Unit, Unit)| {
+    let row = |(name, stroke, own, speed): (&Named<usize>, &Stroke, Unit, Unit)| {
         let overlap = stroke.overlap.zip(stroke.intervals);
         let overlap = overlap.map(|(angle, [way, _])| beside(angle, way));
         let speeds = stroke.mean_speeds.map(|speeds| list(&speeds, speed));
         let dead = list(&stroke.dead_points, unit);
-        row![named(name), own.show(stroke.stroke), dead, stroke.time_ratio, overlap, speeds]
+        row![Text::from(name), own.show(stroke.stroke), dead, stroke.time_ratio, overlap, speeds]
     };
     let heads = [
         Column::of(text!("head-what")),
@@ -79,26 +81,34 @@ fn extremes(found: &Geometry, units: &Units, page: &mut Document) {
         place(),
     ];
     let mut table = Table::list(Text::default(), heads);
-    let mut add = |of: &str, what: Text, at: &Extremes, unit: Unit| {
+    let mut add = |of: &Named<usize>, what: Text, at: &Extremes, unit: Unit| {
         let [least, most] = [beside(at.min, at.max), beside(at.max, at.min)].map(|value| unit.number(value));
-        table.row(row![named(of), what, assur_words::unit(unit.name), least, at.at_min, most, at.at_max]);
+        table.row(row![
+            Text::from(of),
+            what,
+            assur_words::unit(unit.name),
+            least,
+            at.at_min,
+            most,
+            at.at_max
+        ]);
     };
     let (length, angle) = (units.length, units.angle);
     for (of, at) in &found.slides {
         add(of, text!("geometry-displacement"), &at.pf0, length[0]);
-        add(of, name("PF1"), &at.pf1, length[1]);
-        add(of, name("PF2"), &at.pf2, length[2]);
+        add(of, text!("quantity-pf1"), &at.pf1, length[1]);
+        add(of, text!("quantity-pf2"), &at.pf2, length[2]);
     }
     for (of, at) in &found.links {
         at.pf0.iter().for_each(|pf0| add(of, text!("geometry-angle"), pf0, angle[0]));
-        add(of, name("PF1"), &at.pf1, angle[1]);
-        add(of, name("PF2"), &at.pf2, angle[2]);
+        add(of, text!("quantity-pf1"), &at.pf1, angle[1]);
+        add(of, text!("quantity-pf2"), &at.pf2, angle[2]);
     }
     for (of, at) in &found.points {
         add(of, name("x"), &at.x, length[0]);
         add(of, name("y"), &at.y, length[0]);
-        add(of, name("|PF1|"), &at.pf1, length[1]);
-        add(of, name("|PF2|"), &at.pf2, length[2]);
+        add(of, text!("geometry-modulus", of = text!("quantity-pf1")), &at.pf1, length[1]);
+        add(of, text!("geometry-modulus", of = text!("quantity-pf2")), &at.pf2, length[2]);
     }
     page.heading(text!("geometry-extremes"));
     page.table(table);
@@ -131,9 +141,9 @@ fn rests(found: &Geometry, units: &Units, page: &mut Document) {
     let at = links.chain(points).filter(|(_, rests)| !rests.is_empty());
     let heads =
         [Column::of(text!("head-link-or-point")), Column::short(text!("head-rests-at"), units.coordinate)];
-    let rows = at.map(|(of, at)| row![named(of), list(at, units.coordinate)]);
+    let rows = at.map(|(of, at)| row![Text::from(of), list(at, units.coordinate)]);
     let table = Table::list(Text::default(), heads).rows(rows);
-    let always = found.links.iter().filter(|(_, at)| at.rests_always).map(|(name, _)| name.as_str());
+    let always = found.links.iter().filter(|(_, at)| at.rests_always).map(|(link, _)| Text::from(link));
     let always: Vec<_> = always.collect();
     if table.is_empty() && always.is_empty() {
         return;
@@ -141,7 +151,7 @@ fn rests(found: &Geometry, units: &Units, page: &mut Document) {
     page.heading(text!("geometry-rests"));
     page.table(table);
     if !always.is_empty() {
-        page.paragraph(text!("geometry-rests-always", links = listed(always)));
+        page.paragraph(text!("geometry-rests-always", links = assur_words::list(always)));
     }
 }
 
@@ -155,10 +165,10 @@ fn keys(found: &Geometry, units: &Units) -> Vec<Column> {
 
 fn centers(found: &Geometry, units: &Units, page: &mut Document) {
     page.heading(text!("geometry-centers"));
-    let against = named(&found.against);
+    let against = Text::from(&found.against);
     page.paragraph(text!("geometry-centers-text", link = against.clone()));
     if !found.rigid.is_empty() {
-        let rigid = listed(found.rigid.iter().map(String::as_str));
+        let rigid = named(&found.rigid);
         page.paragraph(text!("geometry-rigid", against = against, links = rigid));
     }
     let Some(first) = found.positions.first() else { return };
@@ -176,7 +186,7 @@ fn centers(found: &Geometry, units: &Units, page: &mut Document) {
             point("J", |at| at.inflection_pole),
             point("Q", |at| at.acceleration_pole),
         ];
-        Group { owner: named(link), columns: all.into_iter().flatten().collect() }
+        Group { owner: Text::from(link), columns: all.into_iter().flatten().collect() }
     });
     let (groups, keys) = (groups.collect(), keys(found, units));
     page.table(Table { caption: text!("head-links"), keys, owners: text!("head-link"), groups });
@@ -193,9 +203,9 @@ fn curvature(found: &Geometry, units: &Units, page: &mut Document) {
     page.heading(text!("geometry-curvature"));
     page.paragraph(text!("geometry-curvature-text"));
     let unit = Unit::of("1/m", 1.0);
-    let column = |point: &String| {
+    let column = |point: &Named<usize>| {
         let value = |row: &AtPosition| row.points.get(point).map(|at| at.curvature);
-        Column::numbers(name(point.clone()), unit, found.positions.iter().map(value))
+        Column::numbers(Text::from(point), unit, found.positions.iter().map(value))
     };
     let columns = found.points.keys().map(column).collect();
     page.table(Table::over(text!("head-curvature"), keys(found, units), columns));

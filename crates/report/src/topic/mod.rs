@@ -7,6 +7,7 @@ mod drive;
 mod explain;
 mod facts;
 mod forces;
+mod friction;
 mod given;
 mod measured;
 mod motion;
@@ -18,7 +19,7 @@ mod task;
 mod units;
 
 use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table};
-use assur_book::{Column, Document, named};
+use assur_book::{Column, Document};
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_words::{Text, name, text};
@@ -26,13 +27,14 @@ use assur_words::{Text, name, text};
 pub use checks::{checks, not_judged};
 pub use contact::contacts;
 pub use course::{motion_over_time, no_motion};
-pub use drive::{advice, drive, flywheel_method, flywheel_shaft};
+pub use drive::{advice, drive, flywheel_methods, flywheel_shaft, motor_facts};
 pub use explain::explain;
 pub use facts::summary;
 pub use forces::{
-    balancing, balancing_at_positions, causes, inertia_loads, loads, reactions, reactions_at_positions,
-    reduction,
+    balancing, balancing_at_positions, causes, direction, inertia_loads, loads, reactions,
+    reactions_at_positions, reduction,
 };
+pub use friction::{friction, friction_tables};
 pub use given::{loads_given, motion_given, task_text};
 pub use measured::geometry;
 pub use motion::{condition, positions, rates, rates_of_links, rates_of_points, shown_positions, transfer};
@@ -68,7 +70,10 @@ impl<'a> Source<'a> {
     fn keys(&self) -> Vec<Column> {
         let numbers = Column::counted(text!("head-number"), self.positions.numbers().iter().copied());
         let coordinate = each(&self.positions, Values::COORDINATE);
-        vec![numbers, Column::numbers(named(&self.analysis.input.link), self.units.coordinate, coordinate)]
+        vec![
+            numbers,
+            Column::numbers(Text::from(&self.analysis.input.link), self.units.coordinate, coordinate),
+        ]
     }
 
     /// A column of one quantity over the positions; a dash where a position has none.
@@ -148,7 +153,7 @@ fn regime(source: &Source<'_>, page: &mut Document) {
 
 fn forces_of(source: &Source<'_>, page: &mut Document) {
     loads(source, page);
-    for topic in [reduction, reactions, balancing, causes] {
+    for topic in [reduction, reactions, balancing, friction, causes] {
         topic(source, page);
     }
 }
@@ -157,7 +162,7 @@ fn forces_of(source: &Source<'_>, page: &mut Document) {
 fn remarks(source: &Source<'_>, page: &mut Document) {
     let analysis = source.analysis;
     let failures: Vec<_> = analysis.failures.iter().map(|failure| failure.message.clone()).collect();
-    let notes = analysis.notes.clone();
+    let notes: Vec<_> = analysis.notes.iter().map(Text::from).collect();
     for (heading, lines) in [(text!("report-notes"), notes), (text!("report-failures"), failures)] {
         if !lines.is_empty() {
             page.heading(heading);

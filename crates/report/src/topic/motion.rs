@@ -3,13 +3,13 @@
 use assur_analysis::results::{Owner, Part, Quantity};
 use assur_book::{Column, Document, Group, Table, Unit};
 use assur_mechanism::GROUND;
-use assur_words::{Text, count, name, text};
+use assur_words::{Text, count, joined, name, text};
 
 use super::units::{MOVING, TURNING};
 use super::{Source, Values, modulus};
 
 /// A column of a table: its head, its unit, and what it shows of the owner.
-type Shown = (&'static str, Unit, Quantity, Part);
+type Shown = (Text, Unit, Quantity, Part);
 
 /// Of how many positions the tables show some, where they don't show all.
 pub fn shown_positions(source: &Source<'_>, page: &mut Document) {
@@ -67,7 +67,7 @@ impl Source<'_> {
     /// The columns of an owner.
     fn group(&self, owner: Owner, shown: &[Shown]) -> Group {
         let column = |(head, unit, quantity, part): &Shown| {
-            self.column(name(*head), *unit, Values::of(*quantity, owner).part(*part))
+            self.column(head.clone(), *unit, Values::of(*quantity, owner).part(*part))
         };
         Group { owner: self.name(owner), columns: shown.iter().map(column).collect() }
     }
@@ -86,13 +86,13 @@ pub fn positions(source: &Source<'_>, page: &mut Document) {
     }
     let (angle, length) = (source.units.angle[0], source.units.length[0]);
     page.heading(text!("report-positions"));
-    let points = [("x", length, place, Part::X), ("y", length, place, Part::Y)];
+    let points = [(name("x"), length, place, Part::X), (name("y"), length, place, Part::Y)];
     let moving = source.moving(place);
     page.table(source.groups(text!("head-points"), text!("head-point"), moving, &points));
-    let angles = [("", angle, place, Part::Whole)];
+    let angles = [(name(""), angle, place, Part::Whole)];
     let links = source.links(place);
     page.table(source.groups(text!("report-angles"), text!("head-link"), links, &angles));
-    let displacements = [("", length, place, Part::Whole)];
+    let displacements = [(name(""), length, place, Part::Whole)];
     let slides = source.slides(place);
     page.table(source.groups(text!("report-displacements"), text!("head-slide"), slides, &displacements));
 }
@@ -104,17 +104,24 @@ pub fn transfer(source: &Source<'_>, page: &mut Document) {
     }
     let (angle, length) = (source.units.angle, source.units.length);
     let [first, second] = [Quantity::Transfer(1), Quantity::Transfer(2)];
+    let of = |order: &'static str, axis: &'static str| joined(" ", [text!(order), name(axis)]);
     page.heading(text!("report-transfer"));
-    let shown = [("PF1", angle[1], first, Part::Whole), ("PF2", angle[2], second, Part::Whole)];
+    let shown = [
+        (text!("quantity-pf1"), angle[1], first, Part::Whole),
+        (text!("quantity-pf2"), angle[2], second, Part::Whole),
+    ];
     page.table(source.groups(text!("head-links"), text!("head-link"), source.links(first), &shown));
     let shown = [
-        ("PF1 x", length[1], first, Part::X),
-        ("PF1 y", length[1], first, Part::Y),
-        ("PF2 x", length[2], second, Part::X),
-        ("PF2 y", length[2], second, Part::Y),
+        (of("quantity-pf1", "x"), length[1], first, Part::X),
+        (of("quantity-pf1", "y"), length[1], first, Part::Y),
+        (of("quantity-pf2", "x"), length[2], second, Part::X),
+        (of("quantity-pf2", "y"), length[2], second, Part::Y),
     ];
     page.table(source.groups(text!("head-points"), text!("head-point"), source.moving(first), &shown));
-    let shown = [("PF1", length[1], first, Part::Whole), ("PF2", length[2], second, Part::Whole)];
+    let shown = [
+        (text!("quantity-pf1"), length[1], first, Part::Whole),
+        (text!("quantity-pf2"), length[2], second, Part::Whole),
+    ];
     page.table(source.groups(text!("head-slides"), text!("head-slide"), source.slides(first), &shown));
 }
 
@@ -132,14 +139,14 @@ pub fn rates(source: &Source<'_>, page: &mut Document) {
     page.table(Table::over(text!("report-input"), source.keys(), of_input));
     rates_of_links(source, page);
     rates_of_points(source, page);
-    let shown = [("v", MOVING[0], v, Part::Whole), ("a", MOVING[1], a, Part::Whole)];
+    let shown = [(name("v"), MOVING[0], v, Part::Whole), (name("a"), MOVING[1], a, Part::Whole)];
     page.table(source.groups(text!("report-slides-rates"), text!("head-slide"), source.slides(v), &shown));
 }
 
 /// Angular velocities and accelerations of the links.
 pub fn rates_of_links(source: &Source<'_>, page: &mut Document) {
     let [v, a] = [Quantity::Velocity, Quantity::Acceleration];
-    let shown = [("ω", TURNING[0], v, Part::Whole), ("ε", TURNING[1], a, Part::Whole)];
+    let shown = [(name("ω"), TURNING[0], v, Part::Whole), (name("ε"), TURNING[1], a, Part::Whole)];
     page.table(source.groups(text!("report-links-rates"), text!("head-link"), source.links(v), &shown));
 }
 

@@ -1,6 +1,6 @@
 //! The plans of a position as tables.
 
-use assur_book::{Cell, Column, Document, Table, Unit, named, row};
+use assur_book::{Cell, Column, Document, Table, Unit, row};
 use assur_diagram::{JointForce, Plan, PlanVector, Sheet, Split};
 use assur_geometry::{Center, CenterAt};
 use assur_words::{Text, name, number, text, unit};
@@ -76,7 +76,7 @@ fn centers(centers: &[Center], page: &mut Document) {
             }
             CenterAt::Everywhere => ([Cell::None, Cell::None], text!("plan-no-relative-motion")),
         };
-        row![named(&center.link), named(&center.against), x, y, note]
+        row![Text::from(&center.link), Text::from(&center.against), x, y, note]
     };
     page.table(Table::list(text!("plan-centers"), heads).rows(centers.iter().map(row)));
 }
@@ -100,7 +100,7 @@ fn causes(split: &Split, page: &mut Document) {
         let cause = || share.cause.clone();
         for JointForce { joint, on, force: [fx, fy], .. } in &share.reactions {
             let size = force(fx.hypot(*fy));
-            table.row(row![cause(), named(joint), named(on), force(*fx), force(*fy), size]);
+            table.row(row![cause(), Text::from(joint), Text::from(on), force(*fx), force(*fy), size]);
         }
         let load = balancing(share.balancing);
         table.row(row![cause(), text!("plan-balancing"), Cell::None, Cell::None, Cell::None, load]);

@@ -3,7 +3,7 @@
 use assur_analysis::results::{
     Analysis, Dynamics, Iteration, MotorReport, Owner, Quantity, RegimePoint, RegimeReport, Trial,
 };
-use assur_book::{Column, Digits, Document, Fact, Table, Unit, named, row};
+use assur_book::{Column, Digits, Document, Fact, Table, Unit, row};
 use assur_words::{Text, name, number, text};
 
 use super::units::{INERTIA, JOULE, POWER, SECOND};
@@ -128,7 +128,7 @@ pub fn course(source: &Source<'_>, page: &mut Document) {
     let column = |head, unit: Unit, value: &dyn Fn(&RegimePoint) -> Option<f64>| {
         Column::numbers(head, unit, rows.iter().map(|row| value(row)))
     };
-    let key = column(named(&source.analysis.input.link), units.coordinate, &|row| Some(row.coordinate));
+    let key = column(Text::from(&source.analysis.input.link), units.coordinate, &|row| Some(row.coordinate));
     let mean = regime.mean_resistance;
     let columns = vec![
         column(text!("head-speed"), units.rates[0], &|row| Some(row.speed)),

@@ -1,8 +1,8 @@
 //! Shaking force, its harmonics and counterweights as tables.
 
-use assur_book::{Column, Digits, Document, Table, Unit, listed, named, row};
+use assur_book::{Column, Digits, Document, Table, Unit, row};
 use assur_shaking::{AtPosition, Balanced, Criterion, Harmonic, Shaking, Size};
-use assur_words::{Text, name, number, text};
+use assur_words::{Text, list, name, number, text};
 
 use super::Units;
 use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
@@ -20,7 +20,7 @@ pub fn shaking(found: &Shaking, page: &mut Document) {
 
 /// `on crank, rocker: least squares`.
 fn balance_name(balance: &Balanced) -> Text {
-    let links = listed(balance.counterweights.iter().map(|weight| weight.link.as_str()));
+    let links = list(balance.counterweights.iter().map(|weight| Text::from(&weight.link)));
     match balance.criterion {
         Criterion::LeastSquares => text!("shaking-least-squares", links = links),
         Criterion::LeastMaximum => text!("shaking-least-maximum", links = links),
@@ -92,7 +92,7 @@ fn counterweights(found: &Shaking, page: &mut Document) {
     let mut table = Table::list(Text::default(), heads);
     for balance in &found.balances {
         for one in &balance.counterweights {
-            let link = named(&one.link);
+            let link = Text::from(&one.link);
             table.row(row![balance_name(balance), link, one.product, one.angle, one.radius, one.mass]);
         }
     }

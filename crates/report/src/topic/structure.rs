@@ -1,7 +1,8 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{GroupReport, StructureReport};
-use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, listed, named, row};
+use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
+use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, list, name, number, text};
 
@@ -10,9 +11,9 @@ use super::Source;
 /// Links, mobility, formula of structure and class.
 pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let (structure, mechanism) = (&source.analysis.structure, source.mechanism);
-    let names: Vec<_> = mechanism.links.iter().skip(1).map(|link| link.name.as_str()).collect();
-    let input = named(&source.analysis.input.link);
-    page.paragraph(text!("report-links", count = names.len(), links = listed(names), input = input));
+    let links = list(mechanism.links.iter().skip(1).map(|link| Text::from(&link.name)));
+    let input = Text::from(&source.analysis.input.link);
+    page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links = links, input = input));
     page.paragraph(text!("report-chebyshev"));
     page.blocks.push(Block::Equation(chebyshev(structure)));
     if let Some(found) = structure.mobility_by_rank {
@@ -66,6 +67,11 @@ pub fn pairs(source: &Source<'_>, page: &mut Document) {
     page.table(table);
 }
 
+/// Names with commas between them.
+pub(super) fn named<I>(all: &[Named<I>]) -> Text {
+    list(all.iter().map(Text::from))
+}
+
 /// The groups in solving order.
 pub fn groups(source: &Source<'_>, page: &mut Document) {
     let heads = [
@@ -80,7 +86,6 @@ pub fn groups(source: &Source<'_>, page: &mut Document) {
         text!("head-way"),
         text!("head-ways"),
     ];
-    let names = |all: &[String]| listed(all.iter().map(String::as_str));
     let of = |(index, group): (usize, &GroupReport)| {
         row![
             index + 1,
@@ -88,11 +93,11 @@ pub fn groups(source: &Source<'_>, page: &mut Document) {
             name(roman(group.class)),
             (group.number > 0).then(|| number(group.number)),
             number(group.order),
-            names(&group.links),
-            names(&group.inner),
-            names(&group.outer),
-            number(group.way),
-            number(group.ways),
+            named(&group.links),
+            named(&group.inner),
+            named(&group.outer),
+            group.way.map(number),
+            group.ways.map(number),
         ]
     };
     let columns = heads.map(|head| Column::short(head, Unit::NONE));

@@ -1,8 +1,8 @@
 //! The mechanism as it is given: dimensions and masses.
 
-use assur_book::{Column, Document, Table, link_name, row};
-use assur_mechanism::Link;
-use assur_words::{name, text};
+use assur_book::{Cell, Column, Document, Table, Unit, link_name, row};
+use assur_mechanism::{Inertia, Link, VaryingInertia};
+use assur_words::{joined, name, text};
 
 use super::Source;
 use super::units::{ANGLE, INERTIA, KILOGRAM, LENGTH};
@@ -53,11 +53,24 @@ fn slides(source: &Source<'_>, page: &mut Document) {
     page.table(table);
 }
 
+/// A moment of inertia: a number, or the formula by which it varies, in SI.
+fn inertia_given(inertia: &Inertia) -> Cell {
+    let Some(VaryingInertia { formula, factor }) = inertia.varying() else {
+        return inertia.constant().into();
+    };
+    let formula = name(formula.text().to_owned());
+    if factor.total_cmp(&1.0).is_eq() {
+        return formula.into();
+    }
+    let formula = joined("", [name("("), formula, name(")")]);
+    joined(" · ", [Unit::NONE.number(*factor), formula]).into()
+}
+
 fn masses(source: &Source<'_>, page: &mut Document) {
-    let heavy = |link: &&Link| link.mass > 0.0 || link.inertia > 0.0;
+    let heavy = |link: &&Link| link.is_heavy();
     let row = |link: &Link| {
         let [x, y] = link.center;
-        row![&link.name, link.mass, x, y, link.inertia]
+        row![&link.name, link.mass, x, y, inertia_given(&link.inertia)]
     };
     let heads = [
         Column::of(text!("head-link")),

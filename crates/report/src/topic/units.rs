@@ -38,6 +38,8 @@ pub(crate) const LENGTH: Unit = Unit::of("mm", 1e3);
 pub(crate) const POWER: Unit = Unit::of("W", 1.0);
 /// deg.
 pub(crate) const ANGLE: Unit = Unit::of("deg", DEG);
+/// Turns.
+pub(crate) const TURN: Unit = Unit::of("rev", 1.0);
 /// Speed and acceleration of links.
 pub(crate) const TURNING: [Unit; 2] = [Unit::of("rad/s", 1.0), Unit::of("rad/s²", 1.0)];
 /// Speed and acceleration of points and slides.

@@ -72,7 +72,19 @@ pub fn bare(written: &str) -> String {
 /// All numbers in the order of the file.
 pub(super) fn of(text: &str, table: &DeTable<'_>) -> Vec<SceneValue> {
     let mut values = Vec::new();
-    in_table(text, table, &mut Vec::new(), &mut values);
+    each(table, &mut |steps, leaf| {
+        let written = text.get(leaf.span()).unwrap_or_default();
+        // A choice among names has no number, and no percentage of it.
+        let choice = || (shown(steps) == MOTOR).then(|| (f64::NAN, String::new()));
+        values.extend(number(leaf.get_ref(), written).or_else(choice).map(|(number, unit)| SceneValue {
+            key: shown(steps),
+            span: leaf.span(),
+            written: written.to_owned(),
+            number,
+            unit,
+            whole: false,
+        }));
+    });
     values.sort_by_key(|value| value.span.start);
     if crate::read("", text).is_ok() {
         // Zeros can't be changed by a percentage and counts are not in lists, so most integers need no trial.
@@ -89,41 +101,59 @@ pub(super) fn of(text: &str, table: &DeTable<'_>) -> Vec<SceneValue> {
     values
 }
 
-fn in_table(text: &str, table: &DeTable<'_>, steps: &mut Vec<Step>, values: &mut Vec<SceneValue>) {
+/// Calls a function with every value that is neither a table nor a list, and the steps to it.
+fn each(table: &DeTable<'_>, take: &mut impl FnMut(&[Step], &Spanned<DeValue<'_>>)) {
+    in_table(table, &mut Vec::new(), take);
+}
+
+fn in_table(
+    table: &DeTable<'_>,
+    steps: &mut Vec<Step>,
+    take: &mut impl FnMut(&[Step], &Spanned<DeValue<'_>>),
+) {
     for (key, value) in table {
         steps.push(Step::Name(key.get_ref().to_string()));
-        in_value(text, value, steps, values);
+        in_value(value, steps, take);
         steps.pop();
     }
 }
 
-fn in_value(text: &str, value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, values: &mut Vec<SceneValue>) {
+fn in_value(
+    value: &Spanned<DeValue<'_>>,
+    steps: &mut Vec<Step>,
+    take: &mut impl FnMut(&[Step], &Spanned<DeValue<'_>>),
+) {
     match value.get_ref() {
-        DeValue::Table(table) => in_table(text, table, steps, values),
+        DeValue::Table(table) => in_table(table, steps, take),
         DeValue::Array(array) => {
             let names: Vec<_> = array.iter().map(|item| element_name(item.get_ref())).collect();
             for (index, item) in array.iter().enumerate() {
                 let name = names[index].clone();
                 let own = name.filter(|_| names.iter().filter(|other| **other == names[index]).count() == 1);
                 steps.push(own.map_or(Step::Index(index), Step::Name));
-                in_value(text, item, steps, values);
+                in_value(item, steps, take);
                 steps.pop();
             }
         }
-        leaf => {
-            let written = text.get(value.span()).unwrap_or_default();
-            // A choice among names has no number, and no percentage of it.
-            let choice = || (shown(steps) == MOTOR).then(|| (f64::NAN, String::new()));
-            values.extend(number(leaf, written).or_else(choice).map(|(number, unit)| SceneValue {
-                key: shown(steps),
-                span: value.span(),
-                written: written.to_owned(),
-                number,
-                unit,
-                whole: false,
-            }));
-        }
+        _ => take(steps, value),
     }
+}
+
+/// The key of names, each within the one before.
+pub(crate) fn key_of_steps<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
+    shown(&names.into_iter().map(|name| Step::Name(name.to_owned())).collect::<Vec<_>>())
+}
+
+/// The key of the value that stands at these bytes of the file; of a number in a list, that of the list.
+pub(crate) fn key_of(table: &DeTable<'_>, span: &Range<usize>) -> Option<String> {
+    let mut found = None;
+    each(table, &mut |steps, leaf| {
+        if leaf.span() == *span {
+            let items = steps.iter().rev().take_while(|step| matches!(step, Step::Index(_))).count();
+            found = Some(shown(&steps[..steps.len() - items]));
+        }
+    });
+    found
 }
 
 /// The key that chooses a motor by its name.

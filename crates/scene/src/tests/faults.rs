@@ -15,34 +15,61 @@ pub(super) fn faults(text: &str, places: &[(usize, usize)]) -> String {
     let errors = read("engine.toml", text).expect_err(text);
     let found: Vec<_> = errors.errors.iter().map(|error| (error.line, error.column)).collect();
     assert_eq!(found, places, "{errors}");
-    assert_translated(&errors);
+    assert_translated(text, &errors);
     errors.to_string()
 }
 
-/// In other languages only what the scene says, its keys and units, and the parser's own words have Latin letters.
-fn assert_translated(errors: &SceneErrors) {
+/// In other languages only what the scene says, its keys and units, and the parser's own words have Latin letters: whatever is
+/// no name of a text and not quoted is in the language, and a name is no sentence.
+fn assert_translated(scene: &str, errors: &SceneErrors) {
     for language in ["uk", "ru"].map(|code| Language::find(code).unwrap()) {
         for error in &errors.errors {
-            let said = [Some(&error.message), Some(&error.label), error.help.as_ref()];
-            for text in said.into_iter().flatten().map(|text| text.render(language)) {
-                let of_parser = text.starts_with("не TOML: ");
-                // The lists of keys, of units in parentheses, and of what is there; what is quoted; what is an example.
-                let before = |(before, _): (&str, &str)| {
-                    before.trim_end().rsplit_once(' ').map_or("", |of| of.0).to_owned()
-                };
-                let prose = text.split_once(['=', '[']).map_or_else(|| text.clone(), before);
-                let prose = prose.split(": ").next().unwrap();
-                let outside = prose.split(['`', '"', '(', ')']).step_by(2);
-                let latin = outside.flat_map(|part| part.split(|c: char| !c.is_alphanumeric()));
-                let latin =
-                    latin.filter(|word| word.len() > 3 && word.chars().all(|c| c.is_ascii_lowercase()));
-                assert_eq!(latin.collect::<Vec<_>>(), [""; 0], "{text}");
-                let cyrillic = text.chars().any(|c| matches!(c, 'а'..='я' | 'А'..='Я' | 'і' | 'ї' | 'є'));
-                let code = prose.is_empty() || !text.contains(' ');
-                assert!(of_parser || cyrillic || code, "{text}");
+            for text in [Some(&error.message), Some(&error.label), error.help.as_ref()].into_iter().flatten()
+            {
+                let shown = text.render(language);
+                let of_parser = shown.starts_with("не TOML: ");
+                for name in text.names() {
+                    let is_sentence = name.split(' ').filter(|word| is_word(word)).count() > 1;
+                    let is_code = name.contains(['=', '[', '"', ',', '/']) || scene.contains(name);
+                    assert!(!is_sentence || is_code || of_parser, "{name:?} in {shown:?}");
+                }
+                let named: Vec<&str> = text.names().into_iter().flat_map(words).collect();
+                // Keys stand before a sign of equality; a unit with `*` is that of the file.
+                let prose = unquoted(&shown).replace("kg*m^2", "");
+                let prose = prose
+                    .split(" =")
+                    .map(|part| part.trim_end_matches(|c: char| c.is_ascii_lowercase() || c == '_'));
+                let prose = prose.collect::<Vec<_>>().join(" ");
+                let left = words(&prose).filter(|word| is_word(word) && !named.contains(word));
+                assert_eq!(left.collect::<Vec<_>>(), [""; 0], "{shown:?}");
             }
         }
     }
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_alphanumeric())
+}
+
+/// A text without what stands in quotes and brackets.
+fn unquoted(text: &str) -> String {
+    let mut end = None;
+    let outside = text.chars().filter(|&letter| {
+        match (end, letter) {
+            (Some(sign), _) if letter == sign => end = None,
+            (None, '`' | '"') => end = Some(letter),
+            (None, '[') => end = Some(']'),
+            (None, _) => return true,
+            (Some(_), _) => {}
+        }
+        false
+    });
+    outside.collect()
+}
+
+/// Whether it is a word in Latin letters.
+fn is_word(word: &str) -> bool {
+    word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase())
 }
 
 /// The whole text of faults, in a file to be read by a person.
@@ -283,6 +310,27 @@ fn wishes() {
                     "[output]\nslides = [\"piston\"]\nreactions = [\"S2\", \"Q\"]\n[assembly]",
                     &[(58, 11), (59, 14), (59, 20)],
                 ),
+            ],
+        ),
+    );
+}
+
+#[test]
+fn moments_of_inertia_by_formula() {
+    let old = "inertia = \"0.008 kg*m^2\"";
+    let disc = BASE.replace(old, "inertia = { formula = \"8 + cos(q)\", unit = \"kg*mm^2\" }");
+    assert!(read("engine.toml", &disc).is_ok());
+    snapshot(
+        "inertia",
+        &all(
+            BASE,
+            &[
+                (old, "inertia = { formula = \"2 + 3*cos(q)\", unit = \"kg*m^2\" }", &[(11, 11)]),
+                (old, "inertia = { formula = \"2 + w + t*x\", unit = \"kg*m^2\" }", &[(11, 23)]),
+                (old, "inertia = { formula = \"2 + abs(q)\", unit = \"kg*m^2\" }", &[(11, 28)]),
+                (old, "inertia = { formula = \"2 + \", unit = \"kg\" }", &[(11, 38)]),
+                (old, "inertia = { unit = \"kg*m^2\", axis = 0 }", &[(11, 11), (11, 30)]),
+                ("center = \"S2\"", "center = \"S2\"\ninertia = { formula = \"2\" }", &[(17, 23)]),
             ],
         ),
     );

@@ -41,7 +41,7 @@ fn links_points_and_slides_of_the_shaper() {
         scene.points.iter().filter(|point| point.is_pin()).map(|point| point.name.as_str()).collect();
     assert_eq!(pins, ["O", "C", "A", "D"]);
     assert_eq!(
-        (scene.links[3].mass, scene.links[3].center, scene.links[3].inertia),
+        (scene.links[3].mass, scene.links[3].center, scene.links[3].inertia.constant()),
         (12.0, [0.375, 0.0], 0.6)
     );
     assert_eq!(scene.links[2].center, [0.0, 0.0]);
@@ -54,14 +54,19 @@ fn links_points_and_slides_of_the_shaper() {
     assert_eq!(scene.assembly, [(4, [0.17, 0.28])]);
 }
 
+/// The law of the first load.
+fn first_law(scene: &Mechanism) -> Value {
+    scene.loads[0].kind.law().expect("a load with a law").clone()
+}
+
 #[test]
 fn input_motion_and_force_of_the_shaper() {
     let scene = fixture("shaper.toml");
     assert_eq!((scene.input.link, scene.input.pair, scene.input.positions), (1, InputPair::Pin(0), 48));
     assert_eq!((scene.input.range, scene.input.direction), (Range::Cycle(TAU), Sense::Ccw));
     assert_eq!(scene.motion, Some(Motion::Prescribed { speed: TAU, acceleration: 0.0 }));
-    let force = &scene.forces[0];
-    assert_eq!((force.name.as_str(), force.at.link, force.at.at), ("cutting", 5, [0.25, -0.05]));
+    let force = scene.loads[0].kind.force().unwrap();
+    assert_eq!((scene.loads[0].name.as_str(), force.at.link, force.at.at), ("cutting", 5, [0.25, -0.05]));
     assert_eq!(force.direction, Direction::Ground(0.0));
     let forward =
         Table { rows: vec![[0.05, 0.0], [0.05, 1500.0], [0.95, 1500.0], [0.95, 0.0]], shape: Shape::Linear };
@@ -97,7 +102,9 @@ fn the_speed_of_a_formula_is_counted_along_the_direction() {
             "link = \"AB\"\n\n[motion]",
             &format!("link = \"AB\"\ndirection = \"{direction}\"\n\n[motion]"),
         );
-        let Value::Formula { formula, .. } = &read("test", &text).unwrap().moments[1].value else { panic!() };
+        let scene = read("test", &text).unwrap();
+        let moment = scene.loads.iter().filter_map(|load| load.kind.moment()).nth(1).unwrap();
+        let Value::Formula { formula, .. } = &moment.value else { panic!() };
         close!(formula.value(&at), wanted);
     }
 }
@@ -164,11 +171,12 @@ fn a_range_against_the_clock_keeps_the_direction_of_the_scene() {
     assert_eq!((scene.input.positions, scene.input.sign()), (33, -1.0));
     let Some(Motion::Prescribed { speed, .. }) = scene.motion else { panic!() };
     close!(speed, -PI / 3.0, max_relative = 1e-15);
-    let contact = &scene.contacts[0];
+    let contact = scene.loads[0].kind.contact().unwrap();
     assert_eq!((contact.center.link, contact.center.at, contact.radius), (2, [-0.64, 0.0], 0.75));
     assert_eq!((&contact.force, contact.friction, contact.during), (&Value::Constant(20_000.0), 0.1, None));
-    assert_eq!((contact.name.as_str(), contact.against_sliding), ("contact 1 on rod", false));
-    let found = &fixture("press-compression.toml").contacts[0];
+    assert_eq!((scene.loads[0].name.as_str(), contact.against_sliding), ("contact 1 on rod", false));
+    let scene = fixture("press-compression.toml");
+    let found = scene.loads[0].kind.contact().unwrap();
     assert_eq!((found.friction, found.against_sliding), (0.1, true));
 }
 
@@ -178,8 +186,8 @@ fn direction_cw_turns_speed_and_acceleration() {
     let Some(Motion::Prescribed { speed, acceleration }) = scene.motion else { panic!() };
     close!(speed, -2.5 * PI, max_relative = 1e-15);
     assert_eq!(acceleration, 0.0);
-    assert_eq!(scene.forces[0].direction, Direction::AgainstMotion);
-    assert_eq!(scene.forces[0].name, "force 1 on trough");
+    assert_eq!(scene.loads[0].kind.force().unwrap().direction, Direction::AgainstMotion);
+    assert_eq!(scene.loads[0].name, "force 1 on trough");
     assert_eq!(scene.links[3].center, [0.17, 0.01]);
     let text = BASE.replace("speed = \"900 rpm\"", "speed = 3\nacceleration = 2");
     let scene = good(&text.replace("positions = 24", "direction = \"cw\""));
@@ -190,7 +198,7 @@ fn direction_cw_turns_speed_and_acceleration() {
 fn a_table_over_the_speed_counts_it_along_the_direction() {
     let value = |table: &str| {
         let text = BASE.replace("value = 700", &format!("value = {{ over = \"speed\", {table} }}"));
-        match good(&text.replace("positions = 24", "direction = \"cw\"")).forces.remove(0).value {
+        match first_law(&good(&text.replace("positions = 24", "direction = \"cw\""))) {
             Value::Table { over: Over::Speed, table, .. } => table,
             other => panic!("{other:?}"),
         }
@@ -206,17 +214,18 @@ fn a_table_over_the_speed_counts_it_along_the_direction() {
 fn loads_in_links_springs_and_tables() {
     let scene = fixture("stephenson3.toml");
     close!(scene.slides[0].tilt, 25.0 * PI / 180.0, max_relative = 1e-15);
-    assert!(matches!(scene.forces[0].direction, Direction::Link(angle) if (angle + PI / 3.0).abs() < 1e-15));
-    let spring = &scene.springs[0];
+    let force = scene.loads[0].kind.force().unwrap();
+    assert!(matches!(force.direction, Direction::Link(angle) if (angle + PI / 3.0).abs() < 1e-15));
+    let last = scene.loads.last().unwrap();
+    let spring = last.kind.spring().unwrap();
     assert_eq!((spring.ends[0].link, spring.ends[0].at), (0, [0.5, 0.05]));
     assert_eq!((spring.ends[1].link, spring.ends[1].at), (5, [0.05, 0.1]));
     assert_eq!((spring.stiffness, spring.length, spring.damping), (800.0, 0.3, 25.0));
-    assert_eq!(spring.name, "spring 1");
-    let moment = fixture("flywheel.toml").moments.remove(0);
+    assert_eq!(last.name, "spring 1");
     let table = Table { rows: vec![[0.0, 0.0], [PI, 40.0], [TAU, 0.0]], shape: Shape::Linear };
-    assert_eq!(moment.value, Value::Table { over: Over::Coordinate, table, repeat: true });
-    let moment = fixture("run-up.toml").moments.remove(0);
-    assert!(matches!(moment.value, Value::Table { repeat: false, .. }));
+    let law = first_law(&fixture("flywheel.toml"));
+    assert_eq!(law, Value::Table { over: Over::Coordinate, table, repeat: true });
+    assert!(matches!(first_law(&fixture("run-up.toml")), Value::Table { repeat: false, .. }));
 }
 
 #[test]
@@ -228,9 +237,11 @@ fn a_sliding_input_is_measured_in_meters() {
     assert_eq!(scene.input.pair, InputPair::Slide(0));
     assert_eq!((scene.input.from, scene.input.range), (0.3, Range::To(0.2)));
     assert_eq!(scene.motion, Some(Motion::Prescribed { speed: 0.2, acceleration: 0.0 }));
-    assert_eq!(scene.contacts[0].during, Some([0.2, 0.25]));
+    let contact = scene.loads.iter().find_map(|load| load.kind.contact()).unwrap();
+    assert_eq!(contact.during, Some([0.2, 0.25]));
     // A range of a sliding input is no cycle, so that nothing can repeat with it.
-    assert!(matches!(scene.moments[0].value, Value::Table { repeat: false, .. }));
+    let moment = scene.loads.iter().find_map(|load| load.kind.moment()).unwrap();
+    assert!(matches!(moment.value, Value::Table { repeat: false, .. }));
 }
 
 #[test]
@@ -245,15 +256,13 @@ fn scale_is_a_factor_on_the_size_of_every_sort_of_load() {
                  [[contact]]\nlink = \"rod\"\n{scale}\ncenter = \"B\"\nradius = 0.1\nangle = 0.5\nforce = 40\n"
             );
         let scene = good(&text);
-        let (forces, moments) = (scene.forces.len(), scene.moments.len());
-        let values = [
-            scene.forces[forces - 2].value.clone(),
-            scene.forces[forces - 1].value.clone(),
-            scene.moments[moments - 2].value.clone(),
-            scene.moments[moments - 1].value.clone(),
-            scene.contacts.last().unwrap().force.clone(),
-        ];
-        assert_eq!(scene.contacts.last().unwrap().angle, Value::Constant(0.5), "an angle is no size");
+        let forces: Vec<_> = scene.loads.iter().filter_map(|load| load.kind.force()).collect();
+        let moment = scene.loads.iter().filter_map(|load| load.kind.moment()).next_back().unwrap();
+        let brake = scene.loads.iter().find_map(|load| load.kind.brake()).unwrap();
+        let contact = scene.loads.last().unwrap().kind.contact().unwrap();
+        assert_eq!(contact.angle, Value::Constant(0.5), "an angle is no size");
+        let [.., one, other] = forces[..] else { panic!() };
+        let values = [&one.value, &other.value, &moment.value, &brake.force, &contact.force];
         values.map(|value| value.sizes().collect::<Vec<f64>>())
     };
     let plain = [vec![2000.0], vec![1.0, 3.0, 5.0], vec![1000.0], vec![10.0, 20.0], vec![40.0]];
@@ -298,8 +307,7 @@ fn wishes_and_the_other_drives() {
 
 #[test]
 fn tables_over_time_speed_and_steps() {
-    let value =
-        |text: &str| good(&BASE.replace("value = 700", &format!("value = {text}"))).forces.remove(0).value;
+    let value = |text: &str| first_law(&good(&BASE.replace("value = 700", &format!("value = {text}"))));
     let table = Table { rows: vec![[0.0, 1.0], [0.5, 2000.0]], shape: Shape::Step };
     let read = value("{ over = \"time\", table = [[0, 1], [\"500 ms\", \"2 kN\"]], shape = \"step\" }");
     assert_eq!(read, Value::Table { over: Over::Time, table, repeat: false });
@@ -344,8 +352,8 @@ fn numbers_beyond_all_measure_are_refused() {
 #[test]
 fn a_formula_has_a_unit_and_faults_with_their_column() {
     let with = |value: &str| BASE.replace("value = 700", &format!("value = {value}"));
-    let force = good(&with("{ formula = \"2*q\", unit = \"kN\" }")).forces.remove(0);
-    let Value::Formula { formula, factor, axis } = force.value else { panic!() };
+    let law = first_law(&good(&with("{ formula = \"2*q\", unit = \"kN\" }")));
+    let Value::Formula { formula, factor, axis } = law else { panic!() };
     assert_eq!((formula.text(), factor, axis), ("2*q", 1000.0, None));
     let fault = |value: &str| {
         let text = with(value);
@@ -383,5 +391,6 @@ fn friction_against_the_sliding_is_a_table_of_one_number() {
     );
     assert!(refused("{ against_sliding = 0.1 }", "{ formula = \"0.01*w\" }").contains("depends on more"));
     let table = "{ over = \"angle\", table = [[-2, 0.1], [-1, 0]] }";
-    assert!(read("test.toml", &press.replace(formula, table)).unwrap().contacts[0].against_sliding);
+    let scene = read("test.toml", &press.replace(formula, table)).unwrap();
+    assert!(scene.loads[0].kind.contact().unwrap().against_sliding);
 }

@@ -26,7 +26,13 @@ const N: Powers = [1, 1, -2, 0];
 const NM: Powers = [2, 1, -2, 0];
 const W: Powers = [2, 1, -3, 0];
 
-/// Name, up, down, power of pi, powers.
+/// The pound, kg (international yard and pound agreement, 1959).
+const POUND: f64 = 0.453_592_37;
+/// Standard gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
+const GRAVITY: f64 = 9.806_65;
+
+/// Name, up, down, power of pi, powers. The inch is 0.0254 m and the foot 0.3048 m by the agreement of 1959; a horsepower is
+/// the mechanical one, 550 ft lbf/s.
 const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
     ("1", 1.0, 1.0, 0, [0; 4]),
     ("m", 1.0, 1.0, 0, M),
@@ -35,6 +41,8 @@ const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
     ("dm", 1.0, 10.0, 0, M),
     ("km", 1e3, 1.0, 0, M),
     ("um", 1.0, 1e6, 0, M),
+    ("in", 0.0254, 1.0, 0, M),
+    ("ft", 0.3048, 1.0, 0, M),
     ("\u{b5}m", 1.0, 1e6, 0, M),
     ("\u{3bc}m", 1.0, 1e6, 0, M),
     ("rad", 1.0, 1.0, 0, RAD),
@@ -46,6 +54,7 @@ const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
     ("kg", 1.0, 1.0, 0, KG),
     ("g", 1.0, 1e3, 0, KG),
     ("t", 1e3, 1.0, 0, KG),
+    ("lb", POUND, 1.0, 0, KG),
     ("s", 1.0, 1.0, 0, S),
     ("ms", 1.0, 1e3, 0, S),
     ("min", 60.0, 1.0, 0, S),
@@ -55,12 +64,15 @@ const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
     ("mN", 1.0, 1e3, 0, N),
     ("kN", 1e3, 1.0, 0, N),
     ("MN", 1e6, 1.0, 0, N),
+    ("kgf", GRAVITY, 1.0, 0, N),
+    ("lbf", POUND * GRAVITY, 1.0, 0, N),
     ("Nm", 1.0, 1.0, 0, NM),
     ("kNm", 1e3, 1.0, 0, NM),
     ("Nmm", 1.0, 1e3, 0, NM),
     ("W", 1.0, 1.0, 0, W),
     ("kW", 1e3, 1.0, 0, W),
     ("MW", 1e6, 1.0, 0, W),
+    ("hp", 550.0 * 0.3048 * POUND * GRAVITY, 1.0, 0, W),
 ];
 
 /// The number that a text begins with, and the unit after it, both without white space around.
@@ -160,8 +172,7 @@ fn exponent(factor: &str) -> Option<(&str, i32)> {
 fn unknown_unit(part: &str, whole: &str, wanted: Dimension) -> UnitError {
     let part = part.trim();
     let unit = if part.is_empty() { whole } else { part };
-    // Units of the wanted kind first, then any.
-    let kin = nearest(whole, wanted.units().split(", "));
-    let near = kin.or_else(|| nearest(unit, NAMED.iter().map(|named| named.0)));
+    let kin = NAMED.iter().filter(|named| wanted.accepts(named.4)).map(|named| named.0);
+    let near = nearest(whole, wanted.units().split(", ").chain(kin));
     UnitError::UnknownUnit { unit: unit.to_owned(), near: near.map(str::to_owned), wanted }
 }

@@ -26,6 +26,8 @@ const GOOD: &[(&str, Dimension, f64)] = &[
     ("200 kg*mm^2", D::Inertia, 0.0002), ("4 kg cm^2", D::Inertia, 0.0004),
     ("4530 N/m", D::Stiffness, 4530.0), ("4.53 N/mm", D::Stiffness, 4530.0), ("2 kN/m", D::Stiffness, 2000.0),
     ("12 N*s/m", D::Damping, 12.0), ("12 N\u{b7}s/m", D::Damping, 12.0), ("1 kN*s/m", D::Damping, 1000.0),
+    ("2 in", D::Length, 0.0508), ("1.5 ft", D::Length, 0.4572), ("1 lbf", D::Force, 4.448_221_615_260_5), ("1 kgf", D::Force, 9.806_65),
+    ("1 hp", D::Power, 745.699_871_582_270_2), ("1 ft lbf", D::Moment, 1.355_817_948_331_400_4), ("2 lb", D::Mass, 0.907_184_74),
     ("1.5 kW", D::Power, 1500.0), ("2 W", D::Power, 2.0), ("0.1 MW", D::Power, 1e5),
     ("0.5", D::Number, 0.5), ("4", D::Mass, 4.0), (" 4   kg ", D::Mass, 4.0), ("4kg", D::Mass, 4.0),
     ("1e3 mm", D::Length, 1.0), ("+.5 m", D::Length, 0.5), ("\u{2212}5 m", D::Length, -5.0), ("2 m / s", D::Speed, 2.0),

@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use assur_study::chart::{ChartData, Row, Stage, WIDTH, stage_text, units};
+use assur_report::text::Style;
+use assur_study::chart::{ChartData, Measurement, Stage, WIDTH, stage_text, units};
+use assur_words::Describe;
 
 /// Errors for which the fastest method is reported.
 const WANTED: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-9, 1e-12];
@@ -18,7 +20,7 @@ pub(crate) fn chapter(data: &ChartData, file: &str) -> String {
         for sentence in words(data, stage) {
             let _ = writeln!(text, "* {sentence}");
         }
-        let drawn = stage_text(data, stage, false, WIDTH, |row| row.front);
+        let drawn = stage_text(data, stage, Style::english(), WIDTH, |row| row.front);
         let _ = write!(text, "\n```text\n{}```\n", drawn.split_once('\n').map_or("", |(_, rest)| rest));
     }
     text
@@ -27,7 +29,7 @@ pub(crate) fn chapter(data: &ChartData, file: &str) -> String {
 /// Conclusions on a stage, in sentences: the fastest method for each accuracy, and the failures.
 fn words(data: &ChartData, stage: Stage) -> Vec<String> {
     let mut said: Vec<String> = Vec::new();
-    let mut last: Option<&Row> = None;
+    let mut last: Option<&Measurement> = None;
     for wanted in WANTED {
         let best = fastest(data, stage, wanted);
         match best {
@@ -49,7 +51,7 @@ fn words(data: &ChartData, stage: Stage) -> Vec<String> {
 }
 
 /// The fastest row of a stage with an error of at most `wanted`.
-pub(crate) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Row> {
+pub(crate) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Measurement> {
     let good = data
         .of(stage)
         .filter(|row| row.whole())
@@ -58,17 +60,17 @@ pub(crate) fn fastest(data: &ChartData, stage: Stage, wanted: f64) -> Option<&Ro
     good.min_by(|a, b| a.1.0.total_cmp(&b.1.0)).map(|(row, _)| row)
 }
 
-fn sentence(row: &Row, wanted: f64, stage: Stage) -> String {
+fn sentence(row: &Measurement, wanted: f64, stage: Stage) -> String {
     let (seconds, error) = row.point().unwrap_or_default();
-    let setting = row.setting.to_string();
+    let setting = row.setting.describe().to_string();
     let setting = if setting.is_empty() { setting } else { format!(" ({setting})") };
     format!(
         "Error of {} or less: `{}`{setting} is the fastest, {} for {}, error {}.",
         units::short(wanted),
         row.method,
-        units::time(seconds, false),
-        stage.unit_words(),
-        units::error(error, row.at_most, false),
+        units::time(seconds),
+        stage.work(),
+        units::error(error, row.at_most),
     )
 }
 
@@ -87,7 +89,7 @@ fn failures(data: &ChartData, stage: Stage) -> Vec<String> {
         said.push(format!(
             "`{}` can't: {}.",
             row.method,
-            row.reason.as_deref().unwrap_or("it gives no result")
+            row.reason.as_ref().map_or_else(|| "it gives no result".to_owned(), ToString::to_string)
         ));
     }
     said

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use assur_study::chart::{ChartData, Row, Stage, Value, units};
+use assur_study::chart::{ChartData, Measurement, Stage, Value, units};
+use assur_words::Describe;
 
 use crate::chapter::fastest;
 
@@ -88,16 +89,16 @@ fn line(data: &ChartData, stage: Stage) -> String {
     line + "\n"
 }
 
-fn cell(row: &Row) -> String {
-    let time = row.seconds.map_or_else(String::new, |seconds| units::time(seconds, false));
-    let setting = row.setting.to_string();
+fn cell(row: &Measurement) -> String {
+    let time = row.seconds.map_or_else(String::new, |seconds| units::time(seconds).to_string());
+    let setting = row.setting.describe().to_string();
     let between = if setting.is_empty() { "" } else { " " };
     format!("`{}`{between}{setting}: {time}", row.method)
 }
 
 /// The choice of `auto` for this tolerance, and its time over that of the fastest row that meets it.
-fn against_best(data: &ChartData, tolerance: f64) -> Option<(&Row, f64)> {
-    let is_asked = |row: &&Row| match row.setting.get("tolerance") {
+fn against_best(data: &ChartData, tolerance: f64) -> Option<(&Measurement, f64)> {
+    let is_asked = |row: &&Measurement| match row.setting.get("tolerance") {
         Some(Value::Number(set)) => (set / tolerance - 1.0).abs() < 1e-6,
         _ => true,
     };

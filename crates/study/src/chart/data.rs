@@ -2,7 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use assur_report::csv::{CsvError, finished};
+use assur_words::{Describe, Text, joined, list, name, text};
 use serde::{Serialize, Serializer};
+
+use super::units::short;
 
 /// Speed against accuracy of one scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -10,9 +14,9 @@ pub struct ChartData {
     /// Title of the scene.
     pub title: String,
     /// One for each method and setting, in the order of the stages.
-    pub rows: Vec<Row>,
+    pub rows: Vec<Measurement>,
     /// By stage: how its reference was obtained.
-    pub reference: BTreeMap<Stage, String>,
+    pub reference: BTreeMap<Stage, Text>,
     /// By stage: the reference's own relative error, as estimated.
     pub reference_error: BTreeMap<Stage, f64>,
     /// Whether the measurement is complete.
@@ -39,35 +43,44 @@ impl Stage {
     /// All, in order.
     pub const ALL: [Self; 5] = [Self::Kinematics, Self::Forces, Self::Motion, Self::Flywheel, Self::Steady];
 
-    /// Name in JSON, heading, caption of the times, and unit of work.
-    fn words(self) -> [&'static str; 4] {
+    /// The name in JSON and CSV.
+    pub fn name(self) -> &'static str {
         match self {
-            Self::Kinematics => ["kinematics", "Transfer functions", "one position", "position"],
-            Self::Forces => ["forces", "Forces", "one position", "position"],
-            Self::Motion => ["motion", "Motion", "one run", "run"],
-            Self::Flywheel => ["flywheel", "Flywheel", "one flywheel", "run"],
-            Self::Steady => ["steady", "Steady regime", "one regime", "run"],
+            Self::Kinematics => "kinematics",
+            Self::Forces => "forces",
+            Self::Motion => "motion",
+            Self::Flywheel => "flywheel",
+            Self::Steady => "steady",
         }
     }
 
-    /// The name in JSON.
-    pub fn name(self) -> &'static str {
-        self.words()[0]
-    }
-
     /// A heading.
-    pub fn heading(self) -> &'static str {
-        self.words()[1]
+    pub fn heading(self) -> Text {
+        match self {
+            Self::Kinematics => text!("chart-kinematics"),
+            Self::Forces => text!("chart-forces"),
+            Self::Motion => text!("chart-motion"),
+            Self::Flywheel => text!("chart-flywheel"),
+            Self::Steady => text!("chart-steady"),
+        }
     }
 
-    /// The caption of a stage's times.
-    pub fn unit_words(self) -> &'static str {
-        self.words()[2]
+    /// What the times are of: one position, one run.
+    pub fn work(self) -> Text {
+        match self {
+            Self::Kinematics | Self::Forces => text!("chart-one-position"),
+            Self::Motion => text!("chart-one-run"),
+            Self::Flywheel => text!("chart-one-flywheel"),
+            Self::Steady => text!("chart-one-regime"),
+        }
     }
 
-    /// What one unit of work is, in JSON: one position of the mechanism, or one whole run.
-    pub fn unit(self) -> &'static str {
-        self.words()[3]
+    /// What one unit of work is: one position of the mechanism, or one whole run.
+    pub fn unit(self) -> Text {
+        match self {
+            Self::Kinematics | Self::Forces => text!("chart-per-position"),
+            Self::Motion | Self::Flywheel | Self::Steady => text!("chart-per-run"),
+        }
     }
 }
 
@@ -108,26 +121,31 @@ impl Serialize for Setting {
     }
 }
 
-impl std::fmt::Display for Setting {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for (i, (name, value)) in self.0.iter().enumerate() {
-            let between = if i == 0 { "" } else { ", " };
-            match value {
-                Value::Number(number) => write!(f, "{between}{name} {}", super::units::short(*number))?,
-                Value::Word(word) => write!(f, "{between}{word}")?,
-            }
-        }
-        Ok(())
+impl Describe for Setting {
+    fn describe(&self) -> Text {
+        list(self.0.iter().map(|setting| match *setting {
+            (STEP, Value::Number(step)) => text!("chart-step", value = short(step)),
+            (TOLERANCE, Value::Number(tolerance)) => text!("chart-tolerance", value = short(tolerance)),
+            (other, Value::Number(value)) => joined(" ", [name(other), short(value)]),
+            (GIVES, Value::Word(_)) => text!("chart-balancing-only"),
+            (_, Value::Word(word)) => name(word),
+        }))
     }
 }
 
-/// The name of a setting that says that a method gives only a part of the requested results.
+/// The name of a setting: the tolerance of a method.
+pub(crate) const TOLERANCE: &str = "tolerance";
+
+/// The name of a setting: the step of a method, s, rad or parts of the size.
+pub(crate) const STEP: &str = "step";
+
+/// The name of a setting that says that a method gives only the balancing load.
 pub(crate) const GIVES: &str = "gives";
 
 /// One method at one setting.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(clippy::struct_excessive_bools, reason = "each says something of its own about the row")]
-pub struct Row {
+pub struct Measurement {
     /// The stage.
     pub stage: Stage,
     /// Name of the method: a registered one, or one of this crate.
@@ -137,7 +155,7 @@ pub struct Row {
     /// Median time of one unit of work, s; `None` where it was not measured.
     pub seconds: Option<f64>,
     /// What one unit is: see [`Stage::unit`].
-    pub unit: &'static str,
+    pub unit: Text,
     /// Evaluations in one unit: group solutions in a position, evaluations of the equation of motion in a run.
     pub evaluations: Option<u64>,
     /// Largest relative deviation from the reference.
@@ -147,7 +165,7 @@ pub struct Row {
     /// Whether the method did all of the work.
     pub ok: bool,
     /// Why not, or why something is missing.
-    pub reason: Option<String>,
+    pub reason: Option<Text>,
     /// Whether it is on the Pareto front of its stage: no other row that does the whole work is both faster and more
     /// exact.
     pub front: bool,
@@ -155,7 +173,7 @@ pub struct Row {
     pub auto: bool,
 }
 
-impl Row {
+impl Measurement {
     /// A row without measurements yet.
     pub(crate) fn new(stage: Stage, method: &str, setting: Setting) -> Self {
         Self {
@@ -190,14 +208,14 @@ impl Row {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
     /// How it was obtained.
-    pub how: String,
+    pub how: Text,
     /// Its own relative error, as estimated.
     pub error: f64,
 }
 
 impl ChartData {
     /// The rows of a stage.
-    pub fn of(&self, stage: Stage) -> impl Iterator<Item = &Row> {
+    pub fn of(&self, stage: Stage) -> impl Iterator<Item = &Measurement> {
         self.rows.iter().filter(move |row| row.stage == stage)
     }
 
@@ -219,17 +237,16 @@ const HEADER: &str =
 /// # Errors
 ///
 /// The error of the writer, which no value here causes.
-pub fn csv(data: &ChartData) -> Result<String, csv::Error> {
+pub fn csv(data: &ChartData) -> Result<String, CsvError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(HEADER.split(' '))?;
     for row in &data.rows {
         writer.write_record(fields(row))?;
     }
-    let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    finished(writer)
 }
 
-fn fields(row: &Row) -> [String; 13] {
+fn fields(row: &Measurement) -> [String; 13] {
     let (names, values): (Vec<&str>, Vec<String>) = row
         .setting
         .0
@@ -246,13 +263,13 @@ fn fields(row: &Row) -> [String; 13] {
         names.join(" "),
         values.join(" "),
         number(row.seconds),
-        row.unit.to_owned(),
+        row.unit.to_string(),
         row.evaluations.map_or_else(String::new, |count| count.to_string()),
         number(row.error),
         row.at_most.to_string(),
         row.ok.to_string(),
         row.front.to_string(),
         row.auto.to_string(),
-        row.reason.clone().unwrap_or_default(),
+        row.reason.as_ref().map_or_else(String::new, Text::to_string),
     ]
 }

@@ -1,7 +1,9 @@
 //! The methods of a stage.
 
-use super::ruler::greater;
-use super::{Reference, Row};
+use assur_number::greater;
+use assur_words::{Text, number, text};
+
+use super::{Measurement, Reference};
 
 /// The outcome of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -11,14 +13,14 @@ pub(crate) struct Verdict {
     /// Largest relative deviation; `None` without a result.
     pub(crate) error: Option<f64>,
     /// What failed.
-    pub(crate) failure: Option<String>,
+    pub(crate) failure: Option<Text>,
 }
 
 impl Verdict {
     /// The outcome of a run over positions: the largest of their errors, and the failures.
     pub(crate) fn of_positions(
         evaluations: u64,
-        errors: impl ExactSizeIterator<Item = Result<f64, String>>,
+        errors: impl ExactSizeIterator<Item = Result<f64, Text>>,
     ) -> Self {
         let count = errors.len();
         let (mut worst, mut failures, mut first) = (None, 0, None);
@@ -35,15 +37,14 @@ impl Verdict {
             if failures == count {
                 return first;
             }
-            format!(
-                "no answer at {failures} of {count} positions (figures are for the others), first: {first}"
-            )
+            let [failures, count] = [failures, count].map(number);
+            text!("chart-some-positions", failures = failures, count = count, first = first)
         });
         Self { evaluations: Some(evaluations), error: worst, failure }
     }
 
     /// The outcome of a run that gives one number: that number and its evaluations, or why there is none.
-    pub(crate) fn of_number(solved: Result<(f64, usize), String>, truth: f64) -> Self {
+    pub(crate) fn of_number(solved: Result<(f64, usize), Text>, truth: f64) -> Self {
         match solved {
             Ok((found, count)) => {
                 let error = ((found - truth) / truth).abs();
@@ -60,7 +61,7 @@ type Work<'a> = Box<dyn FnMut(bool) -> Verdict + 'a>;
 
 /// A row that is not measured yet; without work it has its reason already.
 pub(crate) struct Entry<'a> {
-    pub(crate) row: Row,
+    pub(crate) row: Measurement,
     /// Units of work in one run.
     pub(crate) units: f64,
     pub(crate) work: Option<Work<'a>>,
@@ -68,13 +69,13 @@ pub(crate) struct Entry<'a> {
 
 impl<'a> Entry<'a> {
     /// A method whose run is one unit of work.
-    pub(crate) fn run(row: Row, work: impl FnMut(bool) -> Verdict + 'a) -> Self {
+    pub(crate) fn run(row: Measurement, work: impl FnMut(bool) -> Verdict + 'a) -> Self {
         Self { row, units: 1.0, work: Some(Box::new(work)) }
     }
 
     /// A method that can't be measured.
-    pub(crate) fn refused(mut row: Row, why: impl Into<String>) -> Self {
-        row.reason = Some(why.into());
+    pub(crate) fn refused(mut row: Measurement, why: Text) -> Self {
+        row.reason = Some(why);
         Self { row, units: 1.0, work: None }
     }
 }

@@ -4,13 +4,13 @@ use assur_figure::cells::{self, Look, Marker};
 use assur_figure::{
     Axis, Figure, Frame, Ink, Item, Key, Kind, Panel, Point, Sample, Sign, Stroke, Zoom, extent,
 };
-use assur_report::text::columns;
-use assur_words::{Language, name};
+use assur_report::text::{Style, columns};
+use assur_words::{Describe, Text, name, number, text, unit};
 
-use super::{ChartData, Row, Stage, units};
+use super::{ChartData, Measurement, Stage, units};
 
 /// Explanation of the line that joins the best rows.
-pub(super) const FRONT: &str = "Pareto front: no other method is both faster and more exact";
+const FRONT: Text = text!("chart-front");
 
 /// Least error that is drawn: below it two results differ by rounding alone.
 const LEAST_ERROR: f64 = 1e-17;
@@ -19,25 +19,26 @@ const LEAST_ERROR: f64 = 1e-17;
 pub fn figure(data: &ChartData) -> Figure {
     let panels: Vec<Panel> = Stage::ALL.into_iter().filter_map(|stage| panel(data, stage)).collect();
     let legend = vec![
-        Key { sample: Sample::Sign(Sign::Dot, Ink::First), text: name("a method at one setting") },
-        Key { sample: Sample::Line(Stroke::Chain, Ink::Text), text: name(FRONT) },
+        Key { sample: Sample::Sign(Sign::Dot, Ink::First), text: text!("chart-point") },
+        Key { sample: Sample::Line(Stroke::Chain, Ink::Text), text: FRONT },
     ];
     Figure { title: name(data.title.clone()), columns: if panels.len() > 2 { 2 } else { 1 }, panels, legend }
 }
 
 /// The methods of a stage that have a time and an error; `None` if there are none.
 fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
-    let rows: Vec<(&Row, Point)> = data
+    let rows: Vec<(&Measurement, Point)> = data
         .of(stage)
         .filter_map(|row| row.point().map(|(seconds, error)| (row, [seconds, error.max(LEAST_ERROR)])))
         .collect();
-    let axis = |label: &str, at: usize| {
+    let axis = |label: Text, at: usize| {
         let [low, high] = extent(rows.iter().map(|(_, place)| place[at]))?;
         // Whole powers of ten.
         let range = [10.0_f64.powf(low.log10().floor()), 10.0_f64.powf(high.log10().floor() + 1.0)];
-        Some(Axis { label: name(label.to_owned()), range, kind: Kind::Logarithmic })
+        Some(Axis { label, range, kind: Kind::Logarithmic })
     };
-    let (x, y) = (axis(&format!("time of {}, s", stage.unit_words()), 0)?, axis("relative error", 1)?);
+    let time = text!("chart-time-axis", work = stage.work(), unit = unit("s"));
+    let (x, y) = (axis(time, 0)?, axis(text!("chart-error-axis"), 1)?);
     let mut methods: Vec<&str> = rows.iter().map(|(row, _)| row.method.as_str()).collect();
     methods.sort_unstable();
     methods.dedup();
@@ -54,15 +55,21 @@ fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
     let mut front: Vec<Point> = rows.iter().filter(|(row, _)| row.front).map(|(_, place)| *place).collect();
     front.sort_by(|one, other| one[0].total_cmp(&other[0]));
     items.push(Item::line(front, Stroke::Chain, Ink::Text));
-    let title = name(format!("{}: relative error over time of {}, s", stage.heading(), stage.unit_words()));
+    let title = text!("chart-panel", stage = stage.heading(), work = stage.work(), unit = unit("s"));
     Some(Panel { title, frame: Frame::Axes { x, y, cursor: None }, items })
 }
 
-/// The panel of a stage in so many columns and rows of characters; nothing for a stage without a time and an error.
-pub(super) fn drawn(data: &ChartData, stage: Stage, [width, height]: [u16; 2], ascii: bool) -> String {
+/// The panel of a stage in `width` columns and `height` rows of characters; empty for a stage without a time and an error.
+pub(super) fn drawn(
+    data: &ChartData,
+    stage: Stage,
+    [width, height]: [u16; 2],
+    style: Style<'static>,
+) -> String {
     let Some(panel) = panel(data, stage) else { return String::new() };
+    let Style { language, ascii } = style;
     let marker = if ascii { Marker::Ascii } else { Marker::Braille };
-    let look = Look { marker, ratio: 2.0, zoom: Zoom::WHOLE, language: Language::english() };
+    let look = Look { marker, ratio: 2.0, zoom: Zoom::WHOLE, language };
     let mut lines = vec![vec![' '; usize::from(width)]; usize::from(height)];
     for spot in cells::draw(&Figure::of(panel), [width, height], look) {
         let line = &mut lines[usize::from(spot.row)][usize::from(spot.column)..];
@@ -79,16 +86,15 @@ pub const WIDTH: u16 = 92;
 const HEIGHT: u16 = 24;
 
 /// All stages for a reader, in about `width` columns; only a row of a table may be wider.
-pub fn text(data: &ChartData, ascii: bool, width: u16) -> String {
-    let dash = if ascii { "-" } else { "—" };
-    let mut text = format!("Speed against accuracy {dash} {}\n", data.title);
+pub fn text(data: &ChartData, style: Style<'static>, width: u16) -> String {
+    let mut text = style.line(&text!("chart-title", title = name(data.title.clone()))) + "\n";
     if !data.complete {
-        text += "Stopped before the end: what had been measured is shown.\n";
+        text += &(style.line(&text!("chart-stopped")) + "\n");
     }
     for stage in Stage::ALL {
         if data.of(stage).next().is_some() {
             text.push('\n');
-            text += &stage_text(data, stage, ascii, width, |_| true);
+            text += &stage_text(data, stage, style, width, |_| true);
         }
     }
     text
@@ -98,34 +104,44 @@ pub fn text(data: &ChartData, ascii: bool, width: u16) -> String {
 pub fn stage_text(
     data: &ChartData,
     stage: Stage,
-    ascii: bool,
+    style: Style<'static>,
     width: u16,
-    wanted: fn(&Row) -> bool,
+    wanted: fn(&Measurement) -> bool,
 ) -> String {
-    let mut text = format!("{}\n", stage.heading());
+    let mut text = style.line(&stage.heading()) + "\n";
     if let Some(how) = data.reference.get(&stage) {
         let error = data.reference_error.get(&stage).copied().unwrap_or(f64::NAN);
-        let about = format!("Reference: {how}; own error about {error:.0e}.");
+        let error = number(format_args!("{error:.0e}"));
+        let about = style.line(&text!("chart-reference", how = how, error = error));
         text += &(textwrap::fill(&about, usize::from(width)) + "\n");
     }
-    let figure = drawn(data, stage, [width, HEIGHT], ascii);
+    let figure = drawn(data, stage, [width, HEIGHT], style);
     if !figure.is_empty() {
-        text.extend(["\n", figure.as_str(), "  dotted, and * below: ", FRONT, "\n"]);
+        let below = style.line(&text!("chart-front-drawn", front = FRONT));
+        text.extend(["\n", figure.as_str(), "  ", &below, "\n"]);
     }
-    let head = ["", "method", "setting", &format!("time/{}", stage.unit()), "evaluations", "error", ""];
-    let rows: Vec<_> = data.of(stage).filter(|row| wanted(row)).map(|row| cells(row, ascii)).collect();
-    text + "\n" + &columns(&head, &rows, ascii)
+    let head = [
+        Text::default(),
+        text!("chart-head-method"),
+        text!("chart-head-setting"),
+        text!("chart-head-time", work = stage.unit()),
+        text!("chart-head-evaluations"),
+        text!("chart-head-error"),
+        Text::default(),
+    ];
+    let rows: Vec<_> = data.of(stage).filter(|row| wanted(row)).map(cells).collect();
+    text + "\n" + &columns(&head, &rows, style)
 }
 
-fn cells(row: &Row, ascii: bool) -> Vec<String> {
-    let dash = || "-".to_owned();
+fn cells(row: &Measurement) -> Vec<Text> {
+    let dash = || name("-");
     vec![
-        if row.front { "*" } else { " " }.to_owned(),
-        row.method.clone(),
-        row.setting.to_string(),
-        row.seconds.map_or_else(dash, |seconds| units::time(seconds, ascii)),
-        row.evaluations.map_or_else(dash, |count| count.to_string()),
-        row.error.map_or_else(dash, |error| units::error(error, row.at_most, ascii)),
+        name(if row.front { "*" } else { " " }),
+        name(row.method.clone()),
+        row.setting.describe(),
+        row.seconds.map_or_else(dash, units::time),
+        row.evaluations.map_or_else(dash, number),
+        row.error.map_or_else(dash, |error| units::error(error, row.at_most)),
         row.reason.clone().unwrap_or_default(),
     ]
 }

@@ -4,13 +4,14 @@ use assur_force::{AnalyzerPlugin, Loads, Reactions, State, Unsolved, analyzers, 
 use assur_group::{AssurGroup, Body, Number, Order, Wrench, reactions_generally};
 use assur_kinematics::{Chain, Linkage, Position};
 use assur_mechanism::{Mechanism, Motion};
-use assur_number::{Dd, Real};
+use assur_number::{Dd, Real, greater};
+use assur_words::{Describe, Text, text};
 
 use super::data::GIVES;
 use super::entry::{Entry, Field};
-use super::ruler::{difference, greater};
+use super::ruler::difference;
 use super::work::Work;
-use super::{ChartError, Reference, Row, Setting, Stage, Value};
+use super::{ChartError, Measurement, Reference, Setting, Stage, Value};
 
 /// The positions with their loads, and the reference reactions.
 pub(crate) struct Loaded<'a> {
@@ -52,7 +53,7 @@ impl<'a> Loaded<'a> {
             loads: wrenches,
             truth: Vec::new(),
             sizes: [0.0; 3],
-            reference: Reference { how: String::new(), error: 0.0 },
+            reference: Reference { how: Text::default(), error: 0.0 },
         };
         loaded.find_truth()?;
         Ok(loaded)
@@ -82,9 +83,7 @@ impl<'a> Loaded<'a> {
         let errors =
             other.iter().enumerate().map(|(i, other)| self.deviation(i, &other.pairs, other.balancing));
         let error = errors.fold(Dd::EPSILON, greater);
-        let how = "loads as the program finds them; reactions by the transposed linear system of each group in double-double \
-                   arithmetic (about 32 digits); own error by the closed forms of the groups in the same arithmetic";
-        self.reference = Reference { how: how.to_owned(), error };
+        self.reference = Reference { how: text!("chart-reference-forces"), error };
         Ok(())
     }
 
@@ -123,9 +122,9 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
         if !plugin.gives_reactions {
             row.setting.0.push((GIVES, Value::Word("balancing load only")));
         }
-        entries.push(match plugin.instance.supports(linkage) {
+        entries.push(match plugin.supports(linkage) {
             Ok(()) => loaded.work.entry(row, 1, registered(loaded, plugin)),
-            Err(why) => Entry::refused(row, why.to_string()),
+            Err(why) => Entry::refused(row, why),
         });
     }
     let by_rank = all.iter().filter(|plugin| plugin.by_groups).min_by_key(|plugin| plugin.rank);
@@ -136,22 +135,22 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
     Ok(Field { reference: loaded.reference.clone(), entries })
 }
 
-fn row(method: &str, number: &'static str) -> Row {
-    Row::new(Stage::Forces, method, Setting::word("number", number))
+fn row(method: &str, number: &'static str) -> Measurement {
+    Measurement::new(Stage::Forces, method, Setting::word("number", number))
 }
 
 /// A registered analyzer.
 fn registered<'a>(
     loaded: &'a Loaded<'a>,
     plugin: &'static AnalyzerPlugin,
-) -> impl FnMut(usize, bool) -> Result<f64, String> + 'a {
+) -> impl FnMut(usize, bool) -> Result<f64, Text> + 'a {
     let linkage = loaded.work.linkage;
     let mut loads = vec![Wrench::ZERO; linkage.structure.links];
     let mut out = Reactions::new(linkage);
     move |index, judged| {
         loads.copy_from_slice(&loaded.loads[index]);
         let solved = plugin.instance.solve(linkage, &loaded.positions[index], &mut loads, &mut out);
-        solved.map_err(|error| error.to_string())?;
+        solved.map_err(|error| error.describe())?;
         let pairs = if plugin.gives_reactions { &out.pairs[..] } else { &[] };
         Ok(if judged { loaded.deviation(index, pairs, out.balancing) } else { 0.0 })
     }
@@ -161,7 +160,7 @@ fn registered<'a>(
 fn by_groups<'a, T: Number>(
     loaded: &'a Loaded<'a>,
     forms: Forms,
-) -> Result<impl FnMut(usize, bool) -> Result<f64, String> + 'a, ChartError> {
+) -> Result<impl FnMut(usize, bool) -> Result<f64, Text> + 'a, ChartError> {
     let linkage = loaded.work.linkage;
     let groups = Chain::<T>::compile(&linkage.mechanism, &linkage.structure)?.groups;
     let of = |position: &Position| position.bodies.iter().map(|body| body.map(T::from_f64)).collect();
@@ -170,7 +169,7 @@ fn by_groups<'a, T: Number>(
     let mut out = Reactions::new(linkage);
     Ok(move |index: usize, judged| {
         let solved = solve(linkage, &groups, &bodies[index], &loaded.loads[index], forms, &mut own, &mut out);
-        solved.map_err(|reason| reason.explain(linkage, loaded.work.coordinates[index]).to_string())?;
+        solved.map_err(|reason| reason.explain(linkage, loaded.work.coordinates[index]).describe())?;
         Ok(if judged { loaded.deviation(index, &out.pairs, out.balancing) } else { 0.0 })
     })
 }

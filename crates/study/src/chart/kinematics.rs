@@ -5,10 +5,12 @@ mod general;
 
 use assur_group::{Number, Order};
 use assur_kinematics::{Chain, Linkage};
+use assur_words::{Describe, Text, number, text};
 
+use super::data::STEP;
 use super::entry::Field;
 use super::work::Work;
-use super::{ChartError, Options, Row, Setting, Stage};
+use super::{ChartError, Measurement, Options, Setting, Stage};
 
 use differences::{Differentiator, Stencil};
 use general::{Places, general};
@@ -33,23 +35,23 @@ pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a
                 let middle = differentiator.solve(work.coordinates[index])?;
                 Ok(if judged { work.deviation(index, &middle.bodies) } else { 0.0 })
             };
-            let row = row(stencil.name, Setting::number("step", step));
+            let row = row(stencil.name, Setting::number(STEP, step));
             entries.push(work.entry(row, points, solve));
         }
     }
     Ok(Field { reference: work.reference.clone(), entries })
 }
 
-fn row(method: &str, setting: Setting) -> Row {
-    Row::new(Stage::Kinematics, method, setting)
+fn row(method: &str, setting: Setting) -> Measurement {
+    Measurement::new(Stage::Kinematics, method, setting)
 }
 
 /// The program's own positions.
-fn own<'a>(work: &'a Work<'a>) -> impl FnMut(usize, bool) -> Result<f64, String> + 'a {
+fn own<'a>(work: &'a Work<'a>) -> impl FnMut(usize, bool) -> Result<f64, Text> + 'a {
     let mut position = work.linkage.position();
     move |index, judged| {
         let solved = work.linkage.solve(work.coordinates[index], Order::Second, &mut position);
-        solved.map_err(|error| error.to_string())?;
+        solved.map_err(|error| error.describe())?;
         Ok(if judged { work.deviation(index, &position.bodies) } else { 0.0 })
     }
 }
@@ -57,7 +59,7 @@ fn own<'a>(work: &'a Work<'a>) -> impl FnMut(usize, bool) -> Result<f64, String>
 /// The closed forms in another number type.
 fn closed<'a, T: Number>(
     work: &'a Work<'a>,
-) -> Result<impl FnMut(usize, bool) -> Result<f64, String> + 'a, ChartError> {
+) -> Result<impl FnMut(usize, bool) -> Result<f64, Text> + 'a, ChartError> {
     let chain = Chain::<T>::compile(&work.linkage.mechanism, &work.linkage.structure)?;
     let (mut bodies, mut health) = (chain.bodies(), vec![T::ZERO; chain.groups.len()]);
     Ok(move |index: usize, judged| {
@@ -70,7 +72,8 @@ fn closed<'a, T: Number>(
 }
 
 /// The error of a chain, with group and coordinate.
-fn failure(linkage: &Linkage, q: f64, error: &assur_kinematics::ChainError) -> String {
+fn failure(linkage: &Linkage, q: f64, error: &assur_kinematics::ChainError) -> Text {
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
-    format!("{group}, coordinate {q:.9}: {}", error.source)
+    let coordinate = number(format_args!("{q:.9}"));
+    text!("chart-group-at", group = group, coordinate = coordinate, problem = error.source.describe())
 }

@@ -24,7 +24,7 @@ pub mod units;
 pub(crate) mod work;
 
 pub use data::csv;
-pub use data::{ChartData, Reference, Row, Setting, Stage, Value};
+pub use data::{ChartData, Measurement, Reference, Setting, Stage, Value};
 pub use figure::figure;
 pub use figure::{WIDTH, stage_text, text};
 pub use options::{Clock, Options, Progress};

@@ -6,9 +6,11 @@ use std::hint::black_box;
 
 use assur_dynamics::{Driven, Machine};
 use assur_integrator::{FixedStep, IntegratorPlugin, Knob, Motion, Request, integrators};
+use assur_words::{Describe, text};
 
+use super::data::{STEP, TOLERANCE};
 use super::entry::{Entry, Field, Verdict};
-use super::{ChartError, Options, Row, Setting, Stage};
+use super::{ChartError, Measurement, Options, Setting, Stage};
 
 use reference::References;
 
@@ -25,7 +27,7 @@ pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, 
     let mut entries = Vec::new();
     for plugin in integrators()? {
         if let Err(why) = (plugin.suitability)(&task.motion.dependence(), task.request.tolerance) {
-            entries.push(Entry::refused(row(plugin.name, Setting::default()), why.to_string()));
+            entries.push(Entry::refused(row(plugin.name, Setting::default()), why));
             continue;
         }
         for (setting, request) in settings(plugin, task, references.duration, options) {
@@ -40,21 +42,18 @@ pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, 
                             failure: None,
                         },
                         Ok(_) => Verdict::default(),
-                        Err(why) => Verdict { failure: Some(why.to_string()), ..Verdict::default() },
+                        Err(why) => Verdict { failure: Some(why.describe()), ..Verdict::default() },
                     })
                 }
-                None => Entry::refused(
-                    row,
-                    "no other method can treat this equation, so there is no reference for it",
-                ),
+                None => Entry::refused(row, text!("chart-not-judged")),
             });
         }
     }
     Ok(Field { reference: references.described(), entries })
 }
 
-fn row(method: &str, setting: Setting) -> Row {
-    Row::new(Stage::Motion, method, setting)
+fn row(method: &str, setting: Setting) -> Measurement {
+    Measurement::new(Stage::Motion, method, setting)
 }
 
 /// The settings of a method: tolerances, or steps as parts of the whole motion, or none.
@@ -68,14 +67,14 @@ fn settings(
     match plugin.knob {
         Knob::Tolerance => options
             .decades(-3, -13)
-            .map(|tolerance| (Setting::number("tolerance", tolerance), Request { tolerance, ..base }))
+            .map(|tolerance| (Setting::number(TOLERANCE, tolerance), Request { tolerance, ..base }))
             .collect(),
         // Steps of a third or of half a decade serve equally well; nine steps over four decades.
         Knob::Step => (0..9)
             .step_by(if options.quick { 2 } else { 1 })
             .map(|half| duration / 30.0 / 10.0_f64.powf(0.5 * f64::from(half)))
             .map(|step| {
-                (Setting::number("step", step), Request { fixed_step: Some(FixedStep::Time(step)), ..base })
+                (Setting::number(STEP, step), Request { fixed_step: Some(FixedStep::Time(step)), ..base })
             })
             .collect(),
         Knob::None => vec![(Setting::default(), base)],

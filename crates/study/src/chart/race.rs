@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use assur_words::{Text, text};
+
 use super::entry::{Entry, Field};
-use super::{Clock, Options, Progress, Row, Stage};
+use super::{Clock, Measurement, Options, Progress, Stage};
 
 /// Shortest stretch that is timed, s: far above the resolution of a clock.
 const STRETCH: f64 = 2e-4;
@@ -15,8 +17,8 @@ const MOST_RUNS: f64 = 1e5;
 const LONG: f64 = 0.05;
 
 /// The reason of rows that were not reached.
-pub(crate) const STOPPED: &str = "stopped before it was measured";
-const OUT_OF_TIME: &str = "left out: the time of a quick chart was used up";
+pub(crate) const STOPPED: Text = text!("chart-not-reached");
+const OUT_OF_TIME: Text = text!("chart-out-of-time");
 
 /// The clock, the options, and the watcher.
 pub(crate) struct Judge<'a> {
@@ -52,7 +54,7 @@ impl Judge<'_> {
     }
 
     /// Compares and times all entries of a stage.
-    pub(crate) fn race(&mut self, stage: Stage, field: Field<'_>) -> Vec<Row> {
+    pub(crate) fn race(&mut self, stage: Stage, field: Field<'_>) -> Vec<Measurement> {
         let Field { reference, mut entries } = field;
         let total = entries.len() + self.options.rounds;
         let mut first_times = Vec::with_capacity(entries.len());
@@ -81,7 +83,7 @@ impl Judge<'_> {
     fn judge(&mut self, entry: &mut Entry<'_>, estimate: f64) -> Option<f64> {
         let work = entry.work.as_mut()?;
         if self.stopped || self.out_of_time() {
-            entry.row.reason = Some(if self.stopped { STOPPED } else { OUT_OF_TIME }.to_owned());
+            entry.row.reason = Some(if self.stopped { STOPPED } else { OUT_OF_TIME });
             return None;
         }
         let before = self.clock.seconds();
@@ -96,7 +98,7 @@ impl Judge<'_> {
         }
         row.reason = verdict.failure;
         if row.error.is_none() && row.reason.is_none() {
-            row.reason = Some("the result is not a finite number".to_owned());
+            row.reason = Some(text!("chart-not-a-number"));
         }
         row.ok = row.reason.is_none();
         row.error.is_some().then_some(time)

@@ -1,7 +1,7 @@
 //! Deviations from a reference in extended precision, relative to the sizes of the quantities.
 
 use assur_group::Body;
-use assur_number::{Dd, Real};
+use assur_number::{Dd, Real, greater};
 
 /// For each number of a body, the quantity to which it belongs: position, direction, PF1 and PF2 of the origin, PF1 and
 /// PF2 of the angle.
@@ -58,9 +58,4 @@ pub(crate) fn difference<T: Real>(found: T, reference: Dd) -> f64 {
     let high = found.to_f64();
     let low = (found - T::from_f64(high)).to_f64();
     (Dd::from_f64(high) - reference + Dd::from_f64(low)).to_f64()
-}
-
-/// The greater of two; NaN if one is NaN.
-pub(crate) fn greater(a: f64, b: f64) -> f64 {
-    if b > a || b.is_nan() { b } else { a }
 }

@@ -3,18 +3,21 @@
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-use assur_force::Loads;
+use assur_dynamics::DynamicsError;
+use assur_force::{LoadError, Loads, RegistryError};
 use assur_integrator::{AUTO, Dependence, Motion, Request, Until, choose};
-use assur_kinematics::Linkage;
+use assur_kinematics::{CompileError, Linkage, PositionError};
 use assur_mechanism::Motion as Asked;
+use assur_words::{Describe, Text, number, text};
 
+use super::data::TOLERANCE;
 use super::entry::Field;
 use super::forces::{self, Loaded};
 use super::motion::{self, Task};
 use super::race::Judge;
 use super::steady::{self, Cycle};
 use super::work::Work;
-use super::{ChartData, Clock, Options, Progress, Row, Stage, Value, kinematics};
+use super::{ChartData, Clock, Measurement, Options, Progress, Stage, Value, kinematics};
 
 /// Output instants over a cycle of a steady regime.
 const SAMPLES_OF_A_CYCLE: usize = 48;
@@ -23,44 +26,54 @@ const SAMPLES_OF_A_CYCLE: usize = 48;
 const QUICK_RUN: f64 = 0.1;
 
 /// Why a scene has no chart; the failure of one method is in its row.
-#[derive(Debug, Clone, thiserror::Error)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum ChartError {
     /// The groups can't be built in another number type.
-    #[error(transparent)]
-    Compile(#[from] assur_kinematics::CompileError),
+    Compile(CompileError),
     /// No position can be assembled.
-    #[error(transparent)]
-    Position(#[from] assur_kinematics::PositionError),
+    Position(PositionError),
     /// All positions lie next to change points.
-    #[error(
-        "all positions of the scene lie next to change points, where the equations of a group say nothing: change \
-         `input.from` or `input.positions`"
-    )]
     OnlyChangePoints,
     /// The loads can't be compiled.
-    #[error(transparent)]
-    Load(#[from] assur_force::LoadError),
+    Load(LoadError),
     /// The equation of motion can't be set up.
-    #[error(transparent)]
-    Dynamics(#[from] assur_dynamics::DynamicsError),
+    Dynamics(DynamicsError),
     /// No integrator finds the motion.
-    #[error(
-        "no integrator finds the motion of the scene, so there is no reference; `assur analyze` says why"
-    )]
     NoMotion,
     /// No integrator or no analyzer is linked.
-    #[error(transparent)]
-    Registry(#[from] assur_force::RegistryError),
+    Registry(RegistryError),
     /// The extended precision finds no solution.
-    #[error(
-        "coordinate {coordinate:.9}: the groups have no solution in extended precision there, so that nothing can be judged: \
-         the position is singular; change `input.from` or `input.positions`"
-    )]
     NoReference {
         /// The coordinate, rad or m.
         coordinate: f64,
     },
+}
+
+assur_words::errors!(
+    ChartError;
+    Compile(CompileError),
+    Position(PositionError),
+    Load(LoadError),
+    Dynamics(DynamicsError),
+    Registry(RegistryError),
+);
+
+impl Describe for ChartError {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Compile(error) => error.describe(),
+            Self::Position(error) => error.describe(),
+            Self::OnlyChangePoints => text!("chart-only-change-points"),
+            Self::Load(error) => error.describe(),
+            Self::Dynamics(error) => error.describe(),
+            Self::NoMotion => text!("chart-no-motion"),
+            Self::Registry(error) => error.describe(),
+            Self::NoReference { coordinate } => {
+                text!("chart-no-reference", coordinate = number(format_args!("{coordinate:.9}")))
+            }
+        }
+    }
 }
 
 /// Measures every method of every stage that a mechanism has.
@@ -139,7 +152,7 @@ impl Charting<'_> {
         }
         match Cycle::of(linkage, loads) {
             None => {}
-            Some(Err(why)) => self.stage(Stage::Steady, steady::unfound(&why)),
+            Some(Err(why)) => self.stage(Stage::Steady, steady::unfound(why)),
             Some(Ok(cycle)) => {
                 self.integrators(&cycle.task(SAMPLES_OF_A_CYCLE))?;
                 if let Some(field) = steady::flywheel_field(&cycle) {
@@ -199,7 +212,7 @@ pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
 }
 
 /// Marks the rows that are on the front of their stage.
-pub(crate) fn mark(rows: &mut [Row]) {
+pub(crate) fn mark(rows: &mut [Measurement]) {
     for stage in Stage::ALL {
         let known: Vec<(usize, (f64, f64))> = rows
             .iter()
@@ -215,9 +228,9 @@ pub(crate) fn mark(rows: &mut [Row]) {
 }
 
 /// Marks the rows that `auto` would choose for their tolerance; a method without one is chosen for every tolerance.
-pub(super) fn mark_choice(rows: &mut [Row], dependence: Dependence) {
+pub(super) fn mark_choice(rows: &mut [Measurement], dependence: Dependence) {
     for row in rows.iter_mut().filter(|row| row.stage == Stage::Motion) {
-        let tolerance = match row.setting.get("tolerance") {
+        let tolerance = match row.setting.get(TOLERANCE) {
             Some(Value::Number(tolerance)) => tolerance,
             None if row.setting.0.is_empty() => f64::EPSILON,
             _ => continue,

@@ -11,10 +11,12 @@ use assur_force::Loads;
 use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, Request, State, Until};
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion as Asked;
+use assur_words::{Describe, Text, text};
 
+use super::data::TOLERANCE;
 use super::entry::{Entry, Field, Verdict};
 use super::motion::Task;
-use super::{Options, Reference, Row, Setting, Stage};
+use super::{Measurement, Options, Reference, Setting, Stage};
 
 pub(crate) use flywheel::field as flywheel_field;
 
@@ -34,13 +36,13 @@ impl<'a> Cycle<'a> {
     ///
     /// # Errors
     ///
-    /// Why it can't be found, in words.
-    pub(crate) fn of(linkage: &'a Linkage, loads: &'a Loads) -> Option<Result<Self, String>> {
+    /// Why it can't be found.
+    pub(crate) fn of(linkage: &'a Linkage, loads: &'a Loads) -> Option<Result<Self, Text>> {
         let input = &linkage.mechanism.input;
         let Some(Asked::Steady { mean_speed, .. }) = linkage.mechanism.motion else { return None };
         let length = input.period()?;
         let request = CycleRequest { start: input.from, length, mean_speed, constant_inertia: 0.0 };
-        let found = steady(linkage, loads, None).map_err(|error| error.to_string());
+        let found = steady(linkage, loads, None).map_err(|error| error.describe());
         Some(found.map(|found| Self { linkage, loads, regime: found.regime, request }))
     }
 
@@ -73,20 +75,18 @@ impl<'a> Cycle<'a> {
 
 /// All that can find the regime.
 pub(crate) fn field<'a>(cycle: &'a Cycle<'a>, options: Options) -> Field<'a> {
-    let row = |method: &str, setting| Row::new(Stage::Steady, method, setting);
+    let row = |method: &str, setting| Measurement::new(Stage::Steady, method, setting);
     let judges = settling::Judges::find(cycle);
     let (by_shooting, in_time) = (judges.shooting, judges.in_time);
     let shooting = move |_| Verdict::of_number(shooting(cycle), in_time);
     let mut entries = vec![Entry::run(row("shooting", Setting::default()), shooting)];
     let settle_in_time = format!("settle-{}", judges.method.map_or("in-time", |method| method.name));
     if cycle.regime.multiplier >= NEVER_SETTLES {
-        let why = "nothing restores the speed (what a change is multiplied by over a cycle is 1), so that it never settles";
-        entries.extend(
-            ["settle", &settle_in_time].map(|name| Entry::refused(row(name, Setting::default()), why)),
-        );
+        let refused = |method| Entry::refused(row(method, Setting::default()), text!("chart-never-settles"));
+        entries.extend(["settle", &settle_in_time].map(refused));
         return Field { reference: judges.reference, entries };
     }
-    let setting = |tolerance| Setting::number("tolerance", tolerance);
+    let setting = |tolerance| Setting::number(TOLERANCE, tolerance);
     entries.extend(options.decades(-3, -13).map(|tolerance| {
         let run = move |_| Verdict::of_number(settle(cycle, tolerance), in_time);
         Entry::run(row("settle", setting(tolerance)), run)
@@ -102,10 +102,10 @@ pub(crate) fn field<'a>(cycle: &'a Cycle<'a>, options: Options) -> Field<'a> {
 }
 
 /// Speed at the start of the cycle by shooting on collocation panels, with ratio and flywheel given; and evaluations.
-fn shooting(cycle: &Cycle<'_>) -> Result<(f64, usize), String> {
+fn shooting(cycle: &Cycle<'_>) -> Result<(f64, usize), Text> {
     let mut machine = cycle.machine();
-    let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
-    let regime = solver.solve(&cycle.drive()).map_err(|error| error.to_string())?;
+    let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.describe())?;
+    let regime = solver.solve(&cycle.drive()).map_err(|error| error.describe())?;
     drop(solver);
     Ok((regime.state(cycle.request.start).speed, machine.count))
 }
@@ -115,11 +115,11 @@ const MOST_CYCLES: usize = 10_000;
 
 /// Repeats cycles on the same panels, from the mean speed, until the change is less than the tolerance; returns the
 /// speed at the start, and evaluations.
-fn settle(cycle: &Cycle<'_>, tolerance: f64) -> Result<(f64, usize), String> {
+fn settle(cycle: &Cycle<'_>, tolerance: f64) -> Result<(f64, usize), Text> {
     let mut machine = cycle.machine();
-    let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.to_string())?;
+    let mut solver = RegimeSolver::new(&mut machine, cycle.request).map_err(|error| error.describe())?;
     let iterations =
-        solver.settle(&cycle.regime, tolerance, MOST_CYCLES).map_err(|error| error.to_string())?;
+        solver.settle(&cycle.regime, tolerance, MOST_CYCLES).map_err(|error| error.describe())?;
     drop(solver);
     Ok((iterations.last().map_or(f64::NAN, |last| last.speed_end), machine.count))
 }
@@ -147,8 +147,8 @@ impl<M: Motion> Motion for Counted<M> {
 }
 
 /// Why a stage of a steady scene has no figures.
-pub(crate) fn unfound(why: &str) -> Field<'static> {
-    let row = Row::new(Stage::Steady, "shooting", Setting::default());
-    let reference = Reference { how: "none: no regime was found".to_owned(), error: 0.0 };
+pub(crate) fn unfound(why: Text) -> Field<'static> {
+    let row = Measurement::new(Stage::Steady, "shooting", Setting::default());
+    let reference = Reference { how: text!("chart-reference-none"), error: 0.0 };
     Field { reference, entries: vec![Entry::refused(row, why)] }
 }

@@ -1,20 +1,20 @@
 //! The common work of all methods of transfer functions and forces: the scene's positions, and their reference.
 
-use std::fmt::Write;
-
 use assur_group::{Body, Number, Order, derive_generally, place_by_newton};
 use assur_kinematics::{Chain, ChainError, Linkage};
-use assur_number::{Dd, Real};
+use assur_number::{Dd, Real, greater};
+use assur_words::{Text, joined, number, text};
 
 use super::entry::{Entry, Verdict};
-use super::ruler::{Ruler, greater};
-use super::{ChartError, Reference, Row};
+use super::ruler::Ruler;
+use super::{ChartError, Measurement, Reference};
 
 /// Positions nearer to a change point than this, in rad or in parts of the scale, are left to the study of stability:
 /// the equations of a group are undetermined there.
 const NEAR_CHANGE: f64 = 0.02;
 
-/// Of more positions so many are taken, equally spaced: ten for each degree of a turn. Their references are kept.
+/// Most positions that are compared, ten for each degree of a turn; of more, this many are taken, equally spaced. Their
+/// references are kept.
 const MOST_POSITIONS: usize = 3600;
 
 /// The positions with their reference.
@@ -57,7 +57,7 @@ impl<'a> Work<'a> {
             coordinates,
             truth,
             ruler,
-            reference: Reference { how: String::new(), error: 0.0 },
+            reference: Reference { how: Text::default(), error: 0.0 },
             extended,
         };
         work.reference = work.described(left);
@@ -77,29 +77,24 @@ impl<'a> Work<'a> {
                 Err(_) => missing += 1,
             }
         }
-        let mut how = format!(
-            "closed forms in double-double arithmetic (about 32 digits) at {} positions; own error by Newton's method and the \
-             general derivatives in the same arithmetic",
-            self.coordinates.len()
-        );
+        let mut how = vec![text!("chart-reference-positions", count = number(self.coordinates.len()))];
         if left > 0 {
-            let _ =
-                write!(how, "; {left} positions are left out, next to change points or without an assembly");
+            how.push(text!("chart-reference-left-out", count = number(left)));
         }
         if missing > 0 {
-            let _ = write!(how, "; at {missing} positions Newton's method could not confirm it");
+            how.push(text!("chart-reference-unconfirmed", count = number(missing)));
         }
         // Rounding of the extended numbers themselves, if both agree in every digit.
-        Reference { how, error: greater(error, Dd::EPSILON) }
+        Reference { how: joined("; ", how), error: greater(error, Dd::EPSILON) }
     }
 
     /// A method over all positions, with the number of solutions of the whole mechanism in each. `solve` receives the
     /// index of a position and whether its error is needed.
     pub(crate) fn entry<'e>(
         &self,
-        row: Row,
+        row: Measurement,
         times: usize,
-        mut solve: impl FnMut(usize, bool) -> Result<f64, String> + 'e,
+        mut solve: impl FnMut(usize, bool) -> Result<f64, Text> + 'e,
     ) -> Entry<'e> {
         let (count, solutions) = (self.coordinates.len(), self.linkage.groups().len() * times);
         let run = move |judged: bool| {

@@ -1,7 +1,7 @@
 //! Deviations between a computation and its reference in 32 digits.
 
 use assur_group::{Body, Wrench};
-use assur_number::{Dd, Real};
+use assur_number::{Dd, Real, greater};
 
 /// The three orders of transfer functions, as rows name them.
 pub(crate) const ORDERS: [&str; 3] = ["pf0", "pf1", "pf2"];
@@ -33,7 +33,7 @@ pub(crate) fn transfer(
         let mine = of_order(&found[link].map(Dd::from_f64), order, scale);
         for (exact, mine) in exact.into_iter().zip(mine) {
             size = f64::max(size, exact.to_f64().abs());
-            deviation = worst(deviation, (mine - exact).to_f64().abs());
+            deviation = greater(deviation, (mine - exact).to_f64().abs());
         }
     }
     deviation / size
@@ -52,13 +52,8 @@ pub(crate) fn reactions(found: &[Wrench<f64>], reference: &[Wrench<Dd>], scale: 
         let pairs = [(found.fx, exact.fx, 1.0), (found.fy, exact.fy, 1.0), (found.m, exact.m, scale)];
         for (found, exact, unit) in pairs {
             size = f64::max(size, exact.to_f64().abs() / unit);
-            deviation = worst(deviation, (Dd::from_f64(found) - exact).to_f64().abs() / unit);
+            deviation = greater(deviation, (Dd::from_f64(found) - exact).to_f64().abs() / unit);
         }
     }
     deviation / size
-}
-
-/// The greater one; NaN if one is NaN, so that no NaN is hidden.
-pub(crate) fn worst(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }

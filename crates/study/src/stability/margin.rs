@@ -12,6 +12,7 @@ mod survey;
 use std::ops::ControlFlow;
 
 use assur_kinematics::Linkage;
+use assur_words::Text;
 use serde::Serialize;
 
 use length::Length;
@@ -22,7 +23,7 @@ use survey::{Survey, grid};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Margin {
     /// The length in words.
-    pub length: String,
+    pub length: Text,
     /// Its value, m.
     pub value: f64,
     /// Least increase at which assembly fails, m; `None`: none was found. 0 at a change point.
@@ -45,7 +46,7 @@ impl Margin {
     }
 }
 
-/// Each trial decomposes the mechanism anew: beyond so many lengths the search would take minutes.
+/// Most lengths whose margins are searched: each trial decomposes the mechanism anew, and more would take minutes.
 pub(crate) const MOST_LENGTHS: usize = 60;
 
 /// Longest length that is tried, in sizes of the mechanism.

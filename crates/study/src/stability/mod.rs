@@ -19,7 +19,7 @@ mod walk;
 pub use margin::Margin;
 pub use nearest::GroupHealth;
 pub use report::{Stability, stability};
-pub use row::{DISTANCES, FACTOR, Row};
+pub use row::{Comparison, DISTANCES, FACTOR};
 
 #[cfg(test)]
 mod tests;

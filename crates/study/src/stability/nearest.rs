@@ -4,6 +4,7 @@ use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::Range;
 use assur_number::search;
+use assur_words::{Describe, Text, number, text};
 use serde::Serialize;
 
 /// Number of coordinates that are tried over the cycle before the search is refined.
@@ -21,7 +22,7 @@ const MOST_REFINED: usize = 60;
 pub struct GroupHealth {
     /// `group 1 (RRR rod, rocker)`.
     #[serde(rename = "where")]
-    pub place: String,
+    pub place: Text,
     /// Least dimensionless determinant over the cycle.
     pub health: f64,
     /// Where, rad or m.
@@ -29,7 +30,7 @@ pub struct GroupHealth {
     /// Number of the scene's position that is nearest.
     pub position: usize,
     /// What the angle is.
-    pub angle_of: assur_words::Text,
+    pub angle_of: Text,
     /// Worst value of that angle over the cycle, rad.
     pub angle: f64,
     /// Whether two assembly modes meet there: a change point, through which the motion passes.
@@ -38,18 +39,16 @@ pub struct GroupHealth {
 
 impl GroupHealth {
     /// What the least health means, as a sentence.
-    pub(crate) fn words(&self) -> String {
+    pub(crate) fn words(&self) -> Text {
         if self.change_point {
-            return format!(
-                "{} goes through a change point: its motion is continued smoothly, its reactions are not determined there.",
-                self.place
-            );
+            return text!("stability-through-change-point", group = &self.place);
         }
         let digits = (-(f64::EPSILON / self.health.max(1e-8).powi(2)).log10()).clamp(0.0, 16.0);
-        format!(
-            "{} comes closest to a singular position (health {:.3e}): about {digits:.0} digits are left there of \
-             velocities and reactions.",
-            self.place, self.health
+        text!(
+            "stability-closest",
+            group = &self.place,
+            health = number(format_args!("{:.3e}", self.health)),
+            digits = number(format_args!("{digits:.0}"))
         )
     }
 }
@@ -68,13 +67,13 @@ pub(crate) fn coordinates(linkage: &Linkage) -> Vec<f64> {
 ///
 /// # Errors
 ///
-/// The message on the first position that does not assemble.
-pub(crate) fn nearest(linkage: &Linkage) -> Result<Vec<GroupHealth>, String> {
+/// Why the first position that can't be assembled has no assembly.
+pub(crate) fn nearest(linkage: &Linkage) -> Result<Vec<GroupHealth>, Text> {
     let grid = coordinates(linkage);
     let mut position = linkage.position();
     let mut least: Vec<(f64, usize)> = vec![(f64::INFINITY, 0); linkage.groups().len()];
     for (i, &q) in grid.iter().enumerate() {
-        linkage.solve(q, Order::Place, &mut position).map_err(|error| error.to_string())?;
+        linkage.solve(q, Order::Place, &mut position).map_err(|error| error.describe())?;
         for (least, health) in least.iter_mut().zip(&position.health) {
             if health.abs() < least.0 {
                 *least = (health.abs(), i);
@@ -99,8 +98,8 @@ pub(crate) fn nearest(linkage: &Linkage) -> Result<Vec<GroupHealth>, String> {
     (0..places.len()).map(|group| at(linkage, group, places[group], &mut position)).collect()
 }
 
-fn at(linkage: &Linkage, group: usize, q: f64, position: &mut Position) -> Result<GroupHealth, String> {
-    linkage.solve(q, Order::Place, position).map_err(|error| error.to_string())?;
+fn at(linkage: &Linkage, group: usize, q: f64, position: &mut Position) -> Result<GroupHealth, Text> {
+    linkage.solve(q, Order::Place, position).map_err(|error| error.describe())?;
     let input = &linkage.mechanism.input;
     let away = |index: &usize| (input.coordinate(*index) - q).abs();
     let position_near = (0..input.positions).min_by(|a, b| away(a).total_cmp(&away(b)));
@@ -108,7 +107,7 @@ fn at(linkage: &Linkage, group: usize, q: f64, position: &mut Position) -> Resul
     let health = position.health[group].abs();
     let force_angle = &found.plugin.force_angle;
     Ok(GroupHealth {
-        place: linkage.structure.group_name(&linkage.mechanism, group).to_string(),
+        place: linkage.structure.group_name(&linkage.mechanism, group),
         health,
         coordinate: q,
         position: position_near.unwrap_or(0),

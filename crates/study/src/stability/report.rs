@@ -4,11 +4,13 @@ use std::ops::ControlFlow;
 
 use assur_kinematics::{CompileError, Linkage};
 use assur_mechanism::Mechanism;
+use assur_report::csv::{CsvError, finished};
+use assur_words::Text;
 use serde::Serialize;
 
 use super::margin::{self, Margin};
 use super::nearest::{self, GroupHealth};
-use super::row::Row;
+use super::row::Comparison;
 use super::target::targets;
 use super::walk::Walk;
 
@@ -24,12 +26,12 @@ pub struct Stability {
     /// By length: the least change at which assembly fails, the smallest first.
     pub lengths: Vec<Margin>,
     /// The walks.
-    pub rows: Vec<Row>,
+    pub rows: Vec<Comparison>,
     /// Number of places of least health without a walk, because the mechanism has very many groups; the worst places
     /// have one.
     pub places_left_out: usize,
     /// Why the mechanism can't be assembled over its whole cycle; `groups` and `lengths` are then empty.
-    pub failure: Option<String>,
+    pub failure: Option<Text>,
 }
 
 /// Studies a mechanism: its own cycle, its lengths, and walks to the position where each of its groups is nearest to a
@@ -94,12 +96,11 @@ impl Stability {
     /// # Errors
     ///
     /// The error of the writer of CSV, which no value here causes.
-    pub fn to_csv(&self) -> Result<String, csv::Error> {
+    pub fn to_csv(&self) -> Result<String, CsvError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for row in &self.rows {
             writer.serialize(row)?;
         }
-        let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
+        finished(writer)
     }
 }

@@ -1,5 +1,6 @@
 //! One method at one distance from a singular position, and its assessment.
 
+use assur_words::{Text, name, number, text};
 use serde::Serialize;
 
 /// Distances of the stops of a walk, dimensionless.
@@ -8,6 +9,9 @@ pub const DISTANCES: [f64; 15] =
 
 /// Largest error that a backward-stable method may have, in units of eps / health^k: the C of the bound.
 pub const FACTOR: f64 = 16.0;
+
+/// The reactions, as rows name them.
+pub(crate) const REACTIONS: &str = "reactions";
 
 /// Where the bound is above this, a method may have no result: fewer than three digits could remain.
 pub(crate) const FEW_DIGITS: f64 = 1e-3;
@@ -20,12 +24,12 @@ const NO_DIGIT: f64 = 0.5;
 
 /// One method, one quantity, one distance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Row {
+pub struct Comparison {
     /// The group and the kind of singular position, as `group 1 (RRR rod, rocker), change point`.
     #[serde(rename = "where")]
-    pub place: String,
+    pub place: Text,
     /// The method.
-    pub method: String,
+    pub method: Text,
     /// `pf0`, `pf1`, `pf2` or `reactions`.
     pub quantity: &'static str,
     /// Dimensionless distance from the singular position.
@@ -39,49 +43,52 @@ pub struct Row {
     /// Whether the method keeps the bound, or has no result where few digits or none could remain.
     pub ok: bool,
     /// Why there is no number, or why the row failed.
-    pub reason: Option<String>,
+    pub reason: Option<Text>,
+}
+
+impl Comparison {
+    /// The quantity for a reader.
+    pub(crate) fn quantity(&self) -> Text {
+        if self.quantity == REACTIONS { text!("stability-reactions") } else { name(self.quantity) }
+    }
 }
 
 /// The subject of a row: everything but the outcome.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Subject<'a> {
-    pub(crate) place: &'a str,
-    pub(crate) method: &'a str,
+#[derive(Debug, Clone)]
+pub(crate) struct Subject {
+    pub(crate) place: Text,
+    pub(crate) method: Text,
     pub(crate) quantity: &'static str,
     pub(crate) distance: f64,
     pub(crate) health: f64,
     pub(crate) bound: f64,
 }
 
-impl Subject<'_> {
+impl Subject {
     /// The row of an outcome (the error, or why there is no number). The method may have no result where few digits
     /// could remain or the position is nearly singular.
-    pub(crate) fn row(&self, outcome: Result<f64, String>) -> Row {
-        self.row_or(outcome, self.bound > FEW_DIGITS || self.health < NEARLY_SINGULAR)
+    pub(crate) fn row(self, outcome: Result<f64, Text>) -> Comparison {
+        let may_refuse = self.bound > FEW_DIGITS || self.health < NEARLY_SINGULAR;
+        self.row_or(outcome, may_refuse)
     }
 
     /// The row of an outcome, where the caller knows whether the method may have no result. An infinite error stands
     /// for a result where none exists.
-    pub(crate) fn row_or(&self, outcome: Result<f64, String>, may_refuse: bool) -> Row {
+    pub(crate) fn row_or(self, outcome: Result<f64, Text>, may_refuse: bool) -> Comparison {
         let (error, ok, reason) = match outcome {
-            Ok(error) if error.is_nan() => (None, false, Some("the result is not a number".to_owned())),
-            Ok(error) if error.is_infinite() => {
-                let reason = "the result is not finite, or there should be none";
-                (None, false, Some(reason.to_owned()))
-            }
+            Ok(error) if error.is_nan() => (None, false, Some(text!("stability-not-a-number"))),
+            Ok(error) if error.is_infinite() => (None, false, Some(text!("stability-not-finite"))),
             Ok(error) if error > self.bound => {
-                let factor = error / self.bound;
-                (Some(error), false, Some(format!("the error is {factor:.1} times the bound")))
+                let factor = number(format_args!("{:.1}", error / self.bound));
+                (Some(error), false, Some(text!("stability-times-bound", factor = factor)))
             }
-            Ok(error) if error > NO_DIGIT => {
-                (Some(error), false, Some("no digit of the result is right".to_owned()))
-            }
+            Ok(error) if error > NO_DIGIT => (Some(error), false, Some(text!("stability-no-digit"))),
             Ok(error) => (Some(error), true, None),
             Err(reason) => (None, may_refuse, Some(reason)),
         };
-        Row {
-            place: self.place.to_owned(),
-            method: self.method.to_owned(),
+        Comparison {
+            place: self.place,
+            method: self.method,
             quantity: self.quantity,
             distance: self.distance,
             health: self.health,
@@ -96,12 +103,9 @@ impl Subject<'_> {
 /// Accepts a result without a correct digit where the bound promises none: a linear system can't detect that its
 /// determinant is the root of a difference of lengths, so it gives a result where the closed forms, and with them the
 /// program, give an error.
-pub(crate) fn accept_without_digits(row: &mut Row) {
+pub(crate) fn accept_without_digits(row: &mut Comparison) {
     if !row.ok && row.error.is_some_and(|error| error <= row.bound || row.bound >= 1.0) {
         row.ok = true;
-        row.reason = Some(
-            "no digit is left, as the bound says; the linear system can't detect it, the closed forms give an error here"
-                .to_owned(),
-        );
+        row.reason = Some(text!("stability-no-digit-left"));
     }
 }

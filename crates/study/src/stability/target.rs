@@ -2,6 +2,7 @@
 
 use assur_group::Order;
 use assur_kinematics::Linkage;
+use assur_words::{Text, number, text};
 
 use super::nearest::{self, GroupHealth};
 
@@ -25,13 +26,17 @@ pub(crate) struct Target {
     /// The groups of least health there.
     pub(crate) groups: Vec<usize>,
     /// The kind of the place.
-    pub(crate) words: &'static str,
+    pub(crate) words: Text,
 }
 
 impl Target {
-    /// The name of the place in rows.
-    pub(crate) fn place(&self, linkage: &Linkage, group: usize, more: &str) -> String {
-        format!("{}{more}, {}", linkage.structure.group_name(&linkage.mechanism, group), self.words)
+    /// The name of the place in rows: that of a group, and how many `more` have their least health there.
+    pub(crate) fn place(&self, linkage: &Linkage, group: usize, more: usize) -> Text {
+        let group = linkage.structure.group_name(&linkage.mechanism, group);
+        match more {
+            0 => text!("stability-place", group = group, kind = &self.words),
+            more => text!("stability-places", group = group, more = number(more), kind = &self.words),
+        }
     }
 }
 
@@ -44,7 +49,10 @@ pub(crate) fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> (Vec<Target>
     for index in worst {
         let change = linkage.interpolation(groups[index].coordinate);
         let coordinate = change.map_or(groups[index].coordinate, |across| across.center);
-        let words = if change.is_some() { "change point" } else { "least health of the cycle" };
+        let words = match change {
+            Some(_) => text!("stability-change-point"),
+            None => text!("stability-least-health"),
+        };
         let near =
             |target: &&mut Target| (target.coordinate - coordinate).abs() <= SAME * linkage.coordinate_unit();
         match targets.iter_mut().find(near) {
@@ -64,7 +72,7 @@ pub(crate) fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> (Vec<Target>
 }
 
 /// A place of the cycle, from the side that has more of the cycle.
-fn within(linkage: &Linkage, coordinate: f64, group: usize, words: &'static str) -> Target {
+fn within(linkage: &Linkage, coordinate: f64, group: usize, words: Text) -> Target {
     let grid = nearest::coordinates(linkage);
     let (down, up) = (grid[0] - coordinate, grid[grid.len() - 1] - coordinate);
     let longer = if down.abs() > up.abs() { down } else { up };
@@ -78,7 +86,7 @@ fn ends(linkage: &Linkage) -> Vec<Target> {
     const ENDING: f64 = 1e-2;
     let Some(range) = linkage.range.filter(|range| !range.full) else { return Vec::new() };
     let mut position = linkage.position();
-    let mut end = |(coordinate, side, words): (f64, f64, &'static str)| {
+    let mut end = |(coordinate, side, words): (f64, f64, Text)| {
         linkage
             .solve(coordinate + side * NEAR * linkage.coordinate_unit(), Order::Place, &mut position)
             .ok()?;
@@ -87,6 +95,7 @@ fn ends(linkage: &Linkage) -> Vec<Target> {
         let reach = range.high - range.low;
         (least < ENDING).then(|| Target { coordinate, sides: vec![side], reach, groups: vec![group], words })
     };
-    let both = [(range.low, 1.0, "low end of the range"), (range.high, -1.0, "high end of the range")];
+    let both =
+        [(range.low, 1.0, text!("stability-low-end")), (range.high, -1.0, text!("stability-high-end"))];
     both.into_iter().filter_map(&mut end).collect()
 }

@@ -1,11 +1,12 @@
 //! The stability of a mechanism as text for a reader.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
+
+use assur_words::{Language, Text, joined, list, name, number, quantity, text};
 
 use super::margin;
 use super::report::Stability;
-use super::row::Row;
+use super::row::Comparison;
 use super::walk;
 
 /// Most failed rows that the conclusion lists.
@@ -13,16 +14,16 @@ const MOST_FAILED: usize = 10;
 
 /// All distances of one method on one walk.
 struct Walk<'a> {
-    first: &'a Row,
+    first: &'a Comparison,
     /// Largest error over bound.
     factor: f64,
-    /// Greatest and least distance at which the method refuses.
+    /// Least and greatest distance at which the method refuses.
     refuses: Option<[f64; 2]>,
     ok: bool,
 }
 
 impl Walk<'_> {
-    fn take(&mut self, row: &Row) {
+    fn take(&mut self, row: &Comparison) {
         self.ok &= row.ok;
         if let Some(error) = row.error {
             self.factor = self.factor.max(if error > 0.0 { error / row.bound } else { 0.0 });
@@ -32,144 +33,156 @@ impl Walk<'_> {
         }
     }
 
-    fn line(&self) -> String {
-        let Row { place, method, quantity, .. } = self.first;
-        let verdict = if self.ok { "ok" } else { "FAILED" };
-        let refuses = match self.refuses {
-            Some([least, most]) if least < most => format!(", refuses from {most:.0e} to {least:.0e}"),
-            Some([least, _]) => format!(", refuses at {least:.0e}"),
-            None => String::new(),
-        };
-        format!("  {place}; {method}; {quantity}: {:.3}{refuses}: {verdict}\n", self.factor)
+    fn line(&self) -> Text {
+        let refuses = self.refuses.map(|[least, most]| {
+            if least < most {
+                text!("stability-refuses-from", most = power(most), least = power(least))
+            } else {
+                text!("stability-refuses-at", distance = power(least))
+            }
+        });
+        let factor = number(format_args!("{:.3}", self.factor));
+        let verdict = if self.ok { text!("stability-ok") } else { text!("stability-failed") };
+        let Comparison { place, method, .. } = self.first;
+        let subject = joined("; ", [place.clone(), method.clone(), self.first.quantity()]);
+        joined(": ", [subject, list(std::iter::once(factor).chain(refuses)), verdict])
+    }
+}
+
+/// Lines in a language.
+struct Lines<'l> {
+    language: &'l Language,
+    text: String,
+}
+
+impl Lines<'_> {
+    /// A line that begins a section, behind an empty one.
+    fn heading(&mut self, heading: &Text) {
+        self.text.extend(["\n", &heading.render(self.language), "\n"]);
+    }
+
+    /// A line of a section.
+    fn line(&mut self, line: &Text) {
+        self.text.extend(["  ", &line.render(self.language), "\n"]);
     }
 }
 
 impl Stability {
-    /// Text for a reader: figures of the mechanism, one line for each approach and method, and conclusions.
-    pub fn to_text(&self) -> String {
-        let mut text = format!("{}\n", self.title);
-        self.nearest(&mut text);
+    /// Text for a reader in a language: figures of the mechanism, one line for each approach and method, and conclusions.
+    pub fn text(&self, language: &Language) -> String {
+        let mut lines = Lines { language, text: format!("{}\n", self.title) };
+        self.nearest(&mut lines);
         if self.failure.is_none() && !self.groups.is_empty() {
-            self.margins(&mut text);
+            self.margins(&mut lines);
         }
         if !self.rows.is_empty() {
-            self.walks(&mut text);
+            self.walks(&mut lines);
         }
-        self.conclusion(&mut text);
-        text
+        self.conclude(&mut lines);
+        lines.text
     }
 
-    /// The conclusions, with which [`Stability::to_text`] ends.
-    pub fn conclusion_text(&self) -> String {
-        let mut text = String::new();
-        self.conclusion(&mut text);
-        text.trim_start().to_owned()
+    /// The conclusions, with which [`Stability::text`] ends.
+    pub fn conclusion(&self, language: &Language) -> String {
+        let mut lines = Lines { language, text: String::new() };
+        self.conclude(&mut lines);
+        lines.text.trim_start().to_owned()
     }
 
-    fn nearest(&self, text: &mut String) {
-        text.push_str("\nNearest to a singular position over the cycle\n");
-        let unit = if self.angular { ("deg", 180.0 / std::f64::consts::PI) } else { ("mm", 1e3) };
+    fn nearest(&self, lines: &mut Lines<'_>) {
+        lines.heading(&text!("stability-nearest"));
+        let (unit, size) = if self.angular { ("deg", 180.0 / std::f64::consts::PI) } else { ("mm", 1e3) };
         for group in &self.groups {
-            let _ = writeln!(
-                text,
-                "  {}: health {:.6} at coordinate {:.4} {} (near position {}); {} there {:.3} deg",
-                group.place,
-                group.health,
-                group.coordinate * unit.1,
-                unit.0,
-                group.position,
-                group.angle_of,
-                group.angle.to_degrees()
-            );
+            lines.line(&text!(
+                "stability-group",
+                group = &group.place,
+                health = number(format_args!("{:.6}", group.health)),
+                coordinate = quantity(format_args!("{:.4}", group.coordinate * size), unit),
+                position = number(group.position),
+                what = &group.angle_of,
+                angle = quantity(format_args!("{:.3}", group.angle.to_degrees()), "deg"),
+            ));
         }
         if let Some(failure) = &self.failure {
-            let _ = writeln!(text, "  not assembled all over: {failure}");
+            lines.line(&text!("stability-no-assembly", failure = failure));
         }
     }
 
-    fn margins(&self, text: &mut String) {
+    fn margins(&self, lines: &mut Lines<'_>) {
         if self.lengths.is_empty() {
-            let most = margin::MOST_LENGTHS;
-            let _ = writeln!(
-                text,
-                "\nMargins of lengths: not searched, the mechanism has more than {most} lengths"
-            );
+            lines.heading(&text!("stability-many-lengths", most = number(margin::MOST_LENGTHS)));
             return;
         }
-        text.push_str("\nLeast change of one length after which it no longer assembles all over\n");
+        lines.heading(&text!("stability-margins"));
+        let show = |change: Option<f64>, searched: f64, sign: &'static str| match change {
+            Some(change) => joined("", [name(sign), millimeters(change)]),
+            None => text!("stability-no-margin", sign = name(sign), searched = millimeters(searched)),
+        };
         for margin in &self.lengths {
-            let show = |change: Option<f64>, searched: f64, sign: &str| match change {
-                Some(change) => format!("{sign}{} mm", millimeters(change)),
-                None => format!("{sign} none found up to {} mm", millimeters(searched)),
-            };
-            let more = show(margin.increase, margin.increase_searched, "+");
-            let less = show(margin.decrease, margin.decrease_searched, "-");
-            let _ = writeln!(text, "  {} ({} mm): {more}, {less}", margin.length, millimeters(margin.value));
+            lines.line(&text!(
+                "stability-margin",
+                length = &margin.length,
+                value = millimeters(margin.value),
+                more = show(margin.increase, margin.increase_searched, "+"),
+                less = show(margin.decrease, margin.decrease_searched, "-"),
+            ));
         }
     }
 
-    fn walks(&self, text: &mut String) {
-        text.push_str("\nWalks: largest error over bound, and the distances at which a method refuses\n");
-        let _ = writeln!(text, "\n  distance: {}\n  bound: {}", walk::ALONG, walk::EXPECTED);
+    fn walks(&self, lines: &mut Lines<'_>) {
+        lines.heading(&text!("stability-walks"));
+        lines.text.push('\n');
+        lines.line(&text!("stability-distance", what = text!(walk::ALONG)));
+        lines.line(&text!("stability-bound", what = text!(walk::EXPECTED)));
         if self.places_left_out > 0 {
-            let _ = writeln!(
-                text,
-                "  {} groups: only the places of least health are walked to, {} others are left out",
-                self.groups.len(),
-                self.places_left_out
-            );
+            let [groups, places] = [self.groups.len(), self.places_left_out].map(number);
+            lines.line(&text!("stability-places-left-out", groups = groups, places = places));
         }
-        for walk in walks_of(self.rows.iter()) {
-            text.push_str(&walk.line());
+        for walk in walks_of(&self.rows) {
+            lines.line(&walk.line());
         }
     }
 
-    fn conclusion(&self, text: &mut String) {
-        text.push_str("\nConclusion\n");
-        let failed = self.rows.iter().filter(|row| !row.ok).count();
+    fn conclude(&self, lines: &mut Lines<'_>) {
+        lines.heading(&text!("stability-conclusion"));
         if let Some(worst) = self.groups.iter().min_by(|a, b| a.health.total_cmp(&b.health)) {
-            let _ = writeln!(text, "  {}", worst.words());
+            lines.line(&worst.words());
         }
         if let Some(least) = self.lengths.first()
             && let Some(change) = least.least()
         {
-            let _ = writeln!(
-                text,
-                "  The most critical length is {}: {} mm of change.",
-                least.length,
-                millimeters(change)
-            );
+            let change = millimeters(change);
+            lines.line(&text!("stability-critical", length = &least.length, change = change));
         }
-        let _ = match self.rows.len() {
-            0 => writeln!(
-                text,
-                "  No walk was made: there is no reference in 32 digits, or no place to walk to."
-            ),
-            all => {
-                writeln!(text, "  {} of {all} rows keep their bound or refuse with a reason.", all - failed)
-            }
-        };
-        for row in self.rows.iter().filter(|row| !row.ok).take(MOST_FAILED) {
-            let reason = row.reason.as_deref().unwrap_or("");
-            let _ = writeln!(
-                text,
-                "  FAILED: {}, {}, {}, {:.0e}: {reason}",
-                row.place, row.method, row.quantity, row.distance
-            );
+        let failed: Vec<&Comparison> = self.rows.iter().filter(|row| !row.ok).collect();
+        lines.line(&match self.rows.len() {
+            0 => text!("stability-no-walk"),
+            all => text!("stability-kept", kept = number(all - failed.len()), all = number(all)),
+        });
+        for row in failed.into_iter().take(MOST_FAILED) {
+            let Comparison { place, method, distance, reason, .. } = row;
+            let what = list([place.clone(), method.clone(), row.quantity(), power(*distance)]);
+            let reason = reason.clone().unwrap_or_default();
+            lines.line(&joined(": ", [text!("stability-failed"), what, reason]));
         }
     }
 }
 
+/// A power of ten.
+fn power(number: f64) -> Text {
+    assur_words::number(format_args!("{number:.0e}"))
+}
+
 /// A length in mm with eight significant digits, without zeros at the end.
-fn millimeters(length: f64) -> String {
-    assur_figure::number::trimmed(length * 1e3, 8)
+fn millimeters(length: f64) -> Text {
+    quantity(assur_figure::number::trimmed(length * 1e3, 8), "mm")
 }
 
 /// One entry for each method and quantity on each walk, by place.
-fn walks_of<'a>(rows: impl Iterator<Item = &'a Row>) -> Vec<Walk<'a>> {
-    let mut found: BTreeMap<(&str, &str, &str), Walk<'_>> = BTreeMap::new();
+fn walks_of(rows: &[Comparison]) -> Vec<Walk<'_>> {
+    let mut found: BTreeMap<(String, String, &str), Walk<'_>> = BTreeMap::new();
     for row in rows {
-        let walk = found.entry((&row.place, &row.method, row.quantity));
+        let walk = found.entry((row.place.to_string(), row.method.to_string(), row.quantity));
         walk.or_insert(Walk { first: row, factor: 0.0, refuses: None, ok: true }).take(row);
     }
     found.into_values().collect()

@@ -4,23 +4,18 @@ use assur_force::{AnalyzerPlugin, Reactions, applicable};
 use assur_group::{Order, Wrench, plane};
 use assur_kinematics::{Linkage, Position};
 use assur_structure::Group;
+use assur_words::{Describe, Text, name, text};
 
 use super::compare::{ORDERS, reactions, size, transfer};
 use super::exact::{Exact, Reference};
-use super::row::{DISTANCES, FACTOR, Row, Subject, accept_without_digits};
+use super::row::{Comparison, DISTANCES, FACTOR, REACTIONS, Subject, accept_without_digits};
 use super::target::Target;
 
-/// The kind of distance of a row.
-pub(crate) const ALONG: &str =
-    "distance of the coordinate from where the group is least healthy, rad or parts of the size";
+/// What the distance of a row is, by its identity.
+pub(crate) const ALONG: &str = "stability-along";
 
-/// The basis of the bound of a row.
-pub(crate) const EXPECTED: &str = "16 eps (1 + |q|) (groups / product of healths)^k, q in rad or parts of the size: k = 1 for \
-     places, 2 for PF1, PF2 and reactions; for all but reactions times (longest / shortest \
-     length), and where PF2 is small against its terms PF1^2 / health times their quotient; \
-     around a change point, where the motion is interpolated, k = 1, 2, 3 with the healths where \
-     that begins; for a method of forces with singular positions of its own times the square of \
-     its condition there";
+/// What the bound of a row follows from, by its identity.
+pub(crate) const EXPECTED: &str = "stability-expected";
 
 /// Above this, the product of the error growth over the groups means that no digit remains; the bound stays finite.
 const MOST_GROWTH: f64 = 1e90;
@@ -118,7 +113,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Performs the walk to a target.
-    pub(crate) fn to(&self, target: &Target, rows: &mut Vec<Row>) {
+    pub(crate) fn to(&self, target: &Target, rows: &mut Vec<Comparison>) {
         let unit = self.linkage.coordinate_unit();
         for distance in DISTANCES.into_iter().filter(|d| d * unit <= target.reach) {
             for side in &target.sides {
@@ -129,7 +124,13 @@ impl<'a> Walk<'a> {
     }
 
     /// Compares at the coordinate `q` with the reference at `exact`, which is `q` or whole cycles away.
-    pub(crate) fn stop(&self, target: &Target, (q, exact): (f64, f64), distance: f64, rows: &mut Vec<Row>) {
+    pub(crate) fn stop(
+        &self,
+        target: &Target,
+        (q, exact): (f64, f64),
+        distance: f64,
+        rows: &mut Vec<Comparison>,
+    ) {
         let Some(reference) = self.exact.at(exact, &self.loads) else { return };
         let mut position = self.linkage.position();
         let beside = self.linkage.interpolation(exact).and_then(|across| {
@@ -138,7 +139,7 @@ impl<'a> Walk<'a> {
         });
         let solved = self.linkage.solve(q, Order::Second, &mut position);
         let at = Stop { q: q / self.linkage.coordinate_unit(), distance, beside, reference: &reference };
-        let solved = solved.map_err(|error| error.to_string());
+        let solved = solved.map_err(|error| error.describe());
         for &group in &target.groups {
             self.transfer((target, group), &at, solved.as_ref().map(|()| &position), rows);
         }
@@ -156,11 +157,11 @@ impl<'a> Walk<'a> {
         &self,
         (target, group): (&Target, usize),
         at: &Stop<'_>,
-        solved: Result<&Position, &String>,
-        rows: &mut Vec<Row>,
+        solved: Result<&Position, &Text>,
+        rows: &mut Vec<Comparison>,
     ) {
         let reference = at.reference;
-        let place = target.place(self.linkage, group, "");
+        let place = target.place(self.linkage, group, 0);
         let links = &self.linkage.structure.groups[group].frame.links;
         let disparity = self.ancestors[group].iter().fold(1.0_f64, |most, &i| most.max(self.disparity[i]));
         for (order, quantity) in ORDERS.into_iter().enumerate() {
@@ -183,8 +184,8 @@ impl<'a> Walk<'a> {
                 Err(error) => Err(error.clone()),
             };
             let subject = Subject {
-                place: &place,
-                method: "closed forms",
+                place: place.clone(),
+                method: text!("stability-closed-forms"),
                 quantity,
                 distance: at.distance,
                 health: reference.health[group],
@@ -210,13 +211,9 @@ impl<'a> Walk<'a> {
     }
 
     /// Reactions of all pairs by each analyzer.
-    fn forces(&self, target: &Target, at: &Stop<'_>, position: &Position, rows: &mut Vec<Row>) {
-        let more = match target.groups.len() {
-            0 | 1 => String::new(),
-            all => format!(" and {} more", all - 1),
-        };
-        let Some(&first) = target.groups.first() else { return };
-        let place = target.place(self.linkage, first, &more);
+    fn forces(&self, target: &Target, at: &Stop<'_>, position: &Position, rows: &mut Vec<Comparison>) {
+        let Some((&first, others)) = target.groups.split_first() else { return };
+        let place = target.place(self.linkage, first, others.len());
         let reference = at.reference;
         let least = target.groups.iter().map(|&group| reference.health[group]).fold(f64::INFINITY, f64::min);
         let all = growth(reference.health.iter().copied());
@@ -224,9 +221,9 @@ impl<'a> Walk<'a> {
             let condition = plugin.instance.condition(self.linkage, position);
             let growth = (all * condition).min(MOST_GROWTH);
             let subject = Subject {
-                place: &place,
-                method: plugin.name,
-                quantity: "reactions",
+                place: place.clone(),
+                method: name(plugin.name),
+                quantity: REACTIONS,
                 distance: at.distance,
                 health: least.min(1.0 / condition),
                 bound: at.rounding() * growth * growth,
@@ -241,11 +238,11 @@ impl<'a> Walk<'a> {
         plugin: &AnalyzerPlugin,
         position: &Position,
         reference: &Reference,
-    ) -> Result<f64, String> {
+    ) -> Result<f64, Text> {
         let mut loads = self.loads.clone();
         let mut out = Reactions::new(self.linkage);
         let solved = plugin.instance.solve(self.linkage, position, &mut loads, &mut out);
-        solved.map_err(|error| error.to_string())?;
+        solved.map_err(|error| error.describe())?;
         Ok(reactions(&out.pairs[1..], &reference.pairs[1..], self.scale))
     }
 }

@@ -65,7 +65,7 @@ fn structure_and_plan_fit_as_if_made_anew() {
     for (name, scene) in SCENES {
         let mut mechanism = assur_scene::read(name, scene).unwrap();
         let mut structure = Structure::of(&mechanism).unwrap();
-        let mut plan = Plan::of(&mechanism, &structure, true);
+        let mut plan = Plan::of(&mechanism, &structure, mechanism.output.as_ref(), true);
         let same = |found: &(&Structure, &Plan), known: &(Structure, Plan)| {
             assert_eq!(format!("{found:?}"), format!("{known:?}"), "{name}");
         };
@@ -79,7 +79,7 @@ fn structure_and_plan_fit_as_if_made_anew() {
             structure.set_geometry(&mechanism);
             plan.fit(&mechanism, &structure);
             let known = Structure::of(&mechanism).unwrap();
-            let known_plan = Plan::of(&mechanism, &known, true);
+            let known_plan = Plan::of(&mechanism, &known, mechanism.output.as_ref(), true);
             same(&(&structure, &plan), &(known, known_plan));
         }
     }

@@ -54,7 +54,7 @@ pub(crate) fn regular(case: &Case, rng: &mut Rng, tried: &mut Tried) -> Result<(
     refusals::not_a_number(case, way)?;
     // With two links the least change of a length equals a displacement of one outer body; with more links it need
     // not.
-    if case.plugin.pattern.links == 2 && case.plugin.ways.most > 1 {
+    if case.sample.frame.links.len() == 2 && case.plugin.ways.most > 1 {
         *tried.open.get_or_insert(0) += refusals::gap_closes(case, rng)?;
     }
     Ok(())

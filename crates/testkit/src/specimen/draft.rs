@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use assur_group::Pattern;
-use assur_mechanism::{GROUND, InputPair, Link, LinkId, Place, Point, PointId, Slide, SlideId};
+use assur_mechanism::{GROUND, Inertia, InputPair, Link, LinkId, Place, Point, PointId, Slide, SlideId};
 
 use crate::Rng;
 use crate::arrangement::{Join, Pose, constraints, drawn_pairs, regularity};
@@ -29,7 +29,7 @@ impl Draft {
     pub(crate) fn new(seed: u64) -> Self {
         let mut rng = Rng::new(seed);
         let size = 10.0_f64.powf(rng.range(-1.2, 0.5));
-        let ground = Link { name: "ground".into(), mass: 0.0, center: [0.0; 2], inertia: 0.0 };
+        let ground = Link { name: "ground".into(), mass: 0.0, center: [0.0; 2], inertia: Inertia::NONE };
         let pose = Pose { x: 0.0, y: 0.0, angle: 0.0 };
         Self { rng, size, links: vec![ground], poses: vec![pose], points: Vec::new(), slides: Vec::new() }
     }
@@ -47,11 +47,12 @@ impl Draft {
         self.poses.push(Pose { x, y, angle });
         // One link in four is massless.
         let mass = if self.rng.chance(0.25) { 0.0 } else { self.rng.range(0.2, 8.0) };
-        let mut link = Link { name: format!("link{id}").into(), mass, center: [0.0; 2], inertia: 0.0 };
+        let mut link =
+            Link { name: format!("link{id}").into(), mass, center: [0.0; 2], inertia: Inertia::NONE };
         if mass > 0.0 {
             link.center = [self.rng.range(-0.5, 0.5) * self.size, self.rng.range(-0.5, 0.5) * self.size];
             if self.rng.chance(0.8) {
-                link.inertia = mass * self.size * self.size * self.rng.range(0.01, 0.2);
+                link.inertia = (mass * self.size * self.size * self.rng.range(0.01, 0.2)).into();
             }
         }
         self.links.push(link);

@@ -1,10 +1,11 @@
 //! Random loads of every kind, a motion, and a balancing load that does not act on the input.
 
+use assur_formula::Formula;
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Balance, Contact, Direction, Force, GROUND, Input, LinkId, Mechanism, Moment, Motion, Over, Place, Range,
-    Shape, Spring, Table, Value,
+    Balance, Contact, Direction, Force, GROUND, Inertia, Input, LinkId, Load, Mechanism, Moment, Motion,
+    Over, Place, Point, Range, Shape, Spring, Table, Value, VaryingInertia,
 };
 
 use super::draft::Draft;
@@ -30,23 +31,50 @@ pub(crate) fn add(draft: &mut Draft, mechanism: &mut Mechanism) {
         mechanism.gravity = Some(if draft.rng.chance(0.7) { down } else { any });
     }
     for index in 0..draft.rng.below(4) {
-        let force = force(draft, mechanism, index);
-        mechanism.forces.push(force);
+        let force = force(draft, mechanism);
+        mechanism.loads.push(Load::new(format!("force {index}"), force));
     }
     for index in 0..draft.rng.below(3) {
         let link = moving(draft, mechanism);
         let value = value(draft, mechanism, draft.size, false);
-        mechanism.moments.push(Moment { name: format!("moment {index}").into(), link, value, brake: None });
+        mechanism.loads.push(Load::new(format!("moment {index}"), Moment { link, value }));
     }
     for index in 0..draft.rng.below(3) {
-        mechanism.springs.extend(spring(draft, mechanism, index));
+        let spring = spring(draft, mechanism);
+        mechanism.loads.extend(spring.map(|spring| Load::new(format!("spring {index}"), spring)));
     }
     if draft.rng.chance(0.25) {
         let contact = contact(draft, mechanism);
-        mechanism.contacts.push(contact);
+        mechanism.loads.push(Load::new("contact", contact));
     }
     if draft.rng.chance(0.4) {
         mechanism.balance = balance(draft, mechanism);
+    }
+    varying_inertias(draft, mechanism);
+}
+
+/// The moments of inertia of some links that are pinned to the ground vary with the coordinate.
+fn varying_inertias(draft: &mut Draft, mechanism: &mut Mechanism) {
+    let is_pinned = |link: LinkId| {
+        let stands = |point: &Point, link| point.places.iter().any(|place| place.link == link);
+        mechanism.points.iter().any(|point| stands(point, GROUND) && stands(point, link))
+    };
+    let pinned: Vec<_> = (1..mechanism.links.len()).map(is_pinned).collect();
+    let unit = if turns(mechanism) { 1.0 } else { 1.0 / draft.size };
+    for (link, _) in mechanism.links.iter_mut().skip(1).zip(pinned).filter(|(_, pinned)| *pinned) {
+        let inertia = link.inertia.constant();
+        if inertia <= 0.0 || !draft.rng.chance(0.3) {
+            continue;
+        }
+        let [swing, waves, phase] = [
+            draft.rng.range(0.1, 0.9),
+            unit * f64::from(1 + u8::from(draft.rng.chance(0.5))),
+            draft.rng.angle(),
+        ];
+        let text = format!("{inertia:?}*(1 + {swing:?}*cos({waves:?}*q + {phase:?}))");
+        if let Ok(formula) = Formula::read(&text) {
+            link.inertia = Inertia::Varying(VaryingInertia { formula, factor: 1.0 });
+        }
     }
 }
 
@@ -63,7 +91,7 @@ fn place_on(draft: &mut Draft, link: LinkId) -> Place {
     Place { link, at }
 }
 
-fn force(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Force {
+fn force(draft: &mut Draft, mechanism: &Mechanism) -> Force {
     let link = moving(draft, mechanism);
     let at = place_on(draft, link);
     let direction = match draft.rng.below(3) {
@@ -77,7 +105,7 @@ fn force(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Force {
         }
         value => value,
     };
-    Force { name: format!("force {index}").into(), at, direction, value }
+    Force { at, direction, value }
 }
 
 /// Stroke of a point along an axis, m.
@@ -130,7 +158,7 @@ fn value(draft: &mut Draft, mechanism: &Mechanism, unit: f64, point: bool) -> Va
 }
 
 /// A spring between two points that have no common link.
-fn spring(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Option<Spring> {
+fn spring(draft: &mut Draft, mechanism: &Mechanism) -> Option<Spring> {
     let count = mechanism.points.len();
     let (a, b) = (&mechanism.points[draft.rng.below(count)], &mechanism.points[draft.rng.below(count)]);
     let common = a.places.iter().any(|p| b.places.iter().any(|q| q.link == p.link));
@@ -138,7 +166,7 @@ fn spring(draft: &mut Draft, mechanism: &Mechanism, index: usize) -> Option<Spri
     let damping = if mechanism.motion.is_some() { draft.rng.range(0.0, 20.0) } else { 0.0 };
     let length = draft.rng.range(0.0, 1.0) * draft.size;
     let stiffness = draft.rng.range(10.0, 500.0) / draft.size;
-    (!common).then(|| Spring { name: format!("spring {index}").into(), ends, stiffness, length, damping })
+    (!common).then_some(Spring { ends, stiffness, length, damping })
 }
 
 fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
@@ -148,7 +176,6 @@ fn contact(draft: &mut Draft, mechanism: &Mechanism) -> Contact {
     let (low, high) = (mechanism.input.from - 0.313_7, mechanism.input.from + 0.271_9);
     let during = draft.rng.chance(0.5).then_some([low, high]);
     Contact {
-        name: "contact".into(),
         center,
         radius: draft.rng.range(0.0, 1.0) * draft.size,
         angle: Value::Constant(draft.rng.signed(0.0, 0.5)),

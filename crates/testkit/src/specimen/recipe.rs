@@ -13,7 +13,7 @@ use super::draft::Draft;
 pub struct Recipe {
     /// Number of groups, 1 to 5.
     pub groups: usize,
-    /// The only registered kind of group to use, by name, or any kinds.
+    /// The only registered kind of group to use, by name, or any kinds of two links.
     pub only: Option<&'static str>,
     /// Whether there are loads, a motion and a balancing load that does not act on the input.
     pub loads: bool,
@@ -41,9 +41,10 @@ const TRIES: u64 = 400;
 /// Number of positions of a range, and of a cycle.
 const POSITIONS: [usize; 2] = [5, 12];
 
-/// Names of the registered kinds of groups, for [`Recipe::only`]; empty if the registry is faulty.
+/// Names of the registered kinds of groups that have a pattern, for [`Recipe::only`]; empty if the registry is faulty.
 pub fn kinds() -> Vec<&'static str> {
-    groups().unwrap_or_default().iter().map(|kind| kind.name).collect()
+    let all = groups().unwrap_or_default();
+    all.iter().filter(|kind| kind.pattern.is_some()).map(|kind| kind.name).collect()
 }
 
 impl Recipe {
@@ -56,7 +57,8 @@ impl Recipe {
     /// constructions stayed away from singular positions, or if there is no such kind.
     pub fn specimen(&self, seed: u64) -> Option<Specimen> {
         let mut kinds = groups().ok()?;
-        kinds.retain(|kind| self.only.is_none_or(|only| only == kind.name));
+        let is_dyad = |kind: &GroupPlugin| kind.pattern.is_some_and(|pattern| pattern.links == 2);
+        kinds.retain(|kind| self.only.map_or_else(|| is_dyad(kind), |only| only == kind.name));
         let attempt = |attempt| self.attempt(seed.wrapping_mul(TRIES).wrapping_add(attempt), &kinds);
         (0..TRIES).find_map(attempt)
     }
@@ -68,8 +70,9 @@ impl Recipe {
         let mut kinds = Vec::new();
         for _ in 0..self.groups {
             let kind = registered.get(draft.rng.below(registered.len()))?;
-            let bodies = earlier_bodies(&mut draft, kind.pattern.outer.len());
-            draft.group(&kind.pattern, &bodies)?;
+            let pattern = kind.pattern?;
+            let bodies = earlier_bodies(&mut draft, pattern.outer.len());
+            draft.group(&pattern, &bodies)?;
             kinds.push(kind.name);
         }
         let poses = draft.poses.iter().map(|pose| [pose.x, pose.y, pose.angle]).collect();
@@ -123,14 +126,13 @@ fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
         input,
         assembly,
         gravity: None,
-        forces: Vec::new(),
-        moments: Vec::new(),
-        springs: Vec::new(),
-        contacts: Vec::new(),
+        loads: Vec::new(),
+        frictions: Vec::new(),
         balance: None,
         motion: None,
         drive: None,
         output: None,
+        notes: Vec::new(),
     }
 }
 

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use assur_mechanism::{
-    Balance, Direction, GROUND, LinkId, Mechanism, Motion, Over, Place, Range, Sense, Shape, Table, Value,
+    Balance, Contact, Direction, GROUND, Inertia, LinkId, LoadKind, Mechanism, Motion, Name, Over, Place,
+    Range, Sense, Shape, Table, Value, VaryingInertia,
 };
 
 /// The text of a scene, all numbers in SI with all their digits.
@@ -40,7 +41,6 @@ fn write_scene(text: &mut String, m: &Mechanism) -> Out {
         writeln!(text, "{} = {}", m.points[*point].name, pair(*place))?;
     }
     write_loads(text, m)?;
-    write_joints(text, m)?;
     write_motion(text, m)
 }
 
@@ -60,7 +60,15 @@ fn write_link(text: &mut String, m: &Mechanism, id: LinkId) -> Out {
         return writeln!(text, "\n[ground]\npoints = {{ {points} }}");
     }
     writeln!(text, "\n[link.{}]\npoints = {{ {points} }}", link.name)?;
-    writeln!(text, "mass = {:?}\ncenter = {}\ninertia = {:?}", link.mass, pair(link.center), link.inertia)
+    writeln!(text, "mass = {:?}\ncenter = {}", link.mass, pair(link.center))?;
+    match &link.inertia {
+        Inertia::Constant(inertia) => writeln!(text, "inertia = {inertia:?}"),
+        Inertia::Varying(VaryingInertia { formula, factor }) => {
+            // A specimen has SI units.
+            debug_assert_eq!(factor.to_bits(), 1.0_f64.to_bits());
+            writeln!(text, "inertia = {{ formula = \"{}\" }}", formula.text())
+        }
+    }
 }
 
 fn write_input(text: &mut String, m: &Mechanism) -> Out {
@@ -125,18 +133,37 @@ fn on(m: &Mechanism, place: &Place) -> String {
 }
 
 fn write_loads(text: &mut String, m: &Mechanism) -> Out {
-    for force in &m.forces {
-        writeln!(text, "\n[[force]]\nname = {:?}\n{}", force.name, on(m, &force.at))?;
-        match force.direction {
-            Direction::Ground(angle) => writeln!(text, "angle = {angle:?}")?,
-            Direction::Link(angle) => writeln!(text, "angle = {angle:?}\nframe = \"link\"")?,
-            Direction::AgainstMotion => writeln!(text, "against_motion = true")?,
+    for load in &m.loads {
+        let name = &load.name;
+        match &load.kind {
+            LoadKind::Force(force) => {
+                writeln!(text, "\n[[force]]\nname = {name:?}\n{}", on(m, &force.at))?;
+                match force.direction {
+                    Direction::Ground(angle) => writeln!(text, "angle = {angle:?}")?,
+                    Direction::Link(angle) => writeln!(text, "angle = {angle:?}\nframe = \"link\"")?,
+                    Direction::AgainstMotion => writeln!(text, "against_motion = true")?,
+                }
+                writeln!(text, "value = {}", value(m, &force.value))?;
+            }
+            LoadKind::Moment(moment) => {
+                let link = &m.links[moment.link].name;
+                writeln!(text, "\n[[moment]]\nname = {name:?}\nlink = {link:?}")?;
+                writeln!(text, "value = {}", value(m, &moment.value))?;
+            }
+            LoadKind::Brake(brake) => {
+                let link = &m.links[brake.link].name;
+                writeln!(text, "\n[[brake]]\nname = {name:?}\nlink = {link:?}")?;
+                writeln!(text, "radius = {:?}\nfriction = {:?}", brake.radius, brake.friction)?;
+                writeln!(text, "force = {}", value(m, &brake.force))?;
+            }
+            LoadKind::Spring(spring) => {
+                let ends = spring.ends.each_ref().map(|place| end(m, place));
+                writeln!(text, "\n[[spring]]\nname = {name:?}\nbetween = {ends:?}")?;
+                writeln!(text, "stiffness = {:?}\nlength = {:?}", spring.stiffness, spring.length)?;
+                writeln!(text, "damping = {:?}", spring.damping)?;
+            }
+            LoadKind::Contact(contact) => write_contact(text, m, name, contact)?,
         }
-        writeln!(text, "value = {}", value(m, &force.value))?;
-    }
-    for moment in &m.moments {
-        writeln!(text, "\n[[moment]]\nname = {:?}\nlink = {:?}", moment.name, m.links[moment.link].name)?;
-        writeln!(text, "value = {}", value(m, &moment.value))?;
     }
     Ok(())
 }
@@ -147,28 +174,20 @@ fn end(m: &Mechanism, place: &Place) -> String {
     format!("{}.{}", m.links[place.link].name, point.map_or("?", |point| point.name.as_str()))
 }
 
-fn write_joints(text: &mut String, m: &Mechanism) -> Out {
-    for spring in &m.springs {
-        let ends = spring.ends.each_ref().map(|place| end(m, place));
-        writeln!(text, "\n[[spring]]\nname = {:?}\nbetween = {ends:?}", spring.name)?;
-        writeln!(text, "stiffness = {:?}\nlength = {:?}", spring.stiffness, spring.length)?;
-        writeln!(text, "damping = {:?}", spring.damping)?;
+fn write_contact(text: &mut String, m: &Mechanism, name: &Name, contact: &Contact) -> Out {
+    writeln!(text, "\n[[contact]]\nname = {name:?}")?;
+    let center = &contact.center;
+    writeln!(text, "link = {:?}\ncenter = {}", m.links[center.link].name, pair(center.at))?;
+    writeln!(text, "radius = {:?}\nangle = {}", contact.radius, value(m, &contact.angle))?;
+    writeln!(text, "force = {}", value(m, &contact.force))?;
+    let friction = contact.friction;
+    if contact.against_sliding {
+        writeln!(text, "friction = {{ against_sliding = {friction:?} }}")?;
+    } else {
+        writeln!(text, "friction = {friction:?}")?;
     }
-    for contact in &m.contacts {
-        writeln!(text, "\n[[contact]]\nname = {:?}", contact.name)?;
-        let center = &contact.center;
-        writeln!(text, "link = {:?}\ncenter = {}", m.links[center.link].name, pair(center.at))?;
-        writeln!(text, "radius = {:?}\nangle = {}", contact.radius, value(m, &contact.angle))?;
-        writeln!(text, "force = {}", value(m, &contact.force))?;
-        let friction = contact.friction;
-        if contact.against_sliding {
-            writeln!(text, "friction = {{ against_sliding = {friction:?} }}")?;
-        } else {
-            writeln!(text, "friction = {friction:?}")?;
-        }
-        if let Some(during) = contact.during {
-            writeln!(text, "during = {}", pair(during))?;
-        }
+    if let Some(during) = contact.during {
+        writeln!(text, "during = {}", pair(during))?;
     }
     Ok(())
 }

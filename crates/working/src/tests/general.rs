@@ -16,7 +16,11 @@ fn generally(
     index: usize,
 ) -> Working {
     let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
-    Working::by(&Task { linkage, loads, state, place: Place::Position(index), drive: None }, false).unwrap()
+    Working::by(
+        &Task { linkage, loads, state, place: Place::Position(index), drive: None, analyzer: None },
+        false,
+    )
+    .unwrap()
 }
 
 #[test]

@@ -31,7 +31,14 @@ fn the_acceleration_follows_from_the_reduction() {
             let acceleration = net / (reduced.inertia + drive.inertia);
             let state = State { acceleration, ..state };
             let place = Place::Position(index);
-            let task = Task { linkage: &linkage, loads: Some(&loads), state, place, drive: Some(drive) };
+            let task = Task {
+                linkage: &linkage,
+                loads: Some(&loads),
+                state,
+                place,
+                drive: Some(drive),
+                analyzer: None,
+            };
             let text = Working::of(&task).unwrap().text(Language::english());
             recomputes(&format!("{name} {index}"), &text);
             let all = equations(&text);

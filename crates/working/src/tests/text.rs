@@ -34,7 +34,7 @@ fn slider_crank_at_45_degrees_by_hand() {
 fn without_loads_and_motion_there_are_no_forces() {
     let mut mechanism = scene("slider-crank");
     (mechanism.motion, mechanism.gravity) = (None, None);
-    mechanism.forces.clear();
+    mechanism.loads.clear();
     let (linkage, loads) = compiled(mechanism);
     assert!(loads.is_none());
     let working = worked(&linkage, None, 3);
@@ -46,8 +46,15 @@ fn without_loads_and_motion_there_are_no_forces() {
 fn a_position_that_does_not_exist() {
     let (linkage, loads) = compiled(scene("slider-crank"));
     let (state, place) = (assur_force::State::default(), Place::Position(24));
-    let error = Working::of(&Task { linkage: &linkage, loads: loads.as_ref(), state, place, drive: None })
-        .unwrap_err();
+    let error = Working::of(&Task {
+        linkage: &linkage,
+        loads: loads.as_ref(),
+        state,
+        place,
+        drive: None,
+        analyzer: None,
+    })
+    .unwrap_err();
     assert_eq!(error, WorkingError::Index { index: 24, last: 23 });
     assert_eq!(error.to_string(), "there is no position 24: the scene has positions 0 to 23");
 }

@@ -24,6 +24,13 @@ pub(super) struct Press {
 /// What the equations give in one position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Answer {
+    /// X2, Y2, m: distances of K from the pole (eqs. 8, 9).
+    pub(super) x2: f64,
+    pub(super) y2: f64,
+    /// AP, m.
+    pub(super) ap: f64,
+    /// Mc, N m: moment of the force about the pole, clockwise (eq. 7).
+    pub(super) mc: f64,
     /// Mb, N m: balancing moment on the crank, clockwise (eq. 6).
     pub(super) balancing: f64,
     /// Fb, N: balancing force at A (eq. 5), to the left of the crank seen from O.
@@ -58,6 +65,6 @@ impl Press {
         let r1 = (fy - fb * sin) / cos; // eq. (10), which is (3) and so (1) solved for R1
         let r3 = fx - fb * cos + r1 * sin; // eq. (11), which is (4) solved for R3
         let ra = fb.hypot(r1); // eq. (12); RB = R3
-        Answer { balancing: mb, balancing_force: fb, r1, r3, ra }
+        Answer { x2, y2, ap, mc, balancing: mb, balancing_force: fb, r1, r3, ra }
     }
 }

@@ -5,11 +5,12 @@ use super::press::{Answer, Press};
 use super::{compile, fixture, reactions};
 use crate::{Form, Longitudinal};
 
-const PRESS: Press = Press { crank: 0.04, rod: 0.16, center: 0.64, radius: 0.75, force: 20e3, friction: 0.1 };
+pub(super) const PRESS: Press =
+    Press { crank: 0.04, rod: 0.16, center: 0.64, radius: 0.75, force: 20e3, friction: 0.1 };
 
 /// Twice the angle at which the contact acts, at f1 in degrees: of both scenes of the press.
-type Alpha = fn(f64) -> f64;
-const CONSTANT: Alpha = |_| 8.0_f64.to_radians();
+pub(super) type Alpha = fn(f64) -> f64;
+pub(super) const CONSTANT: Alpha = |_| 8.0_f64.to_radians();
 const COMPRESSION: Alpha = |degrees| (2.0 * (20.0 - degrees) / 5.0).to_radians();
 
 fn at(alpha: Alpha, degrees: f64) -> Answer {

@@ -31,7 +31,7 @@ pub(super) fn run(job: &Job<'_>, path: Option<&Path>, resume: bool) -> Result<St
 
 fn header(job: &Job<'_>) -> Result<String, Fault> {
     if job.is_first {
-        job.sweep.csv_header(job.style.ascii_data).map_err(Fault::other)
+        job.sweep.csv_header(job.style.ascii_data).map_err(Fault::told)
     } else {
         Ok(String::new())
     }
@@ -43,7 +43,7 @@ fn rows(
     done: usize,
     mut write: impl FnMut(&str, Tally) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
-    let encode = |rows: assur_sweep::Rows| rows.to_csv(job.style.ascii_data).map_err(Fault::other);
+    let encode = |rows: assur_sweep::Rows| rows.to_csv(job.style.ascii_data).map_err(Fault::told);
     job.run(done, encode, |text, tally| write(&text, tally))
 }
 
@@ -118,7 +118,7 @@ fn found(job: &Job<'_>, file: &File, unfinished: &Unfinished<'_>) -> Result<(Tal
         }
         length += read as u64;
     }
-    let row = |point| job.sweep.row(point).to_csv(job.style.ascii_data).map_err(Fault::other);
+    let row = |point| job.sweep.row(point).to_csv(job.style.ascii_data).map_err(Fault::told);
     let is_ours = if all.points > 0 {
         row(job.points.start + all.points - 1)?.as_bytes() == last
     } else if length > 0 || line.is_empty() {

@@ -4,9 +4,10 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use assur_parquet::ParquetError;
 use assur_parquet::sweep::{self as parquet, Part};
 use assur_sweep::{Rows, Tally};
-use assur_words::text;
+use assur_words::{Describe, text};
 
 use super::Job;
 use super::target::Unfinished;
@@ -68,8 +69,13 @@ impl Folder<'_> {
         self.unfinished.path.join("next")
     }
 
-    fn fault(&self, problem: impl ToString) -> Fault {
+    fn fault(&self, problem: io::Error) -> Fault {
         self.unfinished.fault(problem)
+    }
+
+    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
+    fn unwritten(&self, problem: ParquetError) -> Fault {
+        self.unfinished.refused(problem.describe())
     }
 
     /// Makes the folder, unless an earlier run has; a link to another folder is not followed.
@@ -86,7 +92,7 @@ impl Folder<'_> {
 
     /// Writes a part; it has its name only when it is complete.
     fn write(&self, index: usize, rows: &Rows) -> Result<(), Fault> {
-        let bytes = parquet::part(rows).map_err(|error| self.fault(error))?;
+        let bytes = parquet::part(rows).map_err(|error| self.unwritten(error))?;
         let written = files::create_own(&self.next()).and_then(|mut next| next.write_all(&bytes));
         let put = written.and_then(|()| fs::rename(self.next(), self.part(index)));
         put.map_err(|error| self.fault(error))
@@ -105,7 +111,7 @@ impl Folder<'_> {
             let part = part.ok_or_else(|| self.unfinished.foreign(all.points + 1))?;
             all.append(part.tally);
             let row = job.sweep.row(job.points.start + all.points - 1);
-            if row.to_csv(false).map_err(Fault::other)?.trim_end() != part.last {
+            if row.to_csv(false).map_err(Fault::told)?.trim_end() != part.last {
                 return Err(self.unfinished.foreign(all.points));
             }
         }
@@ -116,7 +122,7 @@ impl Folder<'_> {
     fn joined(&self, job: &Job<'_>, parts: usize) -> Result<PathBuf, Fault> {
         let out = files::create_own(&self.next()).map_err(|error| self.fault(error))?;
         let files = (0..parts).map(|index| File::open(self.part(index)));
-        parquet::join(job.sweep, files, &out).map_err(|error| self.fault(error))?;
+        parquet::join(job.sweep, files, &out).map_err(|error| self.unwritten(error))?;
         out.sync_all().map_err(|error| self.fault(error))?;
         Ok(self.next())
     }

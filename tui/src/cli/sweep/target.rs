@@ -1,5 +1,6 @@
 //! Where the rows of a sweep go: they are collected beside the file until they are complete.
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 use assur_words::{Text, name, number, text};
@@ -67,7 +68,7 @@ impl<'a> Unfinished<'a> {
         Ok(unfinished)
     }
 
-    pub(super) fn fault(&self, problem: impl ToString) -> Fault {
+    pub(super) fn fault(&self, problem: io::Error) -> Fault {
         FileError::write(&self.path, problem).into()
     }
 

@@ -153,7 +153,7 @@ fn next_analyzer(state: &State) -> Option<String> {
 
 /// Calculates again with the next force analyzer.
 pub(super) fn analyzer(state: &mut State) {
-    state.analyzer = next_analyzer(state);
+    state.options.analyzer = next_analyzer(state);
     if let Some(scene) = &mut state.scene {
         scene.other = None;
     }
@@ -165,10 +165,8 @@ pub(super) fn difference(state: &mut State) {
     if state.scene.as_mut().is_some_and(|scene| scene.other.take().is_some()) {
         return;
     }
-    let now = state.analyzer.clone();
-    state.analyzer = next_analyzer(state);
-    jobs::ask(state, Purpose::Difference);
-    state.analyzer = now;
+    let next = next_analyzer(state);
+    jobs::ask_difference(state, next);
 }
 
 /// The next theme.
@@ -198,13 +196,15 @@ pub(super) fn pan(state: &mut State, axis: usize, sense: f64) {
 /// Reads the scene again.
 pub(super) fn reload(state: &mut State) {
     let Some(scene) = &mut state.scene else { return };
-    match &scene.source {
+    match &scene.session.source {
         // Nothing is to be read, but an analysis that was stopped may continue.
         Source::Shipped(_) if scene.found.is_none() => {
             scene.fault = None;
             jobs::ask(state, Purpose::Main);
         }
-        Source::File(_) => state.wishes.push(Wish::Work(Job::Read(Wanted::Open(scene.source.clone())))),
+        Source::File(_) => {
+            state.wishes.push(Wish::Work(Job::Read(Wanted::Open(scene.session.source.clone()))));
+        }
         Source::Shipped(_) => state.say(Role::Plain, text!("say-no-file")),
     }
 }

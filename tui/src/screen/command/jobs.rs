@@ -1,20 +1,31 @@
 //! Calculations by the worker: requested and stopped.
 
+use std::sync::Arc;
+
+use assur_analysis::Options;
 use assur_words::{Text, name, text};
 
 use crate::screen::state::{Cancel, Job, Purpose, Request, Role, Running, Scene, State, Wish};
 
 /// Requests a calculation of the open scene by the chosen analyzer and integrator.
 pub(crate) fn ask(state: &mut State, purpose: Purpose) {
+    ask_by(state, purpose, state.options.clone());
+}
+
+/// Requests the difference to the results of another force analyzer.
+pub(super) fn ask_difference(state: &mut State, analyzer: Option<String>) {
+    ask_by(state, Purpose::Difference, Options { analyzer, ..state.options.clone() });
+}
+
+fn ask_by(state: &mut State, purpose: Purpose, options: Options) {
     let Some(scene) = &state.scene else { return };
-    let linkage = scene.linkage.clone();
+    let session = Arc::clone(&scene.session);
     // An earlier calculation for this purpose is no longer needed; new results also invalidate differences to old ones.
     stop_running(state, |old| old == purpose || (purpose == Purpose::Main && old == Purpose::Difference));
     state.asked += 1;
     let (number, cancel) = (state.asked, Cancel::default());
     state.running.push(Running { number, purpose, count: Text::default(), cancel: cancel.clone() });
-    let (analyzer, integrator) = (state.analyzer.clone(), state.integrator.clone());
-    let request = Request { number, purpose, linkage, analyzer, integrator, cancel };
+    let request = Request { number, purpose, session, options, cancel };
     state.wishes.push(Wish::Work(Job::Calculate(request)));
 }
 
@@ -36,7 +47,9 @@ pub(super) fn stop(state: &mut State) {
     let stopped = text!("say-stopped", key = name(state.keys.first("reload")));
     if let Some(scene) = &mut state.scene {
         match &scene.found {
-            Some(found) => state.analyzer = Some(found.analyzer.clone()).filter(|name| !name.is_empty()),
+            Some(found) => {
+                state.options.analyzer = Some(found.analyzer.clone()).filter(|name| !name.is_empty());
+            }
             None => scene.fault = Some(stopped.clone()),
         }
     }

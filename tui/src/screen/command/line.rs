@@ -3,9 +3,9 @@
 use assur_fixtures::SCENES;
 use assur_words::{self as words, Text, text};
 
-use super::{motors, picker, report, whatif, write};
+use super::{find, motors, picker, report, whatif, write};
 use crate::screen::state::{
-    Group, Job, Panels, Pictures, Reaction, Role, SETTINGS, Scene, Source, State, View, Wanted, Wish,
+    Group, Job, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted, Wish,
 };
 use crate::screen::view::help::where_it_works;
 
@@ -191,25 +191,6 @@ fn set(state: &mut State, rest: &str) {
     }
 }
 
-/// Chooses the next reaction of a pair of this name, else one whose pair or link begins with it; false if there is
-/// none.
-fn reaction(state: &mut State, wanted: &str) -> bool {
-    let Some(found) = state.found() else { return false };
-    let count = found.reactions.len();
-    let next = |fits: &dyn Fn(&Reaction) -> bool| {
-        let after = (1..=count).map(|step| (state.chosen.reaction + step) % count);
-        after.into_iter().find(|index| fits(&found.reactions[*index]))
-    };
-    let begins = |name: &str| name.to_lowercase().starts_with(wanted);
-    let same = next(&|reaction| reaction.pair.to_lowercase() == wanted);
-    let Some(index) = same.or_else(|| next(&|reaction| begins(&reaction.pair) || begins(&reaction.link)))
-    else {
-        return false;
-    };
-    state.chosen.reaction = index;
-    true
-}
-
 /// A number is a position; a word is searched for in the columns and quantities, from the present one on.
 pub(crate) fn search(state: &mut State, text: &str) {
     if text.is_empty() {
@@ -223,24 +204,18 @@ pub(crate) fn search(state: &mut State, text: &str) {
     }
     let wanted = text.to_lowercase();
     let found = match state.view {
-        View::Forces => reaction(state, &wanted),
+        View::Forces => find::reaction(state, &wanted),
+        View::Plans => find::plan(state, &wanted),
         View::Working | View::Accuracy => report::find(state, &wanted),
         _ => false,
     };
     if found {
         return;
     }
-    let Some(scene) = &state.scene else { return };
-    let count = scene.column_count();
-    let fits = |column: &usize| {
-        scene.column(*column).is_some_and(|series| {
-            let names = [state.told(&series.of), state.told(&series.head), series.short.clone()];
-            names.iter().any(|name| name.to_lowercase().contains(&wanted))
-        })
-    };
-    let Some(column) = (1..=count).map(|step| (state.chosen.column + step) % count).find(fits) else {
+    let Some(column) = find::column(state, &wanted) else {
         return state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned())));
     };
+    let Some(scene) = &state.scene else { return };
     let transfer = scene.transfers.iter().position(|transfer| transfer.orders.contains(&column));
     let short = scene.column(column).map(|series| series.short.clone());
     state.chosen.column = column;

@@ -1,6 +1,7 @@
 //! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
+mod find;
 mod jobs;
 mod line;
 mod motors;
@@ -11,7 +12,7 @@ mod reports;
 mod table;
 mod whatif;
 mod write;
-pub(crate) use jobs::ask;
+pub(crate) use find::pick_all;
 pub(crate) use line::search;
 pub(crate) use reports::take;
 pub(crate) use table::COMMANDS;

@@ -2,8 +2,8 @@
 
 use assur_words::text;
 
-use super::jobs;
-use crate::screen::state::{Purpose, Role, State};
+use super::{act, jobs};
+use crate::screen::state::{Part, Purpose, Role, State, View};
 use crate::screen::view::report as view;
 
 /// Starts a measurement, or stops the one in progress.
@@ -28,6 +28,15 @@ pub(super) fn scroll(state: &mut State, by: isize) {
     let last = view::last_line(state);
     let line = state.line();
     *line = (*line).min(last).saturating_add_signed(by).min(last);
+}
+
+/// The next or previous quantity of the motion, or line of its page.
+pub(super) fn motion(state: &mut State, by: isize) {
+    if state.part(View::Motion) == Part::Iteration {
+        scroll(state, by);
+    } else {
+        act::choose(state, View::Motion, by);
+    }
 }
 
 /// Scrolls the text by a page, less one line.

@@ -5,45 +5,48 @@ use assur_words::{self as words, Text, number, text};
 
 use super::{jobs, whatif};
 use crate::screen::state::{
-    Chosen, Compared, Found, OutputFile, Purpose, Report, Role, Scene, State, View, Wanted, Wish, Zoom,
+    Chosen, Compared, Found, Outcome, OutputFile, Purpose, Report, Role, Scene, State, View, Wanted, Wish,
+    Zoom,
 };
 
 /// Takes a report of the worker; returns whether the frame may differ.
 pub(crate) fn take(state: &mut State, report: Report) -> bool {
-    let number = match &report {
-        Report::Counted { number, .. }
-        | Report::Analyzed { number, .. }
-        | Report::Checked { number, .. }
-        | Report::Measured { number, .. } => Some(*number),
-        _ => None,
-    };
-    let running = state.running.iter().position(|running| Some(running.number) == number);
-    match (report, running) {
-        (Report::Read(Wanted::Change(change), scene), _) => return whatif::take(state, &change, scene),
-        (Report::Read(Wanted::Preview(index), preview), _) => drop(state.previews.insert(index, preview)),
-        (Report::Read(_, Err(text)), _) => state.fault = Some((text!("say-read-fault"), text)),
-        (Report::Read(Wanted::Open(_), Ok(scene)), _) => open(state, *scene),
-        (Report::Read(Wanted::Compare(_), Ok(scene)), _) => take_compared(state, scene),
-        (Report::Noted(path, Ok(note)), _) => {
+    match report {
+        Report::Read(Wanted::Change(change), scene) => return whatif::take(state, &change, scene),
+        Report::Read(Wanted::Preview(index), preview) => drop(state.previews.insert(index, preview)),
+        Report::Read(_, Err(text)) => state.fault = Some((text!("say-read-fault"), text)),
+        Report::Read(Wanted::Open(_), Ok(scene)) => open(state, *scene),
+        Report::Read(Wanted::Compare(_), Ok(scene)) => take_compared(state, scene),
+        Report::Noted(path, Ok(note)) => {
             let content = note.into_bytes();
             let file = OutputFile { path, content, numbers: None, overwrite: false, scene: false };
             state.wishes.push(Wish::Write(file));
         }
-        (Report::Noted(_, Err(text)), _) => state.say(Role::Bad, text!("say-no-note", reason = text)),
-        (Report::Counted { count, .. }, Some(index)) => state.running[index].count = count,
-        (Report::Analyzed { found, .. }, Some(index)) => take_found(state, index, found),
-        (Report::Checked { checks, .. }, Some(index)) => take_checks(state, index, checks),
-        (Report::Measured { measured, .. }, Some(index)) => {
+        Report::Noted(_, Err(text)) => state.say(Role::Bad, text!("say-no-note", reason = text)),
+        Report::Calculated(number, outcome) => {
+            // The report may be no longer needed.
+            let running = state.running.iter().position(|running| running.number == number);
+            let Some(index) = running else { return false };
+            take_outcome(state, index, outcome);
+        }
+    }
+    true
+}
+
+/// Takes what the calculation of this index reports.
+fn take_outcome(state: &mut State, index: usize, outcome: Outcome) {
+    match outcome {
+        Outcome::Count(count) => state.running[index].count = count,
+        Outcome::Found(found) => take_found(state, index, found),
+        Outcome::Checks(checks) => take_checks(state, index, checks),
+        Outcome::Measured(measured) => {
             state.running.remove(index);
             match measured {
                 Ok(measured) => (state.measured, state.chosen.line) = (Some(measured), 0),
                 Err(text) => state.say(Role::Bad, text!("no-analysis", reason = text)),
             }
         }
-        // This report is no longer needed.
-        (_, None) => return false,
     }
-    true
 }
 
 fn take_found(state: &mut State, index: usize, found: Result<Box<Found>, Text>) {
@@ -73,10 +76,10 @@ fn take_checks(state: &mut State, index: usize, checks: Checks) {
 /// Takes a second scene; one with other positions can't be compared.
 fn take_compared(state: &mut State, other: Box<Scene>) {
     let Some(scene) = &state.scene else { return };
-    let mut name = other.source.short_name();
+    let mut name = other.session.source.short_name();
     if other.positions() == scene.positions() {
-        if name == scene.source.short_name() {
-            name = other.source.name();
+        if name == scene.session.source.short_name() {
+            name = other.session.source.name();
         }
         state.compared = Some(Compared { name: words::name(name), scene: other, before: false });
     } else {
@@ -88,7 +91,7 @@ fn take_compared(state: &mut State, other: Box<Scene>) {
 
 /// Shows a scene: a new one from its first position, a reread one at the position shown before.
 fn open(state: &mut State, scene: Scene) {
-    let again = state.scene.as_ref().is_some_and(|old| old.source == scene.source);
+    let again = state.scene.as_ref().is_some_and(|old| old.session.source == scene.session.source);
     if !again {
         state.position = scene.first_position();
         state.chosen = Chosen::default();

@@ -16,6 +16,7 @@ const QUANTITY: &[View] = &[Mechanism, Curves];
 const PARTS: &[View] = &[Forces, Plans, Motion, Drive];
 const VALUED: &[View] = &[Mechanism, Curves, Forces, Motion, Table];
 const TEXTS: &[View] = &[Accuracy, Working];
+const LINES: &[View] = &[Accuracy, Working, Drive];
 
 const fn command(
     text: &'static str,
@@ -66,14 +67,14 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-next-step", Choose, "Down j", &[Plans], |s| act::plan_step(s, 1)),
     command("do-previous-step", Choose, "Up k", &[Plans], |s| act::plan_step(s, -1)),
     command("do-beside", Choose, "s", &[Plans], act::beside),
-    command("do-next-motion", Choose, "Down j", &[Motion], |s| act::choose(s, Motion, 1)),
-    command("do-previous-motion", Choose, "Up k", &[Motion], |s| act::choose(s, Motion, -1)),
+    command("do-next-motion", Choose, "Down j", &[Motion], |s| report::motion(s, 1)),
+    command("do-previous-motion", Choose, "Up k", &[Motion], |s| report::motion(s, -1)),
     command("do-next-check", Choose, "Down j", &[Checks], |s| act::choose(s, Checks, 1)),
     command("do-previous-check", Choose, "Up k", &[Checks], |s| act::choose(s, Checks, -1)),
     command("do-worst", Choose, "Enter", &[Checks], act::worst),
     command("do-measure", Choose, "b Enter", &[Accuracy], report::measure),
-    command("do-next-line", Choose, "Down j", TEXTS, |s| report::scroll(s, 1)),
-    command("do-previous-line", Choose, "Up k", TEXTS, |s| report::scroll(s, -1)),
+    command("do-next-line", Choose, "Down j", LINES, |s| report::scroll(s, 1)),
+    command("do-previous-line", Choose, "Up k", LINES, |s| report::scroll(s, -1)),
     command("do-next-page", Choose, "PgDn", TEXTS, |s| report::page(s, 1)),
     command("do-previous-page", Choose, "PgUp", TEXTS, |s| report::page(s, -1)),
     command("do-first-line", Choose, "Home", TEXTS, |s| *s.line() = 0),

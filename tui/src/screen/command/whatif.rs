@@ -1,14 +1,14 @@
 //! Commands of the list of values, and the result of reading a changed scene.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use assur_words::{Text, name, text};
 
 use super::jobs;
 use super::write::home;
 use crate::screen::state::{
-    Change, Compared, Job, OutputFile, PromptKind, Purpose, Reading, Role, STEPS, Scene, Source, State,
-    Wanted, Wish,
+    Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted, Wish,
 };
 
 /// Shows the list of values, or closes it.
@@ -65,7 +65,7 @@ fn ask(state: &mut State) {
     let change = Change {
         opening: what.opening,
         edits: what.wanted.clone(),
-        source: scene.source.clone(),
+        session: Arc::clone(&scene.session),
         text: what.changed_text(),
     };
     state.wishes.push(Wish::Work(Job::Read(Wanted::Change(change))));
@@ -111,9 +111,7 @@ fn show(state: &mut State, scene: Scene) {
         state.compared = old.map(compared);
     }
     if let Some(other) = state.what_if.compared.clone() {
-        let now = state.analyzer.replace(other);
-        jobs::ask(state, Purpose::Difference);
-        state.analyzer = now;
+        jobs::ask_difference(state, Some(other));
     }
 }
 
@@ -171,8 +169,9 @@ pub(super) fn search(state: &mut State, text: &str) {
 
 /// Opens the `:` line with a name for the changed scene.
 pub(super) fn save(state: &mut State) {
-    let Some(scene) = &state.scene else { return };
-    let name = PathBuf::from(scene.source.name()).with_file_name(format!("{}-2.toml", scene.source.stem()));
+    let Some(Scene { session, .. }) = &state.scene else { return };
+    let source = &session.source;
+    let name = PathBuf::from(source.name()).with_file_name(format!("{}-2.toml", source.stem()));
     state.open_prompt(PromptKind::Command, format!("save {}", name.display()));
 }
 

@@ -1,7 +1,7 @@
 //! Writing what is shown to files: the picture, and the numbers behind it.
 
-use std::fmt::Display;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use assur_analysis::results::Check;
 use assur_figure::{Figure, Frame, Item, svg};
@@ -25,7 +25,7 @@ pub(super) fn write(state: &mut State) {
     let Some(scene) = &state.scene else {
         return state.say(Role::Plain, text!("say-nothing-to-write"));
     };
-    let stem = scene.source.stem();
+    let stem = scene.session.source.stem();
     let of = match (state.view, scene.transfers.get(state.chosen.transfer)) {
         (View::Curves, Some(transfer)) => transfer.name.to_string(),
         (view, _) => view.command().to_owned(),
@@ -68,16 +68,14 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
     }
 }
 
-/// Writes the explanatory note of the scene with its present numbers to a name of its own.
+/// Writes the explanatory note of the scene that is shown to a name of its own.
 pub(super) fn note(state: &mut State) {
     let (Some(scene), Some(write)) = (&state.scene, state.note) else {
         return state.say(Role::Plain, text!("say-no-scene-for-note"));
     };
-    let (file, stem) = (scene.source.name(), scene.source.stem());
-    let path = PathBuf::from(format!("{stem}-note.html"));
-    let methods = [state.analyzer.clone(), state.integrator.clone()];
-    let text = state.what_if.changed_text();
-    state.wishes.push(Wish::Work(Job::Note { write, name: file, text, methods, path }));
+    let path = PathBuf::from(format!("{}-note.html", scene.session.source.stem()));
+    let (session, options) = (Arc::clone(&scene.session), state.options.clone());
+    state.wishes.push(Wish::Work(Job::Note { write, session, options, path }));
     state.say(Role::Plain, text!("say-note-written"));
 }
 
@@ -123,7 +121,7 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
         (View::Working, ..) => Err(text!("say-working-is-text")),
         (View::Accuracy, ..) => match state.measured.as_ref().map(|measured| &measured.chart) {
             Some(Ok(data)) => bytes(assur_study::chart::csv(data)),
-            Some(Err(error)) => Err(name(error.clone())),
+            Some(Err(error)) => Err(error.clone()),
             None => Err(text!("say-nothing-measured")),
         },
         (View::Plans | View::Motion | View::Drive, ..) if figure.is_some() => {
@@ -147,8 +145,8 @@ fn finite(value: f64) -> Cell<'static> {
 }
 
 /// A text as the bytes of a file.
-fn bytes(written: Result<String, impl Display>) -> Result<Vec<u8>, Text> {
-    written.map(String::into_bytes).map_err(|error| name(error.to_string()))
+fn bytes(written: Result<String, impl Describe>) -> Result<Vec<u8>, Text> {
+    written.map(String::into_bytes).map_err(|error| error.describe())
 }
 
 /// The points of every line and arrow of panels, a row each.

@@ -75,7 +75,7 @@ pub(crate) fn keep(state: &mut State, file: Option<&Path>, (look, panels): &(Loo
         if path.exists() { files::read(path).map_err(|error| error.describe()) } else { Ok(String::new()) };
     let written = old.and_then(|old| kept(&old, &changed)).and_then(|text| {
         let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
-        folder.map_err(|error| words::name(error.to_string()))?;
+        folder.map_err(|error| words::text_of(&error))?;
         files::write(path, text.as_bytes()).map_err(|error| error.describe())
     });
     match written {

@@ -1,13 +1,17 @@
 //! The results of the analysis, with their series.
 
-use assur_analysis::results::{Analysis, Checks, Column, Owner, Part, Quantity, Table};
+use std::sync::Arc;
+
+use assur_analysis::results::{Analysis, Checks, Column, Edges, Owner, Part, Quantity, Table};
+use assur_analysis::{AnalysisError, Options, Watch};
 use assur_book::Course;
 use assur_mechanism::PointId;
 
 use super::gather::{Gather, RATES, Reaction};
 use super::plans::Planner;
 use super::series::Series;
-use crate::verdict::{Nowhere, Verdict};
+use crate::session::Session;
+use crate::verdict::Verdict;
 
 /// The results of one analysis, with its series.
 #[derive(Debug)]
@@ -16,8 +20,8 @@ pub(crate) struct Found {
     pub(crate) analyzer: String,
     /// Its checks are empty until they are done.
     pub(crate) analysis: Analysis,
-    /// The end of the cycle, to which the curves lead.
-    pub(crate) ending: Table,
+    /// What lies between and after the positions, through which the curves lead.
+    pub(crate) edges: Edges,
     /// What is missing, or not proved.
     pub(crate) verdict: Verdict,
     /// All its series over the positions.
@@ -33,25 +37,44 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    /// Gathers the series of an analysis.
-    pub(crate) fn of(analyzer: String, analysis: Analysis, ending: Table, plans: Planner) -> Self {
-        let mut gather = Gather { table: &analysis.positions, ending: &ending, series: Vec::new() };
+    /// Calculates what a scene requests, and gathers its series.
+    ///
+    /// # Errors
+    ///
+    /// [`AnalysisError`] where the scene can't be calculated, or where `watch` breaks.
+    pub(crate) fn of(
+        session: &Session,
+        options: &Options,
+        watch: &mut Watch<'_>,
+    ) -> Result<Self, AnalysisError> {
+        let calculation = session.calculation(options, watch)?;
+        let analysis = calculation.analyze(watch)?;
+        let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
+        let edges = calculation.edges(&analysis.positions);
+        // The whole mechanism is checked and has plans, whatever results the scene requests.
+        let whole = if calculation.plan.all {
+            None
+        } else {
+            session.calculation(&Options { whole: true, ..options.clone() }, watch).ok()
+        };
+        let plans = Planner::new(Arc::new(whole.unwrap_or(calculation)));
+        let mut gather = Gather { table: &analysis.positions, edges: &edges, series: Vec::new() };
         let motion = gather.motion();
         gather.rates();
         let reactions = gather.reactions();
         gather.others();
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
-        let verdict = Verdict::of(&analysis, plans.calculation(), &Nowhere);
-        Self { analyzer, analysis, ending, verdict, series, reactions, plans, fastest, motion }
+        let verdict = Verdict::of(&analysis, plans.calculation(), None);
+        Ok(Self { analyzer, analysis, edges, verdict, series, reactions, plans, fastest, motion })
     }
 
     /// Adds the checks, and the residuals as series.
     pub(crate) fn take_checks(&mut self, checks: Checks) {
         self.analysis.add_checks(checks);
-        self.verdict = Verdict::of(&self.analysis, self.plans.calculation(), &Nowhere);
+        self.verdict = Verdict::of(&self.analysis, self.plans.calculation(), None);
         let table = &self.analysis.positions;
-        let mut gather = Gather { table, ending: &self.ending, series: std::mem::take(&mut self.series) };
+        let mut gather = Gather { table, edges: &self.edges, series: std::mem::take(&mut self.series) };
         let all = table.schema().columns().iter();
         let residuals = all.filter(|column| matches!(column.quantity, Quantity::Residual(_)));
         for column in residuals {
@@ -76,7 +99,7 @@ impl Found {
 
     /// The balancing load over the positions.
     pub(crate) fn balancing(&self) -> Option<&Series> {
-        let balancing = self.reactions.iter().find(|reaction| reaction.pair.is_empty())?;
+        let balancing = self.reactions.iter().find(|reaction| reaction.of.is_none())?;
         self.series.get(*balancing.series.first()?)
     }
 }

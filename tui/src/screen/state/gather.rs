@@ -1,8 +1,8 @@
 //! The columns of the results as series with names: rates, reduction, reactions, loads, residuals.
 
-use assur_analysis::results::{Column, Owner, Part, Quantity, Schema, Table};
+use assur_analysis::results::{Column, Edges, Owner, Part, Quantity, Schema, Table};
 use assur_book::{Course, catalogue};
-use assur_mechanism::{GROUND, LinkId, PairId};
+use assur_mechanism::{GROUND, LinkId, Named, PairId};
 use assur_words::Text;
 
 use super::series::Series;
@@ -16,10 +16,8 @@ pub(super) const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Accelerat
 /// The force that a pair exerts on one link, as indices of series.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Reaction {
-    /// The pin or slide; empty for the balancing load.
-    pub(crate) pair: String,
-    /// The link on which it acts.
-    pub(crate) link: String,
+    /// The pin or slide, and the link on which it acts; `None` for the balancing load.
+    pub(crate) of: Option<(Named<PairId>, Named<LinkId>)>,
     /// `A on crank`, `balancing load`.
     pub(crate) name: Text,
     /// Fx, Fy, modulus; for the balancing load its one series.
@@ -28,25 +26,18 @@ pub(crate) struct Reaction {
     pub(crate) moment: Option<usize>,
 }
 
-impl Reaction {
-    /// Whether it is the force of the same pair on the same link.
-    pub(crate) fn is_same(&self, other: &Self) -> bool {
-        self.pair == other.pair && self.link == other.link
-    }
-}
-
 /// Series that are being collected from the positions of an analysis.
 pub(super) struct Gather<'a> {
     pub(super) table: &'a Table,
-    /// The end of the cycle.
-    pub(super) ending: &'a Table,
+    /// What lies between and after them.
+    pub(super) edges: &'a Edges,
     pub(super) series: Vec<Series>,
 }
 
 impl Gather<'_> {
     /// Adds a column as a series if any position has it, and returns its index.
     pub(super) fn add(&mut self, column: Column) -> Option<usize> {
-        let course = Course::of(self.table, Some(self.ending), Column::COORDINATE, column);
+        let course = Course::of(self.table, Some(self.edges), Column::COORDINATE, column);
         if course.is_empty() {
             return None;
         }
@@ -92,19 +83,19 @@ impl Gather<'_> {
         let schema = self.table.schema();
         let mut found = Vec::new();
         for (id, on) in pairs(schema) {
-            let (pair, link) = (schema.name(Owner::Pair(id)).into_owned(), schema.link(on).to_string());
+            let pair = schema.named(Owner::Pair(id)).map(|name| Named { id, name: name.clone() });
+            let of = pair.map(|pair| (pair, Named { id: on, name: schema.link(on).clone() }));
             let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
             let (name, series) = (catalogue::owner(schema, force), self.add_all(force));
             let moment = self.add(Column::of(Quantity::Moment, Owner::Pair(id)));
             if series.len() == 3 {
-                found.push(Reaction { pair, link, name, series, moment });
+                found.push(Reaction { of, name, series, moment });
             }
         }
         self.mark_rounding(&found);
         if let Some(index) = self.add(Column::BALANCING) {
-            let (pair, link) = (String::new(), String::new());
             let name = catalogue::kind(Column::BALANCING);
-            found.push(Reaction { pair, link, name, series: vec![index], moment: None });
+            found.push(Reaction { of: None, name, series: vec![index], moment: None });
         }
         found
     }

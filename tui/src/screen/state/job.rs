@@ -5,15 +5,17 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use assur_analysis::Options;
 use assur_analysis::results::Checks;
-use assur_kinematics::Linkage;
+use assur_report::text::Style;
 use assur_study::chart::{self, ChartData};
 use assur_study::stability::Stability;
 use assur_words::Text;
 
 use super::found::Found;
-use super::scene::{Scene, Source};
+use super::scene::Scene;
 use super::whatif::Change;
+use crate::session::{Session, Source};
 
 /// Actions that a command requests because the state can't do them.
 #[derive(Debug)]
@@ -43,17 +45,16 @@ pub(crate) struct OutputFile {
     pub(crate) scene: bool,
 }
 
-/// Writes the explanatory note of a scene from its name, its text, and the names of force analyzer and integrator; an error
-/// is a text to show.
-pub type NoteWriter = fn(&str, &str, [Option<String>; 2]) -> Result<String, Text>;
+/// Writes the explanatory note of a scene by force analyzer and integrator; an error is a text to show.
+pub(crate) type NoteWriter = fn(&Arc<Session>, Options) -> Result<String, Text>;
 
 /// A request to the worker.
 #[derive(Debug)]
 pub(crate) enum Job {
     /// Read a scene.
     Read(Wanted),
-    /// Write the note of a scene, given by its name and its text, with these methods, to a file.
-    Note { write: NoteWriter, name: String, text: String, methods: [Option<String>; 2], path: PathBuf },
+    /// Write the note of a scene to a file.
+    Note { write: NoteWriter, session: Arc<Session>, options: Options, path: PathBuf },
     /// Calculate all results of the open scene, or measure the methods on it.
     Calculate(Request),
 }
@@ -88,9 +89,8 @@ pub(crate) struct Request {
     /// Number of the request; a report to a request that is no longer in progress is dropped.
     pub(crate) number: usize,
     pub(crate) purpose: Purpose,
-    pub(crate) linkage: Arc<Linkage>,
-    pub(crate) analyzer: Option<String>,
-    pub(crate) integrator: Option<String>,
+    pub(crate) session: Arc<Session>,
+    pub(crate) options: Options,
     pub(crate) cancel: Cancel,
 }
 
@@ -126,46 +126,44 @@ pub(crate) enum Report {
     Read(Wanted, Result<Box<Scene>, Text>),
     /// The note, to be written to a file.
     Noted(PathBuf, Result<String, Text>),
-    /// The progress of the calculation of a request.
-    Counted {
-        number: usize,
-        count: Text,
-    },
-    Analyzed {
-        number: usize,
-        found: Result<Box<Found>, Text>,
-    },
+    /// Of the calculation of the request of this number.
+    Calculated(usize, Outcome),
+}
+
+/// What a calculation reports.
+#[derive(Debug)]
+pub(crate) enum Outcome {
+    /// Its progress.
+    Count(Text),
+    Found(Result<Box<Found>, Text>),
     /// The checks of an analysis that was reported before.
-    Checked {
-        number: usize,
-        checks: Checks,
-    },
-    Measured {
-        number: usize,
-        measured: Result<Box<Measured>, Text>,
-    },
+    Checks(Checks),
+    Measured(Result<Box<Measured>, Text>),
 }
 
 /// The findings of a measurement.
 #[derive(Debug, Clone)]
 pub(crate) struct Measured {
     /// Speed against accuracy, or why there is none.
-    pub(crate) chart: Result<ChartData, String>,
+    pub(crate) chart: Result<ChartData, Text>,
     /// `None` if the measurement was stopped before.
-    pub(crate) stability: Option<Result<Stability, String>>,
+    pub(crate) stability: Option<Result<Stability, Text>>,
 }
 
 impl Measured {
     /// The report in this many columns: conclusions, speed against accuracy, stability.
-    pub(crate) fn text(&self, ascii: bool, width: u16) -> String {
+    pub(crate) fn text(&self, style: Style<'static>, width: u16) -> String {
         let chart = match &self.chart {
-            Ok(data) => chart::text(data, ascii, width),
-            Err(error) => format!("{error}\n"),
+            Ok(data) => chart::text(data, style, width),
+            Err(error) => style.line(error) + "\n",
         };
         match &self.stability {
             None => chart,
-            Some(Err(error)) => format!("{chart}\n{error}\n"),
-            Some(Ok(found)) => format!("{}\n{chart}\n{}", found.conclusion_text(), found.to_text()),
+            Some(Err(error)) => format!("{chart}\n{}\n", style.line(error)),
+            Some(Ok(found)) => {
+                let [conclusion, all] = [found.conclusion(style.language), found.text(style.language)];
+                format!("{conclusion}\n{chart}\n{all}")
+            }
         }
     }
 }

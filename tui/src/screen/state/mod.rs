@@ -22,24 +22,27 @@ mod whatif;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
+use assur_analysis::Options;
 use assur_figure::Figure;
 use assur_words::{Language, Text, number, text};
 use ratatui::layout::Rect;
 
+pub(crate) use crate::session::Source;
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
 pub(crate) use entry::{Entry, LONGEST};
 pub(crate) use found::Found;
 pub(crate) use gather::Reaction;
-pub use job::NoteWriter;
-pub(crate) use job::{Cancel, Job, Measured, OutputFile, Purpose, Report, Request, Running, Wanted, Wish};
+pub(crate) use job::{
+    Cancel, Job, Measured, NoteWriter, Outcome, OutputFile, Purpose, Report, Request, Running, Wanted, Wish,
+};
 pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{Arrows, Chosen, Part, Prompt, PromptKind, Traces, View, following, next_kind, round};
 pub(crate) use look::{Kind, Look, Panels, Pictures, SETTINGS};
 pub(crate) use picker::{Choice, Help, Picker, PickerKind};
-pub(crate) use plans::{Planner, Plans};
+pub(crate) use plans::Plans;
 pub(crate) use probe::Probe;
-pub(crate) use scene::{Compared, Scene, Source};
+pub(crate) use scene::{Compared, Scene};
 pub(crate) use series::Series;
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
@@ -95,9 +98,8 @@ pub(crate) struct State {
     pub(crate) traces: Traces,
     /// The part of each view that is shown; the first one where there is none.
     pub(crate) parts: BTreeMap<View, Part>,
-    /// Requested force analyzer and integrator; `None`: the scene's.
-    pub(crate) analyzer: Option<String>,
-    pub(crate) integrator: Option<String>,
+    /// Requested force analyzer and integrator.
+    pub(crate) options: Options,
     /// A second scene for comparison.
     pub(crate) compared: Option<Compared>,
     /// The calculations in progress.
@@ -148,7 +150,7 @@ impl State {
 
     /// The language that is asked for, or else that of the scene's note; on a screen of ASCII, English.
     pub(crate) fn language(&self) -> &'static Language {
-        let of_scene = || self.scene.as_ref().and_then(|scene| scene.language);
+        let of_scene = || Language::find(self.scene.as_ref()?.session.note.language);
         let asked = Language::find(self.look.language).or_else(of_scene);
         asked.filter(|_| !self.look.ascii).unwrap_or_else(Language::english)
     }

@@ -1,14 +1,22 @@
 //! What a drawing of a linkage needs of its whole cycle: closely spaced positions, paths, strokes, bounds.
 
+use std::f64::consts::{PI, TAU};
+
+use assur_diagram::enveloping;
 use assur_figure::Bounds;
+use assur_figure::mechanism::Arc;
+use assur_force::{Loads, State};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{GROUND, Range};
+use assur_mechanism::{Contact, GROUND, Load, LoadId, Place, Range};
 
 /// Number of steps of the cycle that make a path smooth.
 const STEPS: usize = 240;
 /// Of so many of these positions one serves to find the bounds of guides that move.
 const COARSE: usize = 8;
+/// Part of its length by which an arc and its line go beyond the places that touch, at each end; at least this angle, rad.
+const BEYOND: f64 = 0.15;
+const LEAST_ARC: f64 = 0.02;
 
 /// The whole cycle of a linkage for drawings.
 #[derive(Debug)]
@@ -19,6 +27,8 @@ pub(crate) struct Outline {
     pub(crate) paths: Vec<Vec<[f64; 2]>>,
     /// Least and greatest displacement of each slide, m.
     pub(crate) strokes: Vec<[f64; 2]>,
+    /// The arcs in contact with a line of the ground.
+    pub(crate) arcs: Vec<Arc>,
     /// Bounds of the drawing over the whole cycle.
     pub(crate) bounds: Bounds,
 }
@@ -29,13 +39,15 @@ impl Outline {
         let fine = fine(linkage);
         let paths = paths(linkage, &fine);
         let strokes = strokes(linkage, &fine);
+        let arcs = arcs(linkage);
         let mut bounds = bounds(linkage, &fine, &paths, &strokes);
+        arcs.iter().flat_map(|arc| arc.line).for_each(|at| bounds.add(at));
         for position in others {
             let places = linkage.mechanism.points.iter().flat_map(|point| &point.places);
             let at = places.map(|place| position.bodies[place.link].point(place.at));
             at.filter(|at| at[0].is_finite()).for_each(|at| bounds.add(at));
         }
-        Self { fine, paths, strokes, bounds }
+        Self { fine, paths, strokes, arcs, bounds }
     }
 }
 
@@ -71,6 +83,46 @@ fn strokes(linkage: &Linkage, fine: &[Option<Position>]) -> Vec<[f64; 2]> {
         displacements.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], s| [l.min(s), h.max(s)])
     };
     (0..linkage.mechanism.slides.len()).map(stroke).collect()
+}
+
+/// The arcs of the contacts, as far as they touch their line, and beyond by a part; the line is the one from which the lowest point
+/// of the arc deviates least.
+fn arcs(linkage: &Linkage) -> Vec<Arc> {
+    let loads = Loads::compile(linkage).ok();
+    let all = linkage.mechanism.loads.iter().enumerate();
+    let contacts = all.filter_map(|(id, load)| Some((id, load, load.kind.contact()?)));
+    contacts.filter_map(|(id, load, contact)| arc(linkage, loads.as_ref(), (id, load), contact)).collect()
+}
+
+fn arc(
+    linkage: &Linkage,
+    loads: Option<&Loads>,
+    (id, load): (LoadId, &Load),
+    contact: &Contact,
+) -> Option<Arc> {
+    let Contact { center: Place { link, at }, radius, .. } = *contact;
+    let found = enveloping(linkage, &load.name, contact, STEPS).ok()?;
+    let mut position = linkage.position();
+    let mut first = None;
+    // Direction from the center in the frame of the link, and place along the line, of the lowest point and of K beside it.
+    let mut reach = Bounds::EMPTY;
+    for point in &found.path {
+        linkage.solve(point.coordinate, Order::Place, &mut position).ok()?;
+        let body = &position.bodies[link];
+        let state = State::prescribed(&linkage.mechanism, point.coordinate);
+        let angle = loads.and_then(|loads| loads.contact(id, &state)).map_or(0.0, |[angle, _]| angle);
+        for angle in [0.0, angle] {
+            let (s, c) = angle.sin_cos();
+            let toward = (s * body.s - c * body.c).atan2(-s * body.c - c * body.s);
+            let first = *first.get_or_insert(toward);
+            let turned = (toward - first + PI).rem_euclid(TAU) - PI;
+            reach.add([first + turned, body.point(at)[0] - radius * s]);
+        }
+    }
+    let size = reach.size();
+    let beyond = [0, 1].map(|axis| (BEYOND * size[axis]).max([LEAST_ARC, LEAST_ARC * radius][axis]));
+    let ends = |axis: usize| [reach.low[axis] - beyond[axis], reach.high[axis] + beyond[axis]];
+    Some(Arc { link, center: at, radius, ends: ends(0), line: ends(1).map(|x| [x, found.level]) })
 }
 
 fn bounds(

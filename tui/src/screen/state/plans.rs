@@ -1,6 +1,7 @@
 //! The plans and the working of the position that is shown: computed when a view needs them, the last ones are cached.
 
 use std::cell::RefCell;
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use assur_analysis::Calculation;
@@ -19,8 +20,8 @@ const KEPT: usize = 2;
 pub(crate) struct Plans {
     /// Polygons, plans of velocities and accelerations, reactions by cause; or why there are none.
     pub(crate) sheet: Result<Sheet, DiagramError>,
-    /// The constructions on paper.
-    pub(crate) constructions: Vec<Construction>,
+    /// The constructions on paper, each with the name of its force analyzer.
+    pub(crate) constructions: Vec<(&'static str, Construction)>,
     calculation: Arc<Calculation>,
     position: usize,
     working: OnceLock<Result<Vec<Section>, WorkingError>>,
@@ -29,7 +30,14 @@ pub(crate) struct Plans {
 impl Plans {
     /// Number of steps of all constructions.
     pub(crate) fn step_count(&self) -> usize {
-        self.constructions.iter().map(|construction| construction.steps.len()).sum()
+        self.constructions.iter().map(|(_, construction)| construction.steps.len()).sum()
+    }
+
+    /// The numbers of the steps of a construction among the steps of all.
+    pub(crate) fn steps_of(&self, construction: usize) -> Range<usize> {
+        let count = |(_, construction): &(&str, Construction)| construction.steps.len();
+        let before = self.constructions.iter().take(construction).map(count).sum();
+        before..before + self.constructions.get(construction).map_or(0, count)
     }
 
     /// Every equation of the position with its numbers; or why there are none.
@@ -54,7 +62,7 @@ impl Planner {
     }
 
     /// The calculation whose positions they are, of the whole mechanism.
-    pub(crate) fn calculation(&self) -> &Calculation {
+    pub(crate) fn calculation(&self) -> &Arc<Calculation> {
         &self.calculation
     }
 

@@ -1,60 +1,26 @@
 //! An open scene: its linkage, its positions, and the data for drawings and tables; and a second one for comparison.
 
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use assur_analysis::results::Owner;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{MOST_PARTS_DRAWN, Range};
-use assur_scene::edit::{Document, SceneValue};
-use assur_words::{Describe, Language, Text, joined, name, number, quantity, text};
+use assur_words::{Describe, Text, name, number, quantity, text};
 
 use super::found::Found;
 use super::outline::Outline;
 use super::series::{Series, Transfer};
 use super::transfer::{self, coordinate_unit};
 use crate::number::plain;
-
-/// The source of a scene.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Source {
-    /// A file.
-    File(PathBuf),
-    /// One of the shipped scenes, by its name without the ending.
-    Shipped(&'static str),
-}
-
-impl Source {
-    /// The name to show.
-    pub(crate) fn name(&self) -> String {
-        match self {
-            Self::File(path) => path.display().to_string(),
-            Self::Shipped(name) => format!("{name}.toml"),
-        }
-    }
-
-    /// The name without its folder.
-    pub(crate) fn short_name(&self) -> String {
-        Path::new(&self.name()).file_name().unwrap_or_default().to_string_lossy().into_owned()
-    }
-
-    /// The name without its folder and its ending.
-    pub(crate) fn stem(&self) -> String {
-        Path::new(&self.name()).file_stem().unwrap_or_default().to_string_lossy().into_owned()
-    }
-}
+use crate::session::Session;
 
 /// An open scene.
 #[derive(Debug)]
 pub(crate) struct Scene {
-    pub(crate) source: Source,
-    /// Its text, and the numbers in it.
-    pub(crate) text: String,
-    pub(crate) values: Vec<SceneValue>,
-    /// The language of its note, if it has one.
-    pub(crate) language: Option<&'static Language>,
+    pub(crate) session: Arc<Session>,
+    /// Its linkage.
     pub(crate) linkage: Arc<Linkage>,
     /// The solved positions, by number; `None` where there is no assembly.
     pub(crate) poses: Vec<Option<Position>>,
@@ -86,61 +52,22 @@ pub(crate) struct Broken {
 }
 
 impl Scene {
-    /// Reads and compiles a scene.
+    /// Compiles a scene and solves its positions.
     ///
     /// # Errors
     ///
     /// The errors as text, complete with file and line.
-    pub(crate) fn read(source: Source, text: &str) -> Result<Self, Text> {
-        let file = source.name();
-        let mechanism = assur_scene::read(&file, text).map_err(|errors| errors.describe())?;
-        let positions = mechanism.input.positions;
-        let parts = mechanism.parts();
-        if parts > MOST_PARTS_DRAWN {
-            let most = number(MOST_PARTS_DRAWN);
-            return Err(text!("say-too-many-parts", parts = number(parts), most = most, scene = name(file)));
-        }
-        let most = mechanism.most_kept();
-        if positions > most {
-            let [positions, most] = [positions, most].map(number);
-            return Err(text!(
-                "say-too-many-positions",
-                positions = positions,
-                most = most,
-                scene = name(file)
-            ));
-        }
-        let linkage = Linkage::compile(mechanism).map_err(|error| {
-            let located = crate::files::located(&file, text, &error).map(|errors| errors.describe());
-            located.unwrap_or_else(|| {
-                joined("\n  ", [text!("told-error", problem = error.describe()), name(file.clone())])
-            })
-        })?;
-        Ok(Self::of(source, text, linkage))
-    }
-
-    /// The scene of a compiled linkage.
-    fn of(source: Source, text: &str, linkage: Linkage) -> Self {
+    pub(crate) fn of(session: impl Into<Arc<Session>>) -> Result<Self, Text> {
+        let session = session.into();
+        refuse_large(&session)?;
+        let linkage = session.linkage().map_err(|error| session.fault(&error.into()))?;
         let solved = (0..linkage.mechanism.input.positions).map(|index| solve(&linkage, index));
         let (poses, broken): (Vec<_>, Vec<Option<Broken>>) = solved.unzip();
         let outline = Outline::of(&linkage, broken.iter().flatten().map(|broken| &broken.pose));
         let end = cycle_end(&linkage);
         let (series, transfers) = transfer::series(&linkage, &poses, end.as_ref());
-        Self {
-            source,
-            text: text.to_owned(),
-            values: Document::of(text).values(),
-            language: assur_scene::note("", text).ok().and_then(|note| Language::find(note.language)),
-            linkage: Arc::new(linkage),
-            poses,
-            broken,
-            outline,
-            series,
-            transfers,
-            found: None,
-            other: None,
-            fault: None,
-        }
+        let (found, other, fault) = (None, None, None);
+        Ok(Self { session, linkage, poses, broken, outline, series, transfers, found, other, fault })
     }
 
     /// Number of positions.
@@ -185,6 +112,22 @@ impl Scene {
     pub(crate) fn first_position(&self) -> usize {
         self.poses.iter().position(Option::is_some).unwrap_or(0)
     }
+}
+
+/// Refuses a scene that is too large to be drawn.
+fn refuse_large(session: &Session) -> Result<(), Text> {
+    let (mechanism, scene) = (&session.mechanism, || name(session.source.name()));
+    let (parts, positions) = (mechanism.parts(), mechanism.input.positions);
+    if parts > MOST_PARTS_DRAWN {
+        let most = number(MOST_PARTS_DRAWN);
+        return Err(text!("say-too-many-parts", parts = number(parts), most = most, scene = scene()));
+    }
+    let most = mechanism.most_kept();
+    if positions > most {
+        let [positions, most] = [positions, most].map(number);
+        return Err(text!("say-too-many-positions", positions = positions, most = most, scene = scene()));
+    }
+    Ok(())
 }
 
 /// The mechanism at the end of its cycle; `None` where the positions are no cycle, or it can't be assembled there.

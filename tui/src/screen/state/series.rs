@@ -44,6 +44,12 @@ impl Series {
         self.course.get(position).map_or(f64::NAN, |value| self.factor * value)
     }
 
+    /// Value at a position, SI; 0 if it is rounding compared with the greatest value. `None` where there is none.
+    pub(crate) fn clean(&self, position: usize) -> Option<f64> {
+        let least = self.course.rounding().max(self.floor);
+        self.course.get(position).map(|value| if value.abs() <= least { 0.0 } else { value })
+    }
+
     /// Value and unit at a position.
     pub(crate) fn show(&self, position: usize) -> Text {
         quantity(self.bare(position), self.unit.clone())
@@ -78,10 +84,14 @@ impl Series {
         })
     }
 
+    /// What it is, and of what: `point D x PF1`.
+    pub(crate) fn told(&self) -> Text {
+        joined(" ", [&self.of, &self.kind].into_iter().filter(|text| !text.is_empty()).cloned())
+    }
+
     /// Its name for a list: `point D x PF1, m/rad`.
     pub(crate) fn title(&self) -> Text {
-        let told = [&self.of, &self.kind].into_iter().filter(|text| !text.is_empty()).cloned();
-        list([joined(" ", told), unit(self.unit.clone())].into_iter().filter(|text| !text.is_empty()))
+        list([self.told(), unit(self.unit.clone())].into_iter().filter(|text| !text.is_empty()))
     }
 }
 

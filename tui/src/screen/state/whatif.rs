@@ -1,10 +1,12 @@
 //! What-if changes: numbers of the open scene are changed in its text, which is then read like a file.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use assur_scene::edit::{SceneValue, bare, replaced};
+use assur_scene::edit::{Document, SceneValue, bare, replaced};
 
-use super::scene::{Scene, Source};
+use super::scene::Scene;
+use crate::session::Session;
 
 /// Steps by which a key changes a value, in per cent of the number in the file.
 pub(crate) const STEPS: [f64; 4] = [0.1, 1.0, 5.0, 10.0];
@@ -14,13 +16,15 @@ const FIRST_STEP: usize = 1;
 /// TOML that replaces a value, by the value's number in the list.
 pub(crate) type Edits = BTreeMap<usize, String>;
 
-/// A changed scene to be read.
+/// A change of a scene to be read.
 #[derive(Debug, Clone)]
 pub(crate) struct Change {
     /// Number of the opened file to which it belongs.
     pub(crate) opening: usize,
     pub(crate) edits: Edits,
-    pub(crate) source: Source,
+    /// The scene before.
+    pub(crate) session: Arc<Session>,
+    /// The text with all changes.
     pub(crate) text: String,
 }
 
@@ -66,8 +70,8 @@ pub(crate) struct WhatIf {
 impl WhatIf {
     /// The values of a scene as its file has them.
     pub(crate) fn of(scene: Option<&Scene>) -> Self {
-        let (values, text) =
-            scene.map(|scene| (scene.values.clone(), scene.text.clone())).unwrap_or_default();
+        let text = scene.map(|scene| scene.session.text.clone()).unwrap_or_default();
+        let values = Document::of(&text).values();
         Self { step: FIRST_STEP, values, text, ..Self::default() }
     }
 

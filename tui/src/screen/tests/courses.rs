@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use assur_figure::{Frame, Item};
+use assur_figure::{Figure, Frame, Item};
 use assur_fixtures::SCENES;
 use serde_json::Value;
 
@@ -83,24 +83,45 @@ fn courses(json: &Value, links: &[&str]) -> Vec<Points> {
     all
 }
 
-/// Whether the points are those of a course, in its order, of all of it, but for what follows its last point; each number
-/// multiplied by the factors.
+/// Whether the points are those of a course, in its order, of all of it, each number multiplied by the factors. What else is
+/// drawn is both sides of a place, one above the other, and the end of the cycle.
 fn is_drawn(points: &[[f64; 2]], course: &Points, [across, up]: [f64; 2]) -> bool {
     let most = |axis: usize, factor: f64| {
         course.iter().fold(0.0_f64, |most, point| most.max((factor * point[axis]).abs()))
     };
     let [wide, high] = [most(0, across), most(1, up)];
-    let same = |(drawn, found): (&[f64; 2], &[f64; 2])| {
+    let same = |drawn: &[f64; 2], found: &[f64; 2]| {
         (drawn[0] - across * found[0]).abs() <= ROUNDING * wide
             && (drawn[1] - up * found[1]).abs() <= ROUNDING * high
     };
-    (course.len()..=course.len() + 1).contains(&points.len()) && points.iter().zip(course).all(same)
+    let mut left = course.iter().peekable();
+    let beside: Points =
+        points.iter().copied().filter(|drawn| left.next_if(|found| same(drawn, found)).is_none()).collect();
+    let vertical = |sides: &[[f64; 2]]| (sides[1][0] - sides[0][0]).abs() <= ROUNDING * wide;
+    left.next().is_none() && beside.chunks_exact(2).all(vertical)
 }
 
-/// The lines over a coordinate or a time that the views of a state draw, with the names of their panels.
-fn drawn(state: &mut State) -> Vec<(String, Points)> {
+/// The lines over a coordinate or a time in figures, with the names of their panels.
+pub(crate) fn lines(figure: &Figure, of: &str) -> Vec<(String, Points)> {
     let mut lines = Vec::new();
-    for shown in [View::Curves, View::Forces, View::Motion, View::Drive] {
+    for panel in &figure.panels {
+        let Frame::Axes { x, .. } = &panel.frame else { continue };
+        if !(["coordinate", "time"].iter().any(|axis| x.label.to_string().starts_with(axis))) {
+            continue;
+        }
+        for item in &panel.items {
+            let Item::Line { points, .. } = item else { continue };
+            let points: Points = points.iter().copied().filter(|at| at[0].is_finite()).collect();
+            lines.push((format!("{of} {}", panel.title), points));
+        }
+    }
+    lines
+}
+
+/// The lines that the views of a state draw, and those in the pictures of its quantities.
+fn drawn(state: &mut State) -> Vec<(String, Points)> {
+    let mut found = Vec::new();
+    for shown in View::TABS {
         state.view = shown;
         let parts = match state.available_parts(shown) {
             none if none.is_empty() => vec![Part::Overview],
@@ -108,21 +129,16 @@ fn drawn(state: &mut State) -> Vec<(String, Points)> {
         };
         for part in parts {
             state.parts.insert(shown, part);
-            let Some(figure) = view::figure(state, shown) else { continue };
-            for panel in figure.panels {
-                let Frame::Axes { x, .. } = &panel.frame else { continue };
-                if !(["coordinate", "time"].iter().any(|axis| x.label.to_string().starts_with(axis))) {
-                    continue;
-                }
-                for item in &panel.items {
-                    let Item::Line { points, .. } = item else { continue };
-                    let points: Points = points.iter().copied().filter(|at| at[0].is_finite()).collect();
-                    lines.push((format!("{shown:?} {part:?} {}", panel.title), points));
-                }
-            }
+            let figure = view::figure(state, shown).unwrap_or_default();
+            found.extend(lines(&figure, &format!("{shown:?} {part:?}")));
         }
     }
-    lines
+    let scene = state.scene.as_ref().unwrap();
+    found.extend(lines(&view::checks::figure(state, scene), "checks"));
+    for series in (0..scene.column_count()).map(|index| scene.column(index).unwrap()) {
+        found.extend(lines(&view::picker::figure(state, scene, series), &series.short));
+    }
+    found
 }
 
 fn json(state: &State) -> Value {
@@ -130,24 +146,30 @@ fn json(state: &State) -> Value {
     serde_json::from_str(&assur_report::json::analysis::to_json(analysis, false).unwrap()).unwrap()
 }
 
-fn assert_drawn_as_found(name: &str, state: &mut State) {
+/// Fails where one of the lines is not one of the courses of the results of a state.
+pub(crate) fn assert_found(name: &str, state: &State, lines: &[(String, Points)]) {
     let linkage = &state.scene.as_ref().unwrap().linkage;
     let links: Vec<&str> = linkage.mechanism.links.iter().map(|link| link.name.as_str()).collect();
     let (all, (_, factor)) = (courses(&json(state), &links), coordinate_unit(linkage));
     // Lengths in mm, angles in degrees, moments against the motion.
     let ups = [1.0, -1.0, 1e3, 1.0_f64.to_degrees()];
-    for (title, points) in drawn(state) {
+    for (title, points) in lines {
         let found = all.iter().any(|course| {
             ups.iter()
-                .any(|up| is_drawn(&points, course, [factor, *up]) || is_drawn(&points, course, [1.0, *up]))
+                .any(|up| is_drawn(points, course, [factor, *up]) || is_drawn(points, course, [1.0, *up]))
         });
         assert!(found, "{name}: {title} draws what no column of the JSON has: {points:?}");
     }
 }
 
+fn assert_drawn_as_found(name: &str, state: &mut State) {
+    let lines = drawn(state);
+    assert_found(name, state, &lines);
+}
+
 #[test]
 fn every_curve_is_a_column_of_the_json() {
-    for (name, _) in SCENES.iter().filter(|(name, _)| !name.starts_with("n-four-bar-40")) {
+    for (name, _) in SCENES {
         assert_drawn_as_found(name, &mut opened(name));
     }
 }
@@ -237,4 +259,37 @@ fn what_is_written_of_the_working_is_the_working() {
     press(&mut state, ":");
     super::write(&mut state, &format!("write {}", other.display()));
     assert!(!other.exists());
+}
+
+/// Every load, and every force that hangs on one, has both its values where a load jumps, one above the other.
+#[test]
+fn a_jump_of_a_load_is_a_vertical_step() {
+    for (name, load, height) in [("shaper", "cutting", 1500.0), ("shaper-drive", "cutting", 1500.0)] {
+        let state = opened(name);
+        let found = state.found().unwrap();
+        let series = |short: &str| found.series.iter().find(|series| series.short == short).unwrap();
+        let own = &series(&format!("load {load}")).course;
+        let jumps: Vec<_> =
+            own.steps().iter().filter(|step| (step.values[1] - step.values[0]).abs() > 1.0).collect();
+        // At the beginning and at the end of the cut the whole force comes and goes.
+        assert_eq!(jumps.len(), 2, "{name}: {jumps:?}");
+        for jump in &jumps {
+            let size = (jump.values[1] - jump.values[0]).abs();
+            assert!((size - height).abs() < 1e-9 * height, "{name}: {jump:?}");
+            let points = own.points([1.0; 2]);
+            let here =
+                points.windows(2).filter(|two| two.iter().all(|at| at[0].to_bits() == jump.at.to_bits()));
+            assert_eq!(here.count(), 1, "{name}: {points:?}");
+        }
+        // The balancing load jumps by the power of the force over the speed: F ds/dq of the ram.
+        let balancing = &found.balancing().unwrap().course;
+        let scene = state.scene.as_ref().unwrap();
+        let ram = scene.series.iter().find(|series| series.short == "ram/ground'").unwrap();
+        for jump in &jumps {
+            let step = balancing.steps().iter().find(|step| step.at.to_bits() == jump.at.to_bits()).unwrap();
+            let size = (step.values[1] - step.values[0]).abs();
+            let wanted = height * ram.course.between(jump.at).unwrap().abs();
+            assert!((size - wanted).abs() < 0.02 * wanted, "{name}: {size} {wanted}");
+        }
+    }
 }

@@ -51,7 +51,7 @@ fn every_command_does_something() {
             let mut state = opened("shaper");
             enter(&mut state, view);
             (state.position, state.zoom.factor, state.chosen.line) = (7, 2.0, 1);
-            let chart = Err("line\n".repeat(90));
+            let chart = Err(name("line\n".repeat(90)));
             state.measured = Some(Box::new(Measured { chart, stability: None }));
             let before = fingerprint(&state);
             (command.run)(&mut state);
@@ -222,7 +222,7 @@ fn search_among_the_forces_finds_pairs() {
     for (wanted, pair) in [("c", "C"), ("A", "A"), ("stone4", "stone4/ram"), ("ram", "ram/ground")] {
         write(&mut state, &format!("/{wanted}"));
         let found = state.scene.as_ref().unwrap().found.as_ref().unwrap();
-        assert_eq!(found.reactions[state.chosen.reaction].pair, pair);
+        assert_eq!(found.reactions[state.chosen.reaction].of.as_ref().unwrap().0, pair);
     }
     write(&mut state, "/31");
     assert_eq!(state.position, 31);

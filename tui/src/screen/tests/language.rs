@@ -6,84 +6,30 @@ use std::collections::BTreeSet;
 use assur_fixtures::SCENES;
 use assur_words::{LANGUAGES, Language, Resource, inventory};
 
+use english::{of_the_registries, words};
+
 use super::{opened, press, text};
 use crate::screen::command::COMMANDS;
 use crate::screen::state::{Key, SETTINGS, State, View};
 
+#[path = "../../../tests/english/mod.rs"]
+mod english;
+
 /// The languages that have letters of their own.
 const OTHERS: [&str; 2] = ["uk", "ru"];
-/// Authors and makers, as the sources of methods and motors name them.
-const AUTHORS: &str = "Hairer rsett Wanner Leroy Somer IMfinity Innomotics Motive rev Bonfiglioli";
-/// Symbols, signs of files and programs: no registry has them.
-const SYMBOLS: &str = "phi2 rpm max abs sin cos tan atan2 sign step rms kor phi alpha beta delta sigma pi dq dw dt PF0 PF1 PF2 TestPf \
-                       Mmax Mn Typst Markdown HTML SVG PNG CSV JSON TOML Parquet UTF ASCII Braille Sobol kitty iTerm2 XDG_CONFIG_HOME HOME \
-                       NO_COLOR FILE SCENE KEY FOLDER NAME toml csv svg png txt html md typ parquet json new fg assur Ctrl \
-                       true false auto off on open set compare";
 
-/// The words of a text: runs of Latin letters, digits and underscores.
-fn words(text: &str) -> impl Iterator<Item = &str> {
-    let words = text.split(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_'));
-    words.filter(|word| word.contains(|letter: char| letter.is_ascii_alphabetic()))
-}
-
-/// Whether a word is a symbol, of one or two letters with digits; or symbols and signs side by side in a drawing.
-fn is_symbol(word: &str) -> bool {
-    let letters = || word.chars().filter(char::is_ascii_alphabetic);
-    let drawn = word.contains(|letter: char| letter.is_ascii_digit() || letter.is_ascii_uppercase());
-    let others: BTreeSet<char> = letters().filter(|letter| !"ovx".contains(*letter)).collect();
-    // A symbol of the working has subscripts: l_A_B.
-    let parts = || word.split('_').all(|part| part.len() <= 2);
-    letters().count() <= 2 || others.is_empty() || drawn && others.len() <= 2 || parts()
-}
-
-/// A text without what it quotes: lines of files in quotes and brackets, examples that are indented, keys before `=`.
-fn unquoted(text: &str) -> String {
-    let mut kept = String::new();
-    let mut end = None;
-    for letter in text.chars() {
-        match (end, letter) {
-            (Some(sign), _) if letter == sign || letter == '\n' => end = None,
-            (Some(_), _) => {}
-            (None, '`' | '"') => end = Some(letter),
-            (None, '[') => end = Some(']'),
-            (None, _) => kept.push(letter),
-        }
-    }
-    let before_sign = |line: &str| match line.split_once(" = ") {
-        Some((head, rest)) => format!("{} {rest}", head.rsplit_once(' ').map_or("", |(head, _)| head)),
-        None => line.to_owned(),
+/// The English words of a text; a name may be cut at the edge of a view.
+fn english(text: &str, allowed: &[&BTreeSet<String>]) -> Vec<String> {
+    let begins = |all: &BTreeSet<String>, word: &str| {
+        all.range(word.to_owned()..).next().is_some_and(|known| known.starts_with(word))
     };
-    kept.lines().map(before_sign).collect::<Vec<_>>().join("\n")
+    english::english(text, |word| allowed.iter().any(|all| begins(all, word)))
 }
 
 /// What the registries, the keys and the command line name.
 fn of_the_program() -> BTreeSet<String> {
-    let mut all = format!("{SYMBOLS} {AUTHORS} {}", Key::names());
+    let mut all = format!("{} {}", of_the_registries(), Key::names());
     let mut add = |text: &str| all.extend([" ", text]);
-    for plugin in assur_group::groups().unwrap() {
-        for text in [plugin.name, plugin.kind, plugin.crate_name] {
-            add(text);
-        }
-    }
-    for plugin in assur_force::analyzers().unwrap() {
-        for text in [plugin.name, plugin.crate_name] {
-            add(text);
-        }
-    }
-    for plugin in assur_integrator::integrators().unwrap() {
-        for text in [plugin.name, plugin.crate_name] {
-            add(text);
-        }
-    }
-    let catalogues = assur_motor::catalogues().unwrap();
-    for plugin in &catalogues {
-        add(plugin.name);
-    }
-    for motor in assur_motor::list_motors(&catalogues, &assur_motor::MotorFilter::default()).unwrap() {
-        for text in [&motor.designation, &motor.catalogue] {
-            add(text);
-        }
-    }
     for command in COMMANDS {
         add(command.name);
     }
@@ -117,26 +63,12 @@ fn of_scene(state: &State) -> BTreeSet<String> {
     let links = mechanism.links.iter().skip(1).map(|one| &one.name);
     let points = mechanism.points.iter().map(|one| &one.name);
     let slides = mechanism.slides.iter().map(|one| &one.name);
-    let forces = mechanism.forces.iter().map(|one| &one.name);
-    let moments = mechanism.moments.iter().map(|one| &one.name);
-    let springs = mechanism.springs.iter().map(|one| &one.name);
-    let contacts = mechanism.contacts.iter().map(|one| &one.name);
-    let all = links.chain(points).chain(slides).chain(forces).chain(moments).chain(springs).chain(contacts);
+    let loads = mechanism.loads.iter().map(|one| &one.name);
+    let all = links.chain(points).chain(slides).chain(loads);
     // The words that the program gives are not those of the scene.
     let own = all.map(|name| assur_words::Text::from(name).render(Language::find("ru").unwrap()));
     let own = own.chain([mechanism.title.clone()]).collect::<Vec<_>>().join(" ");
     words(&own).map(str::to_lowercase).collect()
-}
-
-/// The English words of a text.
-fn english(text: &str, allowed: &[&BTreeSet<String>]) -> Vec<String> {
-    let text = unquoted(text);
-    // A name may be cut at the edge of a view.
-    let begins = |all: &BTreeSet<String>, word: &str| {
-        all.range(word.to_lowercase()..).next().is_some_and(|known| known.starts_with(&word.to_lowercase()))
-    };
-    let known = |word: &str| is_symbol(word) || allowed.iter().any(|all| begins(all, word));
-    words(&text).filter(|word| !known(word)).map(str::to_owned).collect()
 }
 
 #[test]
@@ -267,6 +199,26 @@ fn numbers_of_the_regime_are_whole_at_80_columns() {
                 let fact = facts.iter().find(|fact| fact.id == id).unwrap();
                 let value = fact.with_unit().render(Language::find(code).unwrap());
                 assert!(frame.contains(&value), "{code} {view:?}: {value}: {frame}");
+            }
+        }
+    }
+}
+
+#[test]
+fn whatever_is_told_fits_into_80_columns() {
+    let told = |name: &'static str| {
+        let state = opened(name);
+        let (scene, found) = (state.scene.as_ref().unwrap(), state.found()?);
+        let source = assur_report::topic::Source::of(&found.analysis, &scene.linkage, Some(&[0]));
+        Some(assur_report::topic::report(&source))
+    };
+    for (name, _) in SCENES {
+        let Some(document) = told(name) else { continue };
+        for code in LANGUAGES {
+            let style = assur_report::text::Style { language: Language::find(code).unwrap(), ascii: false };
+            for line in assur_report::text::lines(&document.blocks, style, 78) {
+                let width = unicode_width::UnicodeWidthStr::width(line.text.as_str());
+                assert!(width <= 78, "{name} {code}: {}", line.text);
             }
         }
     }

@@ -21,7 +21,11 @@ fn the_greatest_moment_of_a_guide_is_found_and_gone_to() {
     press(&mut state, "Enter");
     assert_eq!(state.view, View::Curves);
     let found = state.found().unwrap();
-    let guide = found.reactions.iter().find(|reaction| reaction.pair == "ram/ground").unwrap();
+    let guide = found
+        .reactions
+        .iter()
+        .find(|reaction| reaction.of.as_ref().is_some_and(|of| of.0 == "ram/ground"))
+        .unwrap();
     let moment = &found.series[guide.moment.unwrap()];
     assert_eq!(state.picked, std::slice::from_ref(&moment.short));
     let values: Vec<f64> = moment.course.nodes().iter().map(|node| node.value).collect();
@@ -37,7 +41,7 @@ fn the_greatest_moment_of_a_guide_is_found_and_gone_to() {
     let rms = (values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64).sqrt();
     let frame = text(&state, 100, 24);
     for value in [values[at], values[least], mean, rms] {
-        let shown = crate::number::digits(value, 5);
+        let shown = assur_book::Unit::NONE.number(value).to_string();
         assert!(frame.contains(&shown), "{shown}: {frame}");
     }
 }
@@ -110,7 +114,7 @@ fn the_list_of_scenes_is_no_trap() {
     assert!(text(&state, 80, 24).contains("no scene is open"));
     type_in(&mut state, "compr");
     press(&mut state, "Enter");
-    assert_eq!(state.scene.as_ref().unwrap().source.name(), "press-compression.toml");
+    assert_eq!(state.scene.as_ref().unwrap().session.source.name(), "press-compression.toml");
     assert!(state.picker.is_none());
 }
 

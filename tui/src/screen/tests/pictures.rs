@@ -2,22 +2,34 @@
 
 use std::path::Path;
 
+use assur_analysis::Options;
+
 use super::{View, opened, press};
 use crate::screen::draw::cells;
-use crate::screen::state::{State, Zoom};
-use crate::screen::still::{self, Request, StillError, views};
+use crate::screen::state::{Source, State, Zoom};
+use crate::screen::still::{self, PictureArgs, StillError, views};
 use crate::screen::view;
+use crate::session::Session;
 
-fn request(view: &str) -> Request {
-    Request { view: view.to_owned(), part: None, show: None, position: 5, size: None, animate: false }
+fn request(view: &str) -> PictureArgs {
+    PictureArgs {
+        view: view.to_owned(),
+        part: None,
+        show: None,
+        step: None,
+        position: 5,
+        size: None,
+        animate: false,
+    }
 }
 
-fn analyzed(name: &str, request: &Request) -> State {
-    let scene = still::open(assur_fixtures::path(&format!("{name}.toml"))).unwrap();
-    still::analyzed(scene, [None, None], request.shows_checks(), assur_words::Language::english())
+fn analyzed(name: &str, request: &PictureArgs) -> State {
+    let session = Session::open(Source::File(assur_fixtures::path(&format!("{name}.toml")))).unwrap();
+    let language = assur_words::Language::english();
+    still::analyzed(&session.into(), Options::default(), request.shows_checks(), language).unwrap()
 }
 
-fn picture(request: &Request, output: &str) -> Result<String, StillError> {
+fn picture(request: &PictureArgs, output: &str) -> Result<String, StillError> {
     still::draw(analyzed("shaper-drive", request), request, Path::new(output))
         .map(|bytes| String::from_utf8(bytes).unwrap())
 }
@@ -32,18 +44,19 @@ fn every_view_with_a_figure_has_a_picture() {
 
 #[test]
 fn a_request_without_a_meaning_is_refused_in_words() {
-    let refused = |request: Request, output: &str| match picture(&request, output) {
+    let refused = |request: PictureArgs, output: &str| match picture(&request, output) {
         Err(StillError::Request(text)) => text.to_string(),
         other => panic!("{other:?}"),
     };
-    assert!(refused(Request { position: 48, ..request("curves") }, "x.svg").contains("0 to 47"));
-    let part = Request { part: Some("hodgraph".into()), ..request("forces") };
+    assert!(refused(PictureArgs { position: 48, ..request("curves") }, "x.svg").contains("0 to 47"));
+    let part = PictureArgs { part: Some("hodgraph".into()), ..request("forces") };
     assert!(refused(part, "x.svg").contains("hodograph"));
     assert!(
-        refused(Request { show: Some("nothing".into()), ..request("forces") }, "x.svg").contains("nothing")
+        refused(PictureArgs { show: Some("nothing".into()), ..request("forces") }, "x.svg")
+            .contains("nothing")
     );
     assert!(refused(request("curves"), "x.pdf").contains(".svg or .png"));
-    assert!(refused(Request { animate: true, ..request("mechanism") }, "x.png").contains("SVG"));
+    assert!(refused(PictureArgs { animate: true, ..request("mechanism") }, "x.png").contains("SVG"));
 }
 
 #[test]
@@ -60,7 +73,7 @@ fn a_view_without_a_figure_says_what_the_scene_lacks() {
 
 #[test]
 fn an_animation_moves_the_links_and_not_the_ground() {
-    let text = picture(&Request { animate: true, ..request("mechanism") }, "x.svg").unwrap();
+    let text = picture(&PictureArgs { animate: true, ..request("mechanism") }, "x.svg").unwrap();
     let moving = text.lines().filter(|line| line.contains("<animate")).count();
     let still = text.lines().filter(|line| line.starts_with("<p") && !line.contains("<animate")).count();
     assert!(moving > 10 && still > 10, "{moving} {still}");
@@ -78,4 +91,63 @@ fn the_screen_and_the_file_show_the_same_signs_of_a_curve() {
     let svg = assur_figure::svg::write(&figure, [160.0, 120.0], assur_words::Language::english());
     // A ring is the only circle of a curve; one stands in the legend.
     assert_eq!(on_screen("o"), svg.matches("<circle").count() - 1);
+}
+
+/// The texts of a picture of a scene.
+fn texts(scene: &str, request: &PictureArgs) -> Vec<String> {
+    let bytes = still::draw(analyzed(scene, request), request, Path::new("x.svg")).unwrap();
+    let svg = String::from_utf8(bytes).unwrap();
+    let texts = svg.split("<text").skip(1).filter_map(|rest| rest.split_once('>')?.1.split_once("</text>"));
+    texts.map(|(text, _)| text.to_owned()).collect()
+}
+
+#[test]
+fn the_press_is_drawn_with_its_contact() {
+    for scene in ["press", "press-compression"] {
+        let shown = texts(scene, &request("mechanism"));
+        for name in ["K", "N", "F", "Fc", "Ff"] {
+            assert!(shown.iter().any(|text| text == name), "{scene} {name}: {shown:?}");
+        }
+    }
+    assert!(!texts("slider-crank", &request("mechanism")).contains(&"K".to_owned()));
+}
+
+#[test]
+fn a_construction_is_drawn_step_by_step() {
+    let of = |step| PictureArgs {
+        part: Some("construction".into()),
+        show: Some("longitudinal".into()),
+        step,
+        ..request("plans")
+    };
+    let drawn = |step| texts("press", &of(step));
+    let has = |texts: &[String], name: &str| texts.iter().any(|text| text == name);
+    let (first, pole, whole) = (drawn(Some(1)), drawn(Some(5)), drawn(None));
+    assert!(has(&first, "K") && !has(&first, "P") && !has(&first, "Fb"), "{first:?}");
+    assert!(has(&pole, "P") && !has(&pole, "Fb"), "{pole:?}");
+    assert!(has(&whole, "Fb") && has(&whole, "RP") && whole[0].ends_with("step 22"), "{whole:?}");
+    assert_eq!(drawn(Some(22)), whole);
+    for (request, why) in [(of(Some(23)), "steps 1 to 22"), (of(Some(0)), "steps 1 to 22")] {
+        match still::draw(analyzed("press", &request), &request, Path::new("x.svg")) {
+            Err(StillError::Request(text)) => assert!(text.to_string().contains(why), "{text}"),
+            other => panic!("{other:?}"),
+        }
+    }
+    let lever = PictureArgs { show: Some("virtual-power".into()), ..of(None) };
+    assert!(has(&texts("press", &lever), "k") && has(&texts("press", &lever), "Fb"));
+}
+
+#[test]
+fn quantities_of_one_unit_lie_over_each_other_in_a_picture() {
+    let names = "A>crank.F,B>rod.Fx,balancing load";
+    let request = PictureArgs { show: Some(names.into()), ..request("curves") };
+    let shown = texts("press", &request);
+    for name in ["1 A on crank F force, N", "2 B on rod Fx force, N", "3 balancing load, N m"] {
+        assert!(shown.iter().any(|text| text == name), "{name}: {shown:?}");
+    }
+    let unknown = PictureArgs { show: Some("A>crank.F,nothing".into()), ..request };
+    match still::draw(analyzed("press", &unknown), &unknown, Path::new("x.svg")) {
+        Err(StillError::Request(text)) => assert!(text.to_string().contains("nothing"), "{text}"),
+        other => panic!("{other:?}"),
+    }
 }

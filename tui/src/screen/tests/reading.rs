@@ -35,7 +35,7 @@ fn the_group_nearest_to_a_singular_position_is_named_and_gone_to() {
 fn report(lines: usize) -> State {
     let mut state = scene(TURNS);
     let chart = (0..lines).map(|line| format!("line {line}.")).collect::<Vec<_>>().join("\n");
-    state.measured = Some(Box::new(Measured { chart: Err(chart), stability: None }));
+    state.measured = Some(Box::new(Measured { chart: Err(name(chart)), stability: None }));
     press(&mut state, "8");
     state
 }
@@ -113,9 +113,9 @@ fn another_scene_is_opened_by_its_name() {
     write(&mut state, &format!(":open {}", file.display()));
     assert!(state.picker.is_none(), "also the scene that is open already");
     write(&mut state, ":open four-bar.toml");
-    assert_eq!(state.scene.as_ref().unwrap().source.name(), "four-bar.toml");
+    assert_eq!(state.scene.as_ref().unwrap().session.source.name(), "four-bar.toml");
     write(&mut state, ":open press");
-    assert_eq!(state.scene.as_ref().unwrap().source.name(), "press.toml");
+    assert_eq!(state.scene.as_ref().unwrap().session.source.name(), "press.toml");
     write(&mut state, &format!(":open {}", folder.path().display()));
     assert!(text(&state, 120, 24).contains("is a folder, not a scene file"));
     press(&mut state, "x");
@@ -161,9 +161,9 @@ fn another_scene_does_not_drop_changes_unasked() {
     write(&mut state, ":value link.crank.points.A 101 mm");
     write(&mut state, ":open four-bar.toml");
     assert!(text(&state, 80, 24).contains("changes are not saved"));
-    assert_eq!(state.scene.as_ref().unwrap().source.name(), "shaper.toml");
+    assert_eq!(state.scene.as_ref().unwrap().session.source.name(), "shaper.toml");
     write(&mut state, ":open four-bar.toml");
-    assert_eq!(state.scene.as_ref().unwrap().source.name(), "four-bar.toml");
+    assert_eq!(state.scene.as_ref().unwrap().session.source.name(), "four-bar.toml");
 }
 
 #[test]

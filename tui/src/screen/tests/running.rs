@@ -3,7 +3,7 @@
 use assur_analysis::results::Checks;
 
 use super::{opened, press, text};
-use crate::screen::state::{Job, Purpose, Report, State, Wish};
+use crate::screen::state::{Job, Outcome, Report, State, Wish};
 use crate::screen::{command, work};
 
 /// What was asked for and is not done yet.
@@ -24,17 +24,17 @@ fn number(state: &State) -> usize {
 fn a_count_is_shown_with_the_key_that_stops() {
     let mut state = opened("shaper");
     assert!(state.running.is_empty());
-    command::ask(&mut state, Purpose::Main);
+    command::start(&mut state);
     assert!(text(&state, 80, 24).contains("calculating ...  (Esc stops)"));
     let number = number(&state);
     assert!(command::take(
         &mut state,
-        Report::Counted { number, count: assur_words::name("position 3 of 48") }
+        Report::Calculated(number, Outcome::Count(assur_words::name("position 3 of 48")))
     ));
     assert!(text(&state, 80, 24).contains("calculating: position 3 of 48  (Esc stops)"));
     assert!(!command::take(
         &mut state,
-        Report::Counted { number: number + 1, count: assur_words::name("late") }
+        Report::Calculated(number + 1, Outcome::Count(assur_words::name("late")))
     ));
 }
 
@@ -42,16 +42,16 @@ fn a_count_is_shown_with_the_key_that_stops() {
 fn an_analysis_that_is_stopped_ends_and_its_answer_is_dropped() {
     for key in ["Esc", "C-g"] {
         let mut state = opened("shaper");
-        command::ask(&mut state, Purpose::Main);
+        command::start(&mut state);
         let job = job(&mut state);
         let number = number(&state);
         press(&mut state, key);
         assert!(text(&state, 80, 24).contains("stopped; r calculates again"), "{key}");
         // The worker sees the sign: it has nothing to tell.
         let answer = work::run(&job, &|report| panic!("{report:?}"));
-        assert!(matches!(&answer, Report::Analyzed { found: Err(_), .. }), "{answer:?}");
+        assert!(matches!(&answer, Report::Calculated(_, Outcome::Found(Err(_)))), "{answer:?}");
         assert!(!command::take(&mut state, answer));
-        assert!(!command::take(&mut state, Report::Checked { number, checks: Checks::none() }));
+        assert!(!command::take(&mut state, Report::Calculated(number, Outcome::Checks(Checks::none()))));
         // What was found before stays.
         assert!(!state.scene.as_ref().unwrap().found.as_ref().unwrap().analysis.checks.is_empty());
     }
@@ -60,9 +60,9 @@ fn an_analysis_that_is_stopped_ends_and_its_answer_is_dropped() {
 #[test]
 fn only_the_last_question_is_answered() {
     let mut state = opened("shaper");
-    command::ask(&mut state, Purpose::Main);
+    command::start(&mut state);
     let first = job(&mut state);
-    command::ask(&mut state, Purpose::Main);
+    command::start(&mut state);
     assert_eq!(state.running.len(), 1);
     let answer = work::run(&first, &|report| panic!("{report:?}"));
     assert!(!command::take(&mut state, answer));
@@ -72,7 +72,7 @@ fn only_the_last_question_is_answered() {
 fn reading_again_goes_on_after_a_stop() {
     let mut state = opened("shaper");
     state.scene.as_mut().unwrap().found = None;
-    command::ask(&mut state, Purpose::Main);
+    command::start(&mut state);
     state.wishes.clear();
     press(&mut state, "Esc 5");
     assert!(text(&state, 80, 24).contains("no analysis: stopped"));

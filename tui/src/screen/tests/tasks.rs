@@ -15,7 +15,7 @@ const TASKS: [(&str, &str, &str, &[&str]); 10] = [
         "the velocity of K in m/s over the turn",
         "shaper",
         "p k Space v e l Enter",
-        &["point K vx, m/s", "coordinate, deg"],
+        &["point K vx  m/s", "coordinate, deg"],
     ),
     ("undo a change of 5 %", "shaper", "e % + u", &["What if: step 5 %, changed: 0"]),
     (
@@ -31,7 +31,7 @@ const TASKS: [(&str, &str, &str, &[&str]); 10] = [
         "9 Enter",
         &["least determinant", "determinant here"],
     ),
-    ("the worst position of the first check", "shaper", "7 Enter", &["residual", "ok"]),
+    ("the worst position of the first check", "shaper", "7 Enter", &["Residual", "ok"]),
     ("what J means", "shaper", "? / J ,", &["moment of inertia (mass) of all links"]),
     ("every equation of the position", "shaper", "W", &["working of position 0"]),
     ("another motor for the drive", "shaper-drive", "6 p", &["Motors of at least 0.4974 kW"]),
@@ -65,7 +65,7 @@ fn the_help_explains_a_word_of_the_field() {
 #[test]
 fn the_note_and_the_picture_are_written_by_one_key() {
     let mut state = opened("shaper");
-    state.note = Some(|name, text, _| Ok(format!("{name}: {} bytes", text.len())));
+    state.note = Some(|session, _| Ok(format!("{}: {} bytes", session.source.name(), session.text.len())));
     let key = |code| crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char(code));
     crate::screen::command::press(&mut state, key('N'));
     let Some(Wish::Work(job)) = state.wishes.pop() else { panic!("no job") };

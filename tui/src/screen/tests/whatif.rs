@@ -1,8 +1,12 @@
 //! Numbers changed by keys: every view follows, undo leads back to the same screen, what is saved is the file but for them.
 
-use super::{View, opened, press, scene, settle, text, write};
+use std::sync::Arc;
+
+use assur_kinematics::Chain;
+
+use super::{View, opened, press, read, scene, settle, text, write};
 use crate::screen::command;
-use crate::screen::state::{Job, Report, Scene, Source, State, Wanted, Wish};
+use crate::screen::state::{Job, Report, Source, State, Wanted, Wish};
 
 const LENGTH: &str = "link.crank.points.A";
 
@@ -144,7 +148,7 @@ fn reading_the_file_again_drops_the_changes_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.toml");
     std::fs::write(&path, shipped()).unwrap();
-    let mut state = crate::screen::tests::state_of(Scene::read(Source::File(path), shipped()).unwrap());
+    let mut state = crate::screen::tests::state_of(read(Source::File(path), shipped()).unwrap());
     let before = text(&state, 80, 24);
     write(&mut state, ":value link.crank.points.A 120 mm");
     write(&mut state, ":value link.crank.mass 5 kg");
@@ -173,7 +177,7 @@ fn a_change_of_a_scene_that_was_left_is_dropped() {
     let mut state = opened("shaper");
     write_without_reading(&mut state, ":value link.crank.points.A 120 mm");
     let Some(Wish::Work(job)) = state.wishes.pop() else { panic!("no job") };
-    let other = Scene::read(Source::Shipped("press"), assur_fixtures::scene("press"));
+    let other = read(Source::Shipped("press"), assur_fixtures::scene("press"));
     let wanted = Wanted::Open(Source::Shipped("shaper"));
     command::take(&mut state, Report::Read(wanted, other.map(Box::new)));
     let title = header(&state);
@@ -247,4 +251,36 @@ fn what_cannot_be_written_is_told() {
     let mut state = opened("shaper");
     write(&mut state, ":save /nowhere/x.toml");
     assert!(text(&state, 80, 24).contains("/nowhere/x.toml: there is no folder /nowhere"));
+}
+
+/// What is compiled of the scene that is shown, and of its results.
+fn compiled(state: &State) -> [*const Chain<f64>; 3] {
+    let scene = state.scene.as_ref().unwrap();
+    let whole = scene.found.as_ref().unwrap().plans.calculation();
+    [&scene.session.linkage().unwrap(), &scene.linkage, &whole.linkage]
+        .map(|linkage| Arc::as_ptr(&linkage.chain))
+}
+
+/// Linkages that are alive have different addresses: the scene before is kept for the comparison.
+#[test]
+fn a_changed_length_compiles_once_and_a_changed_mass_never() {
+    for name in ["shaper", "shaper-drive", "press"] {
+        let mut state = opened(name);
+        let before = compiled(&state);
+        assert!(before.iter().all(|other| *other == before[0]), "{name}");
+        let values = state.what_if.values.iter();
+        let keys: Vec<_> =
+            values.map(|value| value.key.clone()).filter(|key| key.starts_with("link.")).collect();
+        let one = |ending: &str| keys.iter().find(|key| key.ends_with(ending)).cloned();
+        if let Some(mass) = one(".mass") {
+            write(&mut state, &format!(":value {mass} 7 kg"));
+            assert!(state.what_if.changes() == 1 && compiled(&state) == before, "{name}: {mass}");
+            press(&mut state, "u");
+            assert_eq!(compiled(&state), before, "{name}: {mass}");
+        }
+        let length = keys.iter().find(|key| key.contains(".points.")).unwrap();
+        write(&mut state, &format!(":value {length} 101 mm"));
+        let after = compiled(&state);
+        assert!(after.iter().all(|other| *other == after[0] && *other != before[0]), "{name}: {length}");
+    }
 }

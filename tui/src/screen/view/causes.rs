@@ -1,17 +1,16 @@
 //! The chosen reaction by cause: the shares of weight, inertia and each load, which sum to the total; and what all panes of the
-//! forces have: rows of tables, directions, curves.
+//! forces have: columns of tables, curves.
 
-use std::fmt::Write;
-
+use assur_book::{Cell, Column, Table, Unit};
 use assur_diagram::{JointForce, Share, Split};
 use assur_figure::{Figure, Ink, Panel};
-use assur_words::{self as words, Text, list, name, quantity, text, unit};
+use assur_report::topic::direction;
+use assur_words::{Text, joined, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::plans;
-use super::plots::{self, Vector};
-use crate::number::number;
+use super::plots::{self, Drawn, Vector};
+use super::{page, plans};
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State};
 
@@ -40,11 +39,14 @@ pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buff
     let title = text!("forces-by-cause", reaction = &reaction.name);
     put(buffer, area, 1, 0, &state.told(title), theme.style(Role::Header));
     let parts = parts(split, reaction);
-    let rows = short(parts.len()) + 4;
     let below = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
-    let [table, below] =
-        Layout::vertical([Constraint::Length(rows.min(below.height)), Constraint::Min(0)]).areas(below);
-    draw_table(state, found, split, reaction, &parts, table, buffer);
+    // Header, sum and total are always shown.
+    let room = usize::from(below.height).saturating_sub(4);
+    let table = table(found, split, reaction, &parts, room);
+    let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));
+    let rows = Constraint::Length(short(lines.len() + 1).min(below.height));
+    let [rows, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(below);
+    page::draw(state, &lines, &|_| Role::Plain, rows, buffer);
     let panels = figure_panels(state, scene, found, &parts);
     paint(state, &Figure { panels, columns: 2, ..Figure::default() }, below, buffer);
 }
@@ -70,56 +72,42 @@ fn parts(split: &Split, reaction: &Reaction) -> Vec<Part> {
 
 fn part(share: &Share, reaction: &Reaction) -> Part {
     let cause = share.cause.clone();
-    if reaction.pair.is_empty() {
+    let Some((pair, link)) = &reaction.of else {
         return Part { cause, force: None, scalar: Some(share.balancing) };
-    }
-    let here = |force: &&JointForce| force.joint == reaction.pair && force.on == reaction.link;
+    };
+    let here = |force: &&JointForce| force.joint.id == pair.id && force.on.id == link.id;
     let found = share.reactions.iter().find(here);
     Part { cause, force: found.map(|found| found.force), scalar: found.and_then(|found| found.moment) }
 }
 
-/// A row for each cause, their sum, and the total of the analyzer.
-fn draw_table(
-    state: &State,
-    found: &Found,
-    split: &Split,
-    reaction: &Reaction,
-    parts: &[Part],
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let theme = state.look.theme;
-    let scalar = if reaction.pair.is_empty() { found.series[reaction.series[0]].unit.as_str() } else { "" };
-    let last = if scalar.is_empty() { symbol("M", "N m") } else { unit(scalar.to_owned()) };
-    put(
-        buffer,
-        area,
-        0,
-        0,
-        &table_row(' ', head(state, text!("forces-cause"), last)),
-        theme.style(Role::Dim),
-    );
-    let sum = sum(parts, text!("forces-sum"));
+/// A row for each cause, their sum, and the total of the analyzer. Causes without room in so many rows are summarized.
+fn table(found: &Found, split: &Split, reaction: &Reaction, parts: &[Part], room: usize) -> Table {
+    let head = if reaction.of.is_some() { name("M") } else { Text::default() };
+    let is_moment = reaction.of.is_some() || found.analysis.input.balancing_is_moment;
+    let last = Column::short(head, Unit::of(if is_moment { "N m" } else { "N" }, 1.0));
+    let sum_of_all = sum(parts, text!("forces-sum"));
     let whole = part(&split.whole, reaction);
     let whole = Part { cause: text!("forces-whole", method = name(found.analyzer.clone())), ..whole };
     let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
-    // Header, sum and total are always shown; causes without room are summarized.
-    let room = usize::from(area.height).saturating_sub(3);
+    let clean = |value: f64| if value.abs() <= least { 0.0 } else { value };
+    let cells = |part: Part| {
+        let force = part.force.map(|force| force.map(clean));
+        row(
+            part.cause,
+            force,
+            part.scalar.map_or_else(|| Text::default().into(), |value| clean(value).into()),
+        )
+    };
     let single = if parts.len() > room { room.saturating_sub(1) } else { parts.len() };
-    for (number, part) in parts.iter().enumerate().take(single) {
-        let text = row_of(state, &format!("{} {}", number + 1, state.told(&part.cause)), part, least);
-        put(buffer, area, 0, short(number) + 1, &text, theme.style(Role::Plain));
-    }
-    let mut below = short(single) + 1;
-    if single < parts.len() {
-        let rest = self::sum(&parts[single..], text!("forces-more-causes", count = parts.len() - single));
-        let text = row_of(state, &state.told(&rest.cause), &rest, least);
-        put(buffer, area, 0, below, &text, theme.style(Role::Plain));
-        below += 1;
-    }
-    let [sum, whole] = [sum, whole].map(|part| row_of(state, &state.told(&part.cause), &part, least));
-    put(buffer, area, 0, below, &sum, theme.style(Role::Header));
-    put(buffer, area, 0, below + 1, &whole, theme.style(Role::Plain));
+    let numbered = parts
+        .iter()
+        .enumerate()
+        .take(single)
+        .map(|(index, part)| Part { cause: joined(" ", [number(index + 1), part.cause.clone()]), ..*part });
+    let rest = &parts[single..];
+    let more = (!rest.is_empty()).then(|| sum(rest, text!("forces-more-causes", count = rest.len())));
+    let all = numbered.chain(more).chain([sum_of_all, whole]);
+    Table::list(Text::default(), heads(text!("forces-cause"), last)).rows(all.map(cells))
 }
 
 /// The greatest number of a share.
@@ -141,19 +129,6 @@ fn sum(parts: &[Part], cause: Text) -> Part {
     sum
 }
 
-fn row_of(state: &State, cause: &str, part: &Part, least: f64) -> String {
-    let shown = |value: f64| {
-        if value.abs() <= least { "0".to_owned() } else { state.told(words::number(number(value))) }
-    };
-    let force = part.force.map(|[x, y]| {
-        let [x, y] = [x, y].map(|v| if v.abs() <= least { 0.0 } else { v });
-        [shown(x), shown(y), shown(x.hypot(y)), state.told(direction_text(x, y))]
-    });
-    let [fx, fy, f, direction] = force.unwrap_or_default();
-    let scalar = part.scalar.map(shown).unwrap_or_default();
-    table_row(' ', [cause.to_owned(), fx, fy, f, direction, scalar])
-}
-
 /// The shares head to tail, and the total from the first corner to the last one.
 fn sum_of(parts: &[Part]) -> Option<Panel> {
     let mut at = [0.0; 2];
@@ -161,48 +136,40 @@ fn sum_of(parts: &[Part]) -> Option<Panel> {
     for (number, part) in parts.iter().enumerate() {
         let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
         let to = [at[0] + x, at[1] + y];
-        vectors.push(Vector { from: at, to, name: name((number + 1).to_string()), ink: Ink::Second });
+        vectors.push(Vector {
+            from: at,
+            to,
+            name: name((number + 1).to_string()),
+            ink: Ink::Second,
+            kind: Drawn::Arrow,
+        });
         at = to;
     }
-    vectors.push(Vector { from: [0.0; 2], to: at, name: text!("forces-sum"), ink: Ink::First });
+    vectors.push(Vector {
+        from: [0.0; 2],
+        to: at,
+        name: text!("forces-sum"),
+        ink: Ink::First,
+        kind: Drawn::Arrow,
+    });
     (vectors.len() > 1).then(|| plots::vectors(Text::default(), &vectors, ("N", "F"), None))
 }
 
-/// Columns of the table: where each ends.
-const ENDS: [u16; 5] = [35, 46, 57, 69, 79];
-
-/// A row of a table of forces: a sign, the name at the left, the other cells right-aligned in their columns.
-pub(super) fn table_row(sign: char, [name, cells @ ..]: [String; 6]) -> String {
-    let mut text = format!("{sign}{name}");
-    for (cell, end) in cells.into_iter().zip(ENDS) {
-        let width = usize::from(end).saturating_sub(text.chars().count()).max(cell.chars().count() + 1);
-        let _ = write!(text, "{cell:>width$}");
-    }
-    text
+/// The columns of a table of forces: whose it is, projections, modulus and direction, and one of its own.
+pub(super) fn heads(first: Text, last: Column) -> [Column; 6] {
+    let [x, y, size] = ["Fx", "Fy", "F"].map(|letters| Column::short(name(letters), Unit::of("N", 1.0)));
+    let direction = Column::short(text!("forces-direction"), Unit::of("deg", 1.0_f64.to_degrees()));
+    [Column::of(first), x, y, size, direction, last]
 }
 
-/// Direction of a force in words; a dash where there is none.
-pub(super) fn direction_text(fx: f64, fy: f64) -> Text {
-    if fx == 0.0 && fy == 0.0 { name("-") } else { quantity(format_args!("{:.2}", direction(fx, fy)), "deg") }
-}
-
-/// A symbol with its unit: `F, N`.
-fn symbol(letters: &'static str, of: &'static str) -> Text {
-    list([name(letters), unit(of)])
-}
-
-/// The heads of a table of forces.
-pub(super) fn head(state: &State, first: Text, last: Text) -> [String; 6] {
-    let [x, y, size] = ["Fx", "Fy", "F"].map(|letters| symbol(letters, "N"));
-    [first, x, y, size, text!("forces-direction"), last].map(|text| state.told(text))
-}
-
-/// Direction of a force in (-180, 180], degrees; components that are rounding compared with the modulus do not change
-/// it.
-fn direction(fx: f64, fy: f64) -> f64 {
-    let least = 1e-12 * fx.hypot(fy);
-    let part = |v: f64| if v.abs() <= least { 0.0 } else { v };
-    part(fy).atan2(part(fx)).to_degrees()
+/// A row of it; nothing in the columns of a force where there is no vector.
+pub(super) fn row(first: Text, force: Option<[f64; 2]>, last: Cell) -> [Cell; 6] {
+    let none = || Cell::Text(Text::default());
+    let [x, y, size, direction] = force.map_or_else(
+        || [none(), none(), none(), none()],
+        |force| [force[0].into(), force[1].into(), force[0].hypot(force[1]).into(), direction(force).into()],
+    );
+    [first.into(), x, y, size, direction, last]
 }
 
 /// Curves of the chosen reaction, with the given series; for one that it does not have, the last one.

@@ -1,15 +1,17 @@
 //! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked, those of one unit over each other,
 //! with their extremes and means.
 
-use assur_figure::{Figure, Ink, Item, Key, Panel, Sample, Sign, Stroke};
+use assur_book::{Column, Extreme, Table, catalogue, row};
+use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
+use assur_report::text::Line;
 use assur_words::{self as words, Text, joined, list, name, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
-use unicode_width::UnicodeWidthStr;
 
-use super::plots::over_positions;
-use crate::number::{digits, number};
-use crate::screen::draw::{cut, paint, put, put_lines, short};
+use super::page;
+use super::plots::{self, over_positions};
+use crate::number::number;
+use crate::screen::draw::{cut, paint, put, short};
 use crate::screen::state::{Compared, Found, Role, Scene, Series, State, coordinate_unit};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
@@ -49,7 +51,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
         title = if compared.before {
             text!("curve-before", quantity = title)
         } else {
-            let one = name(scene.source.short_name());
+            let one = name(scene.session.source.short_name());
             text!("curve-compared", quantity = title, one = one, other = &compared.name)
         };
     } else {
@@ -84,7 +86,7 @@ fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: In
             signs.extend(value.map(sign));
         }
     }
-    over_positions(state, scene, [name(["PF0", "PF1", "PF2"][order]), value], &curves, signs)
+    over_positions(state, scene, [catalogue::kind(series.column), value], &curves, signs)
 }
 
 /// The stroke of the curve of a second scene.
@@ -118,7 +120,8 @@ pub(super) fn stack(
 /// The position under a cell of the screen.
 pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) -> Option<usize> {
     let scene = state.scene.as_ref()?;
-    let charts = if state.picked.is_empty() { parts(area)[1] } else { parts_of_picked(state, area)[1] };
+    let charts =
+        if state.picked.is_empty() { parts(area)[1] } else { parts_of_picked(state, scene, area)[1] };
     let cell = [column.checked_sub(charts.x)?, row.checked_sub(charts.y)?];
     let value = assur_figure::cells::value_at(&figure(state, scene), [charts.width, charts.height], cell)?;
     let distance = |position: &usize| (scene.coordinate_at(*position as f64) - value).abs();
@@ -132,11 +135,9 @@ const STYLES: [(Stroke, Ink); 4] = [
     (Stroke::Chain, Ink::Second),
     (Stroke::Dashed, Ink::Velocity),
 ];
-/// The heads of the numbers of the table.
+/// The heads of the table of extremes and means, behind the name and the unit.
 const HEADS: [&str; 7] =
     ["curve-now", "curve-greatest", "curve-at", "curve-least", "curve-at", "curve-mean", "curve-rms"];
-/// Columns for the name of a quantity with its unit.
-const NAME: usize = 27;
 
 /// The picked quantities that the scene has.
 fn picked<'a>(state: &State, scene: &'a Scene) -> Vec<&'a Series> {
@@ -145,44 +146,42 @@ fn picked<'a>(state: &State, scene: &'a Scene) -> Vec<&'a Series> {
 
 /// Draws the table of extremes and means, then the curves.
 fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
-    let mut lines = vec![(Role::Dim, row("", HEADS.map(|head| state.told(text!(head)))))];
-    for (number, series) in picked(state, scene).into_iter().enumerate() {
-        let unit = state.told(unit(series.unit.clone()));
-        let unit = if unit.is_empty() { unit } else { format!(", {unit}") };
-        let of = cut(&state.told(&series.of), NAME.saturating_sub(unit.width() + 3));
-        let name = format!("{} {of}", number + 1);
-        let cells = series.summary().map_or_else(Default::default, |summary| {
-            let [high, low] = [summary.greatest, summary.least].map(|extreme| extreme.number);
-            let shown =
-                |value: f64| if value.abs() <= series.least() { "0".to_owned() } else { digits(value, 5) };
-            let shown = |value: f64| state.told(words::number(shown(value)));
-            let [greatest, least, mean, rms] =
-                [summary.greatest.value, summary.least.value, summary.mean, summary.rms].map(shown);
-            [
-                state.told(words::number(series.bare(state.position))),
-                greatest,
-                high.to_string(),
-                least,
-                low.to_string(),
-                mean,
-                rms,
-            ]
-        });
-        lines.push((Role::Plain, row(&format!("{name}{unit}"), cells)));
-    }
-    let [table, charts] = parts_of_picked(state, area);
-    put_lines(buffer, table, 1, state, &lines);
+    let [table, charts] = parts_of_picked(state, scene, area);
+    page::draw(state, &extremes(state, scene, area.width), &|_| Role::Plain, table, buffer);
     paint(state, &figure_of_picked(state, scene), charts, buffer);
 }
 
-/// The table and the charts.
-fn parts_of_picked(state: &State, area: Rect) -> [Rect; 2] {
-    Layout::vertical([Constraint::Length(short(state.picked.len() + 1)), Constraint::Min(0)]).areas(area)
+/// Values now, extremes with the numbers of their positions, and means.
+fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
+    let heads = std::iter::repeat_with(Text::default).take(2).chain(HEADS.map(|head| text!(head)));
+    let row = |(number, series): (usize, &Series)| {
+        let shown = |value: f64| if value.abs() <= series.least() { 0.0 } else { value };
+        let now = series.clean(state.position).map(|value| series.factor * value);
+        let summary = series.summary();
+        let (greatest, least) = (summary.map(|all| all.greatest), summary.map(|all| all.least));
+        let value = |extreme: Option<Extreme>| extreme.map(|extreme| shown(extreme.value));
+        let at = |extreme: Option<Extreme>| extreme.map(|extreme| words::number(extreme.number));
+        row![
+            plots::numbered(number, series.of.clone()),
+            unit(series.unit.clone()),
+            now,
+            value(greatest),
+            at(greatest),
+            value(least),
+            at(least),
+            summary.map(|summary| shown(summary.mean)),
+            summary.map(|summary| shown(summary.rms)),
+        ]
+    };
+    let rows = picked(state, scene).into_iter().enumerate().map(row);
+    let table = Table::list(Text::default(), heads.map(Column::of)).rows(rows);
+    page::told(state, width.saturating_sub(2), |page| page.table(table))
 }
 
-/// A row of the table: the name, the value now, greatest and least value with their positions, mean, root mean square.
-fn row(name: &str, [now, greatest, high, least, low, mean, rms]: [String; 7]) -> String {
-    format!("{name:<NAME$}{now:>10}{greatest:>9}{high:>4}{least:>9}{low:>4}{mean:>8}{rms:>8}")
+/// The table and the charts.
+fn parts_of_picked(state: &State, scene: &Scene, area: Rect) -> [Rect; 2] {
+    let rows = short(extremes(state, scene, area.width).len());
+    Layout::vertical([Constraint::Length(rows), Constraint::Min(0)]).areas(area)
 }
 
 /// A panel for each unit, with a ring at the greatest and the least value of each curve.
@@ -190,19 +189,40 @@ fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
     let all = picked(state, scene);
     let mut units: Vec<&str> = Vec::new();
     for series in &all {
-        if !units.contains(&series.unit.as_str()) {
-            units.push(&series.unit);
+        let unit = without_radians(&series.unit);
+        if !units.contains(&unit) {
+            units.push(unit);
         }
     }
     let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, &all, unit)).collect();
-    let title = list(all.iter().map(|series| series.of.clone()));
-    Figure { title, panels, columns: 1, legend: Vec::new() }
+    let title = if all.len() > 1 { Text::default() } else { list(all.iter().map(|series| series.told())) };
+    let legend = if all.len() > 1 { keys(&all) } else { Vec::new() };
+    Figure { title, panels, columns: 1, legend }
 }
 
-/// The quantities of one unit; each has its number in the list of all.
+/// The curves with their units, each under its number, in the strokes of their panels.
+fn keys(all: &[&Series]) -> Vec<Key> {
+    let key = |(number, series): (usize, &&Series)| {
+        let unit = without_radians(&series.unit);
+        let before = all[..number].iter().filter(|other| without_radians(&other.unit) == unit).count();
+        let (stroke, ink) = STYLES[before % STYLES.len()];
+        let text = joined(" ", [name((number + 1).to_string()), series.title()]);
+        Key { sample: Sample::Line(stroke, ink), text }
+    };
+    all.iter().enumerate().map(key).collect()
+}
+
+/// A unit without its radians, which are numbers: PF0, PF1 and PF2 of a point are lengths all, on one axis.
+fn without_radians(unit: &str) -> &str {
+    let bare = unit.split_once("/rad").map_or(unit, |(bare, _)| bare);
+    if bare == "rad" { "" } else { bare }
+}
+
+/// The quantities of one unit but for radians; each has its number in the list of all.
 fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> Panel {
     let (mut curves, mut signs, mut names) = (Vec::new(), Vec::new(), Vec::new());
-    for (number, series) in all.iter().enumerate().filter(|(_, series)| series.unit == unit) {
+    for (number, series) in all.iter().enumerate().filter(|(_, series)| without_radians(&series.unit) == unit)
+    {
         let (stroke, ink) = STYLES[curves.len() % STYLES.len()];
         let before = state.compared.as_ref().and_then(|compared| compared.series(series));
         curves.extend(before.map(|before| (before, Stroke::Dotted, Ink::Trace)));
@@ -222,10 +242,19 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
         }
         names.push(joined(" ", [name((number + 1).to_string()), series.of.clone()]));
     }
-    let title = if all.len() > 1 {
-        joined("  ", names)
-    } else {
-        all.first().map_or_else(Text::default, |series| series.of.clone())
-    };
-    over_positions(state, scene, [title, Text::default()], &curves, signs)
+    let mut units: Vec<&str> = Vec::new();
+    for (series, ..) in curves.iter().filter(|(series, ..)| !series.unit.is_empty()) {
+        if !units.contains(&series.unit.as_str()) {
+            units.push(&series.unit);
+        }
+    }
+    let units = list(units.into_iter().map(|symbol| words::unit(symbol.to_owned())));
+    let title = if all.len() > 1 { joined("  ", names) } else { all[0].told() };
+    let title = list([title, units].into_iter().filter(|text| !text.is_empty()));
+    let mut panel = over_positions(state, scene, [title, Text::default()], &curves, signs);
+    if let Frame::Axes { y, .. } = &mut panel.frame {
+        // The heading says it.
+        y.label = Text::default();
+    }
+    panel
 }

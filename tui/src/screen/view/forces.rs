@@ -1,13 +1,14 @@
 //! Reactions: a table of the position, the curves of one pair, its hodograph, the difference of two analyzers.
 
+use assur_book::{Cell, Column, Table, Unit};
 use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
-use assur_words::{Text, list, name, number, quantity, text, unit};
+use assur_words::{Text, list, name, number, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::causes;
-use super::causes::{curves, direction_text, table_row};
-use crate::screen::draw::{first_shown, paint, put, short};
+use super::causes::{self, curves};
+use super::page;
+use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Part, Reaction, Role, Scene, State, View};
 
 /// Rows of a chart below the table.
@@ -23,7 +24,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     put(buffer, title, 1, 0, &state.told(heading(scene, found)), theme.style(Role::Header));
     match state.part(View::Forces) {
         Part::Overview => {
-            let rows = short(found.reactions.len()) + 1;
+            let rows = short(found.reactions.len()) + 2;
             let below = rest.height.saturating_sub(rows + 1);
             // In a low area the numbers go before the charts.
             let below = if rest.height > 2 * BELOW { below.max(BELOW) } else { below };
@@ -75,50 +76,36 @@ fn chosen<'a>(state: &State, found: &'a Found) -> Option<&'a Reaction> {
 }
 
 fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
-    let theme = state.look.theme;
     let (letter, of) = if scene.other.is_some() { ("|dF|", "N") } else { ("M", "N m") };
-    let head = causes::head(state, text!("forces-pair"), list([name(letter), unit(of)]));
-    put(buffer, area, 0, 0, &table_row(' ', head), theme.style(Role::Dim));
-    let height = usize::from(area.height.saturating_sub(1));
+    let last = Column::short(name(letter), Unit::of(of, 1.0));
+    let rows = found.reactions.iter().map(|reaction| cells(state, scene, found, reaction));
+    let table = Table::list(Text::default(), causes::heads(text!("forces-pair"), last)).rows(rows);
+    let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));
     // The balancing load, the last one, stays in sight below the reactions.
-    let last = found.reactions.len().saturating_sub(1);
-    let pinned = usize::from(found.balancing().is_some() && height <= last).min(height);
-    let skip = first_shown(state.chosen.reaction.min(last - pinned), height - pinned);
-    let all = found.reactions.iter().enumerate();
-    let shown = all.clone().skip(skip).take(height - pinned).chain(all.skip(last).take(pinned));
-    for (row, (index, reaction)) in shown.enumerate() {
-        let chosen = index == state.chosen.reaction;
-        let style = theme.style(if chosen { Role::Cursor } else { Role::Plain });
-        let [fx, fy, modulus, direction, last] = cells(state, scene, found, reaction);
-        let row_cells = [reaction.name.clone(), fx, fy, modulus, direction, last];
-        let row_cells = row_cells.map(|text| state.told(text));
-        let text = table_row(if chosen { '>' } else { ' ' }, row_cells);
-        put(buffer, area, 0, short(row) + 1, &text, style);
-    }
+    let pinned = usize::from(found.balancing().is_some());
+    page::draw_chosen(state, &lines, (state.chosen.reaction, pinned), &|_| Role::Plain, area, buffer);
 }
 
-fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [Text; 5] {
-    let value = |index: usize| found.series[index].at(state.position);
-    let bare = |index: usize| number(found.series[index].bare(state.position));
+fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [Cell; 6] {
+    let value = |index: usize| found.series[index].clean(state.position);
     let apart = scene.other.as_ref().map(|other| {
         let apart = difference(found, other, reaction, state.position);
-        apart.map_or_else(|| name("-"), |apart| number(format_args!("{apart:.1e}")))
+        apart.map_or(Cell::None, |apart| Cell::Text(number(format_args!("{apart:.1e}"))))
     });
-    if reaction.pair.is_empty() {
-        let series = &found.series[reaction.series[0]];
-        let unit = series.show(state.position);
-        let none = Text::default;
-        return [none(), none(), unit, none(), apart.unwrap_or_default()];
+    let own = reaction.name.clone();
+    if let [index] = reaction.series[..] {
+        let series = &found.series[index];
+        let load = apart.unwrap_or_else(|| Cell::Text(series.show(state.position)));
+        return causes::row(own, None, load);
     }
-    let [fx, fy, modulus] = [0, 1, 2].map(|i| value(reaction.series[i]));
-    let direction = if modulus > 0.0 { direction_text(fx, fy) } else { name("-") };
-    let last = apart.unwrap_or_else(|| reaction.moment.map_or_else(Text::default, bare));
-    [bare(reaction.series[0]), bare(reaction.series[1]), bare(reaction.series[2]), direction, last]
+    let force = value(reaction.series[0]).zip(value(reaction.series[1])).map(|(x, y)| [x, y]);
+    let moment = || reaction.moment.map_or_else(|| Text::default().into(), |index| value(index).into());
+    causes::row(own, Some(force.unwrap_or([f64::NAN; 2])), apart.unwrap_or_else(moment))
 }
 
 /// Modulus of the difference of a reaction by two analyzers in a position; `None` if one of them does not have it.
 fn difference(found: &Found, other: &Found, reaction: &Reaction, position: usize) -> Option<f64> {
-    let same = other.reactions.iter().find(|other| other.is_same(reaction))?;
+    let same = other.reactions.iter().find(|other| other.of == reaction.of)?;
     // Both projections, or the balancing load.
     let parts = reaction.series.iter().zip(&same.series).take(2);
     let apart = |(own, theirs): (&usize, &usize)| {
@@ -129,7 +116,7 @@ fn difference(found: &Found, other: &Found, reaction: &Reaction, position: usize
 
 /// Greatest modulus of the difference of a reaction over all positions, N.
 fn largest_difference(scene: &Scene, found: &Found, other: &Found) -> f64 {
-    let reactions = found.reactions.iter().filter(|reaction| !reaction.pair.is_empty());
+    let reactions = found.reactions.iter().filter(|reaction| reaction.of.is_some());
     let all = reactions.flat_map(|reaction| {
         (0..scene.positions()).filter_map(move |position| difference(found, other, reaction, position))
     });

@@ -8,7 +8,7 @@ use assur_words::{Text, joined, name};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{arrows, panel};
+use super::{arrows, contact, panel};
 use crate::screen::draw::{cells, paint_zoomed};
 use crate::screen::state::{Probe, Scene, State, Traces, View};
 
@@ -53,6 +53,7 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
             let hidden = not_joined(state, scene);
             items.extend(Drawing { hidden: &hidden, ..drawing(scene, marked) }.items(&pose));
             items.extend(arrows::items(state, scene, &pose, position));
+            items.extend(contact::items(scene, &pose));
             items.extend(state.probe.iter().flat_map(|probe| of_probe(scene, probe, &pose)));
         }
         None => items.extend(broken(scene, marked, position)),
@@ -63,6 +64,7 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
         title => joined(": ", [name(title.to_owned()), at]),
     };
     let mut legend = arrows::legend(state, scene);
+    legend.extend(contact::legend(scene));
     legend.extend(links(scene));
     Figure { title, legend, ..Figure::of(plane(scene, items)) }
 }
@@ -87,7 +89,13 @@ pub(crate) fn plane(scene: &Scene, items: Vec<Item>) -> Panel {
 }
 
 pub(crate) fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> {
-    Drawing { linkage: &scene.linkage, strokes: &scene.outline.strokes, marked, hidden: &[] }
+    Drawing {
+        linkage: &scene.linkage,
+        strokes: &scene.outline.strokes,
+        arcs: &scene.outline.arcs,
+        marked,
+        hidden: &[],
+    }
 }
 
 /// The links of the groups that are not joined yet, while the structure is put together.

@@ -1,41 +1,61 @@
 //! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
 
-use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
+use assur_analysis::results::{Analysis, Column, Owner, Quantity};
+use assur_book::{Course, catalogue};
 use assur_figure::{Axis, Cursor, Figure, Panel};
-use assur_report::topic::regime_facts;
+use assur_report::text::Line;
+use assur_report::topic::{self, Source};
 use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{advice, curves, plots, regime};
-use crate::number::{digits, number};
-use crate::screen::draw::{paint, put, put_lines};
+use super::{advice, curves, page, plots, regime};
+use crate::number::number;
+use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Part, Role, Scene, State, View};
 
 /// Least number of rows of a readable chart.
 const LEAST_ROWS: u16 = 5;
 /// Columns for the numbers of the regime.
 const NUMBERS: u16 = 30;
+/// Rows that the curves below the table of the iteration need.
+const ITERATION: u16 = 8;
 
 /// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
-    let dynamics = found.analysis.dynamics.as_ref();
-    let lines = numbers(state, &found.analysis);
     let (role, text) = heading(scene, found);
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
     put(buffer, title, 1, 0, &state.told(text), state.look.theme.style(role));
+    // The tables need the whole width.
+    if state.part(View::Motion) == Part::Iteration {
+        return iteration(state, scene, found, area, buffer);
+    }
+    let lines = numbers(state, &found.analysis, NUMBERS - 1);
     let width = if lines.is_empty() { 0 } else { NUMBERS };
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
-    let regime = dynamics.map(|dynamics| &dynamics.regime);
-    // The table needs the whole width.
-    if let (Some(regime), Part::Iteration) = (regime, state.part(View::Motion)) {
-        return regime::draw_iteration(state, regime, area, buffer);
-    }
-    put_lines(buffer, numbers, 1, state, &lines);
+    page::draw(state, &lines, &|_| Role::Plain, numbers, buffer);
     let most = usize::from(charts.height.saturating_sub(2) / LEAST_ROWS);
     paint(state, &figure(state, scene, most), charts, buffer);
+}
+
+/// How the regime was found, as the report tells it, and below it the same as curves where there is room.
+fn iteration(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
+    let lines = told(state, scene, found, area.width);
+    let skip = state.chosen.line.min(lines.len().saturating_sub(area.height.into()));
+    let rows = Constraint::Length(short(lines.len()) + 1);
+    let [table, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(area);
+    page::draw(state, &lines[skip..], &|_| Role::Plain, table, buffer);
+    if below.height >= ITERATION {
+        paint(state, &Figure { columns: 2, ..figure(state, scene, usize::MAX) }, below, buffer);
+    }
+}
+
+/// How the regime was found, in lines of a width.
+pub(super) fn told(state: &State, scene: &Scene, found: &Found, width: u16) -> Vec<Line> {
+    let source = Source::of(&found.analysis, &scene.linkage, Some(&[]));
+    page::told(state, width.saturating_sub(2), |page| topic::iteration(&source, page))
 }
 
 /// Speed, acceleration, J, J', Q over the positions (at most `most`), or the course over time.
@@ -44,7 +64,7 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     let panels = match (regime, state.part(View::Motion)) {
         (Some(regime), Part::Iteration) => regime::iteration(regime),
-        (Some(regime), Part::Course) => regime::course(state, scene, &found.analysis, regime),
+        (Some(regime), Part::Course) => regime::course(state, scene, found, regime),
         (_, part) if part != Part::Overview || found.motion.is_empty() => course(state, &found.analysis),
         _ => {
             let shown = most.clamp(1, found.motion.len());
@@ -58,25 +78,15 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
 
 /// The most important line: the unevenness of a regime, or why there is no speed.
 fn heading(scene: &Scene, found: &Found) -> (Role, Text) {
-    if let Some(dynamics) = &found.analysis.dynamics {
-        return (Role::Header, unevenness(dynamics, found.analysis.input.angular));
+    if found.analysis.dynamics.is_some() {
+        let facts = topic::regime_facts(&found.analysis);
+        return (Role::Header, page::in_a_line(&facts, &["fact-unevenness", "fact-mean-speed"]));
     }
     match (&found.analysis.no_motion, &scene.linkage.mechanism.motion) {
         (Some(reason), _) => (Role::Bad, advice::not_found(reason, " ")),
         (None, None) => (Role::Dim, text!("motion-none")),
         (None, Some(_)) => (Role::Plain, Text::default()),
     }
-}
-
-/// `unevenness 0.05, mean speed 6.2832 rad/s`.
-pub(super) fn unevenness(dynamics: &Dynamics, angular: bool) -> Text {
-    let mean = quantity(digits(dynamics.figures.mean_speed, 5), speed_unit(angular));
-    text!("regime-heading", unevenness = words::number(digits(dynamics.figures.unevenness, 5)), mean = mean)
-}
-
-/// Unit of the speed of the input.
-fn speed_unit(angular: bool) -> &'static str {
-    if angular { "rad/s" } else { "m/s" }
 }
 
 /// Coordinate, speed, acceleration and energies over time.
@@ -100,11 +110,33 @@ fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
         plots::curves(text!(told), vec![(text!(told), course)], (x.clone(), 1.0), Some(cursor))
     };
     let energies = regime::energies(analysis, time, (x.clone(), 1.0), now);
-    all.map(panel).into_iter().chain(energies).collect()
+    all.map(panel).into_iter().chain(energies).chain(loads_over_way(analysis, row)).collect()
 }
 
-/// The numbers of the regime that have room beside its curves, one a line.
-pub(super) fn numbers(state: &State, analysis: &Analysis) -> Vec<(Role, String)> {
+/// The moments of drive and loads, reduced to the input, over its way (E fig. 3); of many the first ones.
+fn loads_over_way(analysis: &Analysis, row: usize) -> Option<Panel> {
+    /// Curves in one panel.
+    const MOST: usize = 3;
+    let (table, place) = (&analysis.trajectory, Column::COORDINATE);
+    let schema = table.schema();
+    let curve = |owner| {
+        let column = Column::of(Quantity::ReducedLoad, owner);
+        let course = Course::of(table, None, place, column);
+        let told =
+            if let Owner::Load(_) = owner { schema.named(owner)?.into() } else { catalogue::kind(column) };
+        (!course.is_empty()).then_some((told, course))
+    };
+    let owners = schema.owners(Quantity::ReducedLoad);
+    let curves: Vec<(Text, Course)> = owners.into_iter().filter_map(curve).take(MOST).collect();
+    let now = table.get(row, place).filter(|_| !curves.is_empty())?;
+    let unit = if analysis.input.angular { "rad" } else { "m" };
+    let told = joined(" ", [text!("motion-coordinate"), words::unit(unit)]);
+    let x = Axis::around(told, (0..table.len()).filter_map(|row| table.get(row, place)), 0.0);
+    Some(plots::curves(text!("motion-loads"), curves, (x, 1.0), Some(now.into())))
+}
+
+/// The numbers of the regime that have room beside its curves.
+pub(super) fn numbers(state: &State, analysis: &Analysis, width: u16) -> Vec<Line> {
     let shown = [
         "fact-mean-speed",
         "fact-unevenness",
@@ -117,11 +149,5 @@ pub(super) fn numbers(state: &State, analysis: &Analysis) -> Vec<(Role, String)>
         "fact-required-power",
         "fact-power-taken",
     ];
-    let facts = regime_facts(analysis).into_iter().filter(|fact| shown.contains(&fact.id));
-    let lines = facts.flat_map(|fact| {
-        let place = joined(" ", [text!("regime-at"), fact.place()]);
-        let place = (!fact.at.is_empty()).then(|| format!("  {}", state.told(place)));
-        std::iter::once(state.told(joined(" ", [fact.what().short(), fact.with_unit()]))).chain(place)
-    });
-    lines.map(|line| (Role::Plain, line)).collect()
+    page::some_facts(state, width, topic::regime_facts(analysis), &shown)
 }

@@ -1,6 +1,7 @@
 //! The numbers next to the drawing: coordinate, speed, the chosen quantity, every link and slide.
 
 use assur_analysis::results::{Column, Owner, Quantity};
+use assur_book::catalogue;
 use assur_figure::cells::cell_width;
 use assur_figure::{Figure, Ink};
 use assur_geometry::Curvature;
@@ -117,8 +118,10 @@ fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
     let Some(transfer) = scene.transfers.get(state.chosen.transfer) else { return Vec::new() };
     let show = |index: usize| state.told(scene.series[index].show(state.position));
     let mut lines = vec![(Role::Header, state.told(&transfer.name))];
-    let orders = transfer.orders.iter().enumerate();
-    lines.extend(orders.map(|(order, index)| (Role::Plain, format!(" PF{order} {}", show(*index)))));
+    lines.extend(transfer.orders.iter().map(|index| {
+        let order = catalogue::kind(scene.series[*index].column);
+        (Role::Plain, format!(" {} {}", state.told(order), show(*index)))
+    }));
     lines.push((Role::Plain, String::new()));
     let others = scene.transfers.iter().filter(|other| other.name != transfer.name);
     lines.extend(others.map(|other| {

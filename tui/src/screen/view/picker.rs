@@ -9,7 +9,7 @@ use ratatui::widgets::{Clear, Widget};
 
 use super::{mechanism, plots};
 use crate::screen::draw::{cut, first_shown, paint, put, put_lines, short};
-use crate::screen::state::{Choice, Picker, PickerKind, Role, State};
+use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, State};
 
 /// Columns of the list of scenes.
 const SCENE: u16 = 26;
@@ -73,8 +73,12 @@ fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
 fn curve(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     let Some(scene) = &state.scene else { return };
     let Some(series) = scene.named(&choice.name) else { return };
+    paint(state, &figure(state, scene, series), area, buffer);
+}
+
+/// The picture of a quantity.
+pub(crate) fn figure(state: &State, scene: &Scene, series: &Series) -> Figure {
     let (curves, heading) =
         ([(series, Stroke::Solid, Ink::First)], [Text::default(), series.show(state.position)]);
-    let panel = plots::over_positions(state, scene, heading, &curves, Vec::new());
-    paint(state, &Figure::of(panel), area, buffer);
+    Figure::of(plots::over_positions(state, scene, heading, &curves, Vec::new()))
 }

@@ -1,22 +1,31 @@
 //! Plans of the position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
-use assur_diagram::{Plan, PlanVector, construction_plan};
-use assur_figure::{Bounds, Figure, Frame, Ink, Panel};
-use assur_force::{Construction, Drawing, Step, VectorKind};
+use assur_book::{Block, Column, Table, row};
+use assur_diagram::{Plan, PlanVector, construction_picture};
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel};
+use assur_force::{Construction, Drawing, VectorKind};
 use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::advice;
-use super::plots::{self, Vector};
+use super::plots::{self, Drawn, Vector};
+use super::{advice, mechanism, page};
 use crate::number::digits;
-use crate::screen::draw::{cut, paint, put_lines, wrapped};
+use crate::screen::draw::{paint, put_lines, wrapped};
 use crate::screen::state::{Found, Part, Plans, Role, Scene, State, View};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
 /// A vector smaller than this part of the greatest counts as zero.
 const LEAST: f64 = 1e-12;
+
+/// How far beyond the mechanism a construction is drawn, as part of its size.
+const FAR: f64 = 1.5;
+
+/// A vector shorter than this part of a construction is not named in it.
+const SHORT: f64 = 0.02;
+/// Space around a construction, as part of its size.
+const AROUND: f64 = 0.06;
 
 /// Name of the pole of a plan of velocities or accelerations.
 const POLE: &str = "p";
@@ -33,7 +42,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             let text = text.unwrap_or_else(|| advice::text(state, scene));
             let rows = advice::rows(&state.told(text), usize::from(list.width.max(12)) - 2).into_iter();
             let rows: Vec<_> = rows.map(|line| (Role::Plain, line)).collect();
-            return lines(state, &rows, list, buffer);
+            return lines_of(state, &rows, list, buffer);
         }
     }
     let mut figure = figure(state, scene);
@@ -97,7 +106,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
         Shown::Construction(construction, last) => {
             let (method, step) = (construction.title.clone(), number(last + 1));
             let title = text!("plans-step", construction = method, step = step);
-            let panel = panel_of_steps(construction, last);
+            let panel = panel_of_steps(state, scene, construction, last);
             Figure { title, columns: 1, panels: panel.into_iter().collect(), legend: Vec::new() }
         }
         Shown::Nothing(_) => Figure::default(),
@@ -124,7 +133,7 @@ pub(crate) fn has_forces(state: &State, found: &Found) -> bool {
     found.balancing().is_some_and(|series| series.at(state.position).is_finite())
 }
 
-fn lines(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffer) {
+fn lines_of(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffer) {
     let cut = Rect { width: area.width.saturating_sub(1), ..area };
     put_lines(buffer, cut, 1, state, lines);
 }
@@ -138,28 +147,27 @@ pub(crate) fn labelled(part: Part, plan: &Plan) -> Vec<(String, &PlanVector)> {
 
 /// The vectors of a plan, and its closure error.
 fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
-    let width = usize::from(list.width.max(12)) - 2;
-    let mut rows: Vec<(Role, String)> =
-        wrapped(&state.told(&plan.title), width).into_iter().map(|line| (Role::Header, line)).collect();
-    if state.part(View::Plans) == Part::Forces {
-        rows.push((Role::Dim, state.told(text!("plans-key"))));
-    }
-    let shown = labelled(state.part(View::Plans), plan);
-    // The last rows show the closure error; a long list must not push them out.
-    let room = usize::from(list.height).saturating_sub(rows.len() + 1);
-    let skip = match state.part(View::Plans) {
-        Part::Forces => 0,
-        _ => state.chosen.vector.min(shown.len().saturating_sub(room)),
+    let part = state.part(View::Plans);
+    let heads = [Text::default(), text!("head-vector"), text!("head-size"), text!("head-unit")];
+    let row = |(label, item): (String, &PlanVector)| {
+        row![label.as_str(), item.name.clone(), item.size, unit(item.unit.clone())]
     };
-    for (label, item) in shown.iter().skip(skip).take(room) {
-        let name = cut(&state.told(&item.name), 19);
-        let size = state.told(number(digits(item.size, 5)));
-        let text = format!("{label:<4}{name:<20}{size:>9} {}", state.told(unit(item.unit.clone())));
-        rows.push((Role::Plain, text));
-    }
+    let vectors = labelled(part, plan).into_iter().map(row);
+    let table = Table::list(Text::default(), heads.map(Column::of)).rows(vectors);
+    let lines = page::told(state, list.width.saturating_sub(2), |page| {
+        page.blocks.push(Block::Subheading(plan.title.clone()));
+        if part == Part::Forces {
+            page.paragraph(text!("plans-key"));
+        }
+        page.table(table);
+    });
+    // The closure error stands below; a long list must not push it out.
+    let [above, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(list);
+    let chosen = if part == Part::Forces { 0 } else { state.chosen.vector };
+    page::draw_from(state, &lines, chosen, above, buffer);
     let open = number(format_args!("{:.1e}", plan.residual));
-    rows.push((Role::Header, state.told(text!("plans-open", open = open))));
-    lines(state, &rows, list, buffer);
+    let open = (Role::Header, state.told(text!("plans-open", open = open)));
+    lines_of(state, &[open], below, buffer);
 }
 
 fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
@@ -167,7 +175,7 @@ fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
         let absolute = state.part(View::Plans) == Part::Accelerations && item.kind == VectorKind::Absolute;
         let ink = if absolute { Ink::Acceleration } else { ink(item.kind) };
         let name = if ink == Ink::Trace { Text::default() } else { name(label) };
-        Vector { from: item.start, to: item.end, name, ink }
+        Vector { from: item.start, to: item.end, name, ink, kind: Drawn::Arrow }
     });
     let (unit, symbol, pole) = match state.part(View::Plans) {
         Part::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
@@ -200,7 +208,7 @@ fn ink(kind: VectorKind) -> Ink {
 /// The construction and its step that belong to the number of a step over all constructions.
 fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
     let mut left = step.min(plans.step_count().saturating_sub(1));
-    for construction in &plans.constructions {
+    for (_, construction) in &plans.constructions {
         if left < construction.steps.len() {
             return Some((construction, left));
         }
@@ -225,35 +233,63 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     let kind = joined("", [name("("), step.kind.describe(), name(")")]);
     rows.push((Role::Key, state.told(joined(" ", [step.name.clone(), kind, size]))));
     rows.extend(wrapped(&state.told(step.note.clone()), width).into_iter().map(|line| (Role::Plain, line)));
-    lines(state, &rows, list, buffer);
+    lines_of(state, &rows, list, buffer);
 }
 
-/// The drawing of the last step with the steps up to it, on the place that all its steps take.
-fn panel_of_steps(construction: &Construction, last: usize) -> Option<Panel> {
-    let drawing = construction.steps.get(last)?.drawing;
-    let plan = construction_plan(construction, drawing)?;
-    let mut items = plan.items.iter();
-    let steps = construction.steps.iter().enumerate().filter(|(_, step)| step.drawing == drawing);
-    let mut vector = |step: &Step| {
-        let (from, to, ink) = match step.kind {
-            VectorKind::Point => (step.start, step.start, Ink::Trace),
-            _ => items.next().map(|item| (item.start, item.end, ink(item.kind)))?,
-        };
-        Some(Vector { from, to, name: step.name.clone(), ink })
-    };
-    let all: Vec<(usize, Vector)> =
-        steps.filter_map(|(number, step)| Some((number, vector(step)?))).collect();
-    let place = Bounds::around(all.iter().flat_map(|(_, vector)| [vector.from, vector.to]));
+/// The drawing of the last step with the steps up to it, on the place that all its steps take: the mechanism under the steps in it
+/// and the polygon laid off from its corner, or the lever.
+fn panel_of_steps(state: &State, scene: &Scene, construction: &Construction, last: usize) -> Option<Panel> {
+    let step = construction.steps.get(last)?;
+    let on_lever = step.drawing == Drawing::Lever;
+    let all = construction_picture(construction, on_lever);
+    let mut place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends));
+    let mut beneath = Vec::new();
+    if !on_lever {
+        // What lies far off, as a pole near infinity, would leave no room for the rest; of the mechanism the part is seen in which
+        // the construction lies.
+        let room = scene.outline.bounds.widened(FAR);
+        place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends).filter(|at| room.holds(*at)))
+            .widened(AROUND);
+        let pose = scene.pose(state.position, 0.0);
+        let items = pose.map_or_else(Vec::new, |pose| mechanism::drawing(scene, &[]).items(&pose));
+        // The radii of an arc lead out of the picture.
+        let is_radius = |item: &Item| matches!(item, Item::Line { ink: Ink::Trace, .. });
+        let items = items.into_iter().filter(|item| !is_radius(item));
+        beneath = items.flat_map(|item| item.within(&place)).collect();
+    }
     let made = all.into_iter().take_while(|(number, _)| *number <= last);
-    let vectors: Vec<Vector> = made.map(|(_, vector)| vector).collect();
-    let symbol = match drawing {
-        Drawing::Mechanism => "l",
-        Drawing::Polygon => "F",
-        Drawing::Lever => "v",
-    };
-    let mut panel = plots::vectors(Text::default(), &vectors, (&plan.unit, symbol), None);
+    let vectors: Vec<Vector> = made
+        .filter_map(|(number, ends)| {
+            let step = &construction.steps[number];
+            let (ink, kind) = match step.kind {
+                VectorKind::Point => (Ink::Trace, Drawn::Point),
+                VectorKind::Line => (Ink::Trace, Drawn::Line),
+                kind => (ink(kind), Drawn::Arrow),
+            };
+            // A line is named while it is the last step; its ends have names. So is a vector too short to be seen.
+            let short = || length(ends) < SHORT * place.size().into_iter().fold(0.0, f64::max);
+            let hidden = number < last && (kind == Drawn::Line || kind == Drawn::Arrow && short());
+            let name = if hidden { Text::default() } else { step.name.clone() };
+            let [from, to] = if on_lever { ends } else { place.cut(ends)? };
+            Some(Vector { from, to, name, ink, kind })
+        })
+        .collect();
+    let (unit, symbol) = if on_lever { (lever_unit(construction), "v") } else { ("m", "l") };
+    let mut panel = plots::vectors(Text::default(), &vectors, (unit, symbol), on_lever.then_some(POLE));
+    panel.items.splice(0..0, beneath);
     if let Frame::Plane { bounds, .. } = &mut panel.frame {
         *bounds = place;
     }
     Some(panel)
+}
+
+/// Distance of two points.
+fn length([from, to]: [[f64; 2]; 2]) -> f64 {
+    (to[0] - from[0]).hypot(to[1] - from[1])
+}
+
+/// The unit of the images on a lever.
+fn lever_unit(construction: &Construction) -> &'static str {
+    let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
+    image.map_or("m", |step| step.unit)
 }

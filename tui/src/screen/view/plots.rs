@@ -84,6 +84,18 @@ pub(crate) struct Vector {
     /// May be empty: then it is a thin line.
     pub(crate) name: Text,
     pub(crate) ink: Ink,
+    pub(crate) kind: Drawn,
+}
+
+/// How a vector is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Drawn {
+    /// With a head; without a name as a thin line.
+    Arrow,
+    /// Without a head.
+    Line,
+    /// A point.
+    Point,
 }
 
 /// Vectors that are drawn together, in a unit, with the index of its scale factor. With a pole, it is marked and names
@@ -97,6 +109,7 @@ pub(crate) fn vectors(
     let mut items: Vec<Item> = vectors.iter().map(arrow).collect();
     let part = if pole.is_some() { 1.0 } else { 0.6 };
     items.extend(vectors.iter().filter(|vector| !vector.name.is_empty()).map(|vector| {
+        let part = if vector.kind == Drawn::Line { 0.5 } else { part };
         let at = [0, 1].map(|axis| (1.0 - part) * vector.from[axis] + part * vector.to[axis]);
         Item::name(at, vector.name.clone(), Ink::Title)
     }));
@@ -110,10 +123,11 @@ pub(crate) fn vectors(
 }
 
 fn arrow(vector: &Vector) -> Item {
-    let Vector { from, to, ink, .. } = *vector;
-    if vector.name.is_empty() {
-        Item::line([from, to], Stroke::Dotted, ink)
-    } else {
-        Item::Arrow { from, to, stroke: Stroke::Solid, ink }
+    let Vector { from, to, ink, kind, .. } = *vector;
+    match kind {
+        Drawn::Point => Item::sign(from, Sign::Dot, Ink::Title),
+        Drawn::Line => Item::line([from, to], Stroke::Solid, ink),
+        Drawn::Arrow if vector.name.is_empty() => Item::line([from, to], Stroke::Dotted, ink),
+        Drawn::Arrow => Item::Arrow { from, to, stroke: Stroke::Solid, ink },
     }
 }

@@ -2,23 +2,16 @@
 //! energy-mass diagram, the shares of the reduced inertia, the link of reduction.
 
 use assur_analysis::results::{
-    Analysis, Column, Dynamics, EnergyMass, Iteration, Owner, Quantity, RegimePoint, RegimeReport, Table,
-    Trial,
+    Analysis, Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
 };
-use assur_book::{Course, Node};
-use assur_figure::{Axis, Bounds, Figure, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
-use assur_mechanism::InputPair;
-use assur_words::{joined, name, number, quantity, text, unit};
-use ratatui::buffer::Buffer;
-use ratatui::layout::{Constraint, Layout, Rect};
+use assur_book::{Course, Node, Step};
+use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
+use assur_mechanism::{InputPair, PointId};
+use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
 use super::plots;
-use crate::number::digits;
-use crate::screen::draw::{paint, put_lines, short, table};
-use crate::screen::state::{Found, Role, Scene, State, coordinate_unit};
-
-/// Rows that the curves below the table of the iteration need.
-const PLOTS: u16 = 8;
+use crate::number::{digits, plain};
+use crate::screen::state::{Found, Scene, State, coordinate_unit};
 
 /// A quantity of the regime over the cycle; where `read` gives none, the course has none.
 fn over(regime: &RegimeReport, read: impl Fn(&RegimePoint) -> Option<f64>) -> Course {
@@ -31,7 +24,7 @@ fn cursor(state: &State, scene: &Scene) -> f64 {
 }
 
 /// Speed in the regime and in the first turn, then the moments and the energies.
-pub(super) fn course(state: &State, scene: &Scene, analysis: &Analysis, regime: &RegimeReport) -> Vec<Panel> {
+pub(super) fn course(state: &State, scene: &Scene, found: &Found, regime: &RegimeReport) -> Vec<Panel> {
     let mut lines = vec![(text!("regime-course"), over(regime, |row| Some(row.speed)))];
     let first_turn = over(regime, |row| row.first_turn);
     if !first_turn.is_empty() {
@@ -39,8 +32,8 @@ pub(super) fn course(state: &State, scene: &Scene, analysis: &Analysis, regime: 
     }
     let speed =
         plots::curves(text!("regime-input-speed"), lines, axis(scene), Some(cursor(state, scene).into()));
-    let energies = energies(analysis, Column::COORDINATE, axis(scene), cursor(state, scene));
-    [speed, moments(state, scene, regime)].into_iter().chain(energies).collect()
+    let energies = energies(&found.analysis, Column::COORDINATE, axis(scene), cursor(state, scene));
+    [speed, moments(state, scene, found, regime)].into_iter().chain(energies).collect()
 }
 
 /// The coordinate over the cycle, and its factor from SI.
@@ -49,11 +42,17 @@ fn axis(scene: &Scene) -> (Axis, f64) {
 }
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
-pub(super) fn moments(state: &State, scene: &Scene, regime: &RegimeReport) -> Panel {
+pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &RegimeReport) -> Panel {
     // What drives is shown along the motion, and the resistance against it, as its mean is. Driving is what does work over the cycle.
     let sense = scene.linkage.mechanism.input.sign();
+    let of_loads = Column::of(Quantity::ReducedMoment, Owner::Input);
+    let jumps = Course::of(&found.analysis.positions, Some(&found.edges), Column::COORDINATE, of_loads);
     let drive = |sign: f64| over(regime, |row| Some(sign * sense * row.drive));
-    let load = |sign: f64| over(regime, |row| Some(sign * sense * row.load));
+    let load = |sign: f64| {
+        let factor = sign * sense;
+        let step = |step: &Step| Step { at: step.at, values: step.values.map(|value| factor * value) };
+        over(regime, |row| Some(factor * row.load)).with_steps(jumps.steps().iter().map(step))
+    };
     let mean = |sign: f64| (text!("regime-mean"), over(regime, |_| Some(sign * regime.mean_resistance)));
     let lines = if regime.loads_drive() {
         let driving = (text!("regime-driving-loads"), load(1.0));
@@ -73,49 +72,38 @@ pub(super) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
         (text!("regime-working-section"), course(&work.working_section)),
     ];
     let x = Axis::around(text!("regime-motor-speed"), work.curve.iter().map(|at| at[0]), 0.0);
-    let cursor = Some((0.5 * (work.speed[0] + work.speed[1])).into());
-    Some(plots::curves(text!("regime-characteristic"), lines, (x, 1.0), cursor))
+    let mut panel = plots::curves(text!("regime-characteristic"), lines, (x, 1.0), None);
+    mark_section(&mut panel, dynamics, &work.working_section);
+    Some(panel)
 }
 
-/// The iterations to the regime: a row for each turn, then a row for each trial of ratio and flywheel.
-pub(crate) fn draw_iteration(state: &State, regime: &RegimeReport, area: Rect, buffer: &mut Buffer) {
-    let turn = |turn: &Iteration| {
-        let [start, end] = [turn.speed_start, turn.speed_end].map(|value| number(digits(value, 8)));
-        [number(turn.number), start, end, number(format_args!("{:.2e}", turn.residual))]
-    };
-    let mut lines = vec![(Role::Header, state.told(text!("regime-iteration")))];
-    let head = [
-        text!("regime-column-turn"),
-        text!("regime-column-start"),
-        text!("regime-column-end"),
-        text!("regime-column-difference"),
-    ];
-    lines.extend(table(state, head, regime.iteration.iter().map(turn)));
-    let trial = |trial: &Trial| {
-        let six = |value| number(digits(value, 6));
-        let ratio = trial.ratio.map_or_else(|| name("-"), six);
-        let [flywheel, mean, unevenness] = [trial.flywheel, trial.mean_speed, trial.unevenness].map(six);
-        [number(trial.number), ratio, flywheel, mean, unevenness]
-    };
-    if !regime.trials.is_empty() {
-        lines.push((Role::Plain, String::new()));
-        lines.push((Role::Header, state.told(text!("regime-trials"))));
-        let head = [
-            text!("regime-column-number"),
-            text!("regime-column-ratio"),
-            unit("kg m2"),
-            text!("regime-column-mean"),
-            text!("regime-column-unevenness"),
-        ];
-        lines.extend(table(state, head, regime.trials.iter().map(trial)));
+/// The working section of the characteristic by itself; `None` without a motor of a catalogue.
+pub(super) fn working_section(dynamics: &Dynamics) -> Option<Panel> {
+    let work = &dynamics.motor.as_ref()?.work;
+    let section = Course::from_points(work.working_section.iter().copied());
+    let x = Axis::around(text!("regime-motor-speed"), work.speed, 0.0);
+    let title = list([text!("regime-working-section"), unit("N m")]);
+    let mut panel = plots::curves(title, vec![(text!("regime-working-section"), section)], (x, 1.0), None);
+    mark_section(&mut panel, dynamics, &work.working_section);
+    Some(panel)
+}
+
+/// `δ = 0.05`.
+fn unevenness(dynamics: &Dynamics) -> Text {
+    text!("regime-delta", delta = number(plain(dynamics.figures.unevenness)))
+}
+
+/// The working section as a thick line over the characteristic, with the lines of its least and its greatest speed, and the
+/// unevenness that belongs to it.
+fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
+    let Frame::Axes { y, .. } = &panel.frame else { return };
+    let (low, high) = (y.value(0.0), y.value(1.0));
+    panel.items.push(Item::line(section, Stroke::Thick, Ink::Second));
+    for end in [section.first(), section.last()].into_iter().flatten() {
+        panel.items.push(Item::line([[end[0], low], [end[0], high]], Stroke::Dotted, Ink::Cursor));
+        panel.items.push(Item::sign(*end, Sign::Ring, Ink::Text));
     }
-    let [numbers, below] =
-        Layout::vertical([Constraint::Length(short(lines.len()) + 1), Constraint::Min(0)]).areas(area);
-    put_lines(buffer, numbers, 1, state, &lines);
-    if below.height >= PLOTS {
-        let panels = iteration(regime);
-        paint(state, &Figure { panels, columns: 2, ..Figure::default() }, below, buffer);
-    }
+    panel.items.extend(section.last().map(|at| Item::name(*at, unevenness(dynamics), Ink::Title)));
 }
 
 /// The energy-mass diagram with its two tangents.
@@ -139,7 +127,7 @@ pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
 pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Panel {
-    let (positions, ending) = (&found.analysis.positions, &found.ending);
+    let (positions, ending) = (&found.analysis.positions, &found.edges.ending);
     let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
     let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
     // The sum of flywheel, rotor and the first `count` links in a row.
@@ -162,7 +150,8 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         items.extend(at.map(|at| Item::name(at, name((count + 1).to_string()), Ink::Title)));
     }
     let values = items.iter().flat_map(Item::points).map(|at| at[1]).collect::<Vec<_>>();
-    let names = links.iter().map(|owner| name(format!("+ {}", positions.schema().name(*owner))));
+    let links = links.iter().filter_map(|owner| positions.schema().named(*owner));
+    let names = links.map(|link| joined("", [name("+"), link.into()]));
     let names = std::iter::once(text!("regime-drive")).chain(names);
     let names = names.enumerate().map(|(at, told)| plots::numbered(at, told));
     let title = text!("regime-shares", names = joined("  ", names));
@@ -174,16 +163,16 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
 
 /// The link of reduction (E fig. 1c): the input link with the reduced force and mass at its point.
 pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Option<Panel> {
-    let (mechanism, table) = (&scene.linkage.mechanism, &found.analysis.positions);
+    let table = &found.analysis.positions;
     let (point, row) = (dynamics.reduction_point.as_ref()?, table.row_of(state.position)?);
-    let at = |point: &str, order| {
-        let column = Column::vector(Quantity::Transfer(order), Owner::Point(mechanism.point(point)?));
+    let at = |point: PointId, order| {
+        let column = Column::vector(Quantity::Transfer(order), Owner::Point(point));
         let [x, y] = column.map(|column| table.get(row, column));
         Some([x?, y?])
     };
-    let (tip, along) = (at(&point.name, 0)?, at(&point.name, 1)?);
-    let pin = match mechanism.input.pair {
-        InputPair::Pin(pin) => at(&mechanism.points[pin].name, 0)?,
+    let (tip, along) = (at(point.name.id, 0)?, at(point.name.id, 1)?);
+    let pin = match scene.linkage.mechanism.input.pair {
+        InputPair::Pin(pin) => at(pin, 0)?,
         InputPair::Slide(_) => tip,
     };
     let moment = table.schema().find(Column::of(Quantity::ReducedMoment, Owner::Input))?;
@@ -201,10 +190,10 @@ pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &
         Item::line(vec![pin, tip], Stroke::Solid, Ink::First),
         Item::sign(pin, Sign::Plus, Ink::Title),
         Item::Arrow { from: tip, to, stroke: Stroke::Solid, ink: Ink::Second },
-        Item::name(tip, name(point.name.clone()), Ink::Title),
+        Item::name(tip, Text::from(&point.name), Ink::Title),
     ];
     let (force, mass) = (quantity(digits(force, 5), "N"), quantity(digits(mass, 5), "kg"));
-    let title = text!("regime-reduced", point = name(point.name.clone()), force = force, mass = mass);
+    let title = text!("regime-reduced", point = &point.name, force = force, mass = mass);
     let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
     Some(Panel { title, frame, items })
 }

@@ -1,11 +1,11 @@
-//! Long texts that are scrolled: the report on the methods, and the working of the position.
+//! Long texts that are scrolled: the report on the methods, the working of the position, and the pages of motion and drive.
 
-use assur_words::{name, text};
+use assur_report::text::Style;
+use assur_words::{Describe, name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use assur_words::Describe;
-
+use super::{drive, motion};
 use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Role, State, View};
 
@@ -41,7 +41,8 @@ fn progress(state: &State, area: Rect, buffer: &mut Buffer) {
 
 /// Visible rows of the text.
 pub(crate) fn page(state: &State) -> usize {
-    let top = u16::from(state.view == View::Accuracy && state.measuring().is_some());
+    // Motion and drive have a heading.
+    let top = u16::from([View::Motion, View::Drive].contains(&state.view) || state.measuring().is_some());
     usize::from(super::room(state).height.saturating_sub(top))
 }
 
@@ -60,8 +61,18 @@ pub(crate) fn lines(state: &State, view: View, width: u16) -> Vec<String> {
     // A column stays free at each side.
     let width = width.max(40) - 2;
     let language = state.language();
+    let page = match (view, &state.scene, state.found()) {
+        (View::Drive, Some(scene), _) => drive::whole(state, scene, width + 2),
+        (View::Motion, Some(scene), Some(found)) => motion::told(state, scene, found, width + 2),
+        _ => Vec::new(),
+    };
+    if !page.is_empty() {
+        return page.into_iter().map(|line| line.text).collect();
+    }
     let text = match (view, &state.measured, state.found()) {
-        (View::Accuracy, Some(measured), _) => measured.text(state.look.ascii, width),
+        (View::Accuracy, Some(measured), _) => {
+            measured.text(Style { language, ascii: state.look.ascii }, width)
+        }
         (View::Working, _, Some(found)) => match found.plans.at(state.position).working() {
             Ok(sections) => assur_worksheet::text(sections, usize::from(width), language),
             Err(error) => error.describe().render(language),

@@ -124,9 +124,10 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
         text!("structure-outer", pairs = pairs(&group.frame.outer)),
     ];
     if let Some(Some(pose)) = scene.poses.get(state.position) {
-        let way = number(linkage.ways.at(pose.coordinate)[index]);
-        let count = number(linkage.groups()[index].ways());
-        lines.push(text!("structure-way", way = way, count = count));
+        if let Ok(Some(modes)) = linkage.modes(index, pose) {
+            let (way, count) = (number(modes.number(modes.present)), number(modes.all.len()));
+            lines.push(text!("structure-way", way = way, count = count));
+        }
         let determinant = number(plain(pose.health[index].abs()));
         lines.push(text!("structure-determinant", determinant = determinant));
     }

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use assur_force::Loads;
 use assur_kinematics::Linkage;
-use assur_mechanism::{Mechanism, Table, Value};
+use assur_mechanism::{LoadKind, Mechanism, Spring, Table, Value};
 
 use super::{Trial, Width, named};
 use crate::check::Check;
@@ -66,30 +66,34 @@ fn masses(m: &mut Mechanism, factor: f64) -> bool {
 
 fn inertias(m: &mut Mechanism, factor: f64) -> bool {
     m.links.iter_mut().for_each(|link| link.inertia *= factor);
-    m.motion.is_some() && m.links.iter().any(|link| link.inertia > 0.0)
+    m.motion.is_some() && m.links.iter().any(|link| !link.inertia.is_none())
+}
+
+/// Changes the laws of all loads of a kind; whether there is one.
+fn laws(m: &mut Mechanism, factor: f64, kind: fn(&LoadKind) -> bool) -> bool {
+    let of_kind = m.loads.iter_mut().map(|load| &mut load.kind).filter(|load| kind(load));
+    of_kind.filter_map(LoadKind::law_mut).map(|law| value(law, factor)).count() > 0
 }
 
 fn forces(m: &mut Mechanism, factor: f64) -> bool {
-    m.forces.iter_mut().for_each(|force| value(&mut force.value, factor));
-    !m.forces.is_empty()
+    laws(m, factor, |load| load.force().is_some())
 }
 
 fn moments(m: &mut Mechanism, factor: f64) -> bool {
-    m.moments.iter_mut().for_each(|moment| value(&mut moment.value, factor));
-    !m.moments.is_empty()
+    laws(m, factor, |load| load.moment().is_some() || load.brake().is_some())
 }
 
 fn springs(m: &mut Mechanism, factor: f64) -> bool {
-    for spring in &mut m.springs {
+    let springs = m.loads.iter_mut().filter_map(|load| load.kind.spring_mut());
+    let change = |spring: &mut Spring| {
         spring.stiffness *= factor;
         spring.damping *= factor;
-    }
-    !m.springs.is_empty()
+    };
+    springs.map(change).count() > 0
 }
 
 fn contacts(m: &mut Mechanism, factor: f64) -> bool {
-    m.contacts.iter_mut().for_each(|contact| value(&mut contact.force, factor));
-    !m.contacts.is_empty()
+    laws(m, factor, |load| load.contact().is_some())
 }
 
 fn planted(name: &str, change: Change) -> Width {

@@ -1,6 +1,7 @@
 //! Errors in places and transfer functions.
 
 use assur_group::Body;
+use assur_kinematics::Position;
 
 use super::{Trial, Width, named};
 use crate::check::Check;
@@ -103,7 +104,8 @@ fn a_derivative_of_the_inertia_that_is_wrong_by_twice_the_limit_is_caught() {
     // The link with the greatest momentum is accelerated along its velocity: J' grows by 2 m v a.
     let along = |subject: &Subject<'_>, one: &mut Solved, _: usize, error: f64| {
         let links = &subject.linkage.mechanism.links;
-        let [inertia, _] = kinetics::reduced(&subject.linkage.mechanism, &one.position.bodies);
+        let Position { coordinate, ref bodies, .. } = one.position;
+        let [inertia, _] = kinetics::reduced(&subject.linkage.mechanism, coordinate, bodies);
         let momentum = |(link, body): (usize, &Body<f64>)| {
             let v = body.first(body.arm(links[link].center)).map(|v| links[link].mass * v);
             (v[0].hypot(v[1]), link, v)

@@ -61,7 +61,7 @@ pub(super) fn transfer(structure: &Structure, plan: &Plan) -> Stage {
 pub(super) fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
     let stage = text!("explain-stage-velocities");
     if plan.velocities {
-        return run(stage, text!("explain-has-motion"), name("v = PF1 w, a = PF2 w^2 + PF1 e"));
+        return run(stage, text!("explain-has-motion"), text!("explain-rates"));
     }
     if mechanism.motion.is_none() {
         return left_out(stage, text!("explain-add-motion"));

@@ -1,6 +1,6 @@
 //! What the model of a scene leaves out.
 
-use assur_mechanism::{Direction, GROUND, LinkId, Mechanism, Motion, Torque};
+use assur_mechanism::{GROUND, LinkId, Load, Mechanism, Motion, Torque};
 use assur_words::{list, text};
 
 use super::model::{has_rotor, heavy, used_drive};
@@ -35,7 +35,7 @@ fn masses(mechanism: &Mechanism, list: &mut Vec<Remark>) {
         list.push(remark(text!("missing-mass", links = of), text!("missing-mass-how")));
     }
     let slender =
-        moving().filter(|id| mechanism.links[*id].mass > 0.0 && mechanism.links[*id].inertia == 0.0);
+        moving().filter(|id| mechanism.links[*id].mass > 0.0 && mechanism.links[*id].inertia.is_none());
     let (straight, turning): (Vec<_>, Vec<_>) = slender.partition(|id| only_slides(mechanism, *id));
     for (of, how) in [(turning, text!("missing-inertia-how")), (straight, text!("missing-inertia-needless"))]
     {
@@ -70,14 +70,11 @@ fn motion(mechanism: &Mechanism, list: &mut Vec<Remark>) {
 }
 
 fn loads(mechanism: &Mechanism, list: &mut Vec<Remark>) {
-    let working = !(mechanism.forces.is_empty()
-        && mechanism.moments.is_empty()
-        && mechanism.contacts.is_empty()
-        && mechanism.springs.is_empty());
-    if !working {
+    if mechanism.loads.is_empty() {
         list.push(remark(text!("missing-loads"), text!("missing-loads-how")));
     }
-    if mechanism.springs.iter().all(|spring| spring.damping == 0.0) {
+    let damped = |load: &Load| load.kind.spring().is_some_and(|spring| spring.damping != 0.0);
+    if !mechanism.loads.iter().any(damped) {
         list.push(remark(text!("missing-damping"), text!("missing-damping-how")));
     }
 }
@@ -110,8 +107,9 @@ fn drive(mechanism: &Mechanism, list: &mut Vec<Remark>) {
 }
 
 fn friction(mechanism: &Mechanism, remarks: &mut Vec<Remark>) {
-    let opposed = mechanism.forces.iter().filter(|force| force.direction == Direction::AgainstMotion);
-    let opposed = list(opposed.map(|force| (&force.name).into()));
+    let forces = |load: &&Load| load.kind.force().is_some() && load.kind.is_against_motion();
+    let opposed = mechanism.loads.iter().filter(forces);
+    let opposed = list(opposed.map(|load| (&load.name).into()));
     let how = if opposed.is_empty() {
         text!("missing-friction-how")
     } else {

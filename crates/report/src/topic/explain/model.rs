@@ -1,7 +1,9 @@
 //! What the model of a scene contains.
 
 use assur_book::{Unit, link_name};
-use assur_mechanism::{Contact, Direction, Drive, LinkId, Mechanism, Motion, Motor, Over, Torque, Value};
+use assur_mechanism::{
+    Contact, Direction, Drive, LinkId, LoadKind, Mechanism, Motion, Motor, Over, Torque, Value,
+};
 use assur_words::{Text, list as listed, number, text};
 
 use super::words::{Remark, remark};
@@ -29,7 +31,7 @@ pub(super) fn heavy(mechanism: &Mechanism) -> Vec<LinkId> {
 
 /// The drive, if the motion uses it.
 pub(super) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
-    let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
+    let found = mechanism.has_equation_of_motion();
     mechanism.drive.as_ref().filter(|_| found)
 }
 
@@ -67,33 +69,31 @@ fn motion(mechanism: &Mechanism, list: &mut Vec<Remark>) {
 }
 
 fn loads(mechanism: &Mechanism, list: &mut Vec<Remark>) {
+    list.extend(mechanism.loads.iter().map(|load| remark((&load.name).into(), acts(mechanism, &load.kind))));
+}
+
+/// Where and how a load acts, in words.
+fn acts(mechanism: &Mechanism, load: &LoadKind) -> Text {
     let link = |id: LinkId| link_name(mechanism, id);
-    for force in &mechanism.forces {
-        let direction = match force.direction {
-            Direction::AgainstMotion => text!("model-against-motion"),
-            Direction::Link(_) => text!("model-turns-with-link"),
-            Direction::Ground(_) => text!("model-fixed-direction"),
-        };
-        let at = text!("model-at-point", link = link(force.at.link));
-        list.push(remark((&force.name).into(), listed([at, law(&force.value), direction])));
-    }
-    for moment in &mechanism.moments {
-        let (on, law) = (link(moment.link), law(&moment.value));
-        let how = if moment.brake.is_some() {
-            text!("model-brake", link = on, law = law)
-        } else {
-            text!("model-moment", link = on, law = law)
-        };
-        list.push(remark((&moment.name).into(), how));
-    }
-    for spring in &mechanism.springs {
-        let [one, other] = spring.ends.map(|end| link(end.link));
-        let damped = if spring.damping == 0.0 { text!("model-undamped") } else { text!("model-damped") };
-        let how = text!("model-spring", one = one, other = other, damped = damped);
-        list.push(remark((&spring.name).into(), how));
-    }
-    for contact in &mechanism.contacts {
-        list.push(remark((&contact.name).into(), contact_words(contact)));
+    match load {
+        LoadKind::Force(force) => {
+            let direction = match force.direction {
+                Direction::AgainstMotion => text!("model-against-motion"),
+                Direction::Link(_) => text!("model-turns-with-link"),
+                Direction::Ground(_) => text!("model-fixed-direction"),
+            };
+            listed([text!("model-at-point", link = link(force.at.link)), law(&force.value), direction])
+        }
+        LoadKind::Moment(moment) => {
+            text!("model-moment", link = link(moment.link), law = law(&moment.value))
+        }
+        LoadKind::Brake(brake) => text!("model-brake", link = link(brake.link), law = law(&brake.force)),
+        LoadKind::Spring(spring) => {
+            let [one, other] = spring.ends.map(|end| link(end.link));
+            let damped = if spring.damping == 0.0 { text!("model-undamped") } else { text!("model-damped") };
+            text!("model-spring", one = one, other = other, damped = damped)
+        }
+        LoadKind::Contact(contact) => contact_words(contact),
     }
 }
 

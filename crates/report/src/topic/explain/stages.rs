@@ -58,7 +58,7 @@ fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> Text {
     if !plan.inertia_constant {
         return text!("explain-reduced");
     }
-    let is_heavy = |id: &usize| mechanism.links[*id].mass > 0.0 || mechanism.links[*id].inertia > 0.0;
+    let is_heavy = |id: &usize| mechanism.links[*id].is_heavy();
     let heavy: Vec<_> = (1..mechanism.links.len()).filter(is_heavy).collect();
     if heavy.is_empty() {
         return text!("explain-reduced-without-mass");
@@ -85,7 +85,7 @@ fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&Text>) -> 
 fn drive(mechanism: &Mechanism) -> Stage {
     let stage = text!("explain-stage-drive");
     let Some(drive) = &mechanism.drive else { return left_out(stage, text!("explain-no-drive")) };
-    let found = matches!(mechanism.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }));
+    let found = mechanism.has_equation_of_motion();
     if found {
         run(stage, drive_reason(drive), drive_method(drive))
     } else {

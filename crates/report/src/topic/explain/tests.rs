@@ -1,8 +1,7 @@
 //! The explanation names what is done, what is left out, and why.
 
 use assur_all as _;
-use assur_analysis::plan::Plan;
-use assur_analysis::{Options, methods};
+use assur_analysis::{Options, methods, plan};
 use assur_mechanism::Mechanism;
 use assur_structure::Structure;
 
@@ -16,10 +15,12 @@ fn scene(name: &str, change: impl Fn(String) -> String) -> Mechanism {
 
 fn explained_by(mechanism: &Mechanism, analyzer: Option<&str>) -> String {
     let structure = Structure::of(mechanism).unwrap();
-    let options = Options { analyzer: analyzer.map(str::to_owned), integrator: None };
+    let options = Options { analyzer: analyzer.map(str::to_owned), ..Options::default() };
     let methods = methods(mechanism, &options);
-    let plan = Plan::of(mechanism, &structure, methods.by_groups);
-    crate::text::explain(mechanism, &structure, &plan, &methods, None, Style::english())
+    let plan = plan(mechanism, &structure, &options);
+    crate::text::told(Style::english(), |page| {
+        super::explain(mechanism, &structure, &plan, &methods, None, page);
+    })
 }
 
 /// What is said of one stage: all its lines in one.
@@ -35,7 +36,7 @@ fn shaper(heavy: &[&str], moves: bool, output: &str) -> Mechanism {
     let mut mechanism = scene("shaper", |text| format!("{text}\n[output]\n{output}\n"));
     for link in &mut mechanism.links {
         if !heavy.contains(&link.name.as_str()) {
-            (link.mass, link.inertia) = (0.0, 0.0);
+            (link.mass, link.inertia) = (0.0, 0.0.into());
         }
     }
     if !moves {
@@ -62,14 +63,14 @@ fn what_is_saved_is_named() {
     let crank = shaper(&["crank"], false, "reactions = [\"A\"]");
     assert!(stage(&crank, "reduction to the input link").contains("crank alone"));
     let mut light = shaper(&["rocker"], true, "reactions = [\"A\"]");
-    light.forces.clear();
+    light.loads.clear();
     assert!(stage(&light, "reactions").contains("1 of 2 groups not solved"));
 }
 
 #[test]
 fn a_method_for_the_whole_system_says_so() {
     let mut light = shaper(&["rocker"], true, "reactions = [\"A\"]");
-    light.forces.clear();
+    light.loads.clear();
     let text = explained_by(&light, Some("newton-euler"));
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words.contains("solves the mechanism as one system"), "{text}");

@@ -2,6 +2,7 @@
 
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, Position};
+use assur_words::{Describe, Text};
 
 /// Weights of f(q + k h) for k = 1, 2: for the first derivative with odd symmetry, for the second with even symmetry.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,12 +51,12 @@ impl<'a> Differentiator<'a> {
     }
 
     /// Places at all points of the stencil, and the derivatives with the middle position.
-    pub(crate) fn solve(&mut self, q: f64) -> Result<&Position, String> {
+    pub(crate) fn solve(&mut self, q: f64) -> Result<&Position, Text> {
         for (i, position) in self.at.iter_mut().enumerate() {
             let side = if i % 2 == 1 { 1.0 } else { -1.0 };
             let offset = if i == 0 { 0.0 } else { side * i.div_ceil(2) as f64 * self.step };
             let solved = self.linkage.solve(q + offset, Order::Place, position);
-            solved.map_err(|error| error.to_string())?;
+            solved.map_err(|error| error.describe())?;
         }
         let (middle, around) = self.at.split_at_mut(1);
         for (link, body) in middle[0].bodies.iter_mut().enumerate().skip(1) {

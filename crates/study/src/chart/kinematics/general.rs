@@ -3,13 +3,14 @@
 use std::hint::black_box;
 
 use assur_group::{Body, Number, Order};
-use assur_kinematics::{Chain, PositionError};
+use assur_kinematics::Chain;
 use assur_number::Lanes;
+use assur_words::{Describe, Text};
 
 use super::failure;
 use crate::chart::entry::{Entry, Verdict};
 use crate::chart::work::{Work, solve_generally};
-use crate::chart::{ChartError, Row};
+use crate::chart::{ChartError, Measurement};
 
 /// Distance before a position at which Newton's method begins, rad or parts of the scale: as in following a mechanism
 /// in some 300 steps per turn.
@@ -28,7 +29,7 @@ pub(super) enum Places {
 pub(super) fn general<'a, T: Number>(
     work: &'a Work<'a>,
     places: Places,
-) -> Result<impl FnMut(usize, bool) -> Result<f64, String> + 'a, ChartError> {
+) -> Result<impl FnMut(usize, bool) -> Result<f64, Text> + 'a, ChartError> {
     let chain = Chain::<T>::compile(&work.linkage.mechanism, &work.linkage.structure)?;
     let starts: Vec<_> = work.coordinates.iter().map(|q| start(work, &chain, *q)).collect();
     let mut bodies = chain.bodies();
@@ -61,7 +62,7 @@ fn start<T: Number>(work: &Work<'_>, chain: &Chain<T>, q: f64) -> Vec<Body<T>> {
 }
 
 /// The closed forms over all positions, block by block; the last block repeats the last position.
-pub(super) fn entry<'a>(work: &'a Work<'a>, row: Row) -> Entry<'a> {
+pub(super) fn entry<'a>(work: &'a Work<'a>, row: Measurement) -> Entry<'a> {
     let (linkage, coordinates) = (work.linkage, &work.coordinates);
     let (mut block, mut position) = (linkage.lane_position(), linkage.position());
     let groups = linkage.groups().len() as u64;
@@ -76,7 +77,7 @@ pub(super) fn entry<'a>(work: &'a Work<'a>, row: Row) -> Entry<'a> {
             }
             for (lane, failure) in solved.err().unwrap_or_default() {
                 if let Some(error) = errors.get_mut(index * Lanes::WIDTH + lane) {
-                    *error = Err(PositionError::to_string(&failure));
+                    *error = Err(failure.describe());
                 }
             }
             black_box(&block);

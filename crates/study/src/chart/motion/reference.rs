@@ -3,9 +3,10 @@
 use std::rc::Rc;
 
 use assur_integrator::{IntegratorPlugin, Motion, Request, Sample, Trajectory, integrators};
+use assur_number::greater;
+use assur_words::{Text, name, number, text};
 
 use super::Task;
-use crate::chart::ruler::greater;
 use crate::chart::{ChartError, Reference};
 
 /// Tolerances of a tight run, the first that succeeds.
@@ -18,7 +19,7 @@ const MOST_STEPS: usize = 30_000;
 pub(in crate::chart) struct References {
     /// With the name of the method.
     judges: Vec<(&'static str, Rc<Trajectory>)>,
-    how: String,
+    how: Text,
     /// Their difference.
     error: f64,
     /// Greatest distance from the start and greatest speed.
@@ -42,12 +43,15 @@ impl References {
             [one, two] => deviation(&one.2, &two.2, sizes),
             _ => f64::NAN,
         };
-        let names: Vec<String> =
-            runs.iter().map(|run| format!("{} at tolerance {:.0e}", run.0, run.1)).collect();
-        let how = format!(
-            "{}; each judges all methods but itself; own error by their difference",
-            names.join(" and ")
-        );
+        let by = |run: &(&'static str, f64, Trajectory)| {
+            let tolerance = number(format_args!("{:.0e}", run.1));
+            text!("chart-reference-method", method = name(run.0), tolerance = tolerance)
+        };
+        let methods = match &runs[..] {
+            [one, other] => text!("chart-reference-methods", one = by(one), other = by(other)),
+            _ => by(&runs[0]),
+        };
+        let how = text!("chart-reference-motion", methods = methods);
         let judges = runs.into_iter().map(|(name, _, found)| (name, Rc::new(found))).collect();
         Ok(Self { judges, how, error: if error.is_nan() { 0.0 } else { error }, sizes, duration })
     }

@@ -5,14 +5,18 @@ use std::hint::black_box;
 use assur_dynamics::{RegimeSolver, steady};
 use assur_integrator::{Motion, Request};
 use assur_mechanism::{FlywheelPlace, Motion as Asked, Solve};
+use assur_words::{name, number, text};
 
 use super::Cycle;
 use super::settling::stepping;
 use crate::chart::entry::{Entry, Field, Verdict};
-use crate::chart::{Reference, Row, Setting, Stage};
+use crate::chart::{Measurement, Reference, Setting, Stage};
 
 /// Samples over the cycle from which the extremes of the speed are read.
 const SAMPLES: usize = 4000;
+
+/// Tolerance of the cycle in time from which they are read.
+const TIGHT: f64 = 1e-13;
 
 /// All methods; `None` if no flywheel is to be found.
 pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
@@ -33,7 +37,7 @@ pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
             error: Some(((flywheel - truth) / truth).abs()),
             failure: None,
         };
-        Entry::run(Row::new(Stage::Flywheel, found.method, Setting::default()), run)
+        Entry::run(Measurement::new(Stage::Flywheel, found.method, Setting::default()), run)
     });
     Some(Field { reference, entries: entries.collect() })
 }
@@ -50,10 +54,11 @@ fn truth(cycle: &Cycle<'_>, wanted: f64, on_motor: bool) -> Option<(f64, Referen
     let truth = corrected(fine);
     let error =
         ((corrected(coarse) - truth) / truth).abs().max(((truth - flywheel) / truth).abs() * 0.1).max(1e-13);
-    let how = format!(
-        "the exact flywheel, corrected to first order by the unevenness of the cycle run in time by {} at tolerance 1e-13, \
-         {SAMPLES} samples; own error by half as many. A textbook method takes the time of the survey of the cycle that it needs",
-        stepping(&task)?.name
+    let how = text!(
+        "chart-reference-flywheel",
+        method = name(stepping(&task)?.name),
+        tolerance = number(format_args!("{TIGHT:e}")),
+        samples = number(SAMPLES)
     );
     Some((truth, Reference { how, error }))
 }
@@ -61,7 +66,7 @@ fn truth(cycle: &Cycle<'_>, wanted: f64, on_motor: bool) -> Option<(f64, Referen
 /// (greatest - least)/mean of the speed over the cycle in time; extremes by parabolas through three samples.
 fn unevenness(cycle: &Cycle<'_>, samples: usize) -> Option<f64> {
     let task = cycle.task(samples);
-    let request = Request { tolerance: 1e-13, ..task.request };
+    let request = Request { tolerance: TIGHT, ..task.request };
     let found = stepping(&task)?.solve(&mut task.motion.clone(), &request).ok()?;
     let speeds: Vec<f64> = found.samples.iter().map(|sample| sample.speed.abs()).collect();
     let high = extreme(&speeds, 1.0)?;

@@ -1,6 +1,7 @@
 //! The regime by steps in time until the speed settles: a method in its own right, and the reference of the others.
 
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Motion, Request, State, integrators};
+use assur_words::{Describe, Text, name, number, text};
 
 use super::{Cycle, MOST_CYCLES, NEVER_SETTLES};
 use crate::chart::motion::Task;
@@ -36,8 +37,11 @@ impl Judges {
         let shooting = task.request.initial.speed;
         let multiplier = cycle.regime.multiplier;
         let method = stepping(&task);
-        let name = method.map_or("no method in time", |method| method.name);
         let after_one = |speed| method.and_then(|method| Some(turn(method, &task, speed, TIGHT).ok()?.0));
+        let by = |id| {
+            let method = name(method.map_or("", |method| method.name));
+            text!(id, method = method, tolerance = number(format_args!("{TIGHT:e}")))
+        };
         let (in_time, how) = match after_one(shooting) {
             Some(end) if multiplier < NEVER_SETTLES => {
                 // Newton's method for "the speed after a cycle equals that before", with the known multiplier.
@@ -46,20 +50,11 @@ impl Judges {
                 for _ in 0..2 {
                     speed = after_one(speed).map_or(speed, |end| next(speed, end));
                 }
-                let how = format!(
-                    "speed at the start of the cycle: the fixed point of one cycle by {name} at tolerance 1e-14, for all \
-                     methods on collocation panels; shooting, for {name}; own error by their difference"
-                );
-                (speed, how)
+                (speed, by("chart-reference-fixed-point"))
             }
-            Some(end) => {
-                let how = format!(
-                    "speed at the end of the found cycle, run in time by {name} at tolerance 1e-14 (it must equal that at \
-                     the start)"
-                );
-                (end, how)
-            }
-            None => (shooting, format!("shooting itself: {name} fails on the cycle")),
+            Some(end) => (end, by("chart-reference-end")),
+            None if method.is_none() => (shooting, text!("chart-reference-alone")),
+            None => (shooting, by("chart-reference-shooting")),
         };
         // Speeds are known to a few rounding errors at best.
         let error = ((in_time - shooting) / shooting).abs().max(1e-15);
@@ -75,11 +70,11 @@ fn turn(
     task: &Task<'_>,
     speed: f64,
     tolerance: f64,
-) -> Result<(f64, usize), String> {
+) -> Result<(f64, usize), Text> {
     let initial = State { speed, ..task.request.initial };
     let request = Request { initial, tolerance, samples: 1, ..task.request };
     let found = method.solve(&mut task.motion.clone(), &request);
-    let found = found.map_err(|error| error.to_string())?;
+    let found = found.map_err(|error| error.describe())?;
     Ok((found.end.speed, found.statistics.evaluations))
 }
 
@@ -93,7 +88,7 @@ pub(super) struct InTime<'a> {
 
 impl InTime<'_> {
     /// Speed at the start of a cycle, and evaluations.
-    pub(super) fn solve(&self) -> Result<(f64, usize), String> {
+    pub(super) fn solve(&self) -> Result<(f64, usize), Text> {
         let task = self.cycle.task(1);
         let (mut speed, mut count) = (self.cycle.request.mean_speed, 0);
         for _ in 0..MOST_CYCLES {
@@ -105,9 +100,9 @@ impl InTime<'_> {
                 return Ok((speed, count));
             }
             if count > 10 * self.options.max_steps {
-                return Err(format!("not settled after {count} evaluations"));
+                return Err(text!("chart-not-settled-evaluations", count = number(count)));
             }
         }
-        Err(format!("not settled after {MOST_CYCLES} cycles"))
+        Err(text!("chart-not-settled-cycles", count = number(MOST_CYCLES)))
     }
 }

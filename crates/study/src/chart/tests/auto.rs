@@ -3,7 +3,7 @@
 use assur_kinematics::Linkage;
 
 use super::scenes::{charted, charted_of};
-use crate::chart::{ChartData, Row, Stage, Value};
+use crate::chart::{ChartData, Measurement, Stage, Value};
 
 /// At most so many times more evaluations than the best method that meets the tolerance.
 const MOST: u64 = 3;
@@ -31,7 +31,7 @@ fn nor_where_the_moment_depends_on_the_speed_alone() {
             );
             let data = charted_of(&Linkage::compile(assur_scene::read(name, &text).unwrap()).unwrap());
             let auto: Vec<_> = data.of(Stage::Motion).filter(|row| row.auto).collect();
-            let is_right = |row: &Row| row.method == "quadrature" && row.ok;
+            let is_right = |row: &Measurement| row.method == "quadrature" && row.ok;
             assert!(!auto.is_empty() && auto.iter().all(|row| is_right(row)), "{name} {end}: {auto:?}");
             assert_near_the_best(name, &data);
         }

@@ -78,5 +78,5 @@ fn change_points_are_left_out_and_told() {
     let work = Work::new(&linkage).unwrap();
     // 24 positions from 90 degrees: two of them are flat.
     assert_eq!(work.coordinates.len(), 22);
-    assert!(work.reference.how.contains("2 positions are left out"), "{}", work.reference.how);
+    assert!(work.reference.how.to_string().contains("2 positions are left out"), "{}", work.reference.how);
 }

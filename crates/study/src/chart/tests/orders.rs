@@ -1,9 +1,9 @@
 //! The order of each method, as its rows show it.
 
 use super::scenes::{charted, rows};
-use crate::chart::{ChartData, Row, Stage, Value};
+use crate::chart::{ChartData, Measurement, Stage, Value};
 
-fn number(row: &Row, name: &str) -> f64 {
+fn number(row: &Measurement, name: &str) -> f64 {
     match row.setting.get(name) {
         Some(Value::Number(value)) => value,
         other => panic!("{name}: {other:?}"),
@@ -17,10 +17,10 @@ fn slope(
     method: &str,
     setting: &str,
     ends: [f64; 2],
-    across: fn(&Row) -> f64,
+    across: fn(&Measurement) -> f64,
 ) -> f64 {
     let at = |wanted: f64| {
-        let near = |row: &&Row| (number(row, setting) / wanted).ln().abs();
+        let near = |row: &&Measurement| (number(row, setting) / wanted).ln().abs();
         rows(data, stage, method).into_iter().min_by(|a, b| near(a).total_cmp(&near(b))).unwrap()
     };
     let (one, two) = (at(ends[0]), at(ends[1]));
@@ -35,7 +35,7 @@ fn assert_between(value: f64, [low, high]: [f64; 2]) {
 #[test]
 fn differences_have_order_two_and_four() {
     let data = charted("shaper");
-    let step = |row: &Row| number(row, "step");
+    let step = |row: &Measurement| number(row, "step");
     let of = |method, ends| slope(&data, Stage::Kinematics, method, "step", ends, step);
     assert_between(of("differences-2", [1e-1, 1e-3]), [1.9, 2.1]);
     assert_between(of("differences-4", [1e-1, 1e-2]), [3.8, 4.2]);
@@ -46,7 +46,7 @@ fn differences_have_order_two_and_four() {
 #[test]
 fn fixed_steps_have_their_order() {
     let data = charted("andrews");
-    let step = |row: &Row| number(row, "step");
+    let step = |row: &Measurement| number(row, "step");
     let of = |method, ends| slope(&data, Stage::Motion, method, "step", ends, step);
     assert_between(of("uniform", [1e-4, 1e-5]), [0.9, 1.1]);
     assert_between(of("rk4", [1e-4, 1e-5]), [3.6, 4.4]);
@@ -55,7 +55,7 @@ fn fixed_steps_have_their_order() {
 #[test]
 fn steps_under_control_have_their_order() {
     let data = charted("andrews");
-    let evaluations = |row: &Row| row.evaluations.unwrap() as f64;
+    let evaluations = |row: &Measurement| row.evaluations.unwrap() as f64;
     let of = |method| -slope(&data, Stage::Motion, method, "tolerance", [1e-6, 1e-11], evaluations);
     assert_between(of("dopri5"), [4.5, 6.5]);
     assert_between(of("dop853"), [7.0, 10.0]);

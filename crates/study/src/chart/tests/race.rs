@@ -3,10 +3,12 @@
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
+use assur_words::Text;
+
 use super::scenes::{Ticks, shipped};
 use crate::chart::entry::{Entry, Field, Verdict};
 use crate::chart::race::{Judge, STOPPED, median};
-use crate::chart::{Clock, Options, Progress, Reference, Row, Setting, Stage, chart};
+use crate::chart::{Clock, Measurement, Options, Progress, Reference, Setting, Stage, chart};
 
 /// A clock that contestants move.
 struct Moved<'a>(&'a RefCell<f64>);
@@ -20,7 +22,7 @@ impl Clock for Moved<'_> {
 /// Takes the times of its list in turn, and notes each run.
 fn slow<'a>(name: char, times: Vec<f64>, now: &'a RefCell<f64>, log: &'a RefCell<String>) -> Entry<'a> {
     let mut next = 0;
-    Entry::run(Row::new(Stage::Motion, "slow", Setting::default()), move |_| {
+    Entry::run(Measurement::new(Stage::Motion, "slow", Setting::default()), move |_| {
         *now.borrow_mut() += times[next % times.len()];
         next += 1;
         log.borrow_mut().push(name);
@@ -36,7 +38,7 @@ fn methods_take_turns_and_the_median_counts() {
         slow('a', vec![0.9, 0.1, 0.1, 0.1, 0.1], &now, &log),
         Entry { units: 2.0, ..slow('b', vec![0.2], &now, &log) },
     ];
-    let field = Field { reference: Reference { how: String::new(), error: 1e-12 }, entries };
+    let field = Field { reference: Reference { how: Text::default(), error: 1e-12 }, entries };
     let options = Options { stage_seconds: 7.2, rounds: 4, ..Options::THOROUGH };
     let mut go_on = |_: Progress| ControlFlow::Continue(());
     let mut clock = Moved(&now);
@@ -53,7 +55,7 @@ fn methods_take_turns_and_the_median_counts() {
 fn an_error_below_the_reference_is_told_as_its_estimate() {
     let (now, log) = (RefCell::new(0.0), RefCell::new(String::new()));
     let entry = slow('a', vec![0.1], &now, &log);
-    let field = Field { reference: Reference { how: String::new(), error: 1e-6 }, entries: vec![entry] };
+    let field = Field { reference: Reference { how: Text::default(), error: 1e-6 }, entries: vec![entry] };
     let mut go_on = |_: Progress| ControlFlow::Continue(());
     let mut clock = Moved(&now);
     let mut judge = Judge {
@@ -79,7 +81,7 @@ fn what_was_measured_before_a_stop_is_kept() {
     assert!(!data.complete);
     let measured = data.rows.iter().filter(|row| row.ok && row.seconds.is_some()).count();
     assert_eq!(measured, 10);
-    assert!(data.rows.iter().any(|row| row.reason.as_deref() == Some(STOPPED)));
+    assert!(data.rows.iter().any(|row| row.reason.as_ref() == Some(&STOPPED)));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use assur_all as _;
 use assur_kinematics::Linkage;
 
-use crate::chart::{ChartData, Clock, Options, Row, Stage, chart};
+use crate::chart::{ChartData, Clock, Measurement, Options, Stage, chart};
 
 /// A clock that goes a fixed step each time it is read: it never matters but for how often a run is repeated.
 pub(super) struct Ticks(pub(super) f64);
@@ -34,6 +34,6 @@ pub(super) fn charted_of(linkage: &Linkage) -> ChartData {
 }
 
 /// The rows of a method.
-pub(super) fn rows<'a>(data: &'a ChartData, stage: Stage, method: &str) -> Vec<&'a Row> {
+pub(super) fn rows<'a>(data: &'a ChartData, stage: Stage, method: &str) -> Vec<&'a Measurement> {
     data.of(stage).filter(|row| row.method == method).collect()
 }

@@ -1,6 +1,7 @@
 //! The lengths of a mechanism, and the mechanism with one of them changed.
 
 use assur_mechanism::{LinkId, Mechanism};
+use assur_words::{Text, text};
 
 /// One length and how it is changed.
 pub(crate) enum Length {
@@ -40,18 +41,19 @@ fn distance(mechanism: &Mechanism, link: LinkId, from: usize, to: usize) -> f64 
 
 impl Length {
     /// In words, and its value, m.
-    pub(super) fn show(&self, mechanism: &Mechanism) -> (String, f64) {
+    pub(super) fn show(&self, mechanism: &Mechanism) -> (Text, f64) {
         match *self {
             Self::Joints { link, from, to } => {
-                let name = |point: usize| &mechanism.points[point].name;
-                let words = format!("{}: {} to {}", mechanism.links[link].name, name(from), name(to));
+                let [start, end] = [from, to].map(|point| &mechanism.points[point].name);
+                let words =
+                    text!("stability-joints", link = &mechanism.links[link].name, from = start, to = end);
                 (words, distance(mechanism, link, from, to))
             }
             Self::Offset { slide } => {
                 let found = &mechanism.slides[slide];
                 let (s, c) = found.angle.sin_cos();
                 let value = c * found.through[1] - s * found.through[0];
-                (format!("{}: offset of the guide", found.name), value)
+                (text!("stability-offset", slide = &found.name), value)
             }
         }
     }

@@ -28,7 +28,7 @@ fn margins(text: &str) -> Vec<Margin> {
 
 /// The increase and the decrease of the length that begins so are these, to 1e-12 of the size (1 m).
 fn check(found: &[Margin], start: &str, increase: Option<f64>, decrease: Option<f64>) {
-    let margin = found.iter().find(|margin| margin.length.starts_with(start)).unwrap();
+    let margin = found.iter().find(|margin| margin.length.to_string().starts_with(start)).unwrap();
     for (found, wanted) in [(margin.increase, increase), (margin.decrease, decrease)] {
         match (found, wanted) {
             (Some(found), Some(wanted)) => assert!((found - wanted).abs() < 1e-12, "{wanted}: {margin:?}"),
@@ -44,7 +44,7 @@ fn slider_crank_breaks_where_rod_is_crank_and_offset() {
     check(&found, "crank", Some(0.18), None);
     check(&found, "rod", None, Some(0.18));
     check(&found, "slider", Some(0.18), Some(0.18));
-    let rod = found.iter().find(|margin| margin.length.starts_with("rod")).unwrap();
+    let rod = found.iter().find(|margin| margin.length.to_string().starts_with("rod")).unwrap();
     assert!((rod.increase_searched - 24.0).abs() < 1e-12);
     let found = margins(&slider_crank(0.0613, 0.2471, 0.0391));
     check(&found, "crank", Some(0.2471 - 0.0391 - 0.0613), None);
@@ -125,7 +125,7 @@ fn behind_a_parallelogram_the_limits_are_those_of_what_follows() {
 fn margins_scale_with_the_mechanism() {
     for unit in [1e-6, 1e3] {
         let found = margins(&four_bar([0.4 * unit, 0.0], 0.1 * unit, 0.35 * unit, 0.25 * unit));
-        let margin = found.iter().find(|margin| margin.length.starts_with("rocker")).unwrap();
+        let margin = found.iter().find(|margin| margin.length.to_string().starts_with("rocker")).unwrap();
         assert!((margin.increase.unwrap() / unit - 0.4).abs() < 1e-12, "{unit}: {margin:?}");
         assert!((margin.decrease.unwrap() / unit - 0.1).abs() < 1e-12, "{unit}: {margin:?}");
     }

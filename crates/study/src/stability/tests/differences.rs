@@ -7,7 +7,7 @@ use assur_number::{Dd, Real};
 use super::Law;
 use crate::chart::kinematics::differences::{Differentiator, Stencil};
 use crate::stability::compare::{ORDERS, transfer};
-use crate::stability::row::{DISTANCES, FACTOR, Row, Subject};
+use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject};
 use crate::stability::walk::growth;
 
 pub(super) static LAW: Law = Law {
@@ -28,7 +28,7 @@ struct Exact<'a> {
 }
 
 /// Both stencils over all steps at one coordinate.
-pub(crate) fn rows(linkage: &Linkage, q: f64, name: &str) -> Vec<Row> {
+pub(crate) fn rows(linkage: &Linkage, q: f64, name: &str) -> Vec<Comparison> {
     let Ok(chain) = Chain::<Dd>::compile(&linkage.mechanism, &linkage.structure) else { return Vec::new() };
     let scale = linkage.structure.scale;
     let exact = Exact { linkage, chain, q, units: [linkage.coordinate_unit(), scale] };
@@ -49,7 +49,7 @@ impl Exact<'_> {
         Some((bodies, health))
     }
 
-    fn step(&self, (stencil, order): (Stencil, i32), step: f64, name: &str, rows: &mut Vec<Row>) {
+    fn step(&self, (stencil, order): (Stencil, i32), step: f64, name: &str, rows: &mut Vec<Comparison>) {
         let Some((bodies, health)) = self.bodies(Dd::from_f64(self.q)) else { return };
         let Some(beyond) = self.beyond(step) else { return };
         let links: Vec<usize> = (1..bodies.len()).collect();
@@ -73,8 +73,8 @@ impl Exact<'_> {
                 Err(why) => Err(why.clone()),
             };
             let subject = Subject {
-                place: name,
-                method: stencil.name,
+                place: assur_words::name(name.to_owned()),
+                method: assur_words::name(stencil.name),
                 quantity: ORDERS[derivative],
                 distance: step,
                 health: health.iter().fold(1.0, |least, health| health.abs().to_f64().min(least)),
@@ -125,11 +125,12 @@ impl Exact<'_> {
 }
 
 /// At steps so small nothing is left, as the bound says; the program takes no derivative this way.
-fn without_digits(mut row: Row) -> Row {
+fn without_digits(mut row: Comparison) -> Comparison {
     if row.error.is_some_and(|error| error <= row.bound) && !row.ok {
         row.ok = true;
-        row.reason =
-            Some("no digit is left, as the bound says: the step is too small, or too great".to_owned());
+        row.reason = Some(assur_words::name(
+            "no digit is left, as the bound says: the step is too small, or too great",
+        ));
     }
     row
 }

@@ -50,14 +50,14 @@ pub(crate) struct Isolated {
 impl Isolated {
     /// `None` for a group that is no dyad of the five types.
     pub(crate) fn of(group: &Group) -> Option<Self> {
-        let dyad = group.plugin.pattern.find(&group.frame)?;
+        let dyad = group.plugin.pattern?.find(&group.frame)?;
         let ([first, second], [inner]) = (&dyad.outer[..], &dyad.inner[..]) else { return None };
         let moved = |pair: &Pair, id, a, b| Pair { id, a, b, ..*pair };
         let (first, inner, second) =
             (moved(&first.pair, 0, 2, 4), moved(&inner.pair, 1, 2, 3), moved(&second.pair, 2, 3, 1));
         let scale = group.frame.scale;
         let frame = GroupFrame { links: vec![2, 3], inner: vec![inner], outer: vec![first, second], scale };
-        let dyad = group.plugin.pattern.find(&frame)?;
+        let dyad = group.plugin.pattern?.find(&frame)?;
         let reach = |at: [f64; 2]| at[0].hypot(at[1]);
         let size = [first, inner, second].iter().fold(scale, |size, pair| match pair.geometry {
             PairGeometry::Pin { at_a, at_b } => size.max(reach(at_a)).max(reach(at_b)),

@@ -22,16 +22,16 @@ use assur_group::Order;
 use assur_kinematics::{CompileError, Linkage};
 use assur_mechanism::Mechanism;
 
-use super::{Row, Stability, nearest, stability, walk};
+use super::{Comparison, Stability, nearest, stability, walk};
 
 /// What the rows of a section are about, and what is expected of a method there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Law {
     /// Kind of walk, as the heading of a chapter.
     section: &'static str,
-    /// What the distance is.
+    /// What the distance is: an identity, or the words.
     along: &'static str,
-    /// What the bound follows from.
+    /// What the bound follows from: an identity, or the words.
     expected: &'static str,
 }
 
@@ -41,7 +41,7 @@ static CYCLE: Law = Law { section: "Along the cycle", along: walk::ALONG, expect
 /// Rows with their law.
 struct Section {
     law: &'static Law,
-    rows: Vec<Row>,
+    rows: Vec<Comparison>,
 }
 
 /// The study of a mechanism that nobody stops.
@@ -65,9 +65,9 @@ fn healthiest(linkage: &Linkage) -> Option<f64> {
 }
 
 /// Rows as those of a mechanism of this name that approaches what the words say.
-fn named(mut rows: Vec<Row>, name: &str, words: &str) -> Vec<Row> {
+fn named(mut rows: Vec<Comparison>, name: &str, words: &str) -> Vec<Comparison> {
     for row in &mut rows {
-        row.place = format!("{name}, {words}");
+        row.place = assur_words::name(format!("{name}, {words}"));
     }
     rows
 }

@@ -5,10 +5,11 @@ use std::fmt::Write;
 
 use assur_structure::Structure;
 use assur_testkit::specimen::{Recipe, kinds};
+use assur_words::{Text, text};
 
 use super::bench::{MOST_TURNS, sections};
 use super::{Section, walk_group};
-use crate::stability::Row;
+use crate::stability::Comparison;
 
 const ABOUT: &str = "\
 # Where methods fail
@@ -52,7 +53,7 @@ fn groups() -> Section {
 }
 
 /// The distances of a section at the heads of the columns: all, or so many of them at equal steps.
-fn columns(rows: &[Row]) -> Vec<f64> {
+fn columns(rows: &[Comparison]) -> Vec<f64> {
     let mut all: Vec<f64> = rows.iter().map(|row| row.distance).collect();
     all.sort_by(|a, b| b.total_cmp(a));
     all.dedup();
@@ -68,9 +69,9 @@ fn digits(error: f64) -> u32 {
 
 fn table(section: &Section) -> String {
     let heads = columns(&section.rows);
-    let mut lines: BTreeMap<(&str, &str, &str), Line> = BTreeMap::new();
+    let mut lines: BTreeMap<(String, String, &str), Line> = BTreeMap::new();
     for row in &section.rows {
-        let line = lines.entry((&row.place, &row.method, row.quantity)).or_default();
+        let line = lines.entry((row.place.to_string(), row.method.to_string(), row.quantity)).or_default();
         line.factor =
             line.factor.max(row.error.filter(|error| *error > 0.0).map_or(0.0, |error| error / row.bound));
         let Some(column) = heads.iter().position(|head| head.total_cmp(&row.distance).is_eq()) else {
@@ -99,9 +100,10 @@ fn table(section: &Section) -> String {
 
 /// The first refusal of each method, as it says it.
 fn refusals(section: &Section) -> String {
-    let mut first: BTreeMap<&str, (usize, &str)> = BTreeMap::new();
+    let mut first: BTreeMap<String, (usize, String)> = BTreeMap::new();
     for row in section.rows.iter().filter(|row| row.error.is_none()) {
-        first.entry(&row.method).or_insert((0, row.reason.as_deref().unwrap_or(""))).0 += 1;
+        let reason = || row.reason.as_ref().map_or_else(String::new, Text::to_string);
+        first.entry(row.method.to_string()).or_insert_with(|| (0, reason())).0 += 1;
     }
     if first.is_empty() {
         return String::new();
@@ -128,7 +130,7 @@ fn chapter(sections: &[&Section]) -> String {
     );
     for section in sections {
         let law = section.law;
-        write!(text, "\n* Distance: {}.\n* Bound: {}.\n\n", law.along, law.expected).unwrap();
+        write!(text, "\n* Distance: {}.\n* Bound: {}.\n\n", text!(law.along), text!(law.expected)).unwrap();
         text += &table(section);
         text += &refusals(section);
     }
@@ -137,7 +139,7 @@ fn chapter(sections: &[&Section]) -> String {
 
 /// The whole page. Sections of one name make one chapter.
 fn page(sections: &[Section]) -> String {
-    let rows: Vec<&Row> = sections.iter().flat_map(|section| &section.rows).collect();
+    let rows: Vec<&Comparison> = sections.iter().flat_map(|section| &section.rows).collect();
     let failed = rows.iter().filter(|row| !row.ok).count();
     let mut text = ABOUT.to_owned();
     writeln!(
@@ -176,8 +178,11 @@ fn digits_of_an_error() {
 #[test]
 fn the_page_has_a_line_for_each_walk_and_method() {
     let section = groups();
-    let mut walks: Vec<_> =
-        section.rows.iter().map(|row| (row.place.clone(), row.method.clone(), row.quantity)).collect();
+    let mut walks: Vec<_> = section
+        .rows
+        .iter()
+        .map(|row| (row.place.to_string(), row.method.to_string(), row.quantity))
+        .collect();
     walks.sort();
     walks.dedup();
     let page = page(&[section]);

@@ -4,10 +4,10 @@ use assur_force::{Loads, Reactions, State};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{InputPair, Mechanism, Range};
+use assur_words::name;
 
 use super::Law;
-use crate::stability::compare;
-use crate::stability::row::{FACTOR, Row, Subject};
+use crate::stability::row::{Comparison, FACTOR, Subject};
 use crate::stability::walk::{self, analyzers_of, growth, test_loads};
 
 pub(super) static LAW: Law = Law {
@@ -32,7 +32,7 @@ const AT_INFINITY: f64 = 1e4;
 const GRAVITY: f64 = 9.81;
 
 /// Rows at one coordinate.
-pub(crate) fn rows(linkage: &Linkage, q: f64, name: &str) -> Vec<Row> {
+pub(crate) fn rows(linkage: &Linkage, q: f64, name: &str) -> Vec<Comparison> {
     let mut rows = Vec::new();
     let bare = bare(&linkage.mechanism);
     let mut position = linkage.position();
@@ -49,7 +49,8 @@ pub(crate) fn rows(linkage: &Linkage, q: f64, name: &str) -> Vec<Row> {
         let light = weights(&heavy, &position);
         for factor in MASSES {
             for (link, given) in heavy.mechanism.links.iter_mut().zip(&bare.links) {
-                (link.mass, link.inertia) = (given.mass * factor, given.inertia * factor);
+                (link.mass, link.inertia) = (given.mass * factor, given.inertia.clone());
+                link.inertia *= factor;
             }
             let pair = Pair { name, q, factor, before: (&heavy, &position), rows: &mut rows };
             pair.masses(light.as_deref(), &weights(&heavy, &position));
@@ -71,7 +72,7 @@ struct Pair<'a> {
     q: f64,
     factor: f64,
     before: (&'a Linkage, &'a Position),
-    rows: &'a mut Vec<Row>,
+    rows: &'a mut Vec<Comparison>,
 }
 
 impl Pair<'_> {
@@ -94,14 +95,14 @@ impl Pair<'_> {
             * own
             * own;
         let subject = Subject {
-            place: &format!("{}, {place}", self.name),
-            method,
+            place: name(format!("{}, {place}", self.name)),
+            method: name(method.to_owned()),
             quantity,
             distance: self.factor,
             health: position.health.iter().fold(1.0, |least, health| health.abs().min(least)),
             bound: if is_power_of_two(self.factor) { 0.0 } else { rounding },
         };
-        self.rows.push(subject.row_or(found, own > AT_INFINITY));
+        self.rows.push(subject.row_or(found.map_err(name), own > AT_INFINITY));
     }
 
     fn lengths(mut self, scaled: Result<&Linkage, &String>) {
@@ -183,7 +184,7 @@ fn worst(parts: impl Iterator<Item = [(f64, f64, f64); 4]>, least: f64) -> f64 {
     let (mut apart, mut most) = (0.0, least.max(f64::MIN_POSITIVE));
     for (a, b, size) in parts.flatten() {
         most = f64::max(most, a.abs() / size);
-        apart = compare::worst(apart, (a - b).abs() / size);
+        apart = assur_number::greater(apart, (a - b).abs() / size);
     }
     apart / most
 }
@@ -213,10 +214,8 @@ fn is_power_of_two(factor: f64) -> bool {
 fn bare(mechanism: &Mechanism) -> Mechanism {
     Mechanism {
         gravity: Some([0.0, -GRAVITY]),
-        forces: Vec::new(),
-        moments: Vec::new(),
-        springs: Vec::new(),
-        contacts: Vec::new(),
+        loads: Vec::new(),
+        frictions: Vec::new(),
         balance: None,
         motion: None,
         drive: None,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use assur_kinematics::Linkage;
 
 use super::Law;
-use crate::stability::row::Row;
+use crate::stability::row::Comparison;
 use crate::stability::target::Target;
 use crate::stability::walk::Walk;
 
@@ -20,7 +20,7 @@ pub(super) static LAW: Law = Law {
 const TURNS: [f64; 6] = [4.0, 40.0, 400.0, 4000.0, 10_000.0, 1_000_000.0];
 
 /// Rows for a mechanism that turns fully; none for another one.
-pub(crate) fn rows(linkage: &Linkage, walk: &Walk<'_>, q: f64) -> Vec<Row> {
+pub(crate) fn rows(linkage: &Linkage, walk: &Walk<'_>, q: f64) -> Vec<Comparison> {
     let mut rows = Vec::new();
     if !linkage.angular() || linkage.range.is_none_or(|range| !range.full) {
         return rows;
@@ -30,7 +30,7 @@ pub(crate) fn rows(linkage: &Linkage, walk: &Walk<'_>, q: f64) -> Vec<Row> {
         sides: Vec::new(),
         reach: 0.0,
         groups: (0..linkage.structure.groups.len()).collect(),
-        words: "turns away",
+        words: assur_words::name("turns away"),
     };
     for turns in TURNS {
         walk.stop(&target, (q + turns * TAU, q), turns, &mut rows);

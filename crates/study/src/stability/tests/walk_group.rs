@@ -5,11 +5,12 @@ use assur_group::{
 };
 use assur_number::{Dd, Real};
 use assur_structure::Group;
+use assur_words::{Text, name};
 
 use super::Law;
 use super::isolated::{Isolated, Side};
 use crate::stability::compare::{ORDERS, reactions, size, transfer};
-use crate::stability::row::{DISTANCES, FACTOR, Row, Subject, accept_without_digits};
+use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject, accept_without_digits};
 
 const LINKS: [usize; 2] = [2, 3];
 
@@ -47,18 +48,25 @@ struct Reference {
 }
 
 /// Walks a group towards each of its singular positions in each of its ways; nothing for a kind without a known walk.
-pub(super) fn walk(name: &str, group: &Group) -> Vec<Row> {
+pub(super) fn walk(title: &str, group: &Group) -> Vec<Comparison> {
     let mut rows = Vec::new();
     let Some(isolated) = Isolated::of(group) else { return rows };
     for side in isolated.sides() {
         for distance in DISTANCES {
-            step(name, group, &isolated, side, distance, &mut rows);
+            step(title, group, &isolated, side, distance, &mut rows);
         }
     }
     rows
 }
 
-fn step(name: &str, group: &Group, isolated: &Isolated, side: Side, distance: f64, rows: &mut Vec<Row>) {
+fn step(
+    title: &str,
+    group: &Group,
+    isolated: &Isolated,
+    side: Side,
+    distance: f64,
+    rows: &mut Vec<Comparison>,
+) {
     let Some((frame, bodies)) = isolated.posed(side, distance) else { return };
     let (Ok(double), Ok(extended)) =
         (kernel_of::<f64>(group.plugin, &frame), kernel_of::<Dd>(group.plugin, &frame))
@@ -68,7 +76,7 @@ fn step(name: &str, group: &Group, isolated: &Isolated, side: Side, distance: f6
     for way in 0..double.ways() {
         let words = if double.ways() > 1 { format!(", way {way}") } else { String::new() };
         let place = Place {
-            words: format!("{name}, {}{words}", side.words()),
+            words: format!("{title}, {}{words}", side.words()),
             distance,
             frame: &frame,
             bodies,
@@ -106,7 +114,7 @@ impl Place<'_> {
         Ok(Reference { health, bodies, pairs })
     }
 
-    fn subject<'a>(&'a self, method: &'a str, quantity: &'static str, reference: &Reference) -> Subject<'a> {
+    fn subject(&self, method: &str, quantity: &'static str, reference: &Reference) -> Subject {
         let power = self.powers[usize::from(quantity != "pf0")];
         let lost = match quantity {
             "pf1" => self.given(reference, 1),
@@ -115,8 +123,8 @@ impl Place<'_> {
         };
         let bound = FACTOR * self.disparity * lost * f64::EPSILON / reference.health.powi(power);
         Subject {
-            place: &self.words,
-            method,
+            place: name(self.words.clone()),
+            method: name(method.to_owned()),
             quantity,
             distance: self.distance,
             health: reference.health,
@@ -137,8 +145,8 @@ impl Place<'_> {
     }
 
     /// A refusal in words, with the distance and the place.
-    fn refused(&self, error: GroupError) -> String {
-        format!("{error}, {:.0e} from: {}", self.distance, self.words)
+    fn refused(&self, error: GroupError) -> Text {
+        name(format!("{error}, {:.0e} from: {}", self.distance, self.words))
     }
 
     /// The closed forms of the kind.
@@ -148,7 +156,7 @@ impl Place<'_> {
         kernel: &dyn AssurGroup<f64>,
         way: usize,
         reference: &Reference,
-        rows: &mut Vec<Row>,
+        rows: &mut Vec<Comparison>,
     ) {
         let mut bodies = self.bodies;
         let placed = kernel.place(&mut bodies, way).map(|_| ());
@@ -176,16 +184,23 @@ impl Place<'_> {
         method: &str,
         quantity: &'static str,
         reference: &Reference,
-        outcome: Result<f64, String>,
-    ) -> Row {
+        outcome: Result<f64, Text>,
+    ) -> Comparison {
         let subject = self.subject(method, quantity, reference);
-        let mut row = Subject { bound: EQUATIONS * subject.bound, ..subject }.row(outcome);
+        let bound = EQUATIONS * subject.bound;
+        let mut row = Subject { bound, ..subject }.row(outcome);
         accept_without_digits(&mut row);
         row
     }
 
     /// Derivatives and reactions from the one linear system of the group, at the places of the closed form.
-    fn general(&self, kernel: &dyn AssurGroup<f64>, way: usize, reference: &Reference, rows: &mut Vec<Row>) {
+    fn general(
+        &self,
+        kernel: &dyn AssurGroup<f64>,
+        way: usize,
+        reference: &Reference,
+        rows: &mut Vec<Comparison>,
+    ) {
         const METHOD: &str = "general (linear system)";
         let mut bodies = self.bodies;
         let Ok(_) = kernel.place(&mut bodies, way) else { return };

@@ -4,9 +4,10 @@ use assur_dynamics::{DynamicsError, Method, steady, transient};
 use assur_force::Loads;
 use assur_integrator::{IntegrationError, IntegratorPlugin, integrators};
 use assur_kinematics::Linkage;
+use assur_words::{Describe, Text, name};
 
 use super::places::compiled;
-use crate::stability::row::{DISTANCES, Row, Subject};
+use crate::stability::row::{Comparison, DISTANCES, Subject};
 use crate::stability::tests::Law;
 
 pub(super) static LAW: Law = Law {
@@ -23,7 +24,7 @@ const START: f64 = 100.0;
 const TOLERANCE: f64 = 1e-10;
 
 /// All rows.
-pub(crate) fn rows() -> Vec<Row> {
+pub(crate) fn rows() -> Vec<Comparison> {
     let Ok(plugins) = integrators() else { return Vec::new() };
     let mut rows = vec![regime(-0.8)];
     rows.extend(plugins.iter().filter_map(|plugin| start(plugin, -0.8)));
@@ -61,12 +62,12 @@ fn row(
     (method, quantity): (&str, &'static str),
     distance: f64,
     bound: f64,
-) -> impl Fn(Result<f64, String>, bool) -> Row {
+) -> impl Fn(Result<f64, Text>, bool) -> Comparison {
     let (place, method) = (place.to_owned(), method.to_owned());
     move |outcome, may_refuse| {
         let subject = Subject {
-            place: &place,
-            method: &method,
+            place: name(place.clone()),
+            method: name(method.clone()),
             quantity,
             distance,
             health: distance.abs().min(1.0),
@@ -94,7 +95,7 @@ fn method(integrator: &str) -> Method<'_> {
 }
 
 /// From rest: w = W (1 - exp(-t)), q = W (t - 1 + exp(-t)), with W what the motor has left.
-fn start(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
+fn start(plugin: &IntegratorPlugin, excess: f64) -> Option<Comparison> {
     let ([friction, over], end) = (friction(excess), 2.0_f64);
     let text = scene(friction, "kind = \"transient\"\nspeed = 0\nuntil = 2");
     let (linkage, loads) = machine(&text)?;
@@ -109,12 +110,12 @@ fn start(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
             let speed = (state.speed / (-over * lost) - 1.0).abs();
             row(Ok(speed.max((state.coordinate / (-over * (end - lost)) - 1.0).abs())), false)
         }
-        Err(why) => row(Err(why.to_string()), is_unsupported(&why)),
+        Err(why) => row(Err(why.describe()), is_unsupported(&why)),
     })
 }
 
 /// From 50 rad/s: w = (50 + a) exp(-t) - a stops after t = ln(1 + 50/a) at q = 50 - a t, before the 50 turns wanted.
-fn stall(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
+fn stall(plugin: &IntegratorPlugin, excess: f64) -> Option<Comparison> {
     let [friction, over] = friction(excess);
     let text = scene(friction, "kind = \"transient\"\nspeed = 50\nuntil = \"50 rev\"");
     let (linkage, loads) = machine(&text)?;
@@ -127,7 +128,7 @@ fn stall(plugin: &IntegratorPlugin, excess: f64) -> Option<Row> {
         Err(DynamicsError::Integration(IntegrationError::NotReached { at, .. })) => {
             row(Ok((at.coordinate / stop - 1.0).abs().max(at.speed.abs())), false)
         }
-        Err(why) => row(Err(why.to_string()), is_unsupported(&why)),
+        Err(why) => row(Err(why.describe()), is_unsupported(&why)),
         Ok(_) => row(Ok(f64::INFINITY), false),
     })
 }
@@ -137,13 +138,13 @@ fn is_unsupported(why: &DynamicsError) -> bool {
 }
 
 /// The regime turns with what the motor has left, without unevenness; a stalled motor has none.
-fn regime(excess: f64) -> Row {
+fn regime(excess: f64) -> Comparison {
     let [friction, over] = friction(excess);
     let text = scene(friction, "kind = \"steady\"\nmean_speed = 80");
     let row = row("regime of the motor", ("shooting", "regime"), excess, 1e3 * TOLERANCE);
     let found = match machine(&text) {
-        Some((linkage, loads)) => steady(&linkage, &loads, None).map_err(|error| error.to_string()),
-        None => return row(Err("the scene does not compile".to_owned()), false),
+        Some((linkage, loads)) => steady(&linkage, &loads, None).map_err(|error| error.describe()),
+        None => return row(Err(name("the scene does not compile")), false),
     };
     match found {
         Ok(found) if over < 0.0 => row(Ok((found.regime.figures.mean_speed / -over - 1.0).abs()), false),

@@ -3,10 +3,11 @@
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_number::{Dd, Real};
+use assur_words::{Describe, name, text};
 
 use super::closed::{KNOWN, Known};
 use crate::stability::compare::{ORDERS, transfer};
-use crate::stability::row::{DISTANCES, FACTOR, Row, Subject};
+use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject};
 use crate::stability::tests::Law;
 
 pub(super) static LAW: Law = Law {
@@ -18,11 +19,11 @@ pub(super) static LAW: Law = Law {
 };
 
 /// All rows, or one that says why there are none.
-pub(crate) fn rows() -> Vec<Row> {
+pub(crate) fn rows() -> Vec<Comparison> {
     KNOWN.iter().flat_map(of).collect()
 }
 
-fn of(known: &Known) -> Vec<Row> {
+fn of(known: &Known) -> Vec<Comparison> {
     let linkage = assur_scene::read("bench.toml", &known.scene())
         .map_err(|error| error.to_string())
         .and_then(|mechanism| Linkage::compile(mechanism).map_err(|error| error.to_string()));
@@ -37,22 +38,17 @@ fn of(known: &Known) -> Vec<Row> {
                 }
             }
         }
-        Err(why) => rows.push(subject(known.name, "pf0", 0.0, 0.0, 0.0).row_or(Err(why), false)),
+        Err(why) => rows.push(subject(known.name, "pf0", 0.0, 0.0, 0.0).row_or(Err(name(why)), false)),
     }
     rows
 }
 
-fn subject<'a>(
-    place: &'a str,
-    quantity: &'static str,
-    distance: f64,
-    health: f64,
-    bound: f64,
-) -> Subject<'a> {
-    Subject { place, method: "closed forms", quantity, distance, health, bound }
+fn subject(place: &str, quantity: &'static str, distance: f64, health: f64, bound: f64) -> Subject {
+    let place = name(place.to_owned());
+    Subject { place, method: text!("stability-closed-forms"), quantity, distance, health, bound }
 }
 
-fn step(known: &Known, linkage: &Linkage, (center, offset): (f64, f64), rows: &mut Vec<Row>) {
+fn step(known: &Known, linkage: &Linkage, (center, offset): (f64, f64), rows: &mut Vec<Comparison>) {
     let q = center + offset;
     let exact = known.bodies(Dd::from_f64(q));
     let mut position = linkage.position();
@@ -68,7 +64,7 @@ fn step(known: &Known, linkage: &Linkage, (center, offset): (f64, f64), rows: &m
         let bound = FACTOR * f64::EPSILON * health.powi(-power);
         let outcome = match &solved {
             Ok(()) => Ok(transfer(&position.bodies[1..], &exact, &[0, 1, 2], order, 1.0, sizes[order])),
-            Err(error) => Err(error.to_string()),
+            Err(error) => Err(error.describe()),
         };
         rows.push(subject(&place, quantity, offset.abs(), health, bound).row_or(outcome, false));
     }

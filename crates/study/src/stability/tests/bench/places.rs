@@ -4,8 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use assur_group::Wrench;
 use assur_kinematics::Linkage;
+use assur_words::name;
 
-use crate::stability::row::{DISTANCES, Row};
+use crate::stability::row::{Comparison, DISTANCES};
 use crate::stability::target::Target;
 use crate::stability::tests::{CYCLE, Law, Section, differences, named, scales, turns};
 use crate::stability::walk::{Walk, test_loads};
@@ -41,13 +42,14 @@ pub(crate) fn sections() -> Vec<Section> {
 }
 
 /// Along the cycle to singular positions and dead centers.
-fn approaching() -> Vec<Row> {
+fn approaching() -> Vec<Comparison> {
     let mut rows = Vec::new();
     for approach in approaches() {
         let Some(linkage) = compiled(&approach.scene) else { continue };
         let Some(walk) = Walk::new(&linkage) else { continue };
         for &(coordinate, sides, words) in &approach.targets {
-            let target = Target { coordinate, sides: sides.to_vec(), reach: FAR, groups: vec![0], words };
+            let target =
+                Target { coordinate, sides: sides.to_vec(), reach: FAR, groups: vec![0], words: name(words) };
             let mut found = Vec::new();
             walk.to(&target, &mut found);
             rows.extend(named(found, approach.name, words));
@@ -192,7 +194,7 @@ pub(crate) fn approaches() -> Vec<Approach> {
 }
 
 /// Type 5: the angle between its guides is that of the links, so each distance is a mechanism of its own.
-fn parallel_guides() -> Vec<Row> {
+fn parallel_guides() -> Vec<Comparison> {
     let mut rows = Vec::new();
     for distance in DISTANCES {
         let scene = format!(
@@ -245,7 +247,7 @@ fn ordinary() -> [Section; 3] {
 }
 
 /// A crank of a micrometer on a rod of a kilometer, and masses of 1e-9 and 1e9 kg in one mechanism.
-fn disparate() -> Vec<Row> {
+fn disparate() -> Vec<Comparison> {
     let mut rows = Vec::new();
     for ratio in [1e3, 1e6, 1e9] {
         let scene = slider_crank(1e3 / ratio, 1e3, 0.0);
@@ -266,7 +268,7 @@ fn disparate() -> Vec<Row> {
 
 /// A place that is not walked to: the only group is compared at one coordinate.
 fn beside(words: &'static str) -> Target {
-    Target { coordinate: 0.0, sides: Vec::new(), reach: 0.0, groups: vec![0], words }
+    Target { coordinate: 0.0, sides: Vec::new(), reach: 0.0, groups: vec![0], words: name(words) }
 }
 
 fn times(load: Wrench<f64>, factor: f64) -> Wrench<f64> {

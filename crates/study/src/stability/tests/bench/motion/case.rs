@@ -3,8 +3,8 @@
 use assur_integrator::{Dependence, Event, EventKind, Motion, Reduced, State, Until};
 use assur_problems::{Example, Place};
 
-use crate::stability::compare::worst;
 use crate::stability::tests::Law;
+use assur_number::greater as worst;
 
 pub(in super::super) static LAW: Law = Law {
     section: "Motions",

@@ -7,12 +7,13 @@ mod stiff;
 mod stops;
 
 use assur_integrator::{FixedStep, IntegrationError, IntegratorPlugin, Request, Trajectory, integrators};
+use assur_words::{Describe, Text, name};
 
 pub(crate) use case::Case;
 pub(super) use case::LAW;
 use case::Wanted;
 
-use crate::stability::row::{FEW_DIGITS, Row, Subject};
+use crate::stability::row::{Comparison, FEW_DIGITS, Subject};
 
 /// Tolerance of methods that have one.
 const TOLERANCE: f64 = 1e-10;
@@ -27,7 +28,7 @@ const MOST_FIXED: usize = 20_000;
 const ROUNDINGS: f64 = 16.0;
 
 /// Every case by every integrator; many turns up to so many.
-pub(crate) fn rows(most_turns: f64) -> Vec<Row> {
+pub(crate) fn rows(most_turns: f64) -> Vec<Comparison> {
     let Ok(plugins) = integrators() else { return Vec::new() };
     let cases = [starts::cases(), stops::cases(), stiff::cases(most_turns), jumps::cases()];
     let cases = cases.iter().flatten();
@@ -35,7 +36,7 @@ pub(crate) fn rows(most_turns: f64) -> Vec<Row> {
 }
 
 impl Case {
-    fn row(&self, plugin: &IntegratorPlugin) -> Option<Row> {
+    fn row(&self, plugin: &IntegratorPlugin) -> Option<Comparison> {
         let mut motion = (self.motion)();
         let duration = self.duration;
         let request = Request {
@@ -47,9 +48,9 @@ impl Case {
             ..Request::new(self.initial, self.until)
         };
         if let Err(why) = (plugin.suitability)(&motion.dependence(), TOLERANCE) {
-            let row = self.subject(plugin.name, f64::NAN).row_or(Err(why.to_string()), true);
+            let row = self.subject(plugin.name, f64::NAN).row_or(Err(why), true);
             // Once a walk is enough.
-            return self.is_first.then_some(Row { bound: 0.0, ..row });
+            return self.is_first.then_some(Comparison { bound: 0.0, ..row });
         }
         let found = plugin.solve(&mut *motion, &request);
         let steps = match &found {
@@ -81,10 +82,10 @@ impl Case {
         method * self.growth + rounding
     }
 
-    fn subject<'a>(&'a self, method: &'a str, bound: f64) -> Subject<'a> {
+    fn subject(&self, method: &str, bound: f64) -> Subject {
         Subject {
-            place: self.place,
-            method,
+            place: name(self.place.to_owned()),
+            method: name(method.to_owned()),
             quantity: self.wanted.quantity(),
             distance: self.distance,
             health: self.distance.min(1.0),
@@ -92,7 +93,7 @@ impl Case {
         }
     }
 
-    fn judge(&self, found: Result<Trajectory, IntegrationError>) -> (Result<f64, String>, bool) {
+    fn judge(&self, found: Result<Trajectory, IntegrationError>) -> (Result<f64, Text>, bool) {
         match (&self.wanted, found) {
             (Wanted::End(_) | Wanted::Stop { refused: false, .. }, Ok(found)) => {
                 (Ok(self.wanted.apart(&found.end, &found.events)), false)
@@ -108,7 +109,7 @@ impl Case {
                         | IntegrationError::TooManySteps { .. }
                         | IntegrationError::StepTooSmall { .. }
                 );
-                (Err(why.to_string()), self.explicit_may_refuse && by_stiffness)
+                (Err(why.describe()), self.explicit_may_refuse && by_stiffness)
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use crossterm::event::{Event as Own, KeyCode, KeyEvent, KeyModifiers};
 
-use super::{Inbox, Session};
+use super::{EventLoop, Inbox};
 use crate::screen::input::Input;
 use crate::screen::state::Wish;
 use crate::screen::tests::{opened, press};
@@ -11,16 +11,16 @@ fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
     Input::Event(Own::Key(KeyEvent::new(code, modifiers)))
 }
 
-/// A session on a scene; `keys` are pressed before.
-fn session(keys: &str) -> Session {
+/// A loop on a scene; `keys` are pressed before.
+fn session(keys: &str) -> EventLoop {
     let mut state = opened("shaper");
     press(&mut state, keys);
     let inbox = Inbox::new(state.keys.everywhere("quit"), || {});
-    Session::new(state, inbox)
+    EventLoop::new(state, inbox)
 }
 
 /// Any number of one key, then Ctrl-C.
-fn flooded(session: &Session, code: KeyCode) {
+fn flooded(session: &EventLoop, code: KeyCode) {
     let flood = std::iter::repeat_with(|| key(code, KeyModifiers::NONE)).take(100_000);
     session.inbox.take(flood.chain([key(KeyCode::Char('c'), KeyModifiers::CONTROL)]));
 }

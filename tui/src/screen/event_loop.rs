@@ -37,14 +37,14 @@ pub(crate) fn run(state: State, config: Option<&Path>) -> io::Result<u8> {
     let mut screen = Screen::take(state.look.mouse)?;
     let keys = Arc::clone(&inbox);
     input::listen(move |inputs| keys.take(inputs))?;
-    let ended = Session::new(state, inbox).play(&mut screen, config);
+    let ended = EventLoop::new(state, inbox).play(&mut screen, config);
     // Every call fails on a terminal that has died, and nothing can be said there.
     let died = !(io::stdin().is_terminal() && io::stdout().is_terminal());
     if ended.is_err() && died { Ok(DIED) } else { ended }
 }
 
 /// The loop and what it keeps from one round to the next.
-struct Session {
+struct EventLoop {
     state: State,
     inbox: Arc<Inbox>,
     workers: Workers,
@@ -57,7 +57,7 @@ struct Session {
     ended: bool,
 }
 
-impl Session {
+impl EventLoop {
     fn new(state: State, inbox: Arc<Inbox>) -> Self {
         let reports = Arc::clone(&inbox);
         let workers = Workers::new(move |report| reports.send(Event::Work(report)));

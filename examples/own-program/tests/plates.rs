@@ -7,14 +7,14 @@ use own_program as _;
 
 #[test]
 fn it_passes_the_conformance_suite() {
-    assur_testkit::conformance("triad");
+    assur_testkit::conformance("two-plates");
 }
 
 #[test]
 fn a_mechanism_that_needs_it_closes_its_loops() {
-    let text = include_str!("../stephenson2.toml");
-    let linkage = Linkage::compile(assur_scene::read("stephenson2.toml", text).unwrap()).unwrap();
-    assert_eq!(linkage.structure.formula, "I(ground,crank) -> III/3(rod,strut,plate,rocker)");
+    let text = include_str!("../eight-bar.toml");
+    let linkage = Linkage::compile(assur_scene::read("eight-bar.toml", text).unwrap()).unwrap();
+    assert_eq!(linkage.structure.formula, "I(ground,crank) -> III/4(left,right,rod,first,second,third)");
     let mut position = linkage.position();
     for index in 0..linkage.mechanism.input.positions {
         linkage.solve_index(index, Order::Place, &mut position).unwrap();

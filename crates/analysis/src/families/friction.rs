@@ -1,0 +1,117 @@
+//! Dry friction of the pairs: moments, forces and powers, efficiency, certificates.
+
+use assur_force::{Rub, Rubbing, UnitBalance};
+use assur_mechanism::PairId;
+use assur_number::{Lanes, Real};
+
+use super::{Family, Rows};
+use crate::Calculation;
+use crate::friction::efficiency;
+use crate::results::{Column, Owner, Quantity};
+
+/// The frictions of the scene whose pairs are wanted, each with its rubs.
+fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Rub)>)> {
+    let Some(frictions) = calculation.loads.as_ref().and_then(|loads| loads.frictions()) else {
+        return Vec::new();
+    };
+    let mechanism = &calculation.linkage.mechanism;
+    let pairs = mechanism.frictions.iter().map(|friction| friction.pair);
+    let pairs = pairs.filter(|pair| calculation.plan.wanted.reactions.contains(pair));
+    pairs
+        .map(|pair| (pair, frictions.rubs.iter().enumerate().filter(|(_, rub)| rub.pair == pair).collect()))
+        .collect()
+}
+
+fn applies(calculation: &Calculation) -> bool {
+    calculation.positions_have_forces()
+        && calculation.has_forces()
+        && !calculation.linkage.mechanism.frictions.is_empty()
+}
+
+/// Moments and forces of friction, and their powers.
+pub(super) const FRICTION: Family = Family {
+    applies,
+    columns: |calculation, schema| {
+        let section = schema.section();
+        for (pair, rubs) in wanted(calculation) {
+            let several = rubs.len() > 1;
+            for (_, rub) in rubs {
+                let column = match pair {
+                    PairId::Slide(_) => Column::of(Quantity::FrictionForce, Owner::Pair(pair)),
+                    PairId::Pin(_) if several => {
+                        Column::of(Quantity::FrictionMoment, Owner::PairOn(pair, rub.link))
+                    }
+                    PairId::Pin(_) => Column::of(Quantity::FrictionMoment, Owner::Pair(pair)),
+                };
+                schema.add(section, [column]);
+            }
+            schema.add(section, [Column::of(Quantity::FrictionPower, Owner::Pair(pair))]);
+        }
+    },
+    fill: |rows, cells| {
+        let Some((_, reactions, determined)) = rows.reactions else { return };
+        let Some(rubbing) = &reactions.rubbing else { return };
+        for (_, rubs) in wanted(rows.calculation) {
+            let mut power = Lanes::ZERO;
+            for (index, rub) in rubs {
+                cells.put(rubbing.forces[index], determined);
+                power += power_of(rows, rubbing, index, rub);
+            }
+            cells.put(power, determined);
+        }
+    },
+};
+
+/// Power of the friction of a rub.
+fn power_of(rows: &Rows<'_>, rubbing: &Rubbing<Lanes>, index: usize, rub: &Rub) -> Lanes {
+    let power = rubbing.forces[index] * rub.relative(&rows.position.bodies) * speed(rows);
+    // Where the relative speed is zero but for rounding its sign is not that of the friction.
+    Lanes::of(|lane| power.0[lane].min(0.0))
+}
+
+/// Speed by which powers are counted.
+fn speed(rows: &Rows<'_>) -> Lanes {
+    let moves = rows.calculation.positions_move();
+    let loads = rows.calculation.loads.as_ref();
+    Lanes::of(|lane| loads.map_or(0.0, |loads| loads.speed_of_friction(&rows.instants[lane].state, moves)))
+}
+
+/// What friction makes of the balancing load.
+pub(super) const EFFICIENCY: Family = Family {
+    applies,
+    columns: |calculation, schema| {
+        let [ideal, determined] = [schema.section(), schema.section()];
+        schema.add(ideal, [Column::of(Quantity::IdealBalancing, Owner::Input)]);
+        schema.add(determined, [Column::of(Quantity::Efficiency, Owner::Input)]);
+        for group in super::solved(calculation) {
+            let section = schema.section();
+            schema.add(section, [Column::of(Quantity::FrictionCertificate, Owner::Group(group))]);
+        }
+    },
+    fill: |rows, cells| {
+        let linkage = &rows.calculation.linkage;
+        let unit = UnitBalance::of(&linkage.mechanism).map(|unit| unit.power(&rows.position.bodies));
+        let ideal = rows.reduced.map_or(Lanes::ZERO, |reduced| {
+            let (speed, acceleration) =
+                (rows.state(|state| state.speed), rows.state(|state| state.acceleration));
+            let slope = reduced.inertia_derivative.half() * speed * speed;
+            let drive = reduced.inertia * acceleration + slope - reduced.moment;
+            unit.map_or(drive, |unit| drive / unit)
+        });
+        cells.put(ideal, ideal.0.map(f64::is_finite));
+        let Some((_, reactions, determined)) = rows.reactions else { return };
+        let Some(rubbing) = &reactions.rubbing else { return };
+        let rubs = rubbing.frictions.rubs.iter().enumerate();
+        let power = rubs.fold(Lanes::ZERO, |sum, (index, rub)| sum + power_of(rows, rubbing, index, rub));
+        let driving = reactions.balancing * unit.unwrap_or(Lanes::ONE) * speed(rows);
+        let found: [Option<f64>; Lanes::WIDTH] = std::array::from_fn(|lane| {
+            efficiency(driving.0[lane], -power.0[lane]).filter(|_| determined[lane])
+        });
+        cells.put(Lanes(found.map(Option::unwrap_or_default)), found.map(|found| found.is_some()));
+        for group in super::solved(rows.calculation) {
+            let radius = rubbing.certificates[group];
+            let has = std::array::from_fn(|lane| determined[lane] && radius.0[lane].is_finite());
+            cells.put(radius, has);
+        }
+    },
+};

@@ -1,0 +1,342 @@
+//! Dry friction over the cycle: works, efficiency, where it brakes itself and where it jams; positions with several solutions.
+
+use assur_force::{Doubt, ForceError, FrictionSolution, Kinetostatics, Loads, UnitBalance, joints};
+use assur_group::Order;
+use assur_kinematics::{Linkage, Position};
+use assur_mechanism::{Mechanism, PairId, Range};
+use assur_number::search::bisect;
+use assur_structure::name_of;
+use assur_words::{Text, number, text};
+use indexmap::IndexMap;
+use serde::Serialize;
+
+use crate::Calculation;
+
+/// Friction over the cycle.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct FrictionCycle {
+    /// Efficiency of the cycle, from its works; `None` where a position jams, or nothing works.
+    pub efficiency: Option<f64>,
+    /// Work of the friction of each pair over the cycle, J, never positive; `None` where a position jams.
+    pub friction_work: IndexMap<String, Option<f64>>,
+    /// Intervals of the coordinate in which the efficiency is 0, rad or m.
+    pub self_braking: Vec<[f64; 2]>,
+    /// Intervals of the coordinate without a solution.
+    pub dead_angles: Vec<[f64; 2]>,
+}
+
+/// A position with several solutions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Several {
+    /// Number of the position.
+    pub index: usize,
+    /// All solutions, ascending by the balancing load.
+    pub solutions: Vec<SolutionReport>,
+    /// Whether there are certainly no others.
+    pub proved: bool,
+    /// Whether they are the ends of a continuum.
+    pub continuum: bool,
+}
+
+/// One of several solutions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SolutionReport {
+    /// The balancing load, N m or N.
+    pub balancing: f64,
+    /// Whether it is the one that all other results are those of.
+    pub taken: bool,
+    /// Forces and moments by pair, as in the results of a position.
+    pub reactions: IndexMap<String, IndexMap<String, Load>>,
+}
+
+/// A force or a moment.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Load {
+    /// A force, N.
+    Force([f64; 2]),
+    /// A moment, N m.
+    Moment(f64),
+}
+
+/// What is said where a position jams: with one pair its coefficient too.
+pub(crate) fn jammed(mechanism: &Mechanism, error: Text, limit: Option<f64>) -> Text {
+    let Some(limit) = limit else { return error };
+    let factor = number(format_args!("{limit:.9}"));
+    match &mechanism.frictions[..] {
+        [only] => {
+            let coefficient = number(format_args!("{:.9}", limit * only.coefficient));
+            text!("analysis-jammed-coefficient", error = error, factor = factor, coefficient = coefficient)
+        }
+        _ => text!("analysis-jammed", error = error, factor = factor),
+    }
+}
+
+impl Several {
+    /// What is told of a position.
+    pub(crate) fn of(linkage: &Linkage, index: usize, doubt: &Doubt) -> Self {
+        let solutions = doubt.solutions.iter().map(|solution| SolutionReport::of(linkage, solution));
+        Self { index, solutions: solutions.collect(), proved: doubt.proved, continuum: doubt.continuum }
+    }
+}
+
+impl SolutionReport {
+    fn of(linkage: &Linkage, solution: &FrictionSolution) -> Self {
+        let mechanism = &linkage.mechanism;
+        let reactions = joints(mechanism, &linkage.structure).into_iter().map(|joint| {
+            let found = joint.reaction(&solution.pairs);
+            let forces = found.forces.iter();
+            let mut all: IndexMap<String, Load> = forces
+                .map(|(link, force)| (mechanism.links[*link].name.to_string(), Load::Force(*force)))
+                .collect();
+            if let Some(moment) = found.moment {
+                all.insert("moment".to_owned(), Load::Moment(moment));
+            }
+            (name_of(mechanism, joint.id).to_string(), all)
+        });
+        Self { balancing: solution.balancing, taken: solution.taken, reactions: reactions.collect() }
+    }
+}
+
+/// The efficiency from the power (work) of the balancing load and the loss, which is not negative; `None` where both are zero.
+pub(crate) fn efficiency(driving: f64, loss: f64) -> Option<f64> {
+    if driving == 0.0 && loss == 0.0 {
+        return None;
+    }
+    Some(if driving > 0.0 { (1.0 - loss / driving).max(0.0) } else { -driving / (loss - driving) })
+}
+
+/// How the mechanism is at a coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum State {
+    /// It can't be assembled, or has no forces for another reason.
+    Absent,
+    /// No solution.
+    Dead,
+    /// The efficiency is 0.
+    Braking,
+    /// Anything else.
+    Working,
+}
+
+/// Places of the grid on which intervals are looked for.
+const GRID: u32 = 720;
+
+/// Width to which the ends of an interval are found, as part of the cycle.
+const WIDTH: f64 = 1e-13;
+
+/// Relative accuracy of works, and the number of times an interval is halved at most.
+const ACCURACY: f64 = 1e-11;
+const HALVINGS: u32 = 36;
+
+/// Cells between two changes of a direction with which works are begun.
+const CELLS: u32 = 6;
+
+impl Calculation {
+    /// Friction over the cycle; `None` where there is none.
+    pub(crate) fn friction_cycle(&self) -> Option<FrictionCycle> {
+        let (loads, analyzer) = (self.loads.as_ref()?, self.analyzer?);
+        loads.frictions().filter(|_| self.positions_have_forces() && analyzer.treats_friction)?;
+        let carrying = &self.plan.groups_carrying;
+        let forces = Kinetostatics::new(&self.linkage, loads, analyzer.instance, carrying);
+        let mut cycle = Cycle { calculation: self, loads, forces, position: self.linkage.position() };
+        let input = &self.linkage.mechanism.input;
+        let ends = match input.range {
+            Range::Cycle(length) => [input.from, input.from + input.sign() * length],
+            Range::To(to) => [input.from, to],
+        };
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let closes = matches!(input.range, Range::Cycle(_));
+        let (dead_angles, self_braking) = cycle.intervals([low, high], closes);
+        let works = if dead_angles.is_empty() { cycle.works([low, high]) } else { None };
+        let pairs = self.linkage.mechanism.frictions.iter().map(|friction| friction.pair);
+        let named = pairs.clone().map(|pair| name_of(&self.linkage.mechanism, pair).to_string());
+        let friction_work =
+            named.enumerate().map(|(k, name)| (name, works.as_ref().map(|works| works[k + 1])));
+        let total = works.as_ref().map(|works| -works[1..].iter().sum::<f64>());
+        Some(FrictionCycle {
+            efficiency: works.as_ref().zip(total).and_then(|(works, loss)| efficiency(works[0], loss)),
+            friction_work: friction_work.collect(),
+            self_braking,
+            dead_angles,
+        })
+    }
+}
+
+/// The forces along the cycle.
+struct Cycle<'a> {
+    calculation: &'a Calculation,
+    loads: &'a Loads,
+    forces: Kinetostatics<'a>,
+    position: Position,
+}
+
+impl Cycle<'_> {
+    /// Work by unit of travel in the direction of motion: of the balancing load, then of the friction of each pair; or how the
+    /// mechanism is instead.
+    fn powers(&mut self, coordinate: f64) -> Result<Vec<f64>, State> {
+        let Calculation { linkage, .. } = self.calculation;
+        linkage.solve(coordinate, Order::Second, &mut self.position).map_err(|_| State::Absent)?;
+        let state = self.calculation.state(coordinate);
+        match self.forces.solve(&state, &self.position) {
+            Ok(()) => {}
+            Err(ForceError::Jammed { .. }) => return Err(State::Dead),
+            Err(_) => return Err(State::Absent),
+        }
+        let bodies = &self.position.bodies;
+        let way = if state.speed == 0.0 {
+            self.loads.speed_of_friction(&state, false)
+        } else {
+            state.speed.signum()
+        };
+        let lever = UnitBalance::of(&linkage.mechanism).map_or(1.0, |unit| unit.power(bodies));
+        let mut powers = vec![self.forces.reactions.balancing * lever * way];
+        if let Some(rubbing) = &self.forces.reactions.rubbing {
+            let of = |pair: PairId| {
+                let rubs =
+                    rubbing.frictions.rubs.iter().zip(&rubbing.forces).filter(|(rub, _)| rub.pair == pair);
+                rubs.map(|(rub, force)| (force * rub.relative(bodies) * way).min(0.0)).sum::<f64>()
+            };
+            powers.extend(linkage.mechanism.frictions.iter().map(|friction| of(friction.pair)));
+        }
+        Ok(powers)
+    }
+
+    fn state(&mut self, coordinate: f64) -> State {
+        match self.powers(coordinate) {
+            Err(state) => state,
+            Ok(powers) => {
+                let loss = -powers[1..].iter().sum::<f64>();
+                let brakes = powers[0] > 0.0 && powers[0] < loss;
+                if brakes { State::Braking } else { State::Working }
+            }
+        }
+    }
+
+    /// The places where something may change: of a grid, and more and more densely towards each change of a direction.
+    fn places(&self, [low, high]: [f64; 2]) -> Vec<f64> {
+        let length = high - low;
+        let mut all: Vec<f64> = (0..=GRID).map(|i| low + length * f64::from(i) / f64::from(GRID)).collect();
+        for turn in self.turns([low, high]) {
+            let around = (1..24).map(|i| 0.5 * length / f64::from(GRID) * 0.4_f64.powi(i));
+            all.extend(around.flat_map(|off| [turn - off, turn + off]).filter(|q| *q > low && *q < high));
+        }
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    /// The coordinates within an interval at which a direction of friction changes.
+    fn turns(&self, ends: [f64; 2]) -> Vec<f64> {
+        self.loads.frictions().map_or_else(Vec::new, |frictions| frictions.turns(ends))
+    }
+
+    /// The intervals without a solution, and those with efficiency 0.
+    fn intervals(&mut self, [low, high]: [f64; 2], closes: bool) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
+        let places = self.places([low, high]);
+        let width = WIDTH * (high - low);
+        let mut pieces: Vec<(State, [f64; 2])> = Vec::new();
+        let mut before = None;
+        for place in places {
+            let now = self.state(place);
+            let mut start = place;
+            if let Some((last, state)) = before.filter(|(_, state)| *state != now) {
+                let [end, begin] = bisect(last, place, width, |q| self.state(q) == state);
+                if let Some(piece) = pieces.last_mut() {
+                    piece.1[1] = end;
+                }
+                start = begin;
+            }
+            match pieces.last_mut().filter(|(state, _)| *state == now) {
+                Some(piece) => piece.1[1] = place,
+                None => pieces.push((now, [start, place])),
+            }
+            before = Some((place, now));
+        }
+        let of = |wanted: State| {
+            let mut found: Vec<[f64; 2]> =
+                pieces.iter().filter(|(state, _)| *state == wanted).map(|(_, ends)| *ends).collect();
+            // An interval that goes on beyond the end of the cycle is one.
+            if let (true, [first, .., last]) = (closes, &found[..])
+                && first[0] <= low
+                && last[1] >= high
+            {
+                let joined = [last[0], first[1] + (high - low)];
+                found.remove(0);
+                found.pop();
+                found.push(joined);
+            }
+            found
+        };
+        (of(State::Dead), of(State::Braking))
+    }
+
+    /// The works over an interval; `None` where a position has none.
+    fn works(&mut self, [low, high]: [f64; 2]) -> Option<Vec<f64>> {
+        let mut ends = vec![low];
+        ends.extend(self.turns([low, high]));
+        ends.push(high);
+        let pieces: Vec<[f64; 2]> = ends
+            .windows(2)
+            .flat_map(|ends| {
+                let at = move |i: u32| ends[0] + (ends[1] - ends[0]) * f64::from(i) / f64::from(CELLS);
+                (0..CELLS).map(move |i| [at(i), at(i + 1)])
+            })
+            .filter(|ends| ends[1] > ends[0])
+            .collect();
+        let mut sums = vec![0.0; self.calculation.linkage.mechanism.frictions.len() + 1];
+        let mut coarse = Vec::new();
+        for ends in pieces {
+            coarse.push((ends, self.panel(ends)?));
+        }
+        let size =
+            coarse.iter().flat_map(|(_, (whole, _))| whole).fold(0.0_f64, |most, work| most.max(work.abs()));
+        let accuracy = ACCURACY * size;
+        let mut left: Vec<_> = coarse.into_iter().map(|(ends, found)| (ends, found, 0)).collect();
+        while let Some((ends, (whole, error), depth)) = left.pop() {
+            if error <= accuracy || depth >= HALVINGS {
+                sums.iter_mut().zip(whole).for_each(|(sum, work)| *sum += work);
+                continue;
+            }
+            let middle = f64::midpoint(ends[0], ends[1]);
+            for half in [[ends[0], middle], [middle, ends[1]]] {
+                left.push((half, self.panel(half)?, depth + 1));
+            }
+        }
+        Some(sums)
+    }
+
+    /// The integrals over a panel by Gauss and Kronrod, 7 and 15 places, and their greatest difference.
+    fn panel(&mut self, [low, high]: [f64; 2]) -> Option<(Vec<f64>, f64)> {
+        let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
+        let mut sums: Option<(Vec<f64>, Vec<f64>)> = None;
+        for (place, kronrod, gauss) in NODES {
+            for side in [-1.0, 1.0] {
+                if place == 0.0 && side > 0.0 {
+                    continue;
+                }
+                let powers = self.powers(middle + side * half * place).ok()?;
+                let (fine, coarse) =
+                    sums.get_or_insert_with(|| (vec![0.0; powers.len()], vec![0.0; powers.len()]));
+                for (k, power) in powers.iter().enumerate() {
+                    fine[k] += half * kronrod * power;
+                    coarse[k] += half * gauss * power;
+                }
+            }
+        }
+        let (fine, coarse) = sums?;
+        let error = fine.iter().zip(&coarse).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        Some((fine, error))
+    }
+}
+
+/// Places of the rule of Kronrod on (0, 1), its weights, and those of Gauss.
+const NODES: [(f64, f64, f64); 8] = [
+    (0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0),
+    (0.949_107_912_342_758_5, 0.063_092_092_629_978_55, 0.129_484_966_168_869_7),
+    (0.864_864_423_359_769_1, 0.104_790_010_322_250_18, 0.0),
+    (0.741_531_185_599_394_4, 0.140_653_259_715_525_92, 0.279_705_391_489_276_67),
+    (0.586_087_235_467_691_1, 0.169_004_726_639_267_9, 0.0),
+    (0.405_845_151_377_397_2, 0.190_350_578_064_785_4, 0.381_830_050_505_118_9),
+    (0.207_784_955_007_898_47, 0.204_432_940_075_298_9, 0.0),
+    (0.0, 0.209_482_141_084_727_82, 0.417_959_183_673_469_4),
+];

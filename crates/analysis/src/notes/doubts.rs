@@ -1,0 +1,255 @@
+//! What in a scene is hardly meant, as far as its motion tells: assemblies that nothing chooses, places that are missed, links
+//! that rest, loads that do no work.
+
+use std::collections::BTreeMap;
+
+use assur_force::{Cause, State, power};
+use assur_group::{Body, Order};
+use assur_kinematics::Position;
+use assur_mechanism::{GROUND, LoadId, Mechanism, Motion, Notice};
+use assur_words::{Text, joined, name, quantity, text};
+
+use crate::Calculation;
+
+/// A transfer function below this part of what the size of the mechanism gives is rounding.
+const STILL: f64 = 1e-9;
+/// A place in `[assembly]` that is missed by more than this part of the size of the mechanism was meant for another assembly.
+const FAR: f64 = 0.1;
+/// Of more positions than this no motion is judged: a load may act in few of them.
+const MOST_POSITIONS: usize = 3600;
+/// In fewer positions than this a link may rest and a load do no work by chance.
+const FEWEST_POSITIONS: usize = 3;
+
+impl Calculation {
+    /// Everything in the scene that is hardly meant: what reading it told, then what its motion tells.
+    pub fn doubts(&self) -> Vec<Notice> {
+        let mut notices = self.linkage.mechanism.notes.clone();
+        let mut first = self.linkage.position();
+        if self.linkage.solve_index(0, Order::Place, &mut first).is_ok() {
+            notices.extend(self.groups_in_any_way(&first));
+            notices.extend(self.missed_places(&first));
+        }
+        if !self.plan.is_partial() && self.linkage.mechanism.input.positions <= MOST_POSITIONS {
+            notices.extend(self.without_motion());
+        }
+        notices
+    }
+
+    /// Groups with several ways of which no place in `[assembly]` chooses one.
+    fn groups_in_any_way(&self, first: &Position) -> Vec<Notice> {
+        let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
+        let is_hinted = |link: usize| {
+            let on_link =
+                |point: usize| mechanism.points[point].places.iter().any(|place| place.link == link);
+            mechanism.assembly.iter().any(|(point, _)| on_link(*point))
+        };
+        let mut notices = Vec::new();
+        for (group, kernel) in
+            linkage.groups().iter().enumerate().filter(|(group, _)| linkage.chain.is_needed(*group))
+        {
+            let links = &kernel.frame().links;
+            if kernel.ways() < 2 || links.iter().any(|link| is_hinted(*link)) {
+                continue;
+            }
+            let mut poses = vec![first.bodies.clone()];
+            for way in 0..kernel.ways() {
+                let mut bodies = first.bodies.clone();
+                if kernel.place(&mut bodies, way).is_ok() {
+                    poses.push(bodies);
+                }
+            }
+            if let Some((point, places)) =
+                parted(mechanism, links, &poses, FAR * STILL * linkage.structure.scale)
+            {
+                let [taken, others @ ..] = &places[..] else { continue };
+                let text = text!(
+                    "analysis-any-way",
+                    group = linkage.structure.group_name(mechanism, group),
+                    point = Text::from(&mechanism.points[point].name),
+                    taken = shown(*taken),
+                    others = joined(", ", others.iter().map(|place| shown(*place)))
+                );
+                notices.push(Notice::mistake("assembly".to_owned(), text));
+            }
+        }
+        notices
+    }
+
+    /// Places in `[assembly]` that the assembly taken misses by far.
+    fn missed_places(&self, first: &Position) -> Vec<Notice> {
+        let mechanism = &self.linkage.mechanism;
+        let places = mechanism.points.iter().flat_map(|point| &point.places);
+        let size = diagonal(places.map(|place| first.bodies[place.link].point(place.at)));
+        let missed = mechanism.assembly.iter().filter_map(|&(point, wanted)| {
+            let (place, name) = (mechanism.points[point].places.first()?, &mechanism.points[point].name);
+            let found = first.bodies[place.link].point(place.at);
+            let away = (found[0] - wanted[0]).hypot(found[1] - wanted[1]);
+            (away > FAR * size).then(|| {
+                let text = text!(
+                    "analysis-place-missed",
+                    point = Text::from(name),
+                    wanted = shown(wanted),
+                    found = shown(found),
+                    distance = quantity(format_args!("{:.4}", away * 1e3), "mm")
+                );
+                Notice::mistake(format!("assembly.{name}"), text)
+            })
+        });
+        missed.collect()
+    }
+
+    /// Links and slides that never move, and loads that never do work, where the motion is that of the positions.
+    fn without_motion(&self) -> Vec<Notice> {
+        let linkage = &self.linkage;
+        let count = linkage.mechanism.input.positions;
+        let mut seen = Seen::of(&linkage.mechanism, self.unit());
+        let mut position = linkage.position();
+        for index in 0..count {
+            if linkage.solve_index(index, Order::First, &mut position).is_err() {
+                // Where the mechanism can't go, nothing is known of what moves.
+                return Vec::new();
+            }
+            seen.motion(&position.bodies);
+            if let Some(loads) = self.loads.as_ref().filter(|_| self.is_prescribed()) {
+                let state = State::prescribed(&linkage.mechanism, position.coordinate);
+                loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
+                    let body = &position.bodies[link];
+                    let terms = [wrench.fx * body.x1, wrench.fy * body.y1, wrench.m * body.w1];
+                    let size =
+                        wrench.fx.hypot(wrench.fy) * seen.unit + wrench.m.abs() * seen.unit / seen.size;
+                    let terms = terms.iter().map(|term| term.abs()).sum::<f64>().max(size);
+                    seen.load(cause, power(&wrench, body), terms);
+                });
+            }
+        }
+        if count < FEWEST_POSITIONS { Vec::new() } else { seen.notices() }
+    }
+
+    /// Whether the loads of the positions are those of the scene's motion, or of no motion.
+    fn is_prescribed(&self) -> bool {
+        matches!(self.linkage.mechanism.motion, None | Some(Motion::Prescribed { .. }))
+    }
+
+    /// What a point of the mechanism moves per unit of the coordinate: m/rad, or 1.
+    fn unit(&self) -> [f64; 2] {
+        let size = self.linkage.structure.scale;
+        [size, if self.linkage.angular() { size } else { 1.0 }]
+    }
+}
+
+/// The point of some links that lies farthest apart in different poses, and its different places: the first pose's first.
+/// `None` where all lie within `same`, m.
+fn parted(
+    mechanism: &Mechanism,
+    links: &[usize],
+    poses: &[Vec<Body<f64>>],
+    same: f64,
+) -> Option<(usize, Vec<[f64; 2]>)> {
+    let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let each = mechanism.points.iter().enumerate().filter_map(|(id, point)| {
+        let place = point.places.iter().find(|place| links.contains(&place.link))?;
+        let mut places: Vec<[f64; 2]> = Vec::new();
+        for pose in poses {
+            let at = pose[place.link].point(place.at);
+            if !places.iter().any(|other| apart(*other, at) <= same) {
+                places.push(at);
+            }
+        }
+        let most = places.iter().map(|at| apart(*at, places[0])).fold(0.0, f64::max);
+        (most > same).then_some((most, id, places))
+    });
+    each.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, id, places)| (id, places))
+}
+
+/// The diagonal of the rectangle around some places, m.
+fn diagonal(places: impl Iterator<Item = [f64; 2]>) -> f64 {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for place in places {
+        low = [low[0].min(place[0]), low[1].min(place[1])];
+        high = [high[0].max(place[0]), high[1].max(place[1])];
+    }
+    (high[0] - low[0]).hypot(high[1] - low[1])
+}
+
+/// A place as it may be written in a scene.
+fn shown(place: [f64; 2]) -> Text {
+    let [x, y] = place.map(|at| {
+        let rounded = (at * 1e4).round() / 10.0;
+        quantity(rounded + 0.0, "mm")
+    });
+    joined("", [name("["), x, name(", "), y, name("]")])
+}
+
+/// What moves and what does work in the positions seen so far.
+struct Seen<'m> {
+    mechanism: &'m Mechanism,
+    /// Size of the mechanism, m.
+    size: f64,
+    /// What a point of it moves per unit of the coordinate, m/rad or 1.
+    unit: f64,
+    links: Vec<bool>,
+    slides: Vec<bool>,
+    /// Of each load: whether it ever acts, and whether it ever does work.
+    loads: BTreeMap<LoadId, [bool; 2]>,
+}
+
+impl<'m> Seen<'m> {
+    fn of(mechanism: &'m Mechanism, [size, unit]: [f64; 2]) -> Self {
+        let (links, slides) = (vec![false; mechanism.links.len()], vec![false; mechanism.slides.len()]);
+        Self { mechanism, size, unit, links, slides, loads: BTreeMap::new() }
+    }
+
+    fn motion(&mut self, bodies: &[Body<f64>]) {
+        let least = STILL * self.unit;
+        for (moves, body) in self.links.iter_mut().zip(bodies) {
+            *moves |= body.x1.hypot(body.y1) > least || body.w1.abs() * self.size > least;
+        }
+        for (moves, slide) in self.slides.iter_mut().zip(&self.mechanism.slides) {
+            let (link, on) = (&bodies[slide.link], &bodies[slide.on]);
+            let [point, through] = [link.arm(slide.point), on.arm(slide.through)];
+            let [one, other] = [link.first(point), on.first(through)];
+            let axis = on.arm([slide.angle.cos(), slide.angle.sin()]);
+            let ([px, py], [qx, qy]) = (link.point(slide.point), on.point(slide.through));
+            let turned = on.w1 * (axis[0] * (py - qy) - axis[1] * (px - qx));
+            let along = axis[0] * (one[0] - other[0]) + axis[1] * (one[1] - other[1]) + turned;
+            *moves |= along.abs() > least;
+        }
+    }
+
+    fn load(&mut self, cause: Cause, power: f64, terms: f64) {
+        let Cause::Load(load) = cause else { return };
+        let [acts, works] = self.loads.entry(load).or_default();
+        *acts |= terms > 0.0;
+        *works |= power.abs() > STILL * terms;
+    }
+
+    fn notices(&self) -> Vec<Notice> {
+        let mechanism = self.mechanism;
+        let mut notices = Vec::new();
+        for (link, _) in self.links.iter().enumerate().skip(GROUND + 1).filter(|(_, moves)| !**moves) {
+            let name = &mechanism.links[link].name;
+            notices.push(Notice::mistake(
+                format!("link.{name}"),
+                text!("analysis-link-rests", link = Text::from(name)),
+            ));
+        }
+        for (index, _) in self.slides.iter().enumerate().filter(|(_, moves)| !**moves) {
+            let slide = &mechanism.slides[index];
+            if self.links[slide.link] || slide.on != GROUND {
+                let text = text!("analysis-slide-rests", slide = Text::from(&slide.name));
+                notices.push(Notice::mistake(format!("slide[{index}]"), text));
+            }
+        }
+        for (load, [acts, works]) in &self.loads {
+            let name = Text::from(&mechanism.loads[*load].name);
+            let text = match (acts, works) {
+                (false, _) => text!("analysis-load-idle", load = name),
+                (true, false) => text!("analysis-load-without-work", load = name),
+                (true, true) => continue,
+            };
+            let (list, number) = mechanism.place_of_load(*load);
+            notices.push(Notice::mistake(format!("{list}[{number}]"), text));
+        }
+        notices
+    }
+}

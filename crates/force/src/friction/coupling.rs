@@ -1,0 +1,109 @@
+//! Which groups have to be solved together.
+//!
+//! Stage 0 is the input link, stage g + 1 the group g. A stage depends on those whose reactions load its links, and on those
+//! whose reactions give the friction on its links. What depends on each other is one block.
+
+use assur_mechanism::LinkId;
+use assur_structure::Structure;
+
+use super::{Rub, Unknown};
+
+/// Stages that are solved together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Block {
+    /// The stages, the last first: 0 is the input link, others are groups plus 1.
+    pub stages: Vec<usize>,
+    /// Indices of the unknowns of friction that are found with it.
+    pub unknowns: Vec<usize>,
+}
+
+impl Block {
+    /// The groups of the block, in solving order of the forces.
+    pub fn groups(&self) -> impl Iterator<Item = usize> {
+        self.stages.iter().filter_map(|stage| stage.checked_sub(1))
+    }
+
+    /// The blocks of a mechanism in solving order, and the whole of it as one.
+    pub(crate) fn all(
+        structure: &Structure,
+        input: LinkId,
+        rubs: &[Rub],
+        unknowns: &[Unknown],
+    ) -> (Vec<Self>, Self) {
+        let stages = Stages::of(structure, input);
+        let count = structure.groups.len() + 1;
+        let mut depends = vec![vec![false; count]; count];
+        for pair in &structure.pairs {
+            let own = stages.of_pair[pair.pair.id];
+            for body in [pair.pair.a, pair.pair.b] {
+                if let Some(loaded) = stages.of_link[body].filter(|stage| *stage != own) {
+                    depends[loaded][own] = true;
+                }
+            }
+        }
+        for unknown in unknowns {
+            let rub = &rubs[unknown.rub];
+            for acted in [rub.link, rub.on].into_iter().filter_map(|link| stages.of_link[link]) {
+                for &(pair, _) in &unknown.pairs {
+                    depends[acted][stages.of_pair[pair]] |= stages.of_pair[pair] != acted;
+                }
+            }
+        }
+        let mut blocks = components(&depends);
+        let place =
+            |stage: usize, blocks: &[Self]| blocks.iter().position(|block| block.stages.contains(&stage));
+        for (index, unknown) in unknowns.iter().enumerate() {
+            let last =
+                unknown.pairs.iter().filter_map(|(pair, _)| place(stages.of_pair[*pair], &blocks)).max();
+            if let Some(block) = last.and_then(|last| blocks.get_mut(last)) {
+                block.unknowns.push(index);
+            }
+        }
+        let whole = Self { stages: (0..count).rev().collect(), unknowns: (0..unknowns.len()).collect() };
+        (blocks, whole)
+    }
+}
+
+struct Stages {
+    of_link: Vec<Option<usize>>,
+    of_pair: Vec<usize>,
+}
+
+impl Stages {
+    fn of(structure: &Structure, input: LinkId) -> Self {
+        let mut found =
+            Self { of_link: vec![None; structure.links], of_pair: vec![0; structure.pairs.len()] };
+        found.of_link[input] = Some(0);
+        for (group, one) in structure.groups.iter().enumerate() {
+            one.frame.links.iter().for_each(|link| found.of_link[*link] = Some(group + 1));
+            one.frame.pairs().for_each(|pair| found.of_pair[pair.id] = group + 1);
+        }
+        found
+    }
+}
+
+/// The strongly connected parts of a dependence, each after those on which it depends.
+fn components(depends: &[Vec<bool>]) -> Vec<Block> {
+    let count = depends.len();
+    let mut reaches = depends.to_vec();
+    for through in 0..count {
+        let row = reaches[through].clone();
+        for from in reaches.iter_mut().filter(|from| from[through]) {
+            from.iter_mut().zip(&row).for_each(|(own, other)| *own |= other);
+        }
+    }
+    let mut left: Vec<usize> = (0..count).rev().collect();
+    let mut blocks = Vec::new();
+    while let Some(&first) = left.iter().find(|&&stage| {
+        // All that it depends on is solved, or depends on it too.
+        left.iter().all(|&other| !reaches[stage][other] || reaches[other][stage] || other == stage)
+    }) {
+        let together = |stage: &usize| *stage == first || reaches[first][*stage] && reaches[*stage][first];
+        blocks.push(Block {
+            stages: left.iter().copied().filter(|stage| together(stage)).collect(),
+            unknowns: Vec::new(),
+        });
+        left.retain(|stage| !together(stage));
+    }
+    blocks
+}

@@ -1,0 +1,122 @@
+//! Dry friction of the pairs, compiled: what rubs on what and in which sense, what friction depends on, and which groups it
+//! couples.
+
+mod coupling;
+mod rub;
+mod unknown;
+
+use std::sync::Arc;
+
+use assur_group::Wrench;
+use assur_kinematics::Linkage;
+use assur_number::Real;
+
+pub use coupling::Block;
+pub use rub::Rub;
+pub use unknown::{Unknown, UnknownKind};
+
+use crate::breaks::tolerance;
+use crate::{Loads, State};
+
+/// The dry friction of all pairs of a mechanism.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frictions {
+    /// Each link that rubs on another in a pair with friction.
+    pub rubs: Vec<Rub>,
+    /// What friction depends on: the moduli of reactions, and normal forces themselves.
+    pub unknowns: Vec<Unknown>,
+    /// What has to be solved together, in solving order: the last groups first, the input link in the last one.
+    pub blocks: Vec<Block>,
+    /// The whole mechanism as one block, for a balancing load that acts elsewhere than on the input.
+    pub whole: Block,
+}
+
+/// Friction in a force analysis: the senses that it has to take, and what was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rubbing<T = f64> {
+    /// The friction of the mechanism.
+    pub frictions: Arc<Frictions>,
+    /// For each rub, the sign of its relative speed; 0 where it never moves. Given to the method.
+    pub senses: Vec<T>,
+    /// For each rub, the moment (N m, counter-clockwise) on the link that turns, or the force (N, along the guide) on the
+    /// link that slides.
+    pub forces: Vec<T>,
+    /// For each group, the spectral radius of its friction: below 1 there is exactly one solution. NaN without friction.
+    pub certificates: Vec<T>,
+    /// What is said of the positions (lanes) that have several solutions, or that may have others.
+    pub doubts: Vec<(usize, Doubt)>,
+}
+
+/// A position with several solutions, or where there may be others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Doubt {
+    /// All solutions that were found, ascending by the balancing load.
+    pub solutions: Vec<FrictionSolution>,
+    /// Whether there are certainly no others.
+    pub proved: bool,
+    /// Whether they are the ends of a continuum.
+    pub continuum: bool,
+}
+
+/// One of several solutions with friction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrictionSolution {
+    /// Balancing moment (N m) or force (N).
+    pub balancing: f64,
+    /// Reactions in all pairs, as [`Reactions::pairs`](crate::Reactions::pairs).
+    pub pairs: Vec<Wrench<f64>>,
+    /// As [`Rubbing::forces`].
+    pub forces: Vec<f64>,
+    /// Whether it is the one that the results are those of.
+    pub taken: bool,
+}
+
+impl Frictions {
+    /// The coordinates within an interval at which a rub changes its sense, ascending.
+    pub fn turns(&self, ends: [f64; 2]) -> Vec<f64> {
+        let mut all: Vec<f64> = self.rubs.iter().flat_map(|rub| rub.sliding.turns(ends)).collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
+    }
+}
+
+impl<T: Real> Rubbing<T> {
+    /// Memory for the friction of a mechanism.
+    pub fn new(frictions: Arc<Frictions>, linkage: &Linkage) -> Self {
+        let rubs = frictions.rubs.len();
+        Self {
+            senses: vec![T::ZERO; rubs],
+            forces: vec![T::ZERO; rubs],
+            certificates: vec![T::from_f64(f64::NAN); linkage.groups().len()],
+            doubts: Vec::new(),
+            frictions,
+        }
+    }
+}
+
+impl Loads {
+    /// The dry friction in pairs; `None` where all are ideal.
+    pub fn frictions(&self) -> Option<&Arc<Frictions>> {
+        self.frictions.as_ref()
+    }
+
+    /// Writes for each rub the sign of its relative speed at a state, 0 where it never moves. At rest it is as if the input
+    /// moved along its direction; where the relative speed is zero, the sign just after the state holds.
+    pub fn senses(&self, state: &State, senses: &mut [f64]) {
+        let Some(frictions) = &self.frictions else { return };
+        let direction = if self.sense == 0.0 { 1.0 } else { self.sense };
+        let sense = if state.speed == 0.0 { direction } else { state.speed.signum() };
+        let ahead = state.coordinate + sense * tolerance(state.coordinate, self.period);
+        for (rub, found) in frictions.rubs.iter().zip(senses) {
+            *found = sense * rub.sliding.at(ahead).1;
+        }
+    }
+
+    /// The speed of the input by which powers of friction are counted: 0 at rest in a motion; without a motion, 1 along the
+    /// direction of the input.
+    pub fn speed_of_friction(&self, state: &State, moves: bool) -> f64 {
+        let direction = if self.sense == 0.0 { 1.0 } else { self.sense };
+        if moves { state.speed } else { direction }
+    }
+}

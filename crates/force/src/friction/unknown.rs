@@ -1,0 +1,137 @@
+//! What friction depends on, and the loads that it gives.
+
+use assur_group::plane::{perp, scaled};
+use assur_group::{Body, Wrench};
+use assur_mechanism::{Mechanism, Middle, PairId, Rubbing};
+use assur_number::Real;
+use assur_structure::Structure;
+
+use super::Rub;
+use crate::joints;
+
+/// A modulus of a reaction (or a normal force itself) on which the friction of a rub depends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unknown {
+    /// Index of the rub.
+    pub rub: usize,
+    /// What it is.
+    pub kind: UnknownKind,
+    /// The pairs of the structure from which its force follows, and the factor of each: 1 or -1.
+    pub pairs: Vec<(usize, f64)>,
+}
+
+/// What friction depends on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum UnknownKind {
+    /// |R| of a pin.
+    Force,
+    /// |N| of a slide.
+    Normal,
+    /// |N/2 + M/l| or, with the sign -1, |N/2 - M/l| of a slide.
+    End(f64),
+    /// N itself: the friction of faces beside the guide line has a moment that is linear in it.
+    Shift,
+}
+
+impl Unknown {
+    /// All that the friction of some rubs depends on. Those that never move have none.
+    pub(crate) fn all(mechanism: &Mechanism, structure: &Structure, rubs: &[Rub]) -> Vec<Self> {
+        let joints = joints(mechanism, structure);
+        let mut all = Vec::new();
+        for (index, rub) in rubs.iter().enumerate() {
+            let Some(joint) = joints.iter().find(|joint| joint.id == rub.pair) else { continue };
+            let nth = joint.links.iter().position(|link| *link == rub.link).unwrap_or_default();
+            if rub.rests() || rub.coefficient == 0.0 {
+                continue;
+            }
+            let mut add = |kind| all.push(Self { rub: index, kind, pairs: joint.pairs_of(nth).to_vec() });
+            match rub.rubbing {
+                Rubbing::Journal { .. } => add(UnknownKind::Force),
+                Rubbing::Place => add(UnknownKind::Normal),
+                Rubbing::Faces { offset, .. } => {
+                    add(UnknownKind::End(1.0));
+                    add(UnknownKind::End(-1.0));
+                    if offset != 0.0 {
+                        add(UnknownKind::Shift);
+                    }
+                }
+            }
+        }
+        all
+    }
+
+    /// Whether it is a modulus.
+    pub fn is_modulus(&self) -> bool {
+        self.kind != UnknownKind::Shift
+    }
+
+    /// The vector whose modulus it is, from reactions without the loads of friction; of a slide its first component.
+    #[inline]
+    pub fn vector<T: Real>(&self, rub: &Rub, bodies: &[Body<T>], reactions: &[Wrench<T>]) -> [T; 2] {
+        let mut sum = Wrench::ZERO;
+        for &(pair, factor) in &self.pairs {
+            let (factor, one) = (T::from_f64(factor), &reactions[pair]);
+            sum.fx += factor * one.fx;
+            sum.fy += factor * one.fy;
+            sum.m += factor * one.m;
+        }
+        if self.kind == UnknownKind::Force {
+            return [sum.fx, sum.fy];
+        }
+        let [x, y] = perp(rub.along(bodies));
+        let normal = x * sum.fx + y * sum.fy;
+        let (UnknownKind::End(sign), Rubbing::Faces { length, middle, .. }) = (self.kind, rub.rubbing) else {
+            return [normal, T::ZERO];
+        };
+        let moment = match middle {
+            Middle::Point => sum.m,
+            Middle::Through => sum.m + rub.displacement(bodies) * normal,
+        };
+        [normal.half() + moment * T::from_f64(sign / length), T::ZERO]
+    }
+
+    /// Adds the loads that it gives where it has size 1, the coefficient is 1 and the relative speed positive, times a factor.
+    #[inline]
+    pub fn load<T: Real>(&self, rub: &Rub, bodies: &[Body<T>], factor: T, loads: &mut [Wrench<T>]) {
+        match (self.kind, rub.rubbing) {
+            (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
+            | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => {
+                let moment = -(factor * T::from_f64(lever));
+                loads[rub.link].m += moment;
+                loads[rub.on].m += -moment;
+            }
+            (UnknownKind::Normal | UnknownKind::End(_), _) => {
+                let force = scaled(-factor, rub.along(bodies));
+                let [arm, arm_on] = rub.arms(bodies);
+                loads[rub.link].add_at(arm, force, T::ZERO);
+                loads[rub.on].add_at(arm_on, [-force[0], -force[1]], T::ZERO);
+            }
+            _ => {}
+        }
+    }
+
+    /// The moment (force) of the rub that an unknown of size 1 gives, as [`load`](Self::load) counts it: the moment of a
+    /// journal on the link that turns, the force of a slide along its guide.
+    pub fn share(&self, rub: &Rub) -> f64 {
+        match (self.kind, rub.rubbing) {
+            (UnknownKind::Force, Rubbing::Journal { radius, .. }) => -radius,
+            (UnknownKind::Shift, _) => 0.0,
+            _ => -1.0,
+        }
+    }
+
+    /// The moment about the point of a slide that an unknown of size 1 gives to the reaction of its pair, as
+    /// [`load`](Self::load) counts it: of the friction of a journal the moment on its link.
+    pub fn moment(&self, rub: &Rub) -> f64 {
+        match (self.kind, rub.rubbing) {
+            (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
+            | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => -lever,
+            _ => 0.0,
+        }
+    }
+
+    /// Whether the pair is a slide.
+    pub fn slides(&self, rub: &Rub) -> bool {
+        matches!(rub.pair, PairId::Slide(_))
+    }
+}

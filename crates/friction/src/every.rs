@@ -1,0 +1,169 @@
+//! All solutions of the equations in moduli.
+
+use crate::dense;
+use crate::moduli::{Moduli, SOLVED, Width, length};
+use crate::quadrics::{self, Quadric};
+
+/// Two solutions this near, as part of their size, are one.
+const SAME: f64 = 1e-9;
+
+/// A sign that is missed by this part of the greatest term is met: the vector is zero.
+const SIGN: f64 = 1e-9;
+
+/// Most vectors of one component whose signs are enumerated, and most of two components.
+const MOST: [usize; 2] = [10, 3];
+
+/// All solutions that were found.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Solutions {
+    /// The moduli of each.
+    pub points: Vec<Vec<f64>>,
+    /// Whether there are no others.
+    pub complete: bool,
+    /// Whether there is a continuum of solutions, of which the points contain the ends.
+    pub continuum: bool,
+}
+
+impl Moduli {
+    /// All solutions: none, one, or several; for at most ten vectors of one component and three of two.
+    pub fn solutions(&self) -> Solutions {
+        let of = |width: Width| (0..self.count()).filter(|j| self.widths[*j] == width).collect::<Vec<_>>();
+        let (lines, planes) = (of(Width::One), of(Width::Two));
+        let mut found = Solutions { complete: true, ..Solutions::default() };
+        if lines.len() > MOST[0] || planes.len() > MOST[1] {
+            found.complete = false;
+            return found;
+        }
+        for signs in 0..1_u32 << lines.len() {
+            let signs: Vec<f64> =
+                (0..lines.len()).map(|i| if signs >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
+            self.with_signs(&lines, &planes, &signs, &mut found);
+        }
+        found
+    }
+
+    /// Adds the solutions in which the vectors of one component have these signs.
+    fn with_signs(&self, lines: &[usize], planes: &[usize], signs: &[f64], found: &mut Solutions) {
+        // (1 - S W) z of the lines = S (a + W z of the planes).
+        let signed = |i: usize, k: usize| signs[i] * self.slopes[lines[i]][k][0];
+        let matrix: Vec<Vec<f64>> = (0..lines.len())
+            .map(|i| (0..lines.len()).map(|j| f64::from(u8::from(i == j)) - signed(i, lines[j])).collect())
+            .collect();
+        let constant = (0..lines.len()).map(|i| signs[i] * self.constants[lines[i]][0]).collect();
+        let by_planes = planes.iter().map(|&p| (0..lines.len()).map(|i| signed(i, p)).collect());
+        let rights: Vec<Vec<f64>> = std::iter::once(constant).chain(by_planes).collect();
+        let Some(solved) = dense::solve(matrix.clone(), rights.clone()) else {
+            self.singular(lines, planes, &matrix, &rights, found);
+            return;
+        };
+        let put = |lines_of: &[f64], planes_of: &[f64]| {
+            let mut z = vec![0.0; self.count()];
+            lines.iter().zip(lines_of).for_each(|(at, value)| z[*at] = *value);
+            planes.iter().zip(planes_of).for_each(|(at, value)| z[*at] = *value);
+            z
+        };
+        let with = |w: &dyn Fn(usize) -> [f64; 2], own: [f64; 2], factors: &[f64]| {
+            lines.iter().zip(factors).fold(own, |[x, y], (&l, f)| [x + w(l)[0] * f, y + w(l)[1] * f])
+        };
+        let quadrics: Vec<Quadric> = planes
+            .iter()
+            .map(|&p| {
+                let w = |l: usize| self.slopes[p][l];
+                let slopes =
+                    planes.iter().enumerate().map(|(k, &q)| with(&w, self.slopes[p][q], &solved[1 + k]));
+                Quadric { constant: with(&w, self.constants[p], &solved[0]), slopes: slopes.collect() }
+            })
+            .collect();
+        let (roots, complete) = quadrics::roots(&quadrics);
+        found.complete &= complete;
+        for root in roots {
+            let of_lines: Vec<f64> = (0..lines.len())
+                .map(|i| root.iter().enumerate().fold(solved[0][i], |sum, (k, z)| sum + solved[1 + k][i] * z))
+                .collect();
+            let z = put(&of_lines, &root);
+            let size = self.size(&z);
+            if z.iter().all(|z| *z >= -SIGN * size) {
+                self.add(z, found);
+            }
+        }
+    }
+
+    /// Adds a solution that is near these moduli, if it is new.
+    fn add(&self, near: Vec<f64>, found: &mut Solutions) {
+        let near: Vec<f64> = near.into_iter().map(|z| z.max(0.0)).collect();
+        let polished = self.newton(&near).filter(|z| distance(z, &near) <= 1e-3 * self.size(&near));
+        let z = match polished {
+            Some(z) => z,
+            None if self.residual(&near) <= SOLVED => near,
+            None => return,
+        };
+        let size = self.size(&z);
+        if found.points.iter().all(|known| distance(known, &z) > SAME * size) {
+            found.points.push(z);
+        }
+    }
+
+    /// Signs with which the linear equations are singular: where they have solutions all the same, these are a continuum.
+    fn singular(
+        &self,
+        lines: &[usize],
+        planes: &[usize],
+        matrix: &[Vec<f64>],
+        rights: &[Vec<f64>],
+        found: &mut Solutions,
+    ) {
+        if !planes.is_empty() {
+            found.complete = false;
+            return;
+        }
+        let n = lines.len();
+        let all = nalgebra::DMatrix::from_fn(n, n, |i, j| matrix[i][j]);
+        let right = nalgebra::DVector::from_column_slice(&rights[0]);
+        let svd = all.clone().svd(true, true);
+        let Some(directions) = &svd.v_t else { return };
+        let greatest = svd.singular_values.max();
+        let null: Vec<usize> = (0..n).filter(|i| svd.singular_values[*i] <= 1e-12 * greatest).collect();
+        let Ok(point) = svd.solve(&right, 1e-12 * greatest) else { return };
+        let size = right.amax().max(point.amax());
+        if (&all * &point - &right).amax() > 1e-10 * size {
+            return;
+        }
+        let [only] = null[..] else {
+            found.complete = false;
+            return;
+        };
+        let direction: Vec<f64> = directions.row(only).iter().copied().collect();
+        // The part of the line on which no modulus is negative.
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for i in 0..n {
+            let (z, d) = (point[i], direction[i]);
+            if d.abs() <= 1e-12 {
+                if z < -SIGN * size {
+                    return;
+                }
+            } else if d > 0.0 {
+                low = low.max(-z / d);
+            } else {
+                high = high.min(-z / d);
+            }
+        }
+        if low > high + SIGN * size {
+            return;
+        }
+        let ends: Vec<f64> = [low, high].into_iter().filter(|t| t.is_finite()).collect();
+        found.continuum |= high - low > SIGN * size;
+        for t in ends {
+            let mut z = vec![0.0; self.count()];
+            lines.iter().enumerate().for_each(|(i, at)| z[*at] = (point[i] + t * direction[i]).max(0.0));
+            let size = self.size(&z);
+            if found.points.iter().all(|known| distance(known, &z) > SAME * size) {
+                found.points.push(z);
+            }
+        }
+    }
+}
+
+/// Greatest difference of two solutions.
+pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |most, (a, b)| most.max(length([a - b, 0.0])))
+}

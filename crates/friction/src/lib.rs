@@ -1,0 +1,29 @@
+//! Dry friction as equations in moduli of reactions.
+//!
+//! With the linear equilibrium eliminated, what friction depends on are the moduli z of some vectors that are themselves
+//! affine in z: the force of a pin (two components) and the pressing forces of a slide (one component),
+//!
+//! ```text
+//! z_j = |a_j + sum over k of W_jk z_k|,    z_j >= 0.
+//! ```
+//!
+//! The matrix L of the lengths `|W_jk|` is nonnegative. The map on the right is a P-contraction with L (Ortega and
+//! Rheinboldt 1970, section 13.1): where the spectral radius of L is below 1 there is exactly one solution, and the textbook
+//! iteration converges to it at this rate. From 1 on there may be none (jamming), one, or several; [`Moduli::solutions`] finds
+//! them all by algebra: the signs of vectors of one component are enumerated, and the remaining equations are quadrics, whose
+//! common points are the eigenvalues of a multiplication matrix.
+//!
+//! Nothing here knows of mechanisms; numbers may have any unit.
+
+mod dense;
+mod every;
+mod moduli;
+mod quadrics;
+mod radius;
+
+pub use every::Solutions;
+pub use moduli::{Moduli, Width};
+pub use radius::spectral_radius;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,57 @@
+//! The spectral radius of a nonnegative matrix.
+
+/// Number of squarings: the norm of a power 2^50 of a matrix is its spectral radius to that power but for a factor whose root
+/// is 1 to rounding.
+const SQUARINGS: i32 = 50;
+
+/// Number of squarings after which a power may have converged.
+const ENOUGH: i32 = 5;
+
+/// The spectral radius where a power of the matrix has converged: between the least and the greatest quotient of a positive
+/// vector and its image (Collatz and Wielandt), where these agree.
+fn by_vector(matrix: &[Vec<f64>], power: &[Vec<f64>]) -> Option<f64> {
+    let vector: Vec<f64> = power.iter().map(|row| row.iter().sum()).collect();
+    let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
+    for (row, own) in matrix.iter().zip(&vector) {
+        let image: f64 = row.iter().zip(&vector).map(|(entry, x)| entry * x).sum();
+        let quotient = image / own;
+        if !quotient.is_finite() {
+            return None;
+        }
+        (least, greatest) = (least.min(quotient), greatest.max(quotient));
+    }
+    (greatest - least <= 4.0 * f64::EPSILON * greatest).then(|| f64::midpoint(least, greatest))
+}
+
+/// The spectral radius of a nonnegative square matrix, given by rows: the limit of the roots of norms of its powers
+/// (Gelfand), each power the square of the one before.
+///
+/// Needs neither irreducibility nor a single greatest eigenvalue. Infinite or NaN where an entry is.
+pub fn spectral_radius(matrix: &[Vec<f64>]) -> f64 {
+    let n = matrix.len();
+    let mut power = matrix.to_vec();
+    // The logarithm of the factor that was taken out of the power, divided by the exponent of the power.
+    let mut logarithm = 0.0;
+    let mut share = 1.0;
+    for squaring in 0..SQUARINGS {
+        if squaring >= ENOUGH
+            && let Some(radius) = by_vector(matrix, &power)
+        {
+            return radius;
+        }
+        let greatest =
+            power.iter().flatten().fold(0.0_f64, |most, x| if x.is_nan() { f64::NAN } else { most.max(*x) });
+        if !greatest.is_finite() {
+            return greatest;
+        }
+        if greatest == 0.0 {
+            return 0.0;
+        }
+        logarithm += share * greatest.ln();
+        power.iter_mut().flatten().for_each(|x| *x /= greatest);
+        let entry = |i: usize, j: usize| (0..n).map(|k| power[i][k] * power[k][j]).sum::<f64>();
+        power = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+        share *= 0.5;
+    }
+    logarithm.exp()
+}

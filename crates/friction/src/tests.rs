@@ -1,0 +1,179 @@
+//! Known cases, and random systems against Newton's method from very many starting points.
+
+use proptest::prelude::*;
+
+use crate::moduli::length;
+use crate::{Moduli, Width, spectral_radius};
+
+/// Numbers in (-1, 1), one after the other.
+struct Dice(u64);
+
+impl Dice {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(self.0 >> 32).unwrap_or(0)) / f64::from(1_u32 << 31) - 1.0
+    }
+}
+
+fn random(widths: &[Width], strength: f64, dice: &mut Dice) -> Moduli {
+    let mut vector = |width: Width, size: f64| {
+        let [x, y] = [dice.next(), dice.next()];
+        [size * x, if width == Width::Two { size * y } else { 0.0 }]
+    };
+    let constants = widths.iter().map(|&width| vector(width, 100.0)).collect();
+    let slopes =
+        widths.iter().map(|&width| widths.iter().map(|_| vector(width, strength)).collect()).collect();
+    Moduli { widths: widths.to_vec(), constants, slopes }
+}
+
+/// Solutions to which Newton's method leads from many moduli of all sizes.
+fn by_trial(system: &Moduli, dice: &mut Dice) -> Vec<Vec<f64>> {
+    let mut found: Vec<Vec<f64>> = Vec::new();
+    for _ in 0..600 {
+        let start: Vec<f64> = (0..system.count()).map(|_| 100.0 * (6.0 * dice.next()).exp()).collect();
+        let Some(z) = system.newton(&start) else { continue };
+        let size = z.iter().fold(1e-300, |most: f64, z| most.max(*z));
+        let far = |known: &Vec<f64>| known.iter().zip(&z).any(|(a, b)| (a - b).abs() > 1e-7 * size);
+        if found.iter().all(far) {
+            found.push(z);
+        }
+    }
+    found
+}
+
+const SORTS: [&[Width]; 9] = [
+    &[Width::Two],
+    &[Width::One, Width::One],
+    &[Width::Two, Width::Two],
+    &[Width::One, Width::Two, Width::Two],
+    &[Width::One, Width::One, Width::Two, Width::Two],
+    &[Width::One, Width::One, Width::Two],
+    &[Width::One, Width::One, Width::One, Width::One, Width::Two],
+    &[Width::Two, Width::Two, Width::Two],
+    &[Width::One, Width::Two, Width::Two, Width::Two],
+];
+
+#[test]
+fn a_drawer_jams_where_the_coefficient_is_the_length_over_twice_the_offset() {
+    // Pulled by F at a distance a against a load Q: N1 = F a / L = -N2, F = Q + f (|N1| + |N2|).
+    let (load, length, offset) = (100.0, 0.3, 0.4);
+    let drawer = |f: f64| {
+        let w = offset / length;
+        let row = vec![[f * w, 0.0]; 2];
+        Moduli { widths: vec![Width::One; 2], constants: vec![[load * w, 0.0]; 2], slopes: vec![row; 2] }
+    };
+    let limit = length / (2.0 * offset);
+    for part in [0.1, 0.9, 0.999_999] {
+        let f = part * limit;
+        let found = drawer(f).solutions();
+        assert!(found.complete && found.points.len() == 1, "{found:?}");
+        let exact = load * offset / length / (1.0 - part);
+        assert!((found.points[0][0] / exact - 1.0).abs() < 1e-9 / (1.0 - part), "{found:?}");
+        assert!((drawer(f).certificate() - part).abs() < 1e-12);
+    }
+    for f in [1.000_001 * limit, 3.0 * limit] {
+        let found = drawer(f).solutions();
+        assert!(found.complete && found.points.is_empty(), "{found:?}");
+    }
+}
+
+#[test]
+fn a_journal_has_the_roots_of_its_quadratic() {
+    // z = |c + v z| with c along x: two roots where v points back and is longer than 1, none where it points on.
+    let journal =
+        |v: [f64; 2]| Moduli { widths: vec![Width::Two], constants: vec![[1.0, 0.0]], slopes: vec![vec![v]] };
+    let two = journal([-1.25, 0.0]).solutions();
+    let mut roots: Vec<f64> = two.points.iter().map(|z| z[0]).collect();
+    roots.sort_by(f64::total_cmp);
+    // 1 - 1.25 z = z and 1.25 z - 1 = z.
+    assert!(two.complete && roots.len() == 2, "{two:?}");
+    assert!((roots[0] - 1.0 / 2.25).abs() < 1e-14 && (roots[1] - 4.0).abs() < 1e-13, "{roots:?}");
+    assert!(journal([1.25, 0.0]).solutions().points.is_empty());
+    assert_eq!(journal([0.3, 0.4]).solutions().points.len(), 1);
+}
+
+#[test]
+fn a_wedge_at_the_angle_of_friction_has_a_continuum() {
+    // z = |1 - z| has one solution, z = |0 + z| a ray of them that begins at zero.
+    let slide = |a: f64, w: f64| Moduli {
+        widths: vec![Width::One],
+        constants: vec![[a, 0.0]],
+        slopes: vec![vec![[w, 0.0]]],
+    };
+    let one = slide(1.0, -1.0).solutions();
+    assert_eq!((one.points, one.continuum), (vec![vec![0.5]], false));
+    let ray = slide(0.0, 1.0).solutions();
+    assert_eq!((ray.points, ray.continuum), (vec![vec![0.0]], true));
+    assert!(slide(1.0, 1.0).solutions().points.is_empty());
+}
+
+#[test]
+fn spectral_radii_are_known_ones() {
+    let near = |matrix: &[Vec<f64>], radius: f64| {
+        let found = spectral_radius(matrix);
+        assert!((found - radius).abs() <= 1e-12 * radius.max(1.0), "{found} instead of {radius}");
+    };
+    near(&[vec![0.3]], 0.3);
+    near(&[vec![0.0, 4.0], vec![1.0, 0.0]], 2.0);
+    near(&[vec![0.0, 7.0], vec![0.0, 0.0]], 0.0);
+    near(&[vec![0.5, 7.0], vec![0.0, 0.5]], 0.5);
+    near(&[vec![0.0, 1.0, 0.0], vec![0.0, 0.0, 1.0], vec![1.0, 0.0, 0.0]], 1.0);
+    near(&[vec![2.0, 1.0, 1.0], vec![1.0, 2.0, 1.0], vec![1.0, 1.0, 2.0]], 4.0);
+    near(&[], 0.0);
+}
+
+#[test]
+fn several_solutions_occur_with_pins_alone() {
+    let mut dice = Dice(5);
+    let counts: Vec<usize> = (0..300)
+        .map(|_| random(&[Width::Two, Width::Two, Width::Two], 2.0, &mut dice).solutions().points.len())
+        .collect();
+    for count in [0, 1, 2] {
+        assert!(counts.contains(&count), "none of 300 systems has {count} solutions");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(80))]
+
+    #[test]
+    fn all_solutions_are_those_that_trial_finds(seed: u64, sort in 0..SORTS.len(), strength in 0.05..3.0_f64) {
+        let mut dice = Dice(seed);
+        let system = random(SORTS[sort], strength, &mut dice);
+        let found = system.solutions();
+        prop_assert!(found.complete);
+        for z in &found.points {
+            prop_assert!(system.residual(z) < 1e-10 && z.iter().all(|z| *z >= 0.0), "{z:?}");
+        }
+        for trial in by_trial(&system, &mut dice) {
+            let size = trial.iter().fold(0.0_f64, |most, z| most.max(*z));
+            let near = found.points.iter().any(|z| z.iter().zip(&trial).all(|(a, b)| (a - b).abs() <= 1e-6 * size));
+            prop_assert!(near, "{trial:?} is missing in {:?}", found.points);
+        }
+    }
+
+    #[test]
+    fn a_certificate_means_one_solution(seed: u64, sort in 0..SORTS.len(), part in 0.01..0.99_f64) {
+        let mut system = random(SORTS[sort], 1.0, &mut Dice(seed));
+        let radius = system.certificate();
+        system.slopes.iter_mut().flatten().flatten().for_each(|w| *w *= part / radius);
+        prop_assert!((system.certificate() - part).abs() < 1e-11);
+        let found = system.solutions();
+        prop_assert_eq!(found.points.len(), 1);
+        let followed = system.follow(&vec![0.0; system.count()]).unwrap();
+        let size = followed.iter().fold(0.0_f64, |most, z| most.max(*z));
+        prop_assert!(found.points[0].iter().zip(&followed).all(|(a, b)| (a - b).abs() <= 1e-9 * size));
+    }
+
+    #[test]
+    fn a_step_approaches_the_solution_by_the_lengths(seed: u64, sort in 0..SORTS.len()) {
+        let system = random(SORTS[sort], 0.2, &mut Dice(seed));
+        if let Some(z) = system.follow(&vec![0.0; system.count()]) {
+            let start: Vec<f64> = z.iter().map(|z| 1.3 * z + 1.0).collect();
+            let bound = |j: usize| (0..z.len()).map(|k| length(system.slopes[j][k]) * (start[k] - z[k])).sum::<f64>();
+            for (j, new) in system.step(&start).into_iter().enumerate() {
+                prop_assert!((new - z[j]).abs() <= bound(j) + 1e-9 * new.abs().max(1.0));
+            }
+        }
+    }
+}

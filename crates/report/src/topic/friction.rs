@@ -1,0 +1,99 @@
+//! Dry friction: moments, forces and powers of the pairs, efficiency, losses over the cycle, where it brakes itself or jams.
+
+use assur_analysis::results::{FrictionCycle, Owner, Quantity};
+use assur_book::{Column, Document, Fact, Group, Table, Unit, catalogue, row};
+use assur_structure::name_of;
+use assur_words::{Text, joined, name, text};
+
+use super::units::{FORCE, JOULE, MOMENT, POWER};
+use super::{Source, Values};
+
+/// The friction of the pairs, with its heading.
+pub fn friction(source: &Source<'_>, page: &mut Document) {
+    if source.analysis.friction.is_some() {
+        page.heading(text!("report-friction"));
+        friction_tables(source, page);
+    }
+}
+
+/// The friction of the pairs in each position and over the cycle.
+pub fn friction_tables(source: &Source<'_>, page: &mut Document) {
+    let Some(cycle) = &source.analysis.friction else { return };
+    page.paragraph(text!("report-friction-text"));
+    page.facts(Text::default(), facts(source, cycle));
+    of_pairs(source, page);
+    efficiency(source, page);
+    losses(source, cycle, page);
+}
+
+/// Efficiency of the cycle, and the intervals in which the mechanism brakes itself or jams.
+pub(super) fn facts(source: &Source<'_>, cycle: &FrictionCycle) -> Vec<Fact> {
+    let unit = source.units.coordinate;
+    let mut facts = Vec::new();
+    facts.extend(cycle.efficiency.map(|found| Fact::number("fact-efficiency", found, Unit::NONE)));
+    let intervals = [("fact-self-braking", &cycle.self_braking), ("fact-dead-angle", &cycle.dead_angles)];
+    for (id, found) in intervals {
+        facts.extend(found.iter().map(|ends| Fact::range(id, *ends, unit)));
+    }
+    facts
+}
+
+/// Moments (forces) and powers in the shown positions.
+fn of_pairs(source: &Source<'_>, page: &mut Document) {
+    let schema = source.positions.schema();
+    let owners =
+        schema.owners(Quantity::FrictionMoment).into_iter().chain(schema.owners(Quantity::FrictionForce));
+    let groups = owners.map(|owner| {
+        let of = |quantity| Values::of(quantity, owner);
+        let slides = schema.find(of(Quantity::FrictionForce)).is_some();
+        let (symbol, unit, quantity) = if slides {
+            ("F_{f}", FORCE, Quantity::FrictionForce)
+        } else {
+            ("M_{f}", MOMENT, Quantity::FrictionMoment)
+        };
+        let mut columns = vec![source.column(name(symbol), unit, of(quantity))];
+        let power = of(Quantity::FrictionPower);
+        if schema.find(power).is_some() {
+            let unit = match catalogue::unit(schema, power).as_str() {
+                "W" => POWER,
+                "N m" => MOMENT,
+                _ => FORCE,
+            };
+            columns.push(source.column(name("P_{f}"), unit, power));
+        }
+        let owner = match owner {
+            Owner::PairOn(..) => catalogue::owner(schema, of(quantity)),
+            owner => source.name(owner),
+        };
+        Group { owner, columns }
+    });
+    page.table(source.table(text!("report-friction-table"), text!("head-pair"), groups));
+}
+
+/// Balancing load without friction, efficiency, and the certificate of each group, in the shown positions.
+fn efficiency(source: &Source<'_>, page: &mut Document) {
+    let unit = if source.analysis.input.balancing_is_moment { MOMENT } else { FORCE };
+    let of = |quantity| Values::of(quantity, Owner::Input);
+    let mut columns = vec![
+        source.column(text!("head-ideal-balancing"), unit, of(Quantity::IdealBalancing)),
+        source.column(text!("head-efficiency"), Unit::NONE, of(Quantity::Efficiency)),
+    ];
+    for owner in source.owners(Quantity::FrictionCertificate, |_| true) {
+        let values = Values::of(Quantity::FrictionCertificate, owner);
+        let group = catalogue::owner(source.positions.schema(), values);
+        columns.push(source.column(text!("head-certificate", group = group), Unit::NONE, values));
+    }
+    page.table(Table::over(text!("report-efficiency"), source.keys(), columns));
+}
+
+/// The loss of each pair over the cycle.
+fn losses(source: &Source<'_>, cycle: &FrictionCycle, page: &mut Document) {
+    let heads = [Column::of(text!("head-pair")), Column::short(text!("head-friction-work"), JOULE)];
+    let mut table = Table::list(text!("report-friction-work"), heads);
+    let pairs = source.mechanism.frictions.iter().zip(cycle.friction_work.values());
+    for (friction, work) in pairs {
+        let Some(work) = work else { return };
+        table.row(row![joined("", [Text::from(name_of(source.mechanism, friction.pair))]), *work]);
+    }
+    page.table(table);
+}

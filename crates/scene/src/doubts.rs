@@ -1,0 +1,133 @@
+//! What a scene says that is hardly meant, as far as its numbers and names tell by themselves.
+
+use std::collections::HashMap;
+
+use assur_mechanism::{GROUND, LinkId, Mechanism, Notice, appearance};
+use assur_words::{name, quantity, text};
+
+use crate::edit::key_of_steps;
+use crate::text::{brief, shown};
+
+/// A link so many times as long as the middle one of the others has a wrong unit: mm for m gives a thousand times, and lengths that
+/// are meant differ by less than a hundred.
+const MOST_TIMES_LONGER: f64 = 200.0;
+/// Links that are mostly longer than this, m, were given in another unit.
+const LONGEST: f64 = 20.0;
+/// A radius of gyration, or a distance of the center of mass from the points of its link, of so many sizes of the mechanism
+/// belongs to no link; flywheels and counterweights are smaller.
+const MOST_TIMES_THE_SIZE: f64 = 10.0;
+
+/// Everything that is hardly meant.
+pub(crate) fn of(mechanism: &Mechanism) -> Vec<Notice> {
+    let mut notices = names(mechanism);
+    let extents: Vec<f64> = (0..mechanism.links.len()).map(|link| extent(mechanism, link)).collect();
+    for link in 0..mechanism.links.len() {
+        notices.extend(length(mechanism, link, &extents));
+    }
+    notices.extend(all_lengths(mechanism, &extents));
+    let size = extents.iter().copied().fold(0.0, f64::max);
+    if notices.is_empty() && size > 0.0 {
+        for link in GROUND + 1..mechanism.links.len() {
+            notices.extend(inertia(mechanism, link, size));
+            notices.extend(center(mechanism, link, size));
+        }
+    }
+    notices
+}
+
+/// Points with names that look the same, but are written in different alphabets.
+fn names(mechanism: &Mechanism) -> Vec<Notice> {
+    let mut seen: HashMap<String, &str> = HashMap::new();
+    let mut notices = Vec::new();
+    for point in &mechanism.points {
+        let like = *seen.entry(appearance(&point.name)).or_insert(&point.name);
+        if like != point.name.as_str() {
+            let link = point.places.first().map_or(GROUND, |place| place.link);
+            notices.push(Notice::mistake(
+                key(mechanism, link, &["points", &point.name]),
+                text!(
+                    "scene-same-appearance",
+                    name = shown(&point.name),
+                    codes = name(codes(&point.name)),
+                    other = name(codes(like))
+                ),
+            ));
+        }
+    }
+    notices
+}
+
+/// The letters of a name that are not ASCII, by their numbers in Unicode: `U+0410`; of an ASCII name the letters themselves.
+fn codes(name: &str) -> String {
+    if name.is_ascii() {
+        return name.to_owned();
+    }
+    let foreign = name.chars().filter(|letter| !letter.is_ascii());
+    foreign.map(|letter| format!("U+{:04X}", u32::from(letter))).collect::<Vec<_>>().join(" ")
+}
+
+/// The key of a value of a link.
+fn key(mechanism: &Mechanism, link: LinkId, steps: &[&str]) -> String {
+    let owner: &[&str] = if link == GROUND { &["ground"] } else { &["link", &mechanism.links[link].name] };
+    key_of_steps(owner.iter().chain(steps).copied())
+}
+
+/// The greatest distance between two points of a link, m.
+fn extent(mechanism: &Mechanism, link: LinkId) -> f64 {
+    let places =
+        || mechanism.points.iter().flat_map(|point| &point.places).filter(|place| place.link == link);
+    let Some(first) = places().next() else { return 0.0 };
+    // Half of the greatest distance, or more, is found from any point.
+    places().map(|place| (place.at[0] - first.at[0]).hypot(place.at[1] - first.at[1])).fold(0.0, f64::max)
+}
+
+/// The middle one of some lengths, m, that are not 0; of two the smaller.
+fn middle(lengths: impl Iterator<Item = f64>) -> Option<f64> {
+    let mut lengths: Vec<f64> = lengths.filter(|length| *length > 0.0).collect();
+    lengths.sort_by(f64::total_cmp);
+    lengths.get(lengths.len().checked_sub(1)? / 2).copied()
+}
+
+/// Links that are mostly too long for a machine.
+fn all_lengths(mechanism: &Mechanism, extents: &[f64]) -> Option<Notice> {
+    let middle = middle(extents.iter().skip(1).copied()).filter(|middle| *middle > LONGEST)?;
+    let link = (1..extents.len()).find(|link| extents[*link] >= middle)?;
+    let text = text!("scene-long-links", length = quantity(brief(middle), "m"));
+    Some(Notice::mistake(key(mechanism, link, &["points"]), text))
+}
+
+/// A link that is far longer than the others.
+fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice> {
+    let others = extents.iter().enumerate().filter(|(other, _)| *other != link).map(|(_, extent)| *extent);
+    let middle = middle(others)?;
+    (extents[link] > MOST_TIMES_LONGER * middle).then(|| {
+        let [own, middle] = [extents[link], middle].map(|length| quantity(brief(length), "m"));
+        let link_name = shown(&mechanism.links[link].name);
+        let text = text!("scene-far-longer", link = link_name, length = own, others = middle);
+        Notice::mistake(key(mechanism, link, &["points"]), text)
+    })
+}
+
+/// A moment of inertia that belongs to a far greater body.
+fn inertia(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
+    let body = &mechanism.links[link];
+    let radius = (body.inertia.constant() / body.mass).sqrt();
+    (radius.is_finite() && radius > MOST_TIMES_THE_SIZE * size).then(|| {
+        let [radius, size] = [radius, size].map(|length| quantity(brief(length), "m"));
+        let text = text!("scene-great-inertia", link = shown(&body.name), radius = radius, size = size);
+        Notice::mistake(key(mechanism, link, &["inertia"]), text)
+    })
+}
+
+/// A center of mass far outside of its link.
+fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
+    let body = &mechanism.links[link];
+    let places = mechanism.points.iter().flat_map(|point| &point.places).filter(|place| place.link == link);
+    let away = places.map(|place| (place.at[0] - body.center[0]).hypot(place.at[1] - body.center[1]));
+    let away = away.fold(f64::INFINITY, f64::min);
+    (body.mass > 0.0 && away.is_finite() && away > MOST_TIMES_THE_SIZE * size).then(|| {
+        let [away, size] = [away, size].map(|length| quantity(brief(length), "m"));
+        let text = text!("scene-far-center", link = shown(&body.name), distance = away, size = size);
+        Notice::mistake(key(mechanism, link, &["center"]), text)
+    })
+}

@@ -1,0 +1,113 @@
+//! `[[friction]]`: dry friction in pairs.
+
+use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Rubbing};
+use assur_words::text;
+
+use crate::error::Fault;
+use crate::linkage::Linkage;
+use crate::numbers::Bound;
+use crate::text::{row, shown, such_as};
+use crate::units::Dimension;
+use crate::walk::{Entry, Section};
+use crate::wishes;
+
+const KEYS: &[&str] = &["pair", "coefficient", "radius", "owner", "length", "middle", "offset"];
+
+/// The shortest length of contact, m: below it the moment of the guide is a couple of forces whose digits are lost.
+const LEAST_CONTACT: f64 = 1e-6;
+/// Keys of a slide alone, and of a pin alone.
+const OF_SLIDES: [&str; 3] = ["length", "middle", "offset"];
+const OF_PINS: [&str; 2] = ["radius", "owner"];
+
+/// Reads all `[[friction]]`.
+pub(crate) fn read(root: &Section<'_>, linkage: &Linkage, motion: Option<&Motion>) -> Vec<Friction> {
+    let Some(entry) = root.get("friction") else { return Vec::new() };
+    if let Some(Motion::Transient { .. } | Motion::Steady { .. }) = motion {
+        let fault = Fault::new(entry.key.clone(), text!("scene-friction-in-free-motion"));
+        entry.note(fault.label(text!("scene-friction-prescribed")));
+    }
+    let mut all: Vec<Friction> = Vec::new();
+    for section in entry.sections(&text!("scene-a-friction"), KEYS) {
+        let Some(friction) = one(&section, linkage) else { continue };
+        if all.iter().any(|known| known.pair == friction.pair)
+            && let Some(entry) = section.get("pair")
+        {
+            entry.fault(text!("scene-friction-twice", pair = entry.written()), text!("scene-leave-one-out"));
+        }
+        all.push(friction);
+    }
+    all
+}
+
+fn one(section: &Section<'_>, linkage: &Linkage) -> Option<Friction> {
+    let pair = section.need("pair").and_then(|entry| wishes::pair_id(&entry, linkage));
+    let coefficient = section.need("coefficient");
+    let coefficient = coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative));
+    let rubbing = match pair? {
+        PairId::Pin(point) => {
+            refuse(section, &OF_SLIDES, "scene-friction-of-slides");
+            let radius = section.need("radius");
+            let radius = radius.and_then(|entry| entry.bounded(Dimension::Length, Bound::NotNegative));
+            let links = || linkage.points[point].places.iter().map(|place| place.link);
+            let owner = match section.get("owner") {
+                None => links().min(),
+                Some(entry) => owner(&entry, linkage, &links().collect::<Vec<_>>()),
+            };
+            Rubbing::Journal { radius: radius?, owner: owner.unwrap_or(GROUND) }
+        }
+        PairId::Slide(_) => {
+            refuse(section, &OF_PINS, "scene-friction-of-pins");
+            slide(section)?
+        }
+    };
+    Some(Friction { pair: pair?, coefficient: coefficient?, rubbing })
+}
+
+/// Notes keys that have no meaning for this sort of pair.
+fn refuse(section: &Section<'_>, keys: &[&str], message: &'static str) {
+    for entry in keys.iter().filter_map(|key| section.get(key)) {
+        entry.fault(text!(message, key = shown(&entry.name)), text!("scene-leave-it-out"));
+    }
+}
+
+fn owner(entry: &Entry<'_>, linkage: &Linkage, links: &[usize]) -> Option<usize> {
+    let owner = linkage.link(entry)?;
+    if !links.contains(&owner) {
+        let names = links.iter().map(|link| linkage.links[*link].name.as_str());
+        let on = shown(&linkage.links[owner].name);
+        entry
+            .fault(text!("scene-friction-owner", link = on), text!("scene-belongs-to", holders = row(names)));
+        return None;
+    }
+    Some(owner)
+}
+
+fn slide(section: &Section<'_>) -> Option<Rubbing> {
+    let middle = section.get("middle").map(|entry| {
+        (
+            entry.choice(&[("point", Middle::Point), ("through", Middle::Through)]).unwrap_or(Middle::Point),
+            entry,
+        )
+    });
+    let offset = section.get("offset");
+    let Some(length) = section.get("length") else {
+        for entry in middle.map(|(_, entry)| entry).into_iter().chain(offset) {
+            entry.fault(
+                text!("scene-friction-without-length", key = shown(&entry.name)),
+                text!("scene-friction-add-length"),
+            );
+        }
+        return Some(Rubbing::Place);
+    };
+    let contact = length.bounded(Dimension::Length, Bound::Positive);
+    if contact.is_some_and(|contact| contact < LEAST_CONTACT) {
+        length.problem(text!("scene-friction-short-contact", got = length.written()), such_as("\"90 mm\""));
+    }
+    let length = contact;
+    let offset = match offset {
+        None => Some(0.0),
+        Some(entry) => entry.bounded(Dimension::Length, Bound::NotNegative),
+    };
+    let middle = middle.map_or(Middle::Point, |(middle, _)| middle);
+    Some(Rubbing::Faces { length: length?, middle, offset: offset? })
+}

@@ -1,0 +1,84 @@
+//! `inertia` of a link: a number, or a formula over the input coordinate.
+
+use assur_formula::Used;
+use assur_mechanism::{GROUND, Inertia, Input, LinkId, Mechanism, Motion, Range, Until, VaryingInertia};
+use assur_words::{Text, name, text};
+
+use crate::error::Fault;
+use crate::linkage::Linkage;
+use crate::numbers::Bound;
+use crate::text::{brief, shown};
+use crate::units::Dimension;
+use crate::value::{FORMULA_OF_COORDINATE, formula_with_unit, within_text};
+use crate::walk::Section;
+
+/// Reads the moment of inertia of a link, whose points are known.
+pub(crate) fn read(linkage: &Linkage, id: LinkId, section: &Section<'_>) -> Inertia {
+    let Some(entry) = section.get("inertia") else { return Inertia::NONE };
+    if !entry.value.is_table() {
+        let number = entry.bounded(Dimension::Inertia, Bound::NotNegative);
+        return number.unwrap_or_default().into();
+    }
+    formula(linkage, id, &entry).unwrap_or_default()
+}
+
+fn formula(linkage: &Linkage, id: LinkId, entry: &crate::walk::Entry<'_>) -> Option<Inertia> {
+    let section = entry.section(text!("scene-a-formula"), FORMULA_OF_COORDINATE)?;
+    if section.get("formula").is_none() {
+        section.missing("formula", Text::default());
+    }
+    let (entry, formula, factor) = formula_with_unit(&section, Dimension::Inertia)?;
+    let Used { speed, time, place, .. } = formula.used();
+    let others = [(speed, "w"), (time, "t"), (place, "x")];
+    let others: Vec<_> = others.into_iter().filter_map(|(used, name)| used.then_some(name)).collect();
+    if !others.is_empty() {
+        let message = text!("scene-inertia-of-others", variables = name(others.join(", ")));
+        entry.fault(message, text!("scene-inertia-of-q"));
+    }
+    if let Some(switch) = formula.switches().first() {
+        let function = shown(&formula.text()[switch.span.clone()]);
+        let message = text!("scene-inertia-not-smooth", function = function);
+        let fault = Fault::new(within_text(&entry, formula.text(), &switch.span), message);
+        entry.note(fault.label(text!("scene-inertia-smooth")));
+    }
+    let pinned = linkage.points.iter().any(|point| {
+        let stands = |link| point.places.iter().any(|place| place.link == link);
+        stands(GROUND) && stands(id)
+    });
+    if !pinned {
+        let message = text!("scene-inertia-not-pinned", link = shown(&linkage.links[id].name));
+        entry.fault(message, text!("scene-inertia-of-a-number"));
+    }
+    Some(Inertia::Varying(VaryingInertia { formula, factor }))
+}
+
+/// Refuses moments of inertia that are not positive somewhere on the way of the input.
+pub(crate) fn refuse_not_positive(root: &Section<'_>, mechanism: &Mechanism) {
+    let way = way(&mechanism.input, mechanism.motion.as_ref());
+    let entries = root.get("link").map(|entry| entry.named(text!("scene-tables-of-links"), Text::default()));
+    let entries = entries.unwrap_or_default();
+    for (link, entry) in mechanism.links.iter().skip(1).zip(&entries) {
+        let Some(law) = link.inertia.varying() else { continue };
+        let Some((at, value)) = law.formula.not_positive(way) else { continue };
+        let mut inertia = entry.named(text!("scene-a-link"), Text::default()).into_iter();
+        let Some(inertia) = inertia.rfind(|key| key.name == "inertia") else { continue };
+        let rounded = |number: f64| brief((number * 1e6).round() / 1e6);
+        let value = brief(value * law.factor);
+        let message = text!("scene-inertia-not-positive", value = value, at = rounded(at));
+        inertia.fault(message, text!("scene-inertia-positive"));
+    }
+}
+
+/// The coordinates that the input passes, as far as the scene says.
+fn way(input: &Input, motion: Option<&Motion>) -> [f64; 2] {
+    let end = match input.range {
+        Range::Cycle(cycle) => input.from + input.sign() * cycle,
+        Range::To(to) => to,
+    };
+    let last = match motion {
+        Some(Motion::Transient { until: Until::Way(way), .. }) => [input.from - way, input.from + way],
+        _ => [end; 2],
+    };
+    let all = [input.from, end, last[0], last[1]];
+    [all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+}

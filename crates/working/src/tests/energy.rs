@@ -1,0 +1,91 @@
+//! The energy form of motions that are known in closed form.
+
+use std::f64::consts::PI;
+
+use assur_words::Language;
+use assur_worksheet::{Entry, WIDTH};
+
+use crate::{Cycle, Done, Ending, EnergyForm};
+
+fn form<'a>(
+    mechanism: &'a assur_mechanism::Mechanism,
+    works: &[(&'static str, f64)],
+    ends: [[f64; 3]; 2],
+) -> EnergyForm<'a> {
+    let works = works.iter().enumerate().map(|(load, (name, work))| Done {
+        name: assur_words::name(*name),
+        load: Some(load),
+        work: *work,
+    });
+    let ends = ends.map(|[coordinate, speed, energy]| Ending { coordinate, speed, energy });
+    EnergyForm { mechanism, ends, works: works.collect(), links: Vec::new(), cycle: None }
+}
+
+/// The result of the line of a symbol.
+fn result(form: &EnergyForm<'_>, symbol: &str) -> f64 {
+    let sections = form.sections();
+    let lines = sections.iter().flat_map(|section| &section.entries);
+    let found = lines.filter_map(|entry| match entry {
+        Entry::Line(line) if line.symbol.plain(Language::english()) == symbol => Some(line.value),
+        _ => None,
+    });
+    let all: Vec<f64> = found.collect();
+    assert_eq!(
+        all.len(),
+        1,
+        "{symbol}: {all:?}\n{}",
+        assur_worksheet::text(&sections, WIDTH, Language::english())
+    );
+    all[0]
+}
+
+fn near(found: f64, wanted: f64) {
+    assert!((found - wanted).abs() < 1e-12 * wanted.abs().max(1.0), "{found} {wanted}");
+}
+
+/// E example 1: 150 pi and 100 pi J over 10 pi rad, 56.05 rad/s; the works are those of the areas, whatever a quadrature gave.
+#[test]
+fn example_1_is_worked_by_areas() {
+    let mechanism = assur_scene::read("run-up.toml", assur_fixtures::scene("run-up")).unwrap();
+    let end = [10.0 * PI, (1000.0 * PI).sqrt(), 50.0 * PI];
+    let form = form(&mechanism, &[("driving", 470.0), ("resistance", -310.0)], [[0.0; 3], end]);
+    near(result(&form, "φ"), 10.0 * PI);
+    near(result(&form, "n"), 5.0);
+    near(result(&form, "A_driving"), 150.0 * PI);
+    near(result(&form, "A_d"), 150.0 * PI);
+    near(result(&form, "A_res"), 100.0 * PI);
+    near(result(&form, "A"), 50.0 * PI);
+    near(result(&form, "T"), 50.0 * PI);
+    near(result(&form, "ω"), (1000.0 * PI).sqrt());
+}
+
+/// E example 2: 20 N m, 10 pi J between 90 and 270 degrees, pi/20 kg m², 0.0127.
+#[test]
+fn example_2_is_worked_by_areas() {
+    let mechanism = assur_scene::read("flywheel.toml", assur_fixtures::scene("flywheel")).unwrap();
+    let cycle = Cycle {
+        speeds: [99.0, 101.0],
+        extremes: [0.5 * PI, 1.5 * PI],
+        excess_work: f64::NAN,
+        balance: Some(-20.0),
+    };
+    let ends = [[0.0, 100.0, 0.0], [2.0 * PI, 100.0, 0.0]];
+    let form = EnergyForm { cycle: Some(cycle), ..form(&mechanism, &[("driving", 120.0)], ends) };
+    near(result(&form, "M_d"), -20.0);
+    near(result(&form, "Δφ"), PI);
+    near(result(&form, "δ"), 0.02);
+    near(result(&form, "A_ex"), 10.0 * PI);
+    near(result(&form, "J_fw"), PI / 20.0);
+    near(result(&form, "χ"), 0.04 / PI);
+}
+
+/// What begins with a speed keeps its energy; a load that follows no straight lines has the work of the quadrature.
+#[test]
+fn the_energy_at_the_start_counts() {
+    let mechanism = assur_scene::read("brake.toml", assur_fixtures::scene("brake")).unwrap();
+    let ends = [[0.0, 100.0, 2000.0], [2250.0, 60.0, 720.0]];
+    let form = form(&mechanism, &[("brake", -1280.0)], ends);
+    near(result(&form, "A"), -1280.0);
+    near(result(&form, "T"), 720.0);
+    near(result(&form, "ω"), 60.0);
+}

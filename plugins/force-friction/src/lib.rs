@@ -1,0 +1,141 @@
+//! Group by group with dry friction: what `force-groups` does, where friction is added to the loads of the links.
+//!
+//! Friction depends on moduli of reactions. In each block (a group, or several that the owner of a joint's journal couples) the
+//! reactions are linear in the moduli, so that these fulfill z = |a + W z| ([`assur_friction`]); a and W are what the kernel of
+//! the group answers to the loads and to the friction of one modulus after the other. Where the certificate proves one solution
+//! it is found by the iteration and Newton's method; elsewhere all solutions are found, and each leads on to the groups before.
+//!
+//! ```text
+//!   loads --> last block: a, W --> z --> reactions, friction --> ... --> input link --> balancing load
+//! ```
+//!
+//! Where the balancing load acts elsewhere, the whole mechanism is one block, with the drive idle.
+
+mod branches;
+mod chain;
+mod choice;
+
+use assur_force::{
+    AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FrictionSolution, Reactions, group_by_group,
+};
+use assur_group::Wrench;
+use assur_kinematics::{LanePosition, Linkage, Position};
+use assur_number::Lanes;
+use assur_words::{Text, text};
+
+use branches::Branch;
+use chain::Chain;
+
+assur_words::resources!();
+
+assur_force::inventory::submit! {
+    AnalyzerPlugin {
+        name: "coulomb",
+        crate_name: env!("CARGO_PKG_NAME"),
+        summary: text!("force-friction"),
+        source: text!("force-friction.source"),
+        instance: &Friction,
+        gives_reactions: true,
+        treats_friction: true,
+        by_groups: true,
+        rank: 1,
+    }
+}
+
+/// The method.
+#[derive(Debug, Clone, Copy)]
+pub struct Friction;
+
+impl ForceAnalyzer for Friction {
+    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
+        Ok(())
+    }
+
+    fn solve(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &mut [Wrench<f64>],
+        out: &mut Reactions,
+    ) -> Result<(), ForceError> {
+        let Some(chain) = Chain::of(linkage, position, out) else {
+            let (groups, bodies) = (linkage.groups(), &position.bodies);
+            let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
+                group.reactions(bodies, loads, pairs)
+            });
+            return found.map_err(|reason| reason.explain(linkage, position.coordinate));
+        };
+        let found = chain.solutions(loads, 1.0)?;
+        let Some(taken) = choice::taken(&chain, loads, &found) else {
+            let what =
+                found.jammed.map_or_else(|| text!("force-friction-balance"), |block| chain.name(block));
+            return Err(ForceError::Jammed { what, coordinate: position.coordinate });
+        };
+        let doubt = (found.branches.len() > 1 || !found.proved || found.continuum).then(|| {
+            let each = found.branches.iter().enumerate();
+            let mut solutions: Vec<_> = each.map(|(i, branch)| chain.told(branch, i == taken)).collect();
+            solutions.sort_by(|a, b| a.balancing.total_cmp(&b.balancing));
+            (0, Doubt { solutions, proved: found.proved, continuum: found.continuum })
+        });
+        let told = chain.told(&found.branches[taken], true);
+        (out.balancing, out.pairs) = (told.balancing, told.pairs);
+        if let Some(rubbing) = &mut out.rubbing {
+            rubbing.forces = told.forces;
+            rubbing.certificates = found.certificates;
+            rubbing.doubts = doubt.into_iter().collect();
+        }
+        Ok(())
+    }
+
+    fn solve_lanes(
+        &self,
+        linkage: &Linkage,
+        position: &LanePosition,
+        loads: &mut [Wrench<Lanes>],
+        out: &mut Reactions<Lanes>,
+    ) -> bool {
+        if out.rubbing.is_some() {
+            return false;
+        }
+        let (groups, bodies) = (linkage.lane_groups(), &position.bodies);
+        let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
+            group.reactions(bodies, loads, pairs)
+        });
+        found.is_ok()
+    }
+
+    fn jamming_limit(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &[Wrench<f64>],
+        out: &Reactions,
+    ) -> Option<f64> {
+        let chain = Chain::of(linkage, position, out)?;
+        Some(choice::limit(&chain, loads))
+    }
+}
+
+impl Chain<'_> {
+    /// A solution as it is told: reactions with friction.
+    fn told(&self, branch: &Branch, taken: bool) -> FrictionSolution {
+        let (mut pairs, mut forces) = (branch.pairs.clone(), vec![0.0; self.frictions.rubs.len()]);
+        for unknown in &self.frictions.unknowns {
+            let rub = &self.frictions.rubs[unknown.rub];
+            let [x, y] = unknown.vector(rub, &self.position.bodies, &branch.pairs);
+            let size = if unknown.is_modulus() { x.hypot(y) } else { x };
+            let factor = self.factor(unknown, 1.0) * size;
+            let (share, moment) = (factor * unknown.share(rub), factor * unknown.moment(rub));
+            forces[unknown.rub] += share;
+            for &(pair, sign) in &rub.path {
+                pairs[pair].m += sign * moment;
+                if unknown.slides(rub) {
+                    let along = rub.along(&self.position.bodies);
+                    pairs[pair].fx += sign * share * along[0];
+                    pairs[pair].fy += sign * share * along[1];
+                }
+            }
+        }
+        FrictionSolution { balancing: branch.balancing, pairs, forces, taken }
+    }
+}

@@ -1,0 +1,224 @@
+//! Dry friction in the whole mechanism at once: the moduli of all pairs are unknowns.
+//!
+//! The loads of friction are written down from the frictions of the scene, and what the whole system answers to each of them
+//! gives the equations z = |a + W z| of all moduli together. The moment of faces beside the guide line is linear in the normal
+//! force and stands in the system itself.
+
+use assur_force::{Reactions, Rubbing as Found};
+use assur_friction::{Moduli, Width};
+use assur_group::{Body, Wrench};
+use assur_mechanism::{LinkId, Mechanism, Middle, PairId, Rubbing};
+
+use crate::system::{Solution, System};
+
+/// A modulus: of which rub, and how it follows from a solution.
+struct Modulus {
+    rub: usize,
+    pair: PairId,
+    links: [LinkId; 2],
+    /// Sense of the relative speed times the coefficient.
+    factor: f64,
+    kind: Kind,
+}
+
+enum Kind {
+    /// Force of a pin, with the radius of the journal.
+    Journal(f64),
+    /// Normal force of a slide: its part, and the factor of the moment about the middle.
+    Press { part: f64, by_moment: f64, middle: Middle },
+}
+
+/// Steps from no friction to all of it, where a solution is not the only one.
+const STEPS: u32 = 256;
+
+/// Moments of the faces of all slides by unit of normal force: what stands in the system.
+pub(crate) fn shifts(mechanism: &Mechanism, senses: &[f64]) -> Vec<f64> {
+    let mut shifts = vec![0.0; mechanism.slides.len()];
+    for (friction, sense) in rubs(mechanism, senses) {
+        if let (PairId::Slide(slide), Rubbing::Faces { offset, .. }) = (friction.0.pair, friction.0.rubbing) {
+            shifts[slide] = -sense * friction.0.coefficient * offset;
+        }
+    }
+    shifts
+}
+
+type Rub<'a> = (&'a assur_mechanism::Friction, [LinkId; 2]);
+
+/// All rubs of a mechanism with their senses.
+fn rubs<'a>(mechanism: &'a Mechanism, senses: &'a [f64]) -> impl Iterator<Item = (Rub<'a>, f64)> {
+    let each = mechanism.frictions.iter();
+    let each =
+        each.flat_map(|friction| mechanism.rubbing(friction).into_iter().map(move |links| (friction, links)));
+    each.zip(senses.iter().copied())
+}
+
+fn moduli(mechanism: &Mechanism, senses: &[f64]) -> Vec<Modulus> {
+    let mut all = Vec::new();
+    for (rub, ((friction, links), sense)) in rubs(mechanism, senses).enumerate() {
+        let factor = sense * friction.coefficient;
+        let mut add = |kind| all.push(Modulus { rub, pair: friction.pair, links, factor, kind });
+        match friction.rubbing {
+            _ if factor == 0.0 => {}
+            Rubbing::Journal { radius, .. } => add(Kind::Journal(radius)),
+            Rubbing::Place => add(Kind::Press { part: 1.0, by_moment: 0.0, middle: Middle::Point }),
+            Rubbing::Faces { length, middle, .. } => {
+                for end in [1.0, -1.0] {
+                    add(Kind::Press { part: 0.5, by_moment: end / length, middle });
+                }
+            }
+        }
+    }
+    all
+}
+
+/// What a mechanism is at a position.
+pub(crate) struct Frictional<'a> {
+    pub(crate) system: &'a System<'a>,
+    pub(crate) mechanism: &'a Mechanism,
+    pub(crate) bodies: &'a [Body<f64>],
+}
+
+impl Frictional<'_> {
+    /// Reactions with friction; `None` where there is no solution. Where several may exist, the one that follows from
+    /// small coefficients, else that of the least balancing load.
+    ///
+    /// # Errors
+    ///
+    /// The ratio of pivots of a system that can't be solved.
+    pub(crate) fn solve(
+        &self,
+        loads: &[Wrench<f64>],
+        found: &mut Found,
+        put: impl Fn(&Solution, &mut Reactions),
+        out: &mut Reactions,
+    ) -> Result<bool, f64> {
+        let unknowns = moduli(self.mechanism, &found.senses);
+        let prepared = |part: f64| self.equations(loads, &found.senses, &unknowns, part);
+        let (base, each, system) = prepared(1.0)?;
+        let radius = system.certificate();
+        let zero = vec![0.0; unknowns.len()];
+        let sum = |z: &[f64]| each.iter().zip(z).fold(base.clone(), |sum, (one, z)| sum.plus(*z, one));
+        let z = if radius < 1.0 {
+            system.follow(&zero)
+        } else {
+            let by_steps = (1..=STEPS).try_fold(zero, |z, step| {
+                let (_, _, system) = prepared(f64::from(step) / f64::from(STEPS)).ok()?;
+                system.newton(&z)
+            });
+            let least = || {
+                let all = system.solutions().points;
+                let size = |z: &[f64]| sum(z).balancing.abs();
+                all.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)))
+            };
+            by_steps.or_else(least)
+        };
+        let Some(z) = z else { return Ok(false) };
+        put(&sum(&z), out);
+        found.forces.fill(0.0);
+        for (unknown, z) in unknowns.iter().zip(&z) {
+            let size = match unknown.kind {
+                Kind::Journal(radius) => -unknown.factor * radius * z,
+                Kind::Press { .. } => -unknown.factor * z,
+            };
+            found.forces[unknown.rub] += size;
+        }
+        Ok(true)
+    }
+
+    /// The solution without moduli, that by each, and the equations of the moduli, with all coefficients times `part`.
+    fn equations(
+        &self,
+        loads: &[Wrench<f64>],
+        senses: &[f64],
+        unknowns: &[Modulus],
+        part: f64,
+    ) -> Result<(Solution, Vec<Solution>, Moduli), f64> {
+        let shifts: Vec<f64> = shifts(self.mechanism, senses).into_iter().map(|shift| part * shift).collect();
+        let base = self.system.solve(self.bodies, loads, &shifts)?;
+        let each = unknowns.iter().map(|unknown| {
+            let mut own = vec![Wrench::ZERO; loads.len()];
+            self.load(unknown, part, &mut own);
+            self.system.solve(self.bodies, &own, &shifts)
+        });
+        let each = each.collect::<Result<Vec<_>, _>>()?;
+        let widths = unknowns.iter().map(|unknown| match unknown.kind {
+            Kind::Journal(_) => Width::Two,
+            Kind::Press { .. } => Width::One,
+        });
+        let slopes =
+            unknowns.iter().map(|unknown| each.iter().map(|one| self.vector(unknown, one)).collect());
+        let moduli = Moduli {
+            widths: widths.collect(),
+            constants: unknowns.iter().map(|unknown| self.vector(unknown, &base)).collect(),
+            slopes: slopes.collect(),
+        };
+        Ok((base, each, moduli))
+    }
+
+    /// Loads of the friction of a modulus of size 1.
+    fn load(&self, unknown: &Modulus, part: f64, loads: &mut [Wrench<f64>]) {
+        let ([link, on], factor) = (unknown.links, part * unknown.factor);
+        match (&unknown.kind, unknown.pair) {
+            (Kind::Journal(radius), _) => {
+                loads[link].m -= factor * radius;
+                loads[on].m += factor * radius;
+            }
+            (Kind::Press { .. }, PairId::Slide(id)) => {
+                let slide = &self.mechanism.slides[id];
+                let (a, b) = (&self.bodies[link], &self.bodies[on]);
+                let [x, y] = b.arm([slide.angle.cos(), slide.angle.sin()]);
+                let force = [-factor * x, -factor * y];
+                let place = a.point(slide.point);
+                loads[link].add_at([place[0] - a.x, place[1] - a.y], force, 0.0);
+                loads[on].add_at([place[0] - b.x, place[1] - b.y], [-force[0], -force[1]], 0.0);
+            }
+            (Kind::Press { .. }, PairId::Pin(_)) => {}
+        }
+    }
+
+    /// The vector of which a modulus is the length.
+    fn vector(&self, unknown: &Modulus, solution: &Solution) -> [f64; 2] {
+        match (&unknown.kind, unknown.pair) {
+            (Kind::Press { part, by_moment, middle }, PairId::Slide(id)) => {
+                let (slide, found) = (&self.mechanism.slides[id], &solution.slides[id]);
+                let [a, b] = unknown.links.map(|link| &self.bodies[link]);
+                let [x, y] = b.arm([slide.angle.cos(), slide.angle.sin()]);
+                let normal = x * found.fy - y * found.fx;
+                let moment = match middle {
+                    Middle::Point => found.m,
+                    Middle::Through => {
+                        let [p, q] = [a.point(slide.point), b.point(slide.through)];
+                        found.m + (x * (p[0] - q[0]) + y * (p[1] - q[1])) * normal
+                    }
+                };
+                [part * normal + by_moment * moment, 0.0]
+            }
+            (_, PairId::Pin(point)) => self.system.force_on(solution, point, unknown.links[0]),
+            _ => [0.0; 2],
+        }
+    }
+}
+
+/// Adds the forces and moments of friction to the reactions in the pairs.
+pub(crate) fn add_to_pairs(
+    mechanism: &Mechanism,
+    bodies: &[Body<f64>],
+    found: &Found,
+    pairs: &mut [Wrench<f64>],
+) {
+    let shifts = shifts(mechanism, &found.senses);
+    for (rub, force) in found.frictions.rubs.iter().zip(&found.forces) {
+        for &(pair, sign) in &rub.path {
+            match rub.pair {
+                PairId::Pin(_) => pairs[pair].m += sign * force,
+                PairId::Slide(id) => {
+                    let slide = &mechanism.slides[id];
+                    let [x, y] = bodies[slide.on].arm([slide.angle.cos(), slide.angle.sin()]);
+                    pairs[pair].m += shifts[id] * (x * pairs[pair].fy - y * pairs[pair].fx);
+                    pairs[pair].fx += force * x;
+                    pairs[pair].fy += force * y;
+                }
+            }
+        }
+    }
+}

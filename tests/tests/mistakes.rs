@@ -1,0 +1,151 @@
+//! What newcomers write by mistake and a scene allows: each is told with its key, and no shipped scene has any.
+
+use assur_all as _;
+use assur_analysis::{Calculation, Options, unwatched};
+use assur_mechanism::Notice;
+
+/// A slider-crank without a fault.
+const SCENE: &str = r#"
+[ground]
+points = { O = [0, 0] }
+[link.crank]
+points = { O = 0, A = "100 mm" }
+mass = "4 kg"
+center = "O"
+inertia = "0.04 kg*m^2"
+[link.rod]
+points = { A = 0, B = "400 mm" }
+mass = "2 kg"
+center = ["150 mm", 0]
+inertia = "0.03 kg*m^2"
+[link.ram]
+points = { B = 0 }
+mass = "5 kg"
+[[slide]]
+link = "ram"
+on = "ground"
+angle = 0
+[input]
+link = "crank"
+from = "10 deg"
+positions = 12
+[assembly]
+B = ["500 mm", 0]
+[motion]
+speed = "60 rpm"
+[[force]]
+name = "cutting"
+link = "ram"
+at = "B"
+angle = "180 deg"
+value = "1 kN"
+"#;
+
+fn mistakes(scene: &str) -> Vec<Notice> {
+    let mechanism = assur_scene::read("test.toml", scene).unwrap_or_else(|errors| panic!("{errors}"));
+    let study = Calculation::of(mechanism, &Options::default(), &mut unwatched);
+    let doubts = study.unwrap_or_else(|error| panic!("{error}")).doubts();
+    assert!(doubts.iter().all(Notice::is_mistake));
+    doubts
+}
+
+#[test]
+fn each_mistake_is_told_once_at_its_key() {
+    // What is written, in place of what; the key and the identity of what is told, and a part of its text.
+    let table = [
+        ("from = 30", "from = \"10 deg\"", "input.from", "scene-hardly-meant", "1718.87"),
+        ("angle = 180", "angle = \"180 deg\"", "force.cutting.angle", "scene-hardly-meant", "\"180 deg\""),
+        ("speed = 1500", "speed = \"60 rpm\"", "motion.speed", "scene-hardly-meant", "\"1500 rpm\""),
+        (
+            "O = 0, A = 100 }",
+            "O = 0, A = \"100 mm\" }",
+            "link.crank.points",
+            "scene-far-longer",
+            "100 m long",
+        ),
+        ("inertia = 400", "inertia = \"0.04 kg*m^2\"", "link.crank.inertia", "scene-great-inertia", "10 m"),
+        ("center = [150, 0]", "center = [\"150 mm\", 0]", "link.rod.center", "scene-far-center", "149.6 m"),
+        ("", "[assembly]\nB = [\"500 mm\", 0]\n", "assembly", "analysis-any-way", "B is at"),
+        ("B = [\"300 mm\", 0]", "B = [\"500 mm\", 0]", "assembly.B", "analysis-place-missed", "198"),
+        (
+            "angle = \"90 deg\"\nvalue",
+            "angle = \"180 deg\"\nvalue",
+            "force[0]",
+            "analysis-load-without-work",
+            "cutting",
+        ),
+        ("value = 0", "value = \"1 kN\"", "force[0]", "analysis-load-idle", "cutting"),
+    ];
+    assert_eq!(mistakes(SCENE), []);
+    for (wrong, right, key, id, part) in table {
+        assert!(SCENE.contains(right), "{right}");
+        let found = mistakes(&SCENE.replacen(right, wrong, 1));
+        // A wrong place of the first position, for one, has a wrong place of the assembly as its consequence.
+        let mut told = found.iter().filter(|notice| notice.text.identity() == Some(id));
+        let (Some(notice), None) = (told.next(), told.next()) else { panic!("{wrong}: {found:?}") };
+        assert_eq!(notice.key.as_deref(), Some(key), "{wrong}");
+        assert!(notice.to_string().contains(part), "{wrong}: {notice}");
+    }
+}
+
+/// A guide across its crank: the ram stays where it is while the stone goes round.
+#[test]
+fn what_never_moves_is_told() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0 }\n[link.stone]\npoints = { P = 0 }\n\
+        [link.ram]\npoints = { P = 0 }\n[[slide]]\nlink = 'stone'\non = 'crank'\n[[slide]]\nlink = 'ram'\non = 'ground'\n\
+        [input]\nlink = 'crank'\nfrom = '15 deg'\npositions = 8\n";
+    let found = mistakes(scene);
+    let of = |id: &str| found.iter().filter(|notice| notice.text.identity() == Some(id)).count();
+    assert_eq!((of("analysis-link-rests"), of("analysis-slide-rests")), (1, 1), "{found:?}");
+}
+
+/// A radian is a radian where nobody would take it for a degree: quarters of a turn in all digits, turns of an engine.
+#[test]
+fn what_is_right_is_not_doubted() {
+    for (right, also) in [
+        ("from = \"10 deg\"", "from = 0.17"),
+        ("from = \"10 deg\"", "from = \"10 deg\"\ncycle = \"720 deg\""),
+        ("from = \"10 deg\"", "from = \"10 deg\"\ncycle = 12.566370614359172"),
+        ("angle = \"180 deg\"", "angle = 3.141592653589793"),
+        ("speed = \"60 rpm\"", "speed = 600"),
+        ("B = [\"500 mm\", 0]", "B = [\"480 mm\", \"10 mm\"]"),
+    ] {
+        assert!(SCENE.contains(right), "{right}");
+        assert_eq!(mistakes(&SCENE.replacen(right, also, 1)), [], "{also}");
+    }
+}
+
+#[test]
+fn names_that_look_the_same_are_told() {
+    // The rod's B is a Cyrillic letter: no pin, so that the mobility is wrong, and the mistake is named beside it.
+    let scene = SCENE.replacen("A = 0, B = ", "A = 0, \"В\" = ", 1);
+    let mechanism = assur_scene::read("test.toml", &scene).unwrap();
+    assert_eq!(mechanism.notes[0].text.identity(), Some("scene-same-appearance"));
+    let error = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap_err().to_string();
+    assert!(error.contains("look alike"), "{error}");
+    let small = SCENE.replacen("A = 0, B = ", "A = 0, b = ", 1);
+    let mechanism = assur_scene::read("test.toml", &small).unwrap();
+    let error = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap_err().to_string();
+    assert!(error.contains("`b` and `B`"), "{error}");
+}
+
+#[test]
+fn a_formula_in_place_of_a_number_is_sent_to_its_key() {
+    let scene = SCENE.replacen("value = \"1 kN\"", "value = \"1000*sin(q)\"", 1);
+    let errors = assur_scene::read("test.toml", &scene).unwrap_err().to_string();
+    assert!(errors.contains("{ formula = \"1000*sin(q)\" }"), "{errors}");
+}
+
+#[test]
+fn a_unit_is_suggested_from_its_own_kind_only() {
+    let scene = SCENE.replacen("\"100 mm\"", "\"4 inn\"", 1);
+    let errors = assur_scene::read("test.toml", &scene).unwrap_err().to_string();
+    assert!(errors.contains("`in`") && !errors.contains("`min`"), "{errors}");
+}
+
+#[test]
+fn no_shipped_scene_has_a_mistake() {
+    for (name, text) in assur_fixtures::SCENES {
+        assert_eq!(mistakes(text), [], "{name}");
+    }
+}

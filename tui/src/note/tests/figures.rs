@@ -1,0 +1,24 @@
+//! Every curve of the note holds the numbers of the JSON at the same coordinates.
+
+use assur_book::Block;
+
+use super::super::context::Context;
+use super::super::parts;
+use super::state;
+use crate::screen::tests::courses::{assert_found, lines};
+
+#[test]
+fn every_curve_of_a_note_is_a_column_of_the_json() {
+    let mut compared = 0;
+    for (name, _) in assur_fixtures::SCENES {
+        let mut state = state(name);
+        let document = parts::document(&mut Context { state: &mut state, positions: &[0] }).unwrap();
+        for block in &document.blocks {
+            let Block::Figure { frames, caption, .. } = block else { continue };
+            let drawn = lines(&frames[0], &caption.to_string());
+            assert_found(name, &state, &drawn);
+            compared += drawn.len();
+        }
+    }
+    assert!(compared > 100, "{compared}");
+}

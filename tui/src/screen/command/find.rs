@@ -1,0 +1,81 @@
+//! What is looked for by its name: pairs, plans, quantities.
+
+use assur_mechanism::{LinkId, Named, PairId};
+use assur_words::Text;
+
+use crate::screen::state::{Part, State, View};
+
+/// A pair, and the link on which it acts.
+type PairOn = (Named<PairId>, Named<LinkId>);
+
+/// Chooses the next reaction of a pair of this name, else one whose pair or link begins with it; false if there is
+/// none.
+pub(super) fn reaction(state: &mut State, wanted: &str) -> bool {
+    let Some(found) = state.found() else { return false };
+    let count = found.reactions.len();
+    let next = |fits: &dyn Fn(&PairOn) -> bool| {
+        let mut after = (1..=count).map(|step| (state.chosen.reaction + step) % count);
+        after.find(|index| found.reactions[*index].of.as_ref().is_some_and(fits))
+    };
+    let begins = |name: &str| name.to_lowercase().starts_with(wanted);
+    let same = next(&|(pair, _)| pair.to_lowercase() == wanted);
+    let Some(index) = same.or_else(|| next(&|(pair, link)| begins(pair) || begins(link))) else {
+        return false;
+    };
+    state.chosen.reaction = index;
+    true
+}
+
+/// Chooses the construction of a force analyzer, at its last step, or the force polygon of a group; whether there is one.
+pub(super) fn plan(state: &mut State, wanted: &str) -> bool {
+    let Some(plans) = state.found().map(|found| found.plans.at(state.position)) else { return false };
+    let fits = |text: &Text| state.told(text.clone()).to_lowercase().contains(wanted);
+    match state.part(View::Plans) {
+        Part::Construction => {
+            let same = plans.constructions.iter().position(|(method, _)| *method == wanted);
+            let found = same.or_else(|| plans.constructions.iter().position(|(_, drawn)| fits(&drawn.title)));
+            let last = found.and_then(|found| plans.steps_of(found).last());
+            state.chosen.step = last.unwrap_or(state.chosen.step);
+            last.is_some()
+        }
+        Part::Forces => {
+            let polygons = plans.sheet.as_ref().map_or(&[][..], |sheet| &sheet.polygons);
+            let found = polygons.iter().position(|polygon| fits(&polygon.title));
+            state.chosen.polygon = found.unwrap_or(state.chosen.polygon);
+            found.is_some()
+        }
+        _ => false,
+    }
+}
+
+/// Chooses quantities for the chart by their names, in this order.
+///
+/// # Errors
+///
+/// The name that no quantity has.
+pub(crate) fn pick_all<'a>(state: &mut State, names: impl Iterator<Item = &'a str>) -> Result<(), &'a str> {
+    let mut picked = Vec::new();
+    for wanted in names {
+        let column = column(state, &wanted.trim().to_lowercase());
+        let short = column.and_then(|column| Some(state.scene.as_ref()?.column(column)?.short.clone()));
+        picked.push(short.ok_or(wanted)?);
+    }
+    state.picked = picked;
+    Ok(())
+}
+
+/// The quantity of a name: the one with just this name, or else the next one in whose name it occurs.
+pub(super) fn column(state: &State, wanted: &str) -> Option<usize> {
+    let scene = state.scene.as_ref()?;
+    let count = scene.column_count();
+    let names = |column: usize| {
+        let series = scene.column(column)?;
+        let names = [state.told(&series.of), state.told(&series.head), series.short.clone()];
+        Some(names.map(|name| name.to_lowercase()))
+    };
+    let next = |fits: &dyn Fn(&String) -> bool| {
+        let mut all = (1..=count).map(|step| (state.chosen.column + step) % count);
+        all.find(|column| names(*column).is_some_and(|names| names.iter().any(fits)))
+    };
+    next(&|name| name == wanted).or_else(|| next(&|name| name.contains(wanted)))
+}

@@ -1,0 +1,92 @@
+//! What the report and the note tell, in the lines of a view: blocks of a document in the width of the terminal.
+
+use assur_book::{Block, Document, Fact};
+use assur_report::text::{Kind, Line, Style, lines};
+use assur_words::{Text, joined};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::screen::draw::{put, short};
+use crate::screen::state::{Role, State};
+
+/// What a topic tells, in lines of a width. The view and its parts have names of their own, so headings and rules are left out.
+pub(super) fn told(state: &State, width: u16, topic: impl FnOnce(&mut Document)) -> Vec<Line> {
+    let mut page = Document::default();
+    topic(&mut page);
+    page.blocks.retain(|block| !matches!(block, Block::Title(_) | Block::Heading(_)));
+    let style = Style { language: state.language(), ascii: false };
+    let all = lines(&page.blocks, style, width.into()).into_iter();
+    all.filter(|line| line.kind != Kind::Rule).skip_while(|line| line.text.is_empty()).collect()
+}
+
+/// Those of the facts that have one of these identities, in lines of a width.
+pub(super) fn some_facts(state: &State, width: u16, facts: Vec<Fact>, ids: &[&str]) -> Vec<Line> {
+    let shown = facts.into_iter().filter(|fact| ids.contains(&fact.id)).collect();
+    told(state, width, |page| page.facts(Text::default(), shown))
+}
+
+/// The facts of these identities in one line: `unevenness 0.05, mean speed 6.28319 rad/s`.
+pub(super) fn in_a_line(facts: &[Fact], ids: &[&str]) -> Text {
+    let shown = ids.iter().filter_map(|id| facts.iter().find(|fact| fact.id == *id));
+    joined(", ", shown.map(|fact| joined(" ", [fact.what().short(), fact.with_unit()])))
+}
+
+/// Draws lines from the first one that is shown; `of_row`: the role of the row of a table.
+pub(super) fn draw(
+    state: &State,
+    lines: &[Line],
+    of_row: &dyn Fn(usize) -> Role,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let mut before = None;
+    for (row, line) in lines.iter().take(area.height.into()).enumerate() {
+        let role = match line.kind {
+            Kind::Heading => Role::Header,
+            Kind::Head => Role::Dim,
+            Kind::Row(number) => of_row(number),
+            Kind::Words | Kind::Rule => Role::Plain,
+        };
+        put(buffer, area, 1, short(row), &line.text, state.look.theme.style(role));
+        if role == Role::Cursor && before != Some(line.kind) {
+            put(buffer, area, 0, short(row), ">", state.look.theme.style(role));
+        }
+        before = Some(line.kind);
+    }
+}
+
+/// Draws a table of which a row is chosen: its head and the last `pinned` lines stay, and the chosen row is in sight.
+pub(super) fn draw_chosen(
+    state: &State,
+    lines: &[Line],
+    (chosen, pinned): (usize, usize),
+    of_row: &dyn Fn(usize) -> Role,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let (head, rest) = parts(lines);
+    let height = usize::from(area.height).saturating_sub(head.len());
+    let (rest, pinned) = rest.split_at(rest.len() - pinned.min(rest.len()).min(height));
+    let height = height - pinned.len();
+    // What stands below the rows is in sight with the last one.
+    let next = rest.iter().position(|line| line.kind == Kind::Row(chosen + 1));
+    let skip = next.unwrap_or(rest.len()).saturating_sub(height);
+    let shown = head.iter().chain(rest.iter().skip(skip).take(height)).chain(pinned);
+    let shown: Vec<Line> = shown.cloned().collect();
+    let of_row = |row| if row == chosen { Role::Cursor } else { of_row(row) };
+    draw(state, &shown, &of_row, area, buffer);
+}
+
+/// Draws a table from one of its lines on, as far as that fills the area; its head stays.
+pub(super) fn draw_from(state: &State, lines: &[Line], from: usize, area: Rect, buffer: &mut Buffer) {
+    let (head, rest) = parts(lines);
+    let height = usize::from(area.height).saturating_sub(head.len());
+    let skip = from.min(rest.len().saturating_sub(height));
+    let shown: Vec<Line> = head.iter().chain(&rest[skip..]).cloned().collect();
+    draw(state, &shown, &|_| Role::Plain, area, buffer);
+}
+
+/// What stands above the rows of a table, and the rows.
+fn parts(lines: &[Line]) -> (&[Line], &[Line]) {
+    lines.split_at(lines.iter().take_while(|line| !matches!(line.kind, Kind::Row(_))).count())
+}

@@ -1,0 +1,176 @@
+//! The drive with the flywheel in its two places, to one scale (S fig. 13): motor, gear, flywheel, crank, with their masses.
+
+use assur_analysis::results::Dynamics;
+use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
+use assur_mechanism::InputPair;
+use assur_motor::{FlywheelSize, Motor, RatedData, catalogues};
+use assur_report::topic::flywheel_shaft;
+use assur_words::{Text, joined, name, number, quantity, text};
+
+use crate::number::digits;
+use crate::screen::state::Scene;
+
+/// Inks of the parts.
+const MOTOR: Ink = Ink::Link(1);
+const FLYWHEEL: Ink = Ink::Link(2);
+const CRANK: Ink = Ink::Link(3);
+/// Distance between two parts, as part of the height of the motor.
+const APART: f64 = 0.35;
+/// Relative difference below which rated power and synchronous speed count as the same.
+const SAME: f64 = 0.01;
+/// Height of a motor of which no size is known, m. What has no sizes of its own is drawn dashed: such a motor, and the gear.
+const UNKNOWN: f64 = 0.2;
+/// Height of the gear and its length, as parts of the height of the motor.
+const GEAR: [f64; 2] = [1.2, 2.0];
+
+/// A panel for each place of the flywheel, all to one scale.
+pub(super) fn panels(scene: &Scene, dynamics: &Dynamics) -> Vec<Panel> {
+    let places = dynamics.flywheel_places.iter();
+    let drawn: Vec<(Text, Vec<Item>)> = places.map(|wheel| drive(scene, dynamics, wheel)).collect();
+    let bounds = drawn.iter().map(|(_, items)| Bounds::around(items.iter().flat_map(Item::points)));
+    let size = bounds.clone().fold([0.0_f64; 2], |size, of| {
+        let own = of.size();
+        [size[0].max(own[0]), size[1].max(own[1])]
+    });
+    let centers: Vec<Point> = bounds.map(|of| of.center()).collect();
+    let panel = |((title, items), center): ((Text, Vec<Item>), Point)| {
+        let corner = |side: f64| [0, 1].map(|axis| center[axis] + 0.5 * side * size[axis]);
+        let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
+        let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
+        Panel { title, frame, items }
+    };
+    drawn.into_iter().zip(centers).map(panel).collect()
+}
+
+/// The parts along the shaft from the motor to the crank, seen from the side.
+struct Row {
+    items: Vec<Item>,
+    /// Where the next part begins, m.
+    at: f64,
+    apart: f64,
+}
+
+impl Row {
+    /// A part of this length and height with what is said of it above; one whose own size is not known is dashed.
+    fn part(&mut self, [length, height]: [f64; 2], told: Option<Text>, known: bool, ink: Ink) {
+        let (from, to) = (self.at, self.at + length);
+        let [low, high] = [-0.5 * height, 0.5 * height];
+        let outline = vec![[from, low], [to, low], [to, high], [from, high]];
+        self.items.push(if known {
+            Item::Area { outline, ink }
+        } else {
+            let closed: Vec<Point> = outline.iter().chain(outline.first()).copied().collect();
+            Item::line(closed, Stroke::Dashed, ink)
+        });
+        self.items.extend(told.map(|told| Item::name([from, high], told, Ink::Title)));
+        self.shaft(to);
+    }
+
+    /// The shaft from here to the next part.
+    fn shaft(&mut self, from: f64) {
+        self.at = from + self.apart;
+        self.items.push(Item::line([[from, 0.0], [self.at, 0.0]], Stroke::Solid, Ink::Text));
+    }
+}
+
+/// The motor: its size, whether it is its own, its mass, and how it is called.
+struct Drawn {
+    size: [f64; 2],
+    own: bool,
+    mass: Option<f64>,
+    name: Text,
+}
+
+impl Drawn {
+    fn of(dynamics: &Dynamics) -> Self {
+        let motor = dynamics.motor.as_ref();
+        let own = motor.and_then(|motor| Some([motor.length?, motor.diameter?]));
+        let other = motor.filter(|_| own.is_none()).and_then(|motor| alike(&motor.rated));
+        let name = match other {
+            Some(other) => text!("places-motor-as", other = name(other.designation.clone())),
+            None => text!("places-motor"),
+        };
+        Self {
+            size: own.or_else(|| other.and_then(size_of)).unwrap_or([1.5 * UNKNOWN, UNKNOWN]),
+            own: own.is_some(),
+            mass: motor.and_then(|motor| motor.mass).or_else(|| other.and_then(|other| other.mass)),
+            name,
+        }
+    }
+}
+
+fn kilograms(mass: f64) -> Text {
+    quantity(digits(mass, 3), "kg")
+}
+
+/// What the parts are; those without a known size of their own are dashed.
+pub(super) fn legend(dynamics: &Dynamics) -> Vec<Key> {
+    let motor = Drawn::of(dynamics);
+    let stroke = if motor.own { Stroke::Thick } else { Stroke::Dashed };
+    let keys = [
+        (stroke, MOTOR, motor.name),
+        (Stroke::Dashed, Ink::Dim, text!("places-gear")),
+        (Stroke::Thick, FLYWHEEL, text!("regime-flywheel")),
+        (Stroke::Thick, CRANK, text!("places-crank")),
+    ];
+    keys.map(|(stroke, ink, text)| Key { sample: Sample::Line(stroke, ink), text }).into()
+}
+
+/// A drive with its flywheel on one of the two shafts; its heading has the mass of motor and flywheel.
+fn drive(scene: &Scene, dynamics: &Dynamics, wheel: &FlywheelSize) -> (Text, Vec<Item>) {
+    let Drawn { size: [length, height], own, mass, .. } = Drawn::of(dynamics);
+    let mut row = Row { items: Vec::new(), at: 0.0, apart: APART * height };
+    row.part([length, height], mass.map(kilograms), own, MOTOR);
+    let flywheel = |row: &mut Row| {
+        row.part([wheel.width, wheel.diameter], Some(kilograms(wheel.mass)), true, FLYWHEEL);
+    };
+    let on_motor = wheel.shaft != "input";
+    if on_motor {
+        flywheel(&mut row);
+    }
+    let ratio = dynamics.figures.ratio.map(|ratio| joined("", [name("u = "), number(digits(ratio, 4))]));
+    row.part([GEAR[1] * height, GEAR[0] * height], ratio, false, Ink::Dim);
+    if !on_motor {
+        flywheel(&mut row);
+    }
+    crank(scene, &mut row);
+    let shaft = flywheel_shaft(wheel.shaft);
+    let title = match mass {
+        Some(mass) => text!("places-with-mass", shaft = shaft, sum = kilograms(mass + wheel.mass)),
+        None => text!("places-title", shaft = shaft),
+    };
+    (title, row.items)
+}
+
+/// Length and diameter of a motor of a catalogue, m.
+fn size_of(motor: &Motor) -> Option<[f64; 2]> {
+    Some([motor.length?, motor.diameter?])
+}
+
+/// A motor of a catalogue with the same rated power and synchronous speed that has sizes: the lightest one, by which a motor of
+/// which only rated data are known is drawn.
+fn alike(rated: &RatedData) -> Option<&'static Motor> {
+    let same = |own: f64, other: f64| (own - other).abs() <= SAME * other;
+    let all =
+        catalogues().unwrap_or_default().into_iter().filter_map(|catalogue| catalogue.rows().ok()).flatten();
+    let fits = all.filter(|motor| {
+        size_of(motor).is_some()
+            && same(rated.power, motor.rated_power)
+            && same(rated.synchronous_speed, motor.synchronous_speed)
+    });
+    let mass = |motor: &Motor| motor.mass.unwrap_or(f64::INFINITY);
+    fits.min_by(|one, other| mass(one).total_cmp(&mass(other)))
+}
+
+/// The input link at the end of its shaft, as long as from its pin to its farthest point.
+fn crank(scene: &Scene, row: &mut Row) {
+    let mechanism = &scene.linkage.mechanism;
+    let link = mechanism.input.link;
+    let places = || (0..mechanism.points.len()).filter_map(|id| mechanism.place_in(id, link));
+    let InputPair::Pin(pin) = mechanism.input.pair else { return };
+    let pin = mechanism.place_in(pin, link).unwrap_or_default();
+    let far = places().map(|at| (at[0] - pin[0]).hypot(at[1] - pin[1])).fold(0.0, f64::max);
+    let at = row.at;
+    row.items.push(Item::line([[at, 0.0], [at, far]], Stroke::Thick, CRANK));
+    row.items.push(Item::sign([at, far], Sign::Pin, CRANK));
+}

@@ -1,0 +1,212 @@
+//! A scene that is open, and what is compiled of it.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+use assur_analysis::{AnalysisError, Calculation, Options, Watch, plan};
+use assur_fixtures::SCENES;
+use assur_kinematics::{CompileError, Linkage};
+use assur_mechanism::{Mechanism, Motion, Notice};
+use assur_scene::Note;
+use assur_structure::Structure;
+use assur_words::{Describe, Text, joined, name, text};
+
+use crate::files::{self, FileError};
+
+/// The source of a scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Source {
+    /// A file.
+    File(PathBuf),
+    /// One of the shipped scenes, by its name without the ending.
+    Shipped(&'static str),
+}
+
+impl Source {
+    /// The name to show.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Self::File(path) => path.display().to_string(),
+            Self::Shipped(name) => format!("{name}.toml"),
+        }
+    }
+
+    /// The name without its folder.
+    pub(crate) fn short_name(&self) -> String {
+        Path::new(&self.name()).file_name().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// The name without its folder and its ending.
+    pub(crate) fn stem(&self) -> String {
+        Path::new(&self.name()).file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+}
+
+/// An open scene: its text, the mechanism that the text describes, and the linkage, which is compiled when it is first needed.
+/// All commands, the terminal UI and the note calculate with it; a changed number makes another one of it.
+#[derive(Debug)]
+pub(crate) struct Session {
+    pub(crate) source: Source,
+    pub(crate) text: String,
+    /// What the scene says about its note.
+    pub(crate) note: Note,
+    pub(crate) mechanism: Mechanism,
+    pub(crate) structure: Structure,
+    /// With all groups.
+    linkage: OnceLock<Arc<Linkage>>,
+}
+
+impl Session {
+    /// Reads a scene from its source.
+    ///
+    /// # Errors
+    ///
+    /// The faults in words, complete with file and line.
+    pub(crate) fn open(source: Source) -> Result<Self, Text> {
+        let text = match &source {
+            Source::File(path) => files::read(path).map_err(|error| error.describe())?,
+            Source::Shipped(name) => {
+                let scene = SCENES.iter().find(|(known, _)| known == name);
+                scene.map(|(_, text)| (*text).to_owned()).unwrap_or_default()
+            }
+        };
+        Self::read(source, text)
+    }
+
+    /// Reads a scene from its text.
+    ///
+    /// # Errors
+    ///
+    /// The faults in words, complete with file and line.
+    pub(crate) fn read(source: Source, text: String) -> Result<Self, Text> {
+        let (mechanism, note) = read(&source, &text)?;
+        let structure = Structure::of(&mechanism).map_err(|error| {
+            // What is hardly meant may be why the links don't form a mechanism.
+            let doubts = mechanism.notes.iter().map(|doubt| doubt_at(&source, &text, doubt));
+            joined("\n", doubts.chain([uncompiled(&source, &text, &error.into())]))
+        })?;
+        Ok(Self { source, text, note, mechanism, structure, linkage: OnceLock::new() })
+    }
+
+    /// The scene with another text. Where that differs in numbers only, no group is looked for again, and where the positions
+    /// stay the same, nothing is compiled again.
+    ///
+    /// # Errors
+    ///
+    /// The faults in words, complete with file and line.
+    pub(crate) fn changed(&self, text: String) -> Result<Self, Text> {
+        let source = self.source.clone();
+        let (mechanism, note) = read(&source, &text)?;
+        let Some(linkage) = self.linkage.get().filter(|_| mechanism.has_structure_of(&self.mechanism)) else {
+            return Self::read(source, text);
+        };
+        let varied = Linkage::clone(linkage).varied(mechanism.clone(), &self.all_groups());
+        let (linkage, ..) = varied.map_err(|error| uncompiled(&source, &text, &error))?;
+        let structure = linkage.structure.clone();
+        Ok(Self { source, text, note, mechanism, structure, linkage: Arc::new(linkage).into() })
+    }
+
+    /// The linkage with all its groups.
+    ///
+    /// # Errors
+    ///
+    /// [`CompileError`] where the lengths of a group don't form one of its kind.
+    pub(crate) fn linkage(&self) -> Result<Arc<Linkage>, CompileError> {
+        if let Some(linkage) = self.linkage.get() {
+            return Ok(Arc::clone(linkage));
+        }
+        let linkage = Arc::new(self.compiled(&self.all_groups())?);
+        Ok(Arc::clone(self.linkage.get_or_init(|| linkage)))
+    }
+
+    fn all_groups(&self) -> Vec<bool> {
+        vec![true; self.structure.groups.len()]
+    }
+
+    fn compiled(&self, needed: &[bool]) -> Result<Linkage, CompileError> {
+        Linkage::compile_for(self.mechanism.clone(), self.structure.clone(), needed)
+    }
+
+    /// The calculation of what the scene requests, or of all results. The linkage is compiled for it alone only where groups
+    /// are left out.
+    ///
+    /// # Errors
+    ///
+    /// [`AnalysisError`] where the scene as a whole can't be calculated, or where `watch` breaks.
+    pub(crate) fn calculation(
+        &self,
+        options: &Options,
+        watch: &mut Watch<'_>,
+    ) -> Result<Calculation, AnalysisError> {
+        let plan = plan(&self.mechanism, &self.structure, options);
+        let linkage =
+            if plan.is_partial() { Arc::new(self.compiled(&plan.groups_needed)?) } else { self.linkage()? };
+        Calculation::planned(linkage, plan, options, watch)
+    }
+
+    /// An error of a calculation, at the line of the scene that it concerns if there is one.
+    pub(crate) fn fault(&self, error: &AnalysisError) -> Text {
+        self.fault_at(error.key(&self.mechanism), error.describe())
+    }
+
+    /// A fault that is found while calculating, at a key of the scene, or in its file.
+    pub(crate) fn fault_at(&self, key: Option<Vec<String>>, message: Text) -> Text {
+        let located = key.and_then(|key| self.at_key(&key, message.clone()));
+        located.unwrap_or_else(|| self.in_file(message))
+    }
+
+    /// A fault at a key of the scene; `None` if the scene has no such key.
+    pub(crate) fn at_key(&self, key: &[String], message: Text) -> Option<Text> {
+        let key: Vec<&str> = key.iter().map(String::as_str).collect();
+        at_key(&self.source, &self.text, &key, message)
+    }
+
+    /// What is hardly meant in the scene, with its place.
+    pub(crate) fn doubt(&self, doubt: &Notice) -> Text {
+        doubt_at(&self.source, &self.text, doubt)
+    }
+
+    /// A fault of the scene as a whole.
+    pub(crate) fn in_file(&self, message: Text) -> Text {
+        in_file(&self.source, message)
+    }
+}
+
+/// Reads the mechanism of a scene, and what it says about its note.
+fn read(source: &Source, text: &str) -> Result<(Mechanism, Note), Text> {
+    let (mechanism, note) =
+        assur_scene::read_with_note(&source.name(), text).map_err(|errors| errors.describe())?;
+    let unknown = match &mechanism.motion {
+        Some(Motion::Transient { integrator, .. }) if integrator != "auto" => {
+            assur_integrator::find(integrator).err()
+        }
+        _ => None,
+    };
+    let fault = unknown.and_then(|error| at_key(source, text, &["motion", "integrator"], error.describe()));
+    fault.map_or(Ok((mechanism, note)), Err)
+}
+
+/// What is hardly meant in a scene, with file, line and column where it has a key.
+fn doubt_at(source: &Source, text: &str, doubt: &Notice) -> Text {
+    let key = doubt.key.as_deref().unwrap_or_default().replace(['"', ']'], "").replace('[', ".");
+    let steps: Vec<&str> = key.split('.').collect();
+    let found = assur_scene::fault_at(&source.name(), text, &steps, doubt.text.clone());
+    let place =
+        found.and_then(|found| Some(format!(":{}:{}", found.errors.first()?.line, found.errors[0].column)));
+    let place = name(source.name() + &place.unwrap_or_default());
+    text!("cli-mistake", place = place, text = &doubt.text)
+}
+
+fn at_key(source: &Source, text: &str, key: &[&str], message: Text) -> Option<Text> {
+    assur_scene::fault_at(&source.name(), text, key, message).map(|errors| errors.describe())
+}
+
+fn in_file(source: &Source, message: Text) -> Text {
+    FileError::read(Path::new(&source.name()), message).describe()
+}
+
+/// An error of compiling at its line of the scene, if it concerns a link.
+fn uncompiled(source: &Source, text: &str, error: &CompileError) -> Text {
+    let located = error.key().and_then(|key| at_key(source, text, &key, error.describe()));
+    located.unwrap_or_else(|| in_file(source, error.describe()))
+}
