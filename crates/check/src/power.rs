@@ -54,8 +54,10 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let exchanged = exchanged(case);
     let total =
         balancing.abs() + rubbing.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
-    let total = total.max(f64::MIN_POSITIVE);
-    let limit = (rounding_of_sum(added, total) + 4.0 * f64::EPSILON * carried / total) * one.condition;
+    let rounding = 4.0 * f64::EPSILON * carried;
+    // Where every power is zero or rounding, the sum is measured by what the loads would do on the fastest link.
+    let total = if total > rounding { total } else { carried.max(f64::MIN_POSITIVE) };
+    let limit = (rounding_of_sum(added, total) + rounding / total) * one.condition;
     let of_motion = (balancing + moment + terms[0] + terms[1]).abs() / total;
     lagrange.offer(one.index, of_motion, limit, || text!("check-all-loads"));
     let sum: f64 =
