@@ -6,7 +6,7 @@ mod tests;
 
 use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{GROUND, LinkId, Slide};
+use assur_mechanism::{GROUND, LinkId, PairId, Rubbing, Slide};
 use assur_words::name;
 
 use crate::model::{Ink, Item, Point, Sign, Stroke};
@@ -79,6 +79,7 @@ impl Drawing<'_> {
         }
         items.extend(self.springs(bodies));
         items.extend(self.blocks(bodies));
+        items.extend(self.friction_circles(bodies));
         items.extend(self.pins(bodies));
         for point in &self.linkage.mechanism.points {
             let Some(place) = point.places.iter().find(|place| self.shows(place.link)) else { continue };
@@ -176,6 +177,23 @@ impl Drawing<'_> {
                 (_, false) => (Sign::Dot, self.ink(place.link)),
             };
             Some(Item::sign(bodies[place.link].point(place.at), sign, ink))
+        })
+    }
+
+    /// The circles of friction of the pins, of radius coefficient times that of the journal: what the reactions with friction touch.
+    fn friction_circles(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
+        let mechanism = &self.linkage.mechanism;
+        mechanism.frictions.iter().filter_map(|friction| {
+            let (PairId::Pin(point), Rubbing::Journal { radius, .. }) = (friction.pair, friction.rubbing) else {
+                return None;
+            };
+            let place = mechanism.points[point].places.iter().find(|place| self.shows(place.link))?;
+            let ([x, y], radius) = (bodies[place.link].point(place.at), friction.coefficient * radius);
+            let points = (0..=ARC).map(|step| {
+                let (s, c) = (std::f64::consts::TAU * step as f64 / ARC as f64).sin_cos();
+                [x + radius * c, y + radius * s]
+            });
+            (radius > 0.0).then(|| Item::line(points.collect::<Vec<_>>(), Stroke::Solid, Ink::Force))
         })
     }
 

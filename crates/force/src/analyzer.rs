@@ -6,7 +6,7 @@ use assur_number::Lanes;
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Describe, Text, name, number, quantity, text};
 
-use crate::{Acting, Construction, LoadError, Reactions};
+use crate::{Acting, Construction, Iteration, LoadError, Reactions};
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
@@ -73,6 +73,18 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         _out: &Reactions,
     ) -> Option<f64> {
         None
+    }
+
+    /// How friction is found at one position, in solving order; nothing for a method that does not treat it. Arguments as for
+    /// [`solve`](Self::solve).
+    fn iteration(
+        &self,
+        _linkage: &Linkage,
+        _position: &Position,
+        _loads: &[Wrench<f64>],
+        _out: &Reactions,
+    ) -> Vec<Iteration> {
+        Vec::new()
     }
 
     /// The factor by which the method magnifies rounding in this position beyond the groups themselves (1 /

@@ -4,7 +4,7 @@ use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
 
-use crate::{ForceAnalyzer, ForceError, Loads, Reactions, State, applicable};
+use crate::{ForceAnalyzer, ForceError, Iteration, Loads, Reactions, State, applicable};
 
 /// The force analysis of a mechanism by one method, with its memory: one position after the other.
 #[derive(Debug, Clone)]
@@ -58,6 +58,15 @@ impl<'a> Kinetostatics<'a> {
             self.loads.senses(state, &mut rubbing.senses);
         }
         self.analyzer.jamming_limit(self.linkage, position, &self.wrenches, &self.reactions)
+    }
+
+    /// How friction is found at a state: see [`ForceAnalyzer::iteration`].
+    pub fn iteration(&mut self, state: &State, position: &Position) -> Vec<Iteration> {
+        self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
+        if let Some(rubbing) = &mut self.reactions.rubbing {
+            self.loads.senses(state, &mut rubbing.senses);
+        }
+        self.analyzer.iteration(self.linkage, position, &self.wrenches, &self.reactions)
     }
 
     /// Whatever a method says of loads without a value: the load is the reason.
@@ -125,6 +134,9 @@ impl<'a> LaneKinetostatics<'a> {
         loads.evaluate(states, &position.bodies, &mut self.wrenches);
         if let Some(rubbing) = &mut self.reactions.rubbing {
             rubbing.doubts.clear();
+            for (lane, state) in states.iter().enumerate() {
+                loads.each_sense(state, |rub, sense| rubbing.senses[rub].0[lane] = sense);
+            }
         }
         let together = analyzer.solve_lanes(linkage, position, &mut self.wrenches, &mut self.reactions);
         let near = position.coordinates.0.map(|coordinate| linkage.is_interpolated(coordinate));

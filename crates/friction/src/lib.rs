@@ -20,10 +20,12 @@ mod every;
 mod moduli;
 mod quadrics;
 mod radius;
+mod unique;
 
 pub use every::Solutions;
 pub use moduli::{Moduli, Width};
 pub use radius::spectral_radius;
+pub use unique::{MOST, Unique, Vector};
 
 #[cfg(test)]
 mod tests;

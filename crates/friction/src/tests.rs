@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use crate::moduli::length;
-use crate::{Moduli, Width, spectral_radius};
+use crate::{MOST, Moduli, Unique, Vector, Width, spectral_radius};
 
 /// Numbers in (-1, 1), one after the other.
 struct Dice(u64);
@@ -175,5 +175,68 @@ proptest! {
                 prop_assert!((new - z[j]).abs() <= bound(j) + 1e-9 * new.abs().max(1.0));
             }
         }
+    }
+}
+
+/// The equations in which each vector is an unknown of its own, but the last two share one.
+fn unique(system: &Moduli) -> (Unique<f64>, Moduli) {
+    let n = system.count();
+    let of = |j: usize| j.min(n - 2);
+    let mut small = Unique::new(n - 1);
+    let mut shared = system.clone();
+    for row in &mut shared.slopes {
+        row[n - 1] = row[n - 2];
+    }
+    for j in 0..n {
+        let mut slopes = [[0.0; 2]; MOST[0]];
+        slopes[..n - 1].copy_from_slice(&shared.slopes[j][..n - 1]);
+        small.push(Vector { unknown: of(j), constant: system.constants[j], slopes });
+    }
+    (small, shared)
+}
+
+#[test]
+fn small_memory_gives_what_the_careful_method_gives() {
+    let mut dice = Dice(5);
+    let mut proved = 0;
+    for round in 0..400 {
+        let sort = SORTS[1 + round % (SORTS.len() - 1)];
+        let system = random(sort, [0.02, 0.2, 0.5][round % 3], &mut dice);
+        let (small, shared) = unique(&system);
+        let radius = spectral_radius(&shared.lengths());
+        let Some((certificate, found)) = small.solve() else {
+            assert!(radius > 0.98, "{radius}");
+            continue;
+        };
+        proved += 1;
+        assert!((certificate - radius).abs() < 1e-13 && radius < 1.0, "{certificate} {radius}");
+        let z = shared.follow(&vec![0.0; sort.len()]).unwrap();
+        let size = z.iter().fold(0.0_f64, |most, z| most.max(*z));
+        for (k, found) in found[..sort.len() - 1].iter().enumerate() {
+            let sum = if k + 2 == sort.len() { z[k] + z[k + 1] } else { z[k] };
+            assert!((found - sum).abs() < 1e-12 * size / (1.0 - radius), "{found} {sum}");
+        }
+    }
+    assert!(proved > 200, "{proved}");
+}
+
+#[test]
+fn rows_of_zeros_and_no_loads_are_solved_in_small_memory() {
+    let vector = |unknown: usize, constant: f64, slopes: [f64; 2]| {
+        let mut all = [[0.0; 2]; MOST[0]];
+        (all[0][0], all[1][0]) = (slopes[0], slopes[1]);
+        Vector { unknown, constant: [constant, 0.0], slopes: all }
+    };
+    for (load, row, other, radius) in
+        [(3.0, [0.0, 0.0], [0.5, 0.25], 0.25), (0.0, [0.1, 0.0], [0.2, 0.3], 0.3), (1e-200, [0.0; 2], [0.0; 2], 0.0)]
+    {
+        let mut system = Unique::new(2);
+        system.push(vector(0, load, row));
+        system.push(vector(1, 2.0 * load, other));
+        let (certificate, z) = system.solve().unwrap();
+        assert!((certificate - radius).abs() < 1e-15, "{certificate}");
+        let first = load / (1.0 - row[0]);
+        let second = (2.0 * load + other[0] * first) / (1.0 - other[1]);
+        assert!((z[0] - first).abs() <= 1e-15 * load && (z[1] - second).abs() <= 4e-15 * load, "{z:?}");
     }
 }

@@ -140,3 +140,16 @@ working-energy-between = Между обоими положениями моме
 working-energy-flywheel = Маховик
 working-energy-neglects = Здесь пренебрегают инерцией звеньев рядом с инерцией маховика; точный маховик дан в результатах.
 working-energy-artobolevsky = Коэффициент динамической неравномерности
+
+## dry friction
+working-friction = Трение в кинематических парах
+working-friction-text = Трение зависит от модулей реакций. Сначала их находят без трения, затем с трением предыдущего шага и так далее; завершает метод Ньютона. Каждый шаг уменьшает погрешность примерно в спектральный радиус раз. Найденное трение далее есть нагрузка, как другие: реакции ниже даны без сил и моментов трения в их парах.
+working-friction-block = { $what }: спектральный радиус { $radius }, меньше 1: решение ровно одно
+working-friction-block-not-proved = { $what }: спектральный радиус { $radius }, не меньше 1: итерация может никуда не привести, поэтому все решения находят алгебраически
+working-friction-step = шаг { $step }: { $moduli }
+working-friction-newton = решение: { $moduli }
+working-friction-modulus = { $name } = { $value }
+working-friction-pin = |R| в { $pair } на { $link }
+working-friction-normal = |N| в { $pair }
+working-friction-end = |N| на конце { $end } пары { $pair }
+working-friction-of = трение в { $pair }, найденное выше

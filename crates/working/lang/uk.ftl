@@ -140,3 +140,16 @@ working-energy-between = Між обома положеннями моменти
 working-energy-flywheel = Маховик
 working-energy-neglects = Тут знехтувано інерцією ланок поруч з інерцією маховика; точний маховик подано в результатах.
 working-energy-artobolevsky = Коефіцієнт динамічної нерівномірності
+
+## dry friction
+working-friction = Тертя в кінематичних парах
+working-friction-text = Тертя залежить від модулів реакцій. Спочатку їх знаходять без тертя, потім із тертям попереднього кроку і так далі; завершує метод Ньютона. Кожен крок зменшує похибку приблизно у спектральний радіус разів. Знайдене тертя далі є навантаженням, як інші: реакції нижче подано без сил і моментів тертя в їхніх парах.
+working-friction-block = { $what }: спектральний радіус { $radius }, менший за 1: розв'язок рівно один
+working-friction-block-not-proved = { $what }: спектральний радіус { $radius }, не менший за 1: ітерація може нікуди не привести, тому всі розв'язки знаходять алгебрично
+working-friction-step = крок { $step }: { $moduli }
+working-friction-newton = розв'язок: { $moduli }
+working-friction-modulus = { $name } = { $value }
+working-friction-pin = |R| у { $pair } на { $link }
+working-friction-normal = |N| у { $pair }
+working-friction-end = |N| на кінці { $end } пари { $pair }
+working-friction-of = тертя в { $pair }, знайдене вище

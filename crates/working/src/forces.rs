@@ -2,6 +2,7 @@
 
 use assur_force::Loads;
 use assur_group::PairGeometry;
+use assur_kinematics::Position;
 use assur_mechanism::{Balance, InputPair};
 use assur_words::{name, text};
 use assur_worksheet::{Expr, Load, Symbol, plugin_for};
@@ -14,8 +15,13 @@ impl Work<'_> {
         &mut self,
         loads: &Loads,
         analyzer: Option<&str>,
+        position: &Position,
     ) -> Result<Option<f64>, WorkingError> {
         self.loads(loads);
+        if !self.friction(loads, analyzer, position) {
+            self.sheet.note(text!("working-no-reactions"));
+            return Ok(None);
+        }
         let elsewhere = self.balance();
         if self.sheet.is_unfit() {
             self.sheet.note(text!("working-no-balancing"));

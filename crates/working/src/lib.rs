@@ -12,6 +12,7 @@ mod conventions;
 mod energy;
 mod equation;
 mod forces;
+mod friction;
 mod general;
 mod input;
 mod loads;
@@ -184,7 +185,7 @@ impl Working {
             work.group(group)?;
         }
         let balancing = match loads {
-            Some(loads) => work.forces(loads, analyzer)?,
+            Some(loads) => work.forces(loads, analyzer, &position)?,
             None => None,
         };
         let reactions = work.sheet.reactions().to_vec();

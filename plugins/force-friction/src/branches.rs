@@ -1,9 +1,11 @@
 //! All solutions of a mechanism: those of the last block, and from each of them on those of the blocks before it.
 
-use assur_force::{Block, ForceError};
+use assur_force::{Block, ForceError, Iteration};
+use assur_friction::Moduli;
 use assur_group::Wrench;
 
 use crate::chain::{Chain, Prepared};
+use crate::choice;
 
 /// A solution of all blocks.
 #[derive(Debug, Clone)]
@@ -102,6 +104,55 @@ impl Chain<'_> {
         }
         Ok(z)
     }
+}
+
+/// Most steps of the iteration that are told, and the relative change at which it stands still.
+const TOLD: (usize, f64) = (12, 1e-10);
+
+impl Chain<'_> {
+    /// How the friction of each block is found, on the way to the solution that is taken.
+    pub(crate) fn iterations(&self, loads: &[Wrench<f64>]) -> Result<Vec<Iteration>, ForceError> {
+        let found = self.solutions(loads, 1.0)?;
+        let taken = choice::taken(self, loads, &found).map(|index| found.branches[index].moduli.clone());
+        let mut left = taken.as_deref();
+        let pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
+        let mut branch = Branch { loads: loads.to_vec(), pairs, balancing: 0.0, moduli: Vec::new() };
+        let mut all = Vec::new();
+        for (index, block) in self.blocks().iter().enumerate() {
+            let Some(prepared) = self.prepare(block, (&branch.loads, &branch.pairs), 1.0)? else { break };
+            let moduli = &prepared.moduli;
+            let solution = left.and_then(|left| left.get(..moduli.count())).map(<[f64]>::to_vec);
+            left = left.and_then(|left| left.get(moduli.count()..));
+            if moduli.count() > 0 {
+                let unknowns = block.unknowns.iter().copied();
+                all.push(Iteration {
+                    what: self.name(index),
+                    unknowns: unknowns.filter(|one| self.frictions.unknowns[*one].is_modulus()).collect(),
+                    steps: steps(moduli),
+                    radius: moduli.certificate(),
+                    solution: solution.clone(),
+                });
+            }
+            let Some(solution) = solution else { break };
+            branch = branch.with(block, &prepared, &solution);
+        }
+        Ok(all)
+    }
+}
+
+/// The moduli by the textbook iteration, until they stand still.
+fn steps(moduli: &Moduli) -> Vec<Vec<f64>> {
+    let mut all = vec![moduli.step(&vec![0.0; moduli.count()])];
+    while let (Some(last), true) = (all.last(), all.len() < TOLD.0) {
+        let next = moduli.step(last);
+        let size = next.iter().fold(0.0_f64, |most, z| most.max(*z));
+        let still = next.iter().zip(last).all(|(new, old)| (new - old).abs() <= TOLD.1 * size);
+        all.push(next);
+        if still {
+            break;
+        }
+    }
+    all
 }
 
 impl Branch {

@@ -14,9 +14,10 @@
 mod branches;
 mod chain;
 mod choice;
+mod quick;
 
 use assur_force::{
-    AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FrictionSolution, Reactions, group_by_group,
+    AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FrictionSolution, Iteration, Reactions, group_by_group,
 };
 use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
@@ -25,6 +26,7 @@ use assur_words::{Text, text};
 
 use branches::Branch;
 use chain::Chain;
+use quick::Quick;
 
 assur_words::resources!();
 
@@ -58,8 +60,18 @@ impl ForceAnalyzer for Friction {
         loads: &mut [Wrench<f64>],
         out: &mut Reactions,
     ) -> Result<(), ForceError> {
+        let (groups, bodies) = (linkage.groups(), &position.bodies[..]);
+        if let Some(rubbing) = &mut out.rubbing {
+            rubbing.doubts.clear();
+            rubbing.loads.clear();
+            rubbing.loads.extend_from_slice(loads);
+            if (Quick { linkage, groups, bodies }.solve(loads, out)).is_some() {
+                return Ok(());
+            }
+            let given = out.rubbing.as_ref().map(|rubbing| &rubbing.loads[..]);
+            loads.copy_from_slice(given.unwrap_or_default());
+        }
         let Some(chain) = Chain::of(linkage, position, out) else {
-            let (groups, bodies) = (linkage.groups(), &position.bodies);
             let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
                 group.reactions(bodies, loads, pairs)
             });
@@ -94,14 +106,25 @@ impl ForceAnalyzer for Friction {
         loads: &mut [Wrench<Lanes>],
         out: &mut Reactions<Lanes>,
     ) -> bool {
+        let (groups, bodies) = (linkage.lane_groups(), &position.bodies[..]);
         if out.rubbing.is_some() {
-            return false;
+            return Quick { linkage, groups, bodies }.solve(loads, out).is_some();
         }
-        let (groups, bodies) = (linkage.lane_groups(), &position.bodies);
         let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
             group.reactions(bodies, loads, pairs)
         });
         found.is_ok()
+    }
+
+    fn iteration(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        loads: &[Wrench<f64>],
+        out: &Reactions,
+    ) -> Vec<Iteration> {
+        let Some(chain) = Chain::of(linkage, position, out) else { return Vec::new() };
+        chain.iterations(loads).unwrap_or_default()
     }
 
     fn jamming_limit(
@@ -129,7 +152,7 @@ impl Chain<'_> {
             forces[unknown.rub] += share;
             for &(pair, sign) in &rub.path {
                 pairs[pair].m += sign * moment;
-                if unknown.slides(rub) {
+                if rub.slides() {
                     let along = rub.along(&self.position.bodies);
                     pairs[pair].fx += sign * share * along[0];
                     pairs[pair].fy += sign * share * along[1];

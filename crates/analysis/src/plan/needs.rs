@@ -160,16 +160,36 @@ pub(crate) fn groups_carrying(mechanism: &Mechanism, structure: &Structure) -> V
         Some(Balance::Force { at, .. }) => links[at.link] = true,
         None => {}
     }
-    let mut carrying = vec![false; structure.groups.len()];
-    for (index, group) in structure.groups.iter().enumerate().rev() {
-        let frame = &group.frame;
-        carrying[index] = frame.links.iter().any(|link| links[*link]);
-        if carrying[index] {
-            let ends = frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
-            ends.for_each(|link| links[link] = true);
+    loop {
+        let mut carrying = vec![false; structure.groups.len()];
+        for (index, group) in structure.groups.iter().enumerate().rev() {
+            let frame = &group.frame;
+            carrying[index] = frame.links.iter().any(|link| links[*link]);
+            if carrying[index] {
+                let ends = frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
+                ends.for_each(|link| links[link] = true);
+            }
+        }
+        if !rubbed(mechanism, &mut links) {
+            return carrying;
         }
     }
-    carrying
+}
+
+/// Marks the links that friction may load in a joint of three and more links, since another one of them is loaded; whether there
+/// are new ones.
+fn rubbed(mechanism: &Mechanism, links: &mut [bool]) -> bool {
+    let mut more = false;
+    for friction in &mechanism.frictions {
+        let PairId::Pin(point) = friction.pair else { continue };
+        let places = &mechanism.points[point].places;
+        if places.len() > 2 && places.iter().any(|place| place.link != GROUND && links[place.link]) {
+            for place in places {
+                more |= !std::mem::replace(&mut links[place.link], true);
+            }
+        }
+    }
+    more
 }
 
 /// Whether a load that is always against the motion acts outside the input link: PF1 together with PF2 shows whether

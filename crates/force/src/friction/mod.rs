@@ -10,6 +10,7 @@ use std::sync::Arc;
 use assur_group::Wrench;
 use assur_kinematics::Linkage;
 use assur_number::Real;
+use assur_words::Text;
 
 pub use coupling::Block;
 pub use rub::Rub;
@@ -45,6 +46,8 @@ pub struct Rubbing<T = f64> {
     pub certificates: Vec<T>,
     /// What is said of the positions (lanes) that have several solutions, or that may have others.
     pub doubts: Vec<(usize, Doubt)>,
+    /// Scratch of a method: one wrench for each body.
+    pub loads: Vec<Wrench<T>>,
 }
 
 /// A position with several solutions, or where there may be others.
@@ -56,6 +59,21 @@ pub struct Doubt {
     pub proved: bool,
     /// Whether they are the ends of a continuum.
     pub continuum: bool,
+}
+
+/// How the friction of groups that are solved together is found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Iteration {
+    /// The groups in words.
+    pub what: Text,
+    /// Indices of the unknowns that are moduli.
+    pub unknowns: Vec<usize>,
+    /// The moduli that the textbook iteration gives, N: without friction, then with that of the step before.
+    pub steps: Vec<Vec<f64>>,
+    /// The spectral radius: the rate of the iteration, and below 1 the proof of one solution.
+    pub radius: f64,
+    /// The moduli of the solution that is taken, N.
+    pub solution: Option<Vec<f64>>,
 }
 
 /// One of several solutions with friction.
@@ -90,6 +108,7 @@ impl<T: Real> Rubbing<T> {
             forces: vec![T::ZERO; rubs],
             certificates: vec![T::from_f64(f64::NAN); linkage.groups().len()],
             doubts: Vec::new(),
+            loads: Vec::new(),
             frictions,
         }
     }
@@ -104,12 +123,17 @@ impl Loads {
     /// Writes for each rub the sign of its relative speed at a state, 0 where it never moves. At rest it is as if the input
     /// moved along its direction; where the relative speed is zero, the sign just after the state holds.
     pub fn senses(&self, state: &State, senses: &mut [f64]) {
+        self.each_sense(state, |rub, sense| senses[rub] = sense);
+    }
+
+    /// Tells for each rub what [`senses`](Self::senses) writes.
+    pub(crate) fn each_sense(&self, state: &State, mut put: impl FnMut(usize, f64)) {
         let Some(frictions) = &self.frictions else { return };
         let direction = if self.sense == 0.0 { 1.0 } else { self.sense };
         let sense = if state.speed == 0.0 { direction } else { state.speed.signum() };
         let ahead = state.coordinate + sense * tolerance(state.coordinate, self.period);
-        for (rub, found) in frictions.rubs.iter().zip(senses) {
-            *found = sense * rub.sliding.at(ahead).1;
+        for (index, rub) in frictions.rubs.iter().enumerate() {
+            put(index, sense * rub.sliding.at(ahead).1);
         }
     }
 

@@ -73,6 +73,11 @@ impl Rub {
         all
     }
 
+    /// Whether the pair is a slide.
+    pub fn slides(&self) -> bool {
+        matches!(self.pair, PairId::Slide(_))
+    }
+
     /// Whether the two links never move on each other.
     pub fn rests(&self) -> bool {
         self.sliding.never_moves()

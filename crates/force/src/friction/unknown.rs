@@ -2,7 +2,7 @@
 
 use assur_group::plane::{perp, scaled};
 use assur_group::{Body, Wrench};
-use assur_mechanism::{Mechanism, Middle, PairId, Rubbing};
+use assur_mechanism::{Mechanism, Middle, Rubbing};
 use assur_number::Real;
 use assur_structure::Structure;
 
@@ -128,10 +128,5 @@ impl Unknown {
             | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => -lever,
             _ => 0.0,
         }
-    }
-
-    /// Whether the pair is a slide.
-    pub fn slides(&self, rub: &Rub) -> bool {
-        matches!(rub.pair, PairId::Slide(_))
     }
 }
