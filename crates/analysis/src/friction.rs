@@ -4,7 +4,7 @@ use assur_force::{Doubt, ForceError, FrictionSolution, Kinetostatics, Loads, Uni
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{Mechanism, PairId, Range};
-use assur_number::search::bisect;
+use assur_number::search::{bisect, least};
 use assur_structure::name_of;
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
@@ -23,6 +23,9 @@ pub struct FrictionCycle {
     pub self_braking: Vec<[f64; 2]>,
     /// Intervals of the coordinate without a solution.
     pub dead_angles: Vec<[f64; 2]>,
+    /// Greatest spectral radius over the cycle, where there is a solution.
+    #[serde(skip)]
+    pub certificate: f64,
 }
 
 /// A position with several solutions.
@@ -103,7 +106,8 @@ pub(crate) fn efficiency(driving: f64, loss: f64) -> Option<f64> {
     if driving == 0.0 && loss == 0.0 {
         return None;
     }
-    Some(if driving > 0.0 { (1.0 - loss / driving).max(0.0) } else { -driving / (loss - driving) })
+    // 0 less the power, which may be zero of either sign.
+    Some(if driving > 0.0 { (1.0 - loss / driving).max(0.0) } else { (0.0 - driving) / (loss - driving) })
 }
 
 /// How the mechanism is at a coordinate.
@@ -118,6 +122,18 @@ enum State {
     /// Anything else.
     Working,
 }
+
+/// The mechanism at a coordinate.
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    coordinate: f64,
+    state: State,
+    /// How far it is from a certificate of 1, from braking itself, and from being driven; infinite where it works otherwise.
+    room: [f64; 3],
+}
+
+/// Golden sections between two samples for an interval that lies between them.
+const SECTIONS: usize = 40;
 
 /// Places of the grid on which intervals are looked for.
 const GRID: u32 = 720;
@@ -134,12 +150,12 @@ const CELLS: u32 = 6;
 
 impl Calculation {
     /// Friction over the cycle; `None` where there is none.
-    pub(crate) fn friction_cycle(&self) -> Option<FrictionCycle> {
+    pub fn friction_cycle(&self) -> Option<FrictionCycle> {
         let (loads, analyzer) = (self.loads.as_ref()?, self.analyzer?);
         loads.frictions().filter(|_| self.positions_have_forces() && analyzer.treats_friction)?;
         let carrying = &self.plan.groups_carrying;
         let forces = Kinetostatics::new(&self.linkage, loads, analyzer.instance, carrying);
-        let mut cycle = Cycle { calculation: self, loads, forces, position: self.linkage.position() };
+        let mut cycle = Cycle { calculation: self, loads, forces, position: self.linkage.position(), certificate: 0.0 };
         let input = &self.linkage.mechanism.input;
         let ends = match input.range {
             Range::Cycle(length) => [input.from, input.from + input.sign() * length],
@@ -159,6 +175,7 @@ impl Calculation {
             friction_work: friction_work.collect(),
             self_braking,
             dead_angles,
+            certificate: cycle.certificate,
         })
     }
 }
@@ -169,6 +186,8 @@ struct Cycle<'a> {
     loads: &'a Loads,
     forces: Kinetostatics<'a>,
     position: Position,
+    /// Greatest spectral radius so far.
+    certificate: f64,
 }
 
 impl Cycle<'_> {
@@ -203,14 +222,52 @@ impl Cycle<'_> {
     }
 
     fn state(&mut self, coordinate: f64) -> State {
-        match self.powers(coordinate) {
-            Err(state) => state,
-            Ok(powers) => {
-                let loss = -powers[1..].iter().sum::<f64>();
-                let brakes = powers[0] > 0.0 && powers[0] < loss;
-                if brakes { State::Braking } else { State::Working }
+        self.sample(coordinate).state
+    }
+
+    fn sample(&mut self, coordinate: f64) -> Sample {
+        let powers = match self.powers(coordinate) {
+            Err(state) => return Sample { coordinate, state, room: [f64::INFINITY; 3] },
+            Ok(powers) => powers,
+        };
+        let (driving, loss) = (powers[0], -powers[1..].iter().sum::<f64>());
+        let state = if driving > 0.0 && driving < loss { State::Braking } else { State::Working };
+        let radii = self.forces.reactions.rubbing.iter().flat_map(|rubbing| &rubbing.certificates);
+        let radius = radii.copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
+        self.certificate = self.certificate.max(radius);
+        let of = |holds: bool, room: f64| if holds { room } else { f64::INFINITY };
+        let room = [1.0 - radius, driving - loss, -driving];
+        Sample { coordinate, state, room: room.map(|room| of(state == State::Working && room > 0.0, room)) }
+    }
+
+    /// Adds places between samples where the mechanism may jam or brake itself though it does neither at the samples.
+    fn add_narrow(&mut self, samples: &[Sample]) -> Vec<Sample> {
+        let mut all = Vec::new();
+        for (index, three) in samples.windows(3).enumerate() {
+            if index == 0 {
+                all.push(three[0]);
+            }
+            all.push(three[1]);
+            for kind in 0..3 {
+                let [a, b, c] = [three[0], three[1], three[2]].map(|sample| sample.room[kind]);
+                // A least value that the slopes beside it might take below zero.
+                if !(b <= a && b <= c && b <= (a - b) + (c - b)) || !b.is_finite() {
+                    continue;
+                }
+                let ends = [three[0].coordinate, three[2].coordinate];
+                let room = |q: f64| {
+                    let found = self.sample(q);
+                    if found.state == State::Working { found.room[kind] } else { f64::NEG_INFINITY }
+                };
+                let (place, value) = least(ends[0], ends[1], SECTIONS, room);
+                if value == f64::NEG_INFINITY {
+                    all.push(self.sample(place));
+                }
             }
         }
+        all.extend(samples.last());
+        all.sort_by(|a, b| a.coordinate.total_cmp(&b.coordinate));
+        all
     }
 
     /// The places where something may change: of a grid, and more and more densely towards each change of a direction.
@@ -232,12 +289,13 @@ impl Cycle<'_> {
 
     /// The intervals without a solution, and those with efficiency 0.
     fn intervals(&mut self, [low, high]: [f64; 2], closes: bool) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
-        let places = self.places([low, high]);
+        let samples: Vec<Sample> =
+            self.places([low, high]).into_iter().map(|place| self.sample(place)).collect();
+        let samples = self.add_narrow(&samples);
         let width = WIDTH * (high - low);
         let mut pieces: Vec<(State, [f64; 2])> = Vec::new();
         let mut before = None;
-        for place in places {
-            let now = self.state(place);
+        for Sample { coordinate: place, state: now, .. } in samples {
             let mut start = place;
             if let Some((last, state)) = before.filter(|(_, state)| *state != now) {
                 let [end, begin] = bisect(last, place, width, |q| self.state(q) == state);

@@ -193,7 +193,7 @@ impl Drawing<'_> {
                 let (s, c) = (std::f64::consts::TAU * step as f64 / ARC as f64).sin_cos();
                 [x + radius * c, y + radius * s]
             });
-            (radius > 0.0).then(|| Item::line(points.collect::<Vec<_>>(), Stroke::Solid, Ink::Force))
+            (radius > 0.0).then(|| Item::line(points.collect::<Vec<_>>(), Stroke::Solid, Ink::Trace))
         })
     }
 

@@ -28,6 +28,7 @@ sweep-measure-stroke = greatest less least displacement of each slide and angle 
 sweep-measure-time-ratio = time of the longer way over that of the shorter one, of slides and links that swing
 sweep-measure-regime = periodic regime and drive
 sweep-measure-end = the last state of a transient motion
+sweep-measure-friction = dry friction over the cycle: efficiency, work, 1 less the greatest spectral radius, lengths of self-braking and of dead angles
 sweep-several-quantities = it can measure several things: write FROM and TO with a unit
 sweep-at-position = position { $position }: { $problem }
 sweep-in-line = { $problem } (line { $line })

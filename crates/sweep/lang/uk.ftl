@@ -28,6 +28,7 @@ sweep-measure-stroke = розмах переміщення кожної пост
 sweep-measure-time-ratio = відношення часу довшого ходу до часу коротшого для поступальних пар і ланок, що гойдаються
 sweep-measure-regime = усталений режим і привод
 sweep-measure-end = останній стан неусталеного руху
+sweep-measure-friction = сухе тертя за цикл: ККД, робота, 1 мінус найбільший спектральний радіус, довжини самогальмування та мертвих кутів
 sweep-several-quantities = це може бути кілька величин: пишіть ВІД і ДО з одиницею
 sweep-at-position = положення { $position }: { $problem }
 sweep-in-line = { $problem } (рядок { $line })

@@ -20,6 +20,8 @@ pub(crate) struct Layout {
     pub(crate) slides: Vec<Named<SlideId>>,
     /// Moving links.
     pub(crate) links: Vec<Named<LinkId>>,
+    /// Whether there is dry friction in pairs.
+    pub(crate) friction: bool,
     /// The motion, unless it is prescribed.
     pub(crate) motion: Option<Sought>,
     /// Units of coordinate, speed and balancing load, as ends of column names.
@@ -63,6 +65,7 @@ impl Layout {
             points: Vec::new(),
             slides: Vec::new(),
             links: Vec::new(),
+            friction: !mechanism.frictions.is_empty(),
             motion: sought(mechanism),
             units: Units { coordinate, speed, balancing },
         };

@@ -1,5 +1,6 @@
 //! The families of columns, from what was found at a point.
 
+use assur_analysis::results::FrictionCycle;
 use assur_dynamics::{Instant, Steady};
 use assur_mechanism::{Input, PairId, Range};
 use assur_words::{Describe, Text, text};
@@ -21,6 +22,8 @@ pub struct Measure {
     pub(crate) angles: bool,
     /// Whether it needs the transmission angles of the groups.
     pub(crate) transmission: bool,
+    /// Whether it needs the friction over the cycle.
+    pub(crate) friction: bool,
     put: fn(&Layout, &Measured, &mut Sink<'_>),
 }
 
@@ -48,6 +51,7 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure::new("regime", "sweep-measure-regime", regime),
     Measure::new("end", "sweep-measure-end", end),
+    Measure { by_default: false, friction: true, ..Measure::new("friction", "sweep-measure-friction", friction) },
 ];
 
 /// What was found at a point of a sweep.
@@ -73,6 +77,8 @@ pub(crate) struct Measured {
     /// The last state of a transient motion.
     pub(crate) last: Option<Instant>,
     pub(crate) steady: Option<Box<Steady>>,
+    /// Dry friction over the cycle.
+    pub(crate) friction: Option<FrictionCycle>,
 }
 
 impl Measured {
@@ -103,6 +109,7 @@ impl Measured {
             input: None,
             last: None,
             steady: None,
+            friction: None,
         }
     }
 
@@ -117,11 +124,11 @@ impl Measured {
 
     /// Forgets what belongs to loads and motion.
     pub(crate) fn clear_forces(&mut self) {
-        let Self { balancing, load, forces, moments, last, steady, .. } = self;
+        let Self { balancing, load, forces, moments, last, steady, friction, .. } = self;
         (*balancing, *load) = (Statistics::NONE, Statistics::NONE);
         forces.fill(Statistics::NONE);
         moments.fill(Statistics::NONE);
-        (*last, *steady) = (None, None);
+        (*last, *steady, *friction) = (None, None, None);
     }
 }
 
@@ -138,7 +145,7 @@ impl Measure {
         summary: &'static str,
         put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
-        Self { name, summary, by_default: true, angles: false, transmission: false, put }
+        Self { name, summary, by_default: true, angles: false, transmission: false, friction: false, put }
     }
 
     /// The measures that are written where none are named.
@@ -317,6 +324,21 @@ fn regime(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     put(true, &format!("speed_max_{speed}"), |found| Some(found.regime.figures.speed_max));
     put(true, "excess_work_J", |found| Some(found.regime.figures.excess_work));
     put(true, "required_power_W", |found| Some(found.regime.figures.required_power));
+}
+
+fn friction(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
+    if !layout.friction {
+        return;
+    }
+    let cycle = found.friction.as_ref();
+    let total = |all: &[[f64; 2]]| all.iter().map(|[from, to]| to - from).sum::<f64>();
+    sink.put(cycle.and_then(|cycle| cycle.efficiency), || "efficiency".to_owned());
+    let loss = |cycle: &FrictionCycle| cycle.friction_work.values().copied().sum::<Option<f64>>();
+    sink.put(cycle.and_then(loss), || "friction_work_J".to_owned());
+    sink.put(cycle.map(|cycle| 1.0 - cycle.certificate), || "friction_margin".to_owned());
+    let unit = layout.units.coordinate;
+    sink.put(cycle.map(|cycle| total(&cycle.self_braking)), || format!("self_braking_{unit}"));
+    sink.put(cycle.map(|cycle| total(&cycle.dead_angles)), || format!("dead_angles_{unit}"));
 }
 
 fn end(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {

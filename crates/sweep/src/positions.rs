@@ -98,6 +98,9 @@ impl<'a, 'w> Positions<'a, 'w> {
             }
             self.note(failures);
         }
+        if self.wants(|measure| measure.friction) {
+            self.worker.found.friction = self.calculation.friction_cycle();
+        }
         self.worker.memory = Memory { blocks, single: Some(self.single), holds_all: all_solved };
         match (self.failure, no_motion) {
             (Some((status, message)), _) => Err(Failure { status, message, failed: Some(self.failed) }),

@@ -113,7 +113,7 @@ fn modulus(mechanism: &Mechanism, rub: &Rub, kind: UnknownKind) -> Text {
         UnknownKind::Force => {
             text!("working-friction-pin", pair = pair, link = Text::from(&mechanism.links[rub.link].name))
         }
-        UnknownKind::End(end) => text!("working-friction-end", pair = pair, end = if end > 0.0 { "1" } else { "2" }),
+        UnknownKind::End(end) => text!("working-friction-end", pair = pair, end = number(if end > 0.0 { 1 } else { 2 })),
         UnknownKind::Normal | UnknownKind::Shift => text!("working-friction-normal", pair = pair),
     }
 }

@@ -7,12 +7,12 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{Friction, Mechanism, Middle, PairId, Rubbing};
 
 /// The mechanism of a scene.
-fn scene(text: &str) -> Linkage {
+pub(super) fn scene(text: &str) -> Linkage {
     Linkage::compile(assur_scene::read("scene.toml", text).unwrap()).unwrap()
 }
 
 /// Balancing load, forces of friction and number of solutions at a coordinate, by a method.
-fn solved(linkage: &Linkage, method: &str, coordinate: f64) -> Result<(f64, Vec<f64>, usize), ForceError> {
+pub(super) fn solved(linkage: &Linkage, method: &str, coordinate: f64) -> Result<(f64, Vec<f64>, usize), ForceError> {
     let loads = Loads::compile(linkage).unwrap();
     let carrying = vec![true; linkage.groups().len()];
     let mut forces = Kinetostatics::new(linkage, &loads, find(method).unwrap().instance, &carrying);
@@ -25,7 +25,7 @@ fn solved(linkage: &Linkage, method: &str, coordinate: f64) -> Result<(f64, Vec<
 }
 
 /// The greatest part of the coefficients with a solution.
-fn limit(linkage: &Linkage, coordinate: f64) -> f64 {
+pub(super) fn limit(linkage: &Linkage, coordinate: f64) -> f64 {
     let loads = Loads::compile(linkage).unwrap();
     let carrying = vec![true; linkage.groups().len()];
     let mut forces = Kinetostatics::new(linkage, &loads, find("coulomb").unwrap().instance, &carrying);
@@ -291,17 +291,17 @@ fn a_slider_crank_has_the_circles_of_friction() {
 }
 
 /// Numbers in (-1, 1), one after the other.
-struct Dice(u64);
+pub(super) struct Dice(pub(super) u64);
 
 impl Dice {
-    fn next(&mut self) -> f64 {
+    pub(super) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         f64::from(u32::try_from(self.0 >> 32).unwrap()) / f64::from(1_u32 << 31) - 1.0
     }
 }
 
 /// Friction in all pairs.
-fn rubbed(mut mechanism: Mechanism, strength: f64, dice: &mut Dice) -> Mechanism {
+pub(super) fn rubbed(mut mechanism: Mechanism, strength: f64, dice: &mut Dice) -> Mechanism {
     let size = 0.1;
     for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
         let owner = point.places[if dice.next() > 0.0 { 0 } else { point.places.len() - 1 }].link;
@@ -325,7 +325,7 @@ fn rubbed(mut mechanism: Mechanism, strength: f64, dice: &mut Dice) -> Mechanism
 
 const SCENES: [&str; 5] = ["shaper", "guide-shaper", "conveyor", "stephenson3", "andrews"];
 
-fn fixture(name: &str) -> Mechanism {
+pub(super) fn fixture(name: &str) -> Mechanism {
     let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     assur_scene::read(name, &std::fs::read_to_string(path).unwrap()).unwrap()
 }
@@ -334,7 +334,7 @@ fn fixture(name: &str) -> Mechanism {
 fn both_methods_agree_on_random_friction() {
     let mut dice = Dice(11);
     let (mut same, mut jammed) = (0, 0);
-    for round in 0..16 {
+    for round in 0..6 {
         for name in SCENES {
             let mut mechanism = fixture(name);
             if matches!(
@@ -363,7 +363,7 @@ fn both_methods_agree_on_random_friction() {
             }
         }
     }
-    assert!(same > 45, "{same} agree, {jammed} jam");
+    assert!(same > 15, "{same} agree, {jammed} jam");
 }
 
 #[test]
