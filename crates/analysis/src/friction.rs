@@ -132,6 +132,9 @@ struct Sample {
     room: [f64; 3],
 }
 
+/// Distance from a place where the balancing load does no work, rad or m.
+const BESIDE: f64 = 1e-9;
+
 /// Golden sections between two samples for an interval that lies between them.
 const SECTIONS: usize = 40;
 
@@ -194,11 +197,20 @@ impl Cycle<'_> {
     /// Work by unit of travel in the direction of motion: of the balancing load, then of the friction of each pair; or how the
     /// mechanism is instead.
     fn powers(&mut self, coordinate: f64) -> Result<Vec<f64>, State> {
+        self.powers_at(coordinate, false)
+    }
+
+    fn powers_at(&mut self, coordinate: f64, beside: bool) -> Result<Vec<f64>, State> {
         let Calculation { linkage, .. } = self.calculation;
         linkage.solve(coordinate, Order::Second, &mut self.position).map_err(|_| State::Absent)?;
         let state = self.calculation.state(coordinate);
         match self.forces.solve(&state, &self.position) {
             Ok(()) => {}
+            // Where the balancing load does no work it is as just after.
+            Err(ForceError::IdleBalance { .. }) if !beside => {
+                let way = if state.speed < 0.0 { -1.0 } else { self.loads.speed_of_friction(&state, false) };
+                return self.powers_at(coordinate + way * BESIDE, true);
+            }
             Err(ForceError::Jammed { .. }) => return Err(State::Dead),
             Err(_) => return Err(State::Absent),
         }

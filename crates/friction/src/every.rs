@@ -1,7 +1,7 @@
 //! All solutions of the equations in moduli.
 
 use crate::dense;
-use crate::moduli::{Moduli, SOLVED, Width, length};
+use crate::moduli::{Moduli, Width, length};
 use crate::quadrics::{self, Quadric};
 
 /// Two solutions this near, as part of their size, are one.
@@ -94,7 +94,7 @@ impl Moduli {
         let polished = self.newton(&near).filter(|z| distance(z, &near) <= 1e-3 * self.size(&near));
         let z = match polished {
             Some(z) => z,
-            None if self.residual(&near) <= SOLVED => near,
+            None if self.is_solved(&near) => near,
             None => return,
         };
         let size = self.size(&z);

@@ -32,6 +32,9 @@ const MOST_NEWTON: usize = 60;
 /// Relative residual at which equations count as solved; rounding leaves some 1e-16 times the condition.
 pub(crate) const SOLVED: f64 = 1e-11;
 
+/// Greatest part of moduli by which Newton's method would change those of a solution.
+const STILL: f64 = 1e-3;
+
 impl Moduli {
     /// Number of unknowns.
     pub fn count(&self) -> usize {
@@ -116,10 +119,17 @@ impl Moduli {
             let Some(change) = self.change(&z) else { break };
             z.iter_mut().zip(change).for_each(|(z, change)| *z -= change);
         }
-        let (residual, z) = best?;
+        let (_, z) = best?;
         let size = self.size(&z);
-        let solved = residual <= SOLVED && z.iter().all(|z| *z >= -SOLVED * size);
+        let solved = self.is_solved(&z) && z.iter().all(|z| *z >= -SOLVED * size);
         solved.then(|| z.into_iter().map(|z| z.max(0.0)).collect())
+    }
+
+    /// Whether moduli solve the equations. Towards a solution at infinity the residual vanishes beside them, but Newton's method
+    /// would change them as much as ever.
+    pub(crate) fn is_solved(&self, z: &[f64]) -> bool {
+        let still = |change: Vec<f64>| change.iter().all(|change| change.abs() <= STILL * self.size(z));
+        self.residual(z) <= SOLVED && self.change(z).is_none_or(still)
     }
 
     /// The correction of Newton's method; `None` where the derivative is singular.

@@ -153,3 +153,4 @@ working-friction-pin = |R| in { $pair } on { $link }
 working-friction-normal = |N| in { $pair }
 working-friction-end = |N| at end { $end } of { $pair }
 working-friction-of = friction in { $pair }, found above
+working-friction-along = component of the direction of the guide

@@ -153,3 +153,4 @@ working-friction-pin = |R| в { $pair } на { $link }
 working-friction-normal = |N| в { $pair }
 working-friction-end = |N| на конце { $end } пары { $pair }
 working-friction-of = трение в { $pair }, найденное выше
+working-friction-along = составляющая направления направляющей

@@ -153,3 +153,4 @@ working-friction-pin = |R| у { $pair } на { $link }
 working-friction-normal = |N| у { $pair }
 working-friction-end = |N| на кінці { $end } пари { $pair }
 working-friction-of = тертя в { $pair }, знайдене вище
+working-friction-along = складова напрямку напрямної

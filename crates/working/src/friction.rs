@@ -10,6 +10,9 @@ use assur_worksheet::{Expr, Load, Symbol};
 
 use crate::Work;
 
+/// A component of a unit vector that is this small is rounding.
+const AXIS: f64 = 1e-15;
+
 impl Work<'_> {
     /// Writes how friction is found by a method and adds it to the loads on the links; whether there is a solution.
     pub(crate) fn friction(&mut self, loads: &Loads, analyzer: Option<&str>, position: &Position) -> bool {
@@ -80,7 +83,12 @@ impl Work<'_> {
         let PairId::Slide(slide) = rub.pair else { return };
         let place = self.bodies[rub.link].point(mechanism.slides[slide].point);
         let size = self.sheet.given(Symbol::from("F").of("f").of(tag), force, "N", text!("working-friction-of", pair = of.clone()));
-        let along = rub.along(self.bodies).map(Expr::number);
+        let [c, s] = rub.along(self.bodies);
+        let along = [("c", c), ("s", s)].map(|(letter, part)| match part {
+            // Along an axis one of them is zero but for the rounding of the angle.
+            _ if part.abs() < AXIS => Expr::zero(),
+            _ => self.sheet.given(Symbol::from(letter).of(of.clone()), part, "", text!("working-friction-along")),
+        });
         for (link, sign) in [(rub.link, 1.0), (rub.on, -1.0)].into_iter().filter(|(link, _)| *link != GROUND) {
             let body = &self.bodies[link];
             let off = minus(place, [body.x, body.y]);

@@ -89,6 +89,30 @@ impl Chain<'_> {
         Ok(())
     }
 
+    /// The moduli of a solution near expected ones, with all coefficients times `scale`; `near`: greatest deviation as part of them.
+    pub(crate) fn near(
+        &self,
+        loads: &[Wrench<f64>],
+        scale: f64,
+        expected: &[f64],
+        near: f64,
+    ) -> Option<Vec<f64>> {
+        let pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
+        let mut branch = Branch { loads: loads.to_vec(), pairs, balancing: 0.0, moduli: Vec::new() };
+        for block in self.blocks() {
+            let prepared = self.prepare(block, (&branch.loads, &branch.pairs), scale).ok()??;
+            let known = branch.moduli.len();
+            let expected = expected.get(known..known + prepared.moduli.count())?;
+            let found = prepared.moduli.newton(expected)?;
+            let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
+            if found.iter().zip(expected).any(|(z, expected)| (z - expected).abs() > near * size) {
+                return None;
+            }
+            branch = branch.with(block, &prepared, &found);
+        }
+        Some(branch.moduli)
+    }
+
     /// The solution of a block to which that without friction leads as the coefficients grow; `None` where it ends before.
     fn continued(&self, block: &Block, branch: &Branch, scale: f64) -> Result<Option<Vec<f64>>, ForceError> {
         let mut z: Option<Vec<f64>> = None;

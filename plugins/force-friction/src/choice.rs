@@ -8,6 +8,12 @@ use crate::chain::Chain;
 /// The part of the coefficients at which a path begins, at most.
 const START: f64 = 1e-3;
 
+/// A solution goes on a path where its moduli are as expected but for this part of them.
+const NEAR: f64 = 0.02;
+
+/// Relative difference up to which the end of a path is one of the solutions that are known.
+const SAME: f64 = 1e-6;
+
 /// Shortest step along a path, as part of the coefficients: where it does not suffice the path ends.
 const SHORTEST: f64 = 1e-9;
 
@@ -35,19 +41,25 @@ struct Node {
     moduli: Vec<f64>,
 }
 
-fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> Option<usize> {
+/// A part of the coefficients with certainly one solution, as great as the spectral radii promise, and its moduli.
+fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> Option<Node> {
     let radius = found.certificates.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
-    let first = START.min(0.01 / radius.max(1e-300));
-    let at = |part: f64| chain.solutions(loads, part).ok().filter(|found| !found.branches.is_empty());
-    let mut now = Node { part: first, moduli: at(first)?.branches.first()?.moduli.clone() };
+    let parts = [0.9 / radius.max(1.0), START.min(0.01 / radius.max(1e-300))];
+    parts.into_iter().find_map(|part| {
+        let mut found = chain.solutions(loads, part).ok().filter(|found| found.proved)?;
+        let only = found.branches.pop().filter(|_| found.branches.is_empty())?;
+        Some(Node { part, moduli: only.moduli })
+    })
+}
+
+fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> Option<usize> {
+    let mut now = start(chain, loads, found)?;
     let mut before: Option<Node> = None;
     let mut step = 1.0 / 32.0;
     for _ in 0..MOST {
         let part = (now.part + step).min(1.0);
         let expected = expected(before.as_ref(), &now, part);
-        let all = at(part);
-        let nearest = all.as_ref().and_then(|all| nearest(&all.branches, &expected));
-        let Some((index, all)) = nearest.zip(all.as_ref()) else {
+        let Some(moduli) = chain.near(loads, part, &expected, NEAR) else {
             step *= 0.5;
             if step < SHORTEST {
                 return None;
@@ -55,10 +67,9 @@ fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> Option<u
             continue;
         };
         if part >= 1.0 {
-            return Some(index);
+            return nearest(&found.branches, &moduli);
         }
-        let next = Node { part, moduli: all.branches[index].moduli.clone() };
-        before = Some(std::mem::replace(&mut now, next));
+        before = Some(std::mem::replace(&mut now, Node { part, moduli }));
         step *= 1.5;
     }
     None
@@ -71,23 +82,24 @@ fn expected(before: Option<&Node>, now: &Node, part: f64) -> Vec<f64> {
     now.moduli.iter().zip(&before.moduli).map(|(now, before)| now + share * (now - before)).collect()
 }
 
-/// The solution that goes on a path: near to what is expected, and much nearer than any other.
-fn nearest(branches: &[Branch], expected: &[f64]) -> Option<usize> {
-    let size = expected.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
+/// The solution that has these moduli.
+fn nearest(branches: &[Branch], moduli: &[f64]) -> Option<usize> {
+    let size = moduli.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
     let far = |branch: &Branch| {
-        branch.moduli.iter().zip(expected).fold(0.0_f64, |most, (z, other)| most.max((z - other).abs()))
+        branch.moduli.iter().zip(moduli).fold(0.0_f64, |most, (z, other)| most.max((z - other).abs()))
     };
-    let mut order: Vec<(f64, usize)> = branches.iter().map(far).zip(0..).collect();
-    order.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (nearest, index) = *order.first()?;
-    let alone = order.get(1).is_none_or(|(other, _)| nearest <= 0.1 * other);
-    (nearest <= 0.05 * size && alone).then_some(index)
+    let (far, index) = branches.iter().map(far).zip(0..).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    (far <= SAME * size).then_some(index)
 }
 
 /// The upper end of the interval from 0 of the parts of the coefficients for which there is a solution.
 pub(crate) fn limit(chain: &Chain<'_>, loads: &[Wrench<f64>]) -> f64 {
     let exists = |part: f64| chain.solutions(loads, part).is_ok_and(|found| !found.branches.is_empty());
-    let (mut holding, mut failing) = (0.0, START);
+    let whole = chain.solutions(loads, 1.0).ok();
+    let (mut holding, mut failing) = match whole.and_then(|found| start(chain, loads, &found)) {
+        Some(node) if node.part > START => (node.part, (node.part * RATIO).min(1.0)),
+        _ => (0.0, START),
+    };
     while failing < 1.0 && exists(failing) {
         (holding, failing) = (failing, (failing * RATIO).min(1.0));
     }

@@ -31,6 +31,8 @@ pub enum Stage {
     Kinematics,
     /// Reactions and the balancing load.
     Forces,
+    /// Dry friction in pairs, with the reactions on which it depends.
+    Friction,
     /// Motion from an initial state, or over one cycle of the steady regime.
     Motion,
     /// The flywheel for a wanted unevenness.
@@ -41,13 +43,15 @@ pub enum Stage {
 
 impl Stage {
     /// All, in order.
-    pub const ALL: [Self; 5] = [Self::Kinematics, Self::Forces, Self::Motion, Self::Flywheel, Self::Steady];
+    pub const ALL: [Self; 6] =
+        [Self::Kinematics, Self::Forces, Self::Friction, Self::Motion, Self::Flywheel, Self::Steady];
 
     /// The name in JSON and CSV.
     pub fn name(self) -> &'static str {
         match self {
             Self::Kinematics => "kinematics",
             Self::Forces => "forces",
+            Self::Friction => "friction",
             Self::Motion => "motion",
             Self::Flywheel => "flywheel",
             Self::Steady => "steady",
@@ -59,6 +63,7 @@ impl Stage {
         match self {
             Self::Kinematics => text!("chart-kinematics"),
             Self::Forces => text!("chart-forces"),
+            Self::Friction => text!("chart-friction"),
             Self::Motion => text!("chart-motion"),
             Self::Flywheel => text!("chart-flywheel"),
             Self::Steady => text!("chart-steady"),
@@ -68,7 +73,7 @@ impl Stage {
     /// What the times are of: one position, one run.
     pub fn work(self) -> Text {
         match self {
-            Self::Kinematics | Self::Forces => text!("chart-one-position"),
+            Self::Kinematics | Self::Forces | Self::Friction => text!("chart-one-position"),
             Self::Motion => text!("chart-one-run"),
             Self::Flywheel => text!("chart-one-flywheel"),
             Self::Steady => text!("chart-one-regime"),
@@ -78,7 +83,7 @@ impl Stage {
     /// What one unit of work is: one position of the mechanism, or one whole run.
     pub fn unit(self) -> Text {
         match self {
-            Self::Kinematics | Self::Forces => text!("chart-per-position"),
+            Self::Kinematics | Self::Forces | Self::Friction => text!("chart-per-position"),
             Self::Motion | Self::Flywheel | Self::Steady => text!("chart-per-run"),
         }
     }

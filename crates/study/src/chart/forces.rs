@@ -59,6 +59,24 @@ impl<'a> Loaded<'a> {
         Ok(loaded)
     }
 
+    pub(crate) fn work(&self) -> &'a Work<'a> {
+        self.work
+    }
+
+    pub(crate) fn positions(&self) -> &[Position] {
+        &self.positions
+    }
+
+    /// By position: all loads about the origins of the links.
+    pub(crate) fn loads(&self) -> &[Vec<Wrench<f64>>] {
+        &self.loads
+    }
+
+    /// The state of a position.
+    pub(crate) fn state(&self, index: usize) -> State {
+        state(&self.work.linkage.mechanism, self.positions[index].coordinate)
+    }
+
     /// Whether all loads are zero: then there are no forces to find.
     pub(crate) fn is_idle(&self) -> bool {
         self.loads.iter().flatten().all(|load| *load == Wrench::ZERO)

@@ -13,6 +13,7 @@ mod data;
 mod entry;
 mod figure;
 mod forces;
+mod friction;
 pub(crate) mod kinematics;
 mod motion;
 mod options;

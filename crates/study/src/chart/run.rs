@@ -13,6 +13,7 @@ use assur_words::{Describe, Text, number, text};
 use super::data::TOLERANCE;
 use super::entry::Field;
 use super::forces::{self, Loaded};
+use super::friction::{self, Rubbed};
 use super::motion::{self, Task};
 use super::race::Judge;
 use super::steady::{self, Cycle};
@@ -130,6 +131,9 @@ impl Charting<'_> {
         let loaded = Loaded::new(&work, &loads)?;
         if !loaded.is_idle() {
             self.stage(Stage::Forces, forces::field(&loaded)?);
+            if let Some(rubbed) = Rubbed::new(&loaded, &loads)? {
+                self.stage(Stage::Friction, friction::field(&rubbed)?);
+            }
         }
         self.motion(linkage, &loads)
     }

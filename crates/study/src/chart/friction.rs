@@ -1,0 +1,154 @@
+//! Dry friction: the methods that solve it, against the textbook iteration after so many steps and against a regularized law.
+
+use assur_force::{
+    AnalyzerPlugin, Frictions, Kinetostatics, Loads, Reactions, State, Unknown, analyzers, choose,
+};
+use assur_kinematics::{Linkage, Position};
+use assur_words::{Describe, Text, text};
+
+use super::entry::Field;
+use super::forces::Loaded;
+use super::{ChartError, Measurement, Reference, Setting, Stage};
+
+/// Steps of the textbook iteration.
+const STEPS: [u32; 5] = [1, 2, 4, 8, 16];
+
+/// Widths of a regularized law: the relative speed, as part of its greatest, below which its friction is less.
+const WIDTHS: [f64; 3] = [1e-1, 1e-2, 1e-3];
+
+/// Positions with friction.
+pub(crate) struct Rubbed<'a> {
+    loaded: &'a Loaded<'a>,
+    frictions: &'a Frictions,
+    loads: &'a Loads,
+    /// The method without friction in which the iteration solves each step.
+    ideal: &'static AnalyzerPlugin,
+    states: Vec<State>,
+    /// By position: the sense of each rub, and its relative speed as part of its greatest.
+    senses: Vec<Vec<[f64; 2]>>,
+    /// By position: forces of friction, then the balancing load; `None` where there is no solution.
+    truth: Vec<Option<Vec<f64>>>,
+    reference: Reference,
+}
+
+impl<'a> Rubbed<'a> {
+    /// `None` where the pairs are ideal.
+    pub(crate) fn new(loaded: &'a Loaded<'a>, loads: &'a Loads) -> Result<Option<Self>, ChartError> {
+        let Some(frictions) = loads.frictions() else { return Ok(None) };
+        let linkage = loaded.work().linkage;
+        let states: Vec<State> = (0..loaded.positions().len()).map(|index| loaded.state(index)).collect();
+        let mut senses = vec![vec![0.0; frictions.rubs.len()]; states.len()];
+        for (state, senses) in states.iter().zip(&mut senses) {
+            loads.senses(state, senses);
+        }
+        let speed = |position: &Position, rub: usize| frictions.rubs[rub].relative(&position.bodies).abs();
+        let most = |rub: usize| loaded.positions().iter().map(|one| speed(one, rub)).fold(0.0, f64::max);
+        let most: Vec<f64> = (0..frictions.rubs.len()).map(most).collect();
+        let senses = senses.iter().zip(loaded.positions()).map(|(senses, position)| {
+            let each = senses.iter().enumerate();
+            each.map(|(rub, sense)| [*sense, speed(position, rub) / most[rub].max(f64::MIN_POSITIVE)]).collect()
+        });
+        let mut found = Self {
+            loaded,
+            frictions,
+            loads,
+            ideal: choose(None, false)?,
+            senses: senses.collect(),
+            states,
+            truth: Vec::new(),
+            reference: Reference { how: text!("chart-reference-friction"), error: 0.0 },
+        };
+        let treating = || analyzers().map(|all| all.into_iter().filter(|plugin| plugin.treats_friction));
+        // The last in rank is independent of the one that is used.
+        let Some(judge) = treating()?.max_by_key(|plugin| plugin.rank) else { return Ok(None) };
+        let mut forces = found.method(judge);
+        found.truth = (0..found.states.len()).map(|index| found.solved(&mut forces, index).ok()).collect();
+        if let Some(other) = treating()?.min_by_key(|plugin| plugin.rank) {
+            let mut forces = found.method(other);
+            let each = (0..found.states.len()).filter_map(|index| {
+                let own = found.solved(&mut forces, index).ok()?;
+                Some(found.deviation(index, &own))
+            });
+            found.reference.error = each.collect::<Vec<_>>().into_iter().fold(f64::EPSILON, f64::max);
+        }
+        Ok(Some(found))
+    }
+
+    fn linkage(&self) -> &'a Linkage {
+        self.loaded.work().linkage
+    }
+
+    fn method(&self, plugin: &AnalyzerPlugin) -> Kinetostatics<'a> {
+        let carrying = vec![true; self.linkage().groups().len()];
+        Kinetostatics::new(self.linkage(), self.loads, plugin.instance, &carrying)
+    }
+
+    /// Forces of friction and the balancing load of a position.
+    fn solved(&self, forces: &mut Kinetostatics<'_>, index: usize) -> Result<Vec<f64>, Text> {
+        let solved = forces.solve(&self.states[index], &self.loaded.positions()[index]);
+        solved.map_err(|error| error.describe())?;
+        let rubbing = forces.reactions.rubbing.iter().flat_map(|rubbing| &rubbing.forces);
+        Ok(rubbing.copied().chain([forces.reactions.balancing]).collect())
+    }
+
+    /// Greatest deviation of the balancing load, as part of what friction makes of it; 0 where there is no reference.
+    fn deviation(&self, index: usize, found: &[f64]) -> f64 {
+        let Some(truth) = &self.truth[index] else { return 0.0 };
+        let [Some(own), Some(known)] = [found.last(), truth.last()] else { return 0.0 };
+        let size = truth.iter().fold(0.0_f64, |most, force| most.max(force.abs())).max(f64::MIN_POSITIVE);
+        (own - known).abs() / size
+    }
+
+    /// The balancing load after some steps of the iteration; `width` of a regularized law, 0 of the law itself.
+    fn iterated(&self, index: usize, steps: u32, width: f64, out: &mut Reactions) -> Result<f64, Text> {
+        let position = &self.loaded.positions()[index];
+        let mut sizes = vec![0.0; self.frictions.unknowns.len()];
+        for step in 0..=steps {
+            let mut own = self.loaded.loads()[index].clone();
+            for (unknown, size) in self.frictions.unknowns.iter().zip(&sizes) {
+                let rub = &self.frictions.rubs[unknown.rub];
+                let [sense, speed] = self.senses[index][unknown.rub];
+                let smooth = if width > 0.0 { speed / speed.hypot(width) } else { 1.0 };
+                unknown.load(rub, &position.bodies, sense * smooth * rub.coefficient * size, &mut own);
+            }
+            let solved = self.ideal.instance.solve(self.linkage(), position, &mut own, out);
+            solved.map_err(|error| error.describe())?;
+            if step < steps {
+                let size = |unknown: &Unknown| {
+                    let rub = &self.frictions.rubs[unknown.rub];
+                    let [x, y] = unknown.vector(rub, &position.bodies, &out.pairs);
+                    if unknown.is_modulus() { x.hypot(y) } else { x }
+                };
+                sizes = self.frictions.unknowns.iter().map(size).collect();
+            }
+        }
+        Ok(out.balancing)
+    }
+}
+
+/// The methods that treat friction, and those of textbooks and of multibody programs.
+pub(crate) fn field<'a>(rubbed: &'a Rubbed<'a>) -> Result<Field<'a>, ChartError> {
+    let row = |method: &str, setting| Measurement::new(Stage::Friction, method, setting);
+    let mut entries = Vec::new();
+    for plugin in analyzers()?.into_iter().filter(|plugin| plugin.treats_friction) {
+        let mut forces = rubbed.method(plugin);
+        entries.push(rubbed.loaded.work().entry(row(plugin.name, Setting::default()), 1, move |index, judged| {
+            let found = rubbed.solved(&mut forces, index)?;
+            Ok(if judged { rubbed.deviation(index, &found) } else { 0.0 })
+        }));
+    }
+    let mut iterated = |name: &str, setting, steps: u32, width: f64| {
+        let mut out = Reactions::new(rubbed.linkage());
+        entries.push(rubbed.loaded.work().entry(row(name, setting), 1, move |index, judged| {
+            let found = rubbed.iterated(index, steps, width, &mut out)?;
+            Ok(if judged { rubbed.deviation(index, &[found]) } else { 0.0 })
+        }));
+    };
+    for steps in STEPS {
+        iterated("iteration", Setting::number("steps", f64::from(steps)), steps, 0.0);
+    }
+    for width in WIDTHS {
+        iterated("regularized", Setting::number("width", width), STEPS[STEPS.len() - 1], width);
+    }
+    Ok(Field { reference: rubbed.reference.clone(), entries })
+}
