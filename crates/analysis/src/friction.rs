@@ -141,9 +141,6 @@ const SECTIONS: usize = 40;
 /// Places of the grid on which intervals are looked for.
 const GRID: u32 = 720;
 
-/// Width to which the ends of an interval are found, as part of the cycle.
-const WIDTH: f64 = 1e-13;
-
 /// Relative accuracy of works, and the number of times an interval is halved at most.
 const ACCURACY: f64 = 1e-11;
 const HALVINGS: u32 = 36;
@@ -304,13 +301,12 @@ impl Cycle<'_> {
         let samples: Vec<Sample> =
             self.places([low, high]).into_iter().map(|place| self.sample(place)).collect();
         let samples = self.add_narrow(&samples);
-        let width = WIDTH * (high - low);
         let mut pieces: Vec<(State, [f64; 2])> = Vec::new();
         let mut before = None;
         for Sample { coordinate: place, state: now, .. } in samples {
             let mut start = place;
             if let Some((last, state)) = before.filter(|(_, state)| *state != now) {
-                let [end, begin] = bisect(last, place, width, |q| self.state(q) == state);
+                let [end, begin] = bisect(last, place, 0.0, |q| self.state(q) == state);
                 if let Some(piece) = pieces.last_mut() {
                     piece.1[1] = end;
                 }

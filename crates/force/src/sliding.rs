@@ -79,6 +79,10 @@ impl Sliding {
                 *known = sign(rate.first);
             }
         }
+        if signs.iter().all(|sign| *sign == 0.0) {
+            // What never moves has no turns either.
+            return Self { breaks: Breaks::new(Vec::new(), span.period()), signs: vec![0.0] };
+        }
         Self { breaks, signs }
     }
 

@@ -161,7 +161,7 @@ impl<T: Number> Quick<'_, T> {
             let (index, rub) = (column - 1, frictions.unknowns[columns.of[column]].rub);
             let size = if index < columns.sums {
                 let share = frictions.unknowns[columns.of[column]].share(&frictions.rubs[rub]);
-                forces[rub] = factor(column) * T::from_f64(share) * z[index];
+                forces[rub] = factor(column) * T::from_f64(share) * z[index] + T::ZERO;
                 z[index]
             } else {
                 let row = &table[block.unknowns.iter().position(|one| *one == columns.of[column])?];

@@ -35,7 +35,6 @@ impl<'a> Rubbed<'a> {
     /// `None` where the pairs are ideal.
     pub(crate) fn new(loaded: &'a Loaded<'a>, loads: &'a Loads) -> Result<Option<Self>, ChartError> {
         let Some(frictions) = loads.frictions() else { return Ok(None) };
-        let linkage = loaded.work().linkage;
         let states: Vec<State> = (0..loaded.positions().len()).map(|index| loaded.state(index)).collect();
         let mut senses = vec![vec![0.0; frictions.rubs.len()]; states.len()];
         for (state, senses) in states.iter().zip(&mut senses) {

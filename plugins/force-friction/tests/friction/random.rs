@@ -60,6 +60,7 @@ fn judge(seed: u64, own: &Reactions, whole: &Reactions, count: &mut Count) {
     let rubbing = own.rubbing.as_ref().unwrap();
     let other = whole.rubbing.as_ref().unwrap();
     let size = other.forces.iter().fold(whole.balancing.abs(), |most, force| most.max(force.abs()));
+    let size = size.max(f64::MIN_POSITIVE);
     let apart = |balancing: f64, forces: &[f64]| {
         let each = forces.iter().zip(&other.forces).map(|(a, b)| (a - b).abs());
         each.fold((balancing - whole.balancing).abs(), f64::max) / size
