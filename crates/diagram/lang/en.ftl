@@ -10,6 +10,7 @@ plan-share-of-reaction = R({ $pair } from { $link })
 plan-guide-on = guide { $pair } on `{ $on }`, from `{ $from }`
 plan-pin-on = pin { $pair } on `{ $on }`, from `{ $from }`
 plan-all-causes = all
+plan-cause-friction = friction
 plan-construction-mechanism = { $method }: in the mechanism
 plan-construction-polygon = { $method }: force polygon
 plan-construction-lever = { $method }: lever

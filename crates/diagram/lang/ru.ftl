@@ -10,6 +10,7 @@ plan-share-of-reaction = R({ $pair } от { $link })
 plan-guide-on = направляющая { $pair }: на звено { $on } со стороны { $from }
 plan-pin-on = шарнир { $pair }: на звено { $on } со стороны { $from }
 plan-all-causes = все
+plan-cause-friction = трение
 plan-construction-mechanism = { $method }: в механизме
 plan-construction-polygon = { $method }: план сил
 plan-construction-lever = { $method }: рычаг

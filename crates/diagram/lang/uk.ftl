@@ -10,6 +10,7 @@ plan-share-of-reaction = R({ $pair } від { $link })
 plan-guide-on = напрямна { $pair }: на ланку { $on } з боку { $from }
 plan-pin-on = шарнір { $pair }: на ланку { $on } з боку { $from }
 plan-all-causes = усі
+plan-cause-friction = тертя
 plan-construction-mechanism = { $method }: у механізмі
 plan-construction-polygon = { $method }: план сил
 plan-construction-lever = { $method }: важіль

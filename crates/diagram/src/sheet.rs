@@ -1,7 +1,8 @@
 //! All plans of one position.
 
 use assur_force::{
-    Acting, AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Loads, Reactions, State, analyzers, joints,
+    Acting, AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Kinetostatics, Loads, Reactions, State, analyzers,
+    joints,
 };
 use assur_geometry::{Center, instant_centers};
 use assur_group::{Order, Wrench};
@@ -54,11 +55,9 @@ pub fn sheet(
     let list = loads.acting(state, &position.bodies);
     let (mut polygons, mut constructions, mut by_cause) = (Vec::new(), Vec::new(), None);
     if !list.is_empty() {
-        let mut wrenches = loads.total(state, &position.bodies);
         let drawn = self::constructions(linkage, &position, &list)?;
         constructions = drawn.iter().flat_map(|(_, drawn)| construction_plans(drawn)).collect();
-        let mut out = Reactions::new(linkage);
-        analyzer.instance.solve(linkage, &position, &mut wrenches, &mut out)?;
+        let out = reactions(linkage, &position, loads, state, analyzer.instance)?;
         polygons = force_polygons(linkage, &position, &list, &out);
         by_cause = Some(split(linkage, &position, loads, state, analyzer.instance)?);
     }
@@ -72,6 +71,25 @@ pub fn sheet(
         constructions,
         by_cause,
     })
+}
+
+/// The reactions at a position, with the dry friction of the pairs.
+fn reactions(
+    linkage: &Linkage,
+    position: &Position,
+    loads: &Loads,
+    state: &State,
+    analyzer: &dyn ForceAnalyzer,
+) -> Result<Reactions, DiagramError> {
+    if loads.frictions().is_some() {
+        let carrying = vec![true; linkage.groups().len()];
+        let mut forces = Kinetostatics::new(linkage, loads, analyzer, &carrying);
+        forces.solve(state, position)?;
+        return Ok(forces.reactions);
+    }
+    let (mut wrenches, mut out) = (loads.total(state, &position.bodies), Reactions::new(linkage));
+    analyzer.solve(linkage, position, &mut wrenches, &mut out)?;
+    Ok(out)
 }
 
 /// The constructions of all analyzers that have one and support the mechanism, step by step, each with the name of its
@@ -114,7 +132,7 @@ pub struct Share {
 pub struct Split {
     /// Under all loads at once.
     pub whole: Share,
-    /// By cause: weight, inertia, then each load by its name. Causes without effect here are listed too.
+    /// By cause: weight, inertia, then each load by its name, then the dry friction of the pairs as it was found. Causes without effect here are listed too.
     pub shares: Vec<Share>,
     /// Greatest difference of a force and the sum of its shares, relative to the greatest force of the total and all
     /// shares.
@@ -141,11 +159,30 @@ pub fn split(
         let acting = list.iter().filter(|load| cause.is_none_or(|cause| cause == load.cause.of_all()));
         share(linkage, position, analyzer, told, acting)
     };
-    let whole = solve(text!("plan-all-causes"), None)?;
+    let mut whole = solve(text!("plan-all-causes"), None)?;
+    let ideal = whole.clone();
     let each = causes.into_iter().map(|cause| solve(cause.name(&linkage.mechanism).into(), Some(cause)));
-    let shares = each.collect::<Result<Vec<_>, _>>()?;
+    let mut shares = each.collect::<Result<Vec<_>, _>>()?;
+    if loads.frictions().is_some() {
+        let out = reactions(linkage, position, loads, state, analyzer)?;
+        (whole.reactions, whole.balancing) = (joint_forces(linkage, &out), out.balancing);
+        shares.push(Share::of_friction(&whole, &ideal));
+    }
     let residual = residual(&whole, &shares);
     Ok(Split { whole, shares, residual })
+}
+
+impl Share {
+    /// What the friction that was found adds to the reactions of ideal pairs.
+    fn of_friction(whole: &Self, ideal: &Self) -> Self {
+        let each = whole.reactions.iter().zip(&ideal.reactions).map(|(whole, ideal)| JointForce {
+            force: [0, 1].map(|axis| whole.force[axis] - ideal.force[axis]),
+            moment: whole.moment.zip(ideal.moment).map(|(whole, ideal)| whole - ideal),
+            ..whole.clone()
+        });
+        let (reactions, balancing) = (each.collect(), whole.balancing - ideal.balancing);
+        Self { cause: text!("plan-cause-friction"), reactions, balancing }
+    }
 }
 
 fn share<'a>(

@@ -428,6 +428,7 @@ note-working = Working of position { $position }
 note-checks-text = Each result is checked by a residual, which must stay below a limit derived from the precision of the numbers; both are relative.
 note-model = Model and its limits
 note-model-text = Links are rigid, motion is plane, pairs have no clearance and no friction. What the task does not name is not modelled: links without a mass have no weight and no inertia.
+note-model-text-rubbing = Links are rigid, motion is plane, pairs have no clearance; dry friction acts in the pairs for which the task gives it. What the task does not name is not modelled: links without a mass have no weight and no inertia.
 note-no-position = Positions without an assembly: { $positions }.
 note-no-forces = Positions without forces: { $positions }. At the first: { $reason }.
 note-too-many = a note shows at most { $most } positions of a scene of { $parts } links, points, slides and loads, and this one has { $count }; lower `positions` in [input]
@@ -563,6 +564,18 @@ model-pairs-how = { $pins ->
         [one] { $slides } slide
        *[other] { $slides } slides
     }, ideal: no play, no friction
+model-pairs-rubbing = { $pins ->
+        [one] { $pins } pin
+       *[other] { $pins } pins
+    } and { $slides ->
+        [one] { $slides } slide
+       *[other] { $slides } slides
+    }, no play, dry friction as follows
+model-friction = friction of { $pair }
+model-journal = coefficient { $coefficient }, journal of { $owner } with a radius of { $radius }: a moment against the turning, by the modulus of the reaction
+model-pressed-place = coefficient { $coefficient }, pressed in one place: a force against the sliding, by the modulus of the normal force
+model-pressed-ends = coefficient { $coefficient }, pressed on both ends of a contact of { $length } about the point of the slider, faces { $offset } beside the guide line
+model-pressed-bushing = coefficient { $coefficient }, pressed on both ends of a contact of { $length } about the point of the guide (a bushing), faces { $offset } beside the guide line
 model-masses = masses
 model-masses-how = of { $count ->
         [one] { $count } link
@@ -643,6 +656,8 @@ missing-flywheel-how = the drive has none; add `flywheel` to `[drive]`
 missing-friction = friction in pairs
 missing-friction-how = the pairs are ideal, so their reactions do no work, and the reactions themselves make no friction; a known friction force is a `[[force]]` with `against_motion = true`
 missing-friction-given = the pairs are ideal, so their reactions do no work, and the reactions themselves make no friction; { $forces }, against the motion, may stand for some of it, with the size that the scene gives
+missing-friction-elsewhere = friction in the other pairs
+missing-friction-elsewhere-how = pairs without a `[[friction]]` are ideal: their reactions do no work
 missing-elasticity = elasticity of links
 missing-elasticity-how = the links are rigid; an elastic part can be two links with a `[[spring]]` between them only where the mobility stays 1
 missing-clearance = clearance in pairs, impacts

@@ -217,7 +217,9 @@ fn checks(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
 /// What the model leaves out, what was decided on the way, and what could not be found.
 fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
     page.heading(text!("note-model"));
-    page.paragraph(text!("note-model-text"));
+    let rubs = context.found()?.analysis.friction.is_some();
+    let model = if rubs { "note-model-text-rubbing" } else { "note-model-text" };
+    page.paragraph(text!(model));
     let (analysis, poses) = (&context.found()?.analysis, &context.scene()?.poses);
     analysis.notes.iter().for_each(|note| page.paragraph(Text::from(note)));
     let positions = |all: Vec<usize>| list(all.into_iter().map(number));

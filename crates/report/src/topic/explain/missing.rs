@@ -107,6 +107,13 @@ fn drive(mechanism: &Mechanism, list: &mut Vec<Remark>) {
 }
 
 fn friction(mechanism: &Mechanism, remarks: &mut Vec<Remark>) {
+    if !mechanism.frictions.is_empty() {
+        let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
+        if mechanism.frictions.len() < pins + mechanism.slides.len() {
+            remarks.push(remark(text!("missing-friction-elsewhere"), text!("missing-friction-elsewhere-how")));
+        }
+        return;
+    }
     let forces = |load: &&Load| load.kind.force().is_some() && load.kind.is_against_motion();
     let opposed = mechanism.loads.iter().filter(forces);
     let opposed = list(opposed.map(|load| (&load.name).into()));

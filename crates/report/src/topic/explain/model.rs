@@ -2,19 +2,26 @@
 
 use assur_book::{Unit, link_name};
 use assur_mechanism::{
-    Contact, Direction, Drive, LinkId, LoadKind, Mechanism, Motion, Motor, Over, Torque, Value,
+    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, Motor, Over, Rubbing, Torque,
+    Value,
 };
-use assur_words::{Text, list as listed, number, text};
+use assur_structure::name_of;
+use assur_words::{Text, list as listed, number, quantity, text};
 
 use super::words::{Remark, remark};
 
 /// The parts of the model that the scene defines.
 pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
     let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
+    let pairs = if mechanism.frictions.is_empty() { "model-pairs-how" } else { "model-pairs-rubbing" };
     let mut list = vec![
         remark(text!("model-links"), text!("model-links-how", count = mechanism.links.len() - 1)),
-        remark(text!("model-pairs"), text!("model-pairs-how", pins = pins, slides = mechanism.slides.len())),
+        remark(
+            text!("model-pairs"),
+            text!(pairs, pins = pins, slides = mechanism.slides.len()),
+        ),
     ];
+    list.extend(mechanism.frictions.iter().map(|friction| rubbing(mechanism, friction)));
     masses(mechanism, &mut list);
     motion(mechanism, &mut list);
     loads(mechanism, &mut list);
@@ -144,4 +151,26 @@ fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {
     if drive.flywheel.is_some() {
         list.push(remark(text!("missing-flywheel"), text!("model-flywheel")));
     }
+}
+
+/// The dry friction of a pair.
+fn rubbing(mechanism: &Mechanism, friction: &Friction) -> Remark {
+    let length = |length: f64| quantity((1e9 * length).round() / 1e6, "mm");
+    let pair = Text::from(name_of(mechanism, friction.pair));
+    let coefficient = number(friction.coefficient);
+    let how = match friction.rubbing {
+        Rubbing::Journal { radius, owner } => {
+            let owner = Text::from(&mechanism.links[owner].name);
+            text!("model-journal", coefficient = coefficient, radius = length(radius), owner = owner)
+        }
+        Rubbing::Place => text!("model-pressed-place", coefficient = coefficient),
+        Rubbing::Faces { length: contact, middle, offset } => {
+            let id = match middle {
+                Middle::Point => "model-pressed-ends",
+                Middle::Through => "model-pressed-bushing",
+            };
+            text!(id, coefficient = coefficient, length = length(contact), offset = length(offset))
+        }
+    };
+    remark(text!("model-friction", pair = pair), how)
 }

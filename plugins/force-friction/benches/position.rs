@@ -1,0 +1,62 @@
+//! What friction in all pairs adds to a position of the shaper: positions with PF1 and PF2, loads and reactions, one by one and
+//! eight at once. Medians of short rounds in turns.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use assur_all as _;
+use assur_force::{Kinetostatics, LaneKinetostatics, Loads, State, find};
+use assur_group::Order;
+use assur_kinematics::Linkage;
+use assur_number::Lanes;
+
+const ROUNDS: usize = 201;
+const POSITIONS: usize = 64;
+
+/// Seconds for a position, one by one or in lanes.
+fn seconds(linkage: &Linkage, method: &str, lanes: bool) -> f64 {
+    let loads = Loads::compile(linkage).unwrap();
+    let carrying = vec![true; linkage.groups().len()];
+    let mut single = Kinetostatics::new(linkage, &loads, find(method).unwrap().instance, &carrying);
+    let mut eight = LaneKinetostatics::new(single.clone());
+    let (mut position, mut together) = (linkage.position(), linkage.lane_position());
+    let coordinate = |index: usize| (index * 37 % POSITIONS) as f64 * 0.098;
+    let start = Instant::now();
+    if lanes {
+        for block in 0..POSITIONS / Lanes::WIDTH {
+            let at = Lanes::of(|lane| coordinate(block * Lanes::WIDTH + lane));
+            linkage.solve_lanes(at, Order::Second, &mut together).unwrap();
+            let states = at.0.map(|q| State::prescribed(&linkage.mechanism, q));
+            eight.solve(&states, &together).unwrap();
+            black_box(&eight.reactions.balancing);
+        }
+    } else {
+        for q in (0..POSITIONS).map(coordinate) {
+            linkage.solve(q, Order::Second, &mut position).unwrap();
+            single.solve(&State::prescribed(&linkage.mechanism, q), &position).unwrap();
+            black_box(&single.reactions.balancing);
+        }
+    }
+    start.elapsed().as_secs_f64() / POSITIONS as f64
+}
+
+fn main() {
+    let path = format!("{}/../../fixtures/shaper-friction.toml", env!("CARGO_MANIFEST_DIR"));
+    let mut mechanism = assur_scene::read("shaper", &std::fs::read_to_string(path).unwrap()).unwrap();
+    let rubbing = Linkage::compile(mechanism.clone()).unwrap();
+    mechanism.frictions.clear();
+    let ideal = Linkage::compile(mechanism).unwrap();
+    for lanes in [false, true] {
+        let mut times = [Vec::new(), Vec::new()];
+        for _ in 0..ROUNDS {
+            times[0].push(seconds(&ideal, "groups", lanes));
+            times[1].push(seconds(&rubbing, "coulomb", lanes));
+        }
+        let [without, with] = times.map(|mut all| {
+            all.sort_by(f64::total_cmp);
+            all[ROUNDS / 2] * 1e9
+        });
+        let how = if lanes { "eight at once" } else { "one by one" };
+        println!("{how}: {without:.0} ns without friction, {with:.0} ns with, {:.2} times", with / without);
+    }
+}
