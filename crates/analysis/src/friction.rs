@@ -128,7 +128,7 @@ enum State {
 struct Sample {
     coordinate: f64,
     state: State,
-    /// How far it is from a certificate of 1, from braking itself, and from being driven; infinite where it works otherwise.
+    /// How far it is from a certificate of 1 (the part of all coefficients that it bears, less 1), from braking itself, and from being driven; infinite where it works otherwise.
     room: [f64; 3],
 }
 
@@ -155,7 +155,8 @@ impl Calculation {
         loads.frictions().filter(|_| self.positions_have_forces() && analyzer.treats_friction)?;
         let carrying = &self.plan.groups_carrying;
         let forces = Kinetostatics::new(&self.linkage, loads, analyzer.instance, carrying);
-        let mut cycle = Cycle { calculation: self, loads, forces, position: self.linkage.position(), certificate: 0.0 };
+        let mut cycle =
+            Cycle { calculation: self, loads, forces, position: self.linkage.position(), certificate: 0.0 };
         let input = &self.linkage.mechanism.input;
         let ends = match input.range {
             Range::Cycle(length) => [input.from, input.from + input.sign() * length],
@@ -245,7 +246,8 @@ impl Cycle<'_> {
         let radius = radii.copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
         self.certificate = self.certificate.max(radius);
         let of = |holds: bool, room: f64| if holds { room } else { f64::INFINITY };
-        let room = [1.0 - radius, driving - loss, -driving];
+        // Towards a dead point the radius grows like 1 / x, so that its inverse is what falls to a place between two samples.
+        let room = [1.0 / radius - 1.0, driving - loss, -driving];
         Sample { coordinate, state, room: room.map(|room| of(state == State::Working && room > 0.0, room)) }
     }
 

@@ -1,8 +1,8 @@
 //! All plans of one position.
 
 use assur_force::{
-    Acting, AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Kinetostatics, Loads, Reactions, State, analyzers,
-    joints,
+    Acting, AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Kinetostatics, Loads, Reactions, State,
+    analyzers, joints,
 };
 use assur_geometry::{Center, instant_centers};
 use assur_group::{Order, Wrench};

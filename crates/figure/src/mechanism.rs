@@ -184,7 +184,8 @@ impl Drawing<'_> {
     fn friction_circles(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
         let mechanism = &self.linkage.mechanism;
         mechanism.frictions.iter().filter_map(|friction| {
-            let (PairId::Pin(point), Rubbing::Journal { radius, .. }) = (friction.pair, friction.rubbing) else {
+            let (PairId::Pin(point), Rubbing::Journal { radius, .. }) = (friction.pair, friction.rubbing)
+            else {
                 return None;
             };
             let place = mechanism.points[point].places.iter().find(|place| self.shows(place.link))?;

@@ -227,9 +227,11 @@ fn rows_of_zeros_and_no_loads_are_solved_in_small_memory() {
         (all[0][0], all[1][0]) = (slopes[0], slopes[1]);
         Vector { unknown, constant: [constant, 0.0], slopes: all }
     };
-    for (load, row, other, radius) in
-        [(3.0, [0.0, 0.0], [0.5, 0.25], 0.25), (0.0, [0.1, 0.0], [0.2, 0.3], 0.3), (1e-200, [0.0; 2], [0.0; 2], 0.0)]
-    {
+    for (load, row, other, radius) in [
+        (3.0, [0.0, 0.0], [0.5, 0.25], 0.25),
+        (0.0, [0.1, 0.0], [0.2, 0.3], 0.3),
+        (1e-200, [0.0; 2], [0.0; 2], 0.0),
+    ] {
         let mut system = Unique::new(2);
         system.push(vector(0, load, row));
         system.push(vector(1, 2.0 * load, other));

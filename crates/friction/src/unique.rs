@@ -94,7 +94,8 @@ impl<T: Real> Unique<T> {
         for _ in 0..SQUARINGS {
             power = squared(&power, n);
             let sums: [T; MOST[0]] = std::array::from_fn(|i| total(&power[i][..n]) + T::from_f64(FLOOR));
-            let greatest = (0..n).fold(T::ZERO, |most, i| greater(most, product(&matrix[i], &sums, n) / sums[i]));
+            let greatest =
+                (0..n).fold(T::ZERO, |most, i| greater(most, product(&matrix[i], &sums, n) / sums[i]));
             let apart = (found - greatest).abs() - greatest * T::from_f64(STILL);
             // A lane that has converged keeps what it has.
             found = found * (T::ONE - open) + greatest * open;

@@ -51,7 +51,11 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure::new("regime", "sweep-measure-regime", regime),
     Measure::new("end", "sweep-measure-end", end),
-    Measure { by_default: false, friction: true, ..Measure::new("friction", "sweep-measure-friction", friction) },
+    Measure {
+        by_default: false,
+        friction: true,
+        ..Measure::new("friction", "sweep-measure-friction", friction)
+    },
 ];
 
 /// What was found at a point of a sweep.
@@ -331,7 +335,7 @@ fn friction(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
         return;
     }
     let cycle = found.friction.as_ref();
-    let total = |all: &[[f64; 2]]| all.iter().map(|[from, to]| to - from).sum::<f64>();
+    let total = |all: &[[f64; 2]]| all.iter().fold(0.0, |sum, [from, to]| sum + (to - from));
     sink.put(cycle.and_then(|cycle| cycle.efficiency), || "efficiency".to_owned());
     let loss = |cycle: &FrictionCycle| cycle.friction_work.values().copied().sum::<Option<f64>>();
     sink.put(cycle.and_then(loss), || "friction_work_J".to_owned());

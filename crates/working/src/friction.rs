@@ -42,12 +42,21 @@ impl Work<'_> {
     }
 
     /// Writes the moduli of a block, step by step.
-    fn iteration(&mut self, found: &Iteration, rubs: &[Rub], unknown: impl Fn(usize) -> (usize, UnknownKind)) {
+    fn iteration(
+        &mut self,
+        found: &Iteration,
+        rubs: &[Rub],
+        unknown: impl Fn(usize) -> (usize, UnknownKind),
+    ) {
         let mechanism = &self.linkage.mechanism;
         let moduli = |z: &[f64]| {
             let each = found.unknowns.iter().zip(z).map(|(index, z)| {
                 let (rub, kind) = unknown(*index);
-                text!("working-friction-modulus", name = modulus(mechanism, &rubs[rub], kind), value = quantity(format_args!("{z:.6}"), "N"))
+                text!(
+                    "working-friction-modulus",
+                    name = modulus(mechanism, &rubs[rub], kind),
+                    value = quantity(format_args!("{z:.6}"), "N")
+                )
             });
             joined("; ", each)
         };
@@ -75,21 +84,37 @@ impl Work<'_> {
             return;
         }
         if !rub.slides() {
-            let moment = self.sheet.given(Symbol::from("M").of("f").of(tag), force, "N·m", text!("working-friction-of", pair = of));
+            let moment = self.sheet.given(
+                Symbol::from("M").of("f").of(tag),
+                force,
+                "N·m",
+                text!("working-friction-of", pair = of),
+            );
             self.turn(rub.link, moment.clone());
             self.turn(rub.on, -moment);
             return;
         }
         let PairId::Slide(slide) = rub.pair else { return };
         let place = self.bodies[rub.link].point(mechanism.slides[slide].point);
-        let size = self.sheet.given(Symbol::from("F").of("f").of(tag), force, "N", text!("working-friction-of", pair = of.clone()));
+        let size = self.sheet.given(
+            Symbol::from("F").of("f").of(tag),
+            force,
+            "N",
+            text!("working-friction-of", pair = of.clone()),
+        );
         let [c, s] = rub.along(self.bodies);
         let along = [("c", c), ("s", s)].map(|(letter, part)| match part {
             // Along an axis one of them is zero but for the rounding of the angle.
             _ if part.abs() < AXIS => Expr::zero(),
-            _ => self.sheet.given(Symbol::from(letter).of(of.clone()), part, "", text!("working-friction-along")),
+            _ => self.sheet.given(
+                Symbol::from(letter).of(of.clone()),
+                part,
+                "",
+                text!("working-friction-along"),
+            ),
         });
-        for (link, sign) in [(rub.link, 1.0), (rub.on, -1.0)].into_iter().filter(|(link, _)| *link != GROUND) {
+        for (link, sign) in [(rub.link, 1.0), (rub.on, -1.0)].into_iter().filter(|(link, _)| *link != GROUND)
+        {
             let body = &self.bodies[link];
             let off = minus(place, [body.x, body.y]);
             let local = [body.c * off[0] + body.s * off[1], body.c * off[1] - body.s * off[0]];
@@ -101,7 +126,8 @@ impl Work<'_> {
             && offset != 0.0
         {
             let symbol = Symbol::from("M").of("f").of(of.clone());
-            let moment = self.sheet.given(symbol, lever * offset, "N·m", text!("working-friction-of", pair = of));
+            let moment =
+                self.sheet.given(symbol, lever * offset, "N·m", text!("working-friction-of", pair = of));
             self.turn(rub.link, moment.clone());
             self.turn(rub.on, -moment);
         }
@@ -121,7 +147,9 @@ fn modulus(mechanism: &Mechanism, rub: &Rub, kind: UnknownKind) -> Text {
         UnknownKind::Force => {
             text!("working-friction-pin", pair = pair, link = Text::from(&mechanism.links[rub.link].name))
         }
-        UnknownKind::End(end) => text!("working-friction-end", pair = pair, end = number(if end > 0.0 { 1 } else { 2 })),
+        UnknownKind::End(end) => {
+            text!("working-friction-end", pair = pair, end = number(if end > 0.0 { 1 } else { 2 }))
+        }
         UnknownKind::Normal | UnknownKind::Shift => text!("working-friction-normal", pair = pair),
     }
 }

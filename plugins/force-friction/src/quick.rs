@@ -91,7 +91,8 @@ impl<T: Number> Quick<'_, T> {
     ) -> Option<T> {
         match stage.checked_sub(1) {
             None => {
-                let (pair, input) = (&self.linkage.structure.pairs[0].pair, self.linkage.mechanism.input.link);
+                let (pair, input) =
+                    (&self.linkage.structure.pairs[0].pair, self.linkage.mechanism.input.link);
                 let drive;
                 (pairs[0], drive) = input_link(pair, input, self.bodies, loads);
                 Some(drive)
@@ -113,7 +114,8 @@ impl<T: Number> Quick<'_, T> {
         loads: &mut [Wrench<T>],
         out: &mut Reactions<T>,
     ) -> Option<()> {
-        let Reactions { rubbing: Some(rubbing), pairs, solved, scratch_pairs, scratch_bodies, .. } = out else {
+        let Reactions { rubbing: Some(rubbing), pairs, solved, scratch_pairs, scratch_bodies, .. } = out
+        else {
             return None;
         };
         let Rubbing { frictions, senses, forces, certificates, .. } = rubbing;
@@ -148,7 +150,8 @@ impl<T: Number> Quick<'_, T> {
         for (row, &unknown) in table.iter().zip(&block.unknowns) {
             let unknown = &frictions.unknowns[unknown];
             if unknown.is_modulus() {
-                let of = (1..=columns.sums).find(|c| frictions.unknowns[columns.of[*c]].rub == unknown.rub)?;
+                let of =
+                    (1..=columns.sums).find(|c| frictions.unknowns[columns.of[*c]].rub == unknown.rub)?;
                 let slopes = std::array::from_fn(|k| row[k + 1]);
                 equations.push(Vector { unknown: of - 1, constant: row[0], slopes });
             }

@@ -45,7 +45,8 @@ impl<'a> Rubbed<'a> {
         let most: Vec<f64> = (0..frictions.rubs.len()).map(most).collect();
         let senses = senses.iter().zip(loaded.positions()).map(|(senses, position)| {
             let each = senses.iter().enumerate();
-            each.map(|(rub, sense)| [*sense, speed(position, rub) / most[rub].max(f64::MIN_POSITIVE)]).collect()
+            each.map(|(rub, sense)| [*sense, speed(position, rub) / most[rub].max(f64::MIN_POSITIVE)])
+                .collect()
         });
         let mut found = Self {
             loaded,
@@ -131,10 +132,14 @@ pub(crate) fn field<'a>(rubbed: &'a Rubbed<'a>) -> Result<Field<'a>, ChartError>
     let mut entries = Vec::new();
     for plugin in analyzers()?.into_iter().filter(|plugin| plugin.treats_friction) {
         let mut forces = rubbed.method(plugin);
-        entries.push(rubbed.loaded.work().entry(row(plugin.name, Setting::default()), 1, move |index, judged| {
-            let found = rubbed.solved(&mut forces, index)?;
-            Ok(if judged { rubbed.deviation(index, &found) } else { 0.0 })
-        }));
+        entries.push(rubbed.loaded.work().entry(
+            row(plugin.name, Setting::default()),
+            1,
+            move |index, judged| {
+                let found = rubbed.solved(&mut forces, index)?;
+                Ok(if judged { rubbed.deviation(index, &found) } else { 0.0 })
+            },
+        ));
     }
     let mut iterated = |name: &str, setting, steps: u32, width: f64| {
         let mut out = Reactions::new(rubbed.linkage());

@@ -12,7 +12,11 @@ pub(super) fn scene(text: &str) -> Linkage {
 }
 
 /// Balancing load, forces of friction and number of solutions at a coordinate, by a method.
-pub(super) fn solved(linkage: &Linkage, method: &str, coordinate: f64) -> Result<(f64, Vec<f64>, usize), ForceError> {
+pub(super) fn solved(
+    linkage: &Linkage,
+    method: &str,
+    coordinate: f64,
+) -> Result<(f64, Vec<f64>, usize), ForceError> {
     let loads = Loads::compile(linkage).unwrap();
     let carrying = vec![true; linkage.groups().len()];
     let mut forces = Kinetostatics::new(linkage, &loads, find(method).unwrap().instance, &carrying);

@@ -42,8 +42,7 @@ fn compare(seeds: std::ops::Range<u64>) -> Count {
         let Ok(linkage) = Linkage::compile(mechanism) else { continue };
         let Ok(loads) = Loads::compile(&linkage) else { continue };
         let coordinate = linkage.mechanism.input.coordinate(1);
-        let [own, whole] =
-            ["coulomb", "newton-euler"].map(|method| by(&linkage, &loads, method, coordinate));
+        let [own, whole] = ["coulomb", "newton-euler"].map(|method| by(&linkage, &loads, method, coordinate));
         match (own, whole) {
             (Ok(own), Ok(whole)) => judge(seed, &own, &whole, &mut count),
             (Err(ForceError::Jammed { .. }), Err(ForceError::Jammed { .. })) => count.none += 1,

@@ -110,7 +110,8 @@ fn friction(mechanism: &Mechanism, remarks: &mut Vec<Remark>) {
     if !mechanism.frictions.is_empty() {
         let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
         if mechanism.frictions.len() < pins + mechanism.slides.len() {
-            remarks.push(remark(text!("missing-friction-elsewhere"), text!("missing-friction-elsewhere-how")));
+            remarks
+                .push(remark(text!("missing-friction-elsewhere"), text!("missing-friction-elsewhere-how")));
         }
         return;
     }

@@ -2,8 +2,8 @@
 
 use assur_book::{Unit, link_name};
 use assur_mechanism::{
-    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, Motor, Over, Rubbing, Torque,
-    Value,
+    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, Motor, Over, Rubbing,
+    Torque, Value,
 };
 use assur_structure::name_of;
 use assur_words::{Text, list as listed, number, quantity, text};
@@ -16,10 +16,7 @@ pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
     let pairs = if mechanism.frictions.is_empty() { "model-pairs-how" } else { "model-pairs-rubbing" };
     let mut list = vec![
         remark(text!("model-links"), text!("model-links-how", count = mechanism.links.len() - 1)),
-        remark(
-            text!("model-pairs"),
-            text!(pairs, pins = pins, slides = mechanism.slides.len()),
-        ),
+        remark(text!("model-pairs"), text!(pairs, pins = pins, slides = mechanism.slides.len())),
     ];
     list.extend(mechanism.frictions.iter().map(|friction| rubbing(mechanism, friction)));
     masses(mechanism, &mut list);
