@@ -221,6 +221,21 @@ fn small_memory_gives_what_the_careful_method_gives() {
 }
 
 #[test]
+fn unknowns_that_depend_on_each_other_in_turn_have_their_radius() {
+    for (to, fro) in [(0.12, 0.006), (0.5, 0.0), (0.0, 0.0), (0.3, 0.3)] {
+        let mut system = Unique::new(2);
+        for (unknown, slope) in [to, fro].into_iter().enumerate() {
+            let mut slopes = [[0.0; 2]; MOST[0]];
+            slopes[1 - unknown] = [slope, 0.0];
+            system.push(Vector { unknown, constant: [1.0, 0.0], slopes });
+        }
+        let (radius, z) = system.solve().unwrap();
+        assert!((radius - f64::sqrt(to * fro)).abs() < 1e-15, "{radius}");
+        assert!((z[0] - (1.0 + to) / (1.0 - to * fro)).abs() < 1e-15, "{z:?}");
+    }
+}
+
+#[test]
 fn rows_of_zeros_and_no_loads_are_solved_in_small_memory() {
     let vector = |unknown: usize, constant: f64, slopes: [f64; 2]| {
         let mut all = [[0.0; 2]; MOST[0]];

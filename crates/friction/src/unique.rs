@@ -21,13 +21,10 @@ const STILL: f64 = 8.0 * f64::EPSILON;
 const SMALL: f64 = 1e-12;
 
 /// Most squarings of the matrix for its spectral radius.
-const SQUARINGS: usize = 12;
+const SQUARINGS: usize = 14;
 
 /// A row of a power of the matrix counts as this at least: one of zeros is no reason for a quotient of zeros.
 const FLOOR: f64 = 1e-200;
-
-/// Powers that have become smaller than this have lost what their rows tell.
-const LEAST: f64 = 1e-100;
 
 /// A vector whose modulus counts for an unknown.
 #[derive(Debug, Clone, Copy)]
@@ -88,24 +85,29 @@ impl<T: Real> Unique<T> {
             return Some(matrix[0][0]);
         }
         let norm = matrix[..n].iter().fold(T::ZERO, |most, row| greater(most, total(&row[..n])));
+        // With a part of the unit matrix no other eigenvalue has the size of the greatest; the vectors are the same.
         let mut power = matrix;
-        power.iter_mut().flatten().for_each(|entry| *entry = over(*entry, norm));
-        let (mut found, mut open) = (norm, T::ONE);
+        for (i, row) in power[..n].iter_mut().enumerate() {
+            row[i] += norm.half();
+        }
+        let (mut found, mut open, mut size) = (norm, T::ONE, norm);
         for _ in 0..SQUARINGS {
+            power[..n].iter_mut().flat_map(|row| &mut row[..n]).for_each(|entry| *entry = over(*entry, size));
             power = squared(&power, n);
             let sums: [T; MOST[0]] = std::array::from_fn(|i| total(&power[i][..n]) + T::from_f64(FLOOR));
-            let greatest =
-                (0..n).fold(T::ZERO, |most, i| greater(most, product(&matrix[i], &sums, n) / sums[i]));
+            size = sums[..n].iter().fold(T::ZERO, |most, sum| greater(most, *sum));
+            let greatest = (0..n).fold(T::ZERO, |most, i| greater(most, product(&matrix[i], &sums, n) / sums[i]));
             let apart = (found - greatest).abs() - greatest * T::from_f64(STILL);
             // A lane that has converged keeps what it has.
             found = found * (T::ONE - open) + greatest * open;
             open = open * positive(apart);
             if open.greatest() <= 0.0 {
-                let size = sums[..n].iter().fold(T::ZERO, |most, sum| greater(most, *sum));
-                return (size.exceeds(LEAST) || norm.greatest() == 0.0).then_some(found);
+                return Some(found);
             }
         }
-        None
+        // Unknowns of which none depends on itself in the end.
+        let eighth = squared(&squared(&squared(&matrix, n), n), n);
+        eighth.iter().flatten().all(|entry| entry.greatest() <= 0.0).then_some(T::ZERO)
     }
 
     /// The solution, where the certificate is below 1.
