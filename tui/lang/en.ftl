@@ -323,6 +323,7 @@ regime-parts = trials, as parts of the values found
 regime-trial = trial
 regime-driving-work = driving work
 regime-resisting-work = resisting work
+regime-friction-work = friction work
 regime-kinetic-energy = kinetic energy
 regime-energies = energies, J
 motion-none = no [motion] in the scene, so J and Q alone; add it, with speed = "60 rpm"

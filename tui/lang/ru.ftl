@@ -301,6 +301,7 @@ regime-parts = пробы, в долях найденных значений
 regime-trial = проба
 regime-driving-work = работа движущих сил
 regime-resisting-work = работа сил сопротивления
+regime-friction-work = работа трения
 regime-kinetic-energy = кинетическая энергия
 regime-energies = энергии, Дж
 motion-none = в сцене нет [motion], поэтому только J и Q; добавьте его, со speed = "60 rpm"

@@ -300,6 +300,7 @@ regime-parts = проби, у частках знайдених значень
 regime-trial = проба
 regime-driving-work = робота рушійних сил
 regime-resisting-work = робота сил опору
+regime-friction-work = робота тертя
 regime-kinetic-energy = кінетична енергія
 regime-energies = енергії, Дж
 motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"

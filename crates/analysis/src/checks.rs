@@ -2,7 +2,7 @@
 
 use assur_check::{Check, Chosen, Coverage, InputLoad, Residuals, Subject, methods};
 use assur_dynamics::{InputDrive, Regime, Steady, Transient, section_margin};
-use assur_force::State;
+use assur_force::{Side, State};
 use assur_group::Order;
 use assur_integrator::Sample;
 use assur_kinematics::Linkage;
@@ -72,6 +72,12 @@ impl Calculation {
         let mut position = self.linkage.position();
         let solved = self.linkage.solve(state.coordinate, Order::Place, &mut position);
         solved.is_ok() && !self.linkage.is_at_change_point(&position)
+    }
+
+    /// Whether dry friction holds a motion at rest in a state: it is not determined there, nor are the reactions that depend on it.
+    pub(crate) fn rests_by_friction(&self, state: &State) -> bool {
+        let rests = state.speed == 0.0 && matches!(state.side, Side::Held { .. });
+        rests && !self.linkage.mechanism.frictions.is_empty()
     }
 
     /// The load on the input by the motion that was found; `None` where it is prescribed.
@@ -197,7 +203,8 @@ impl<'a> Checked<'a> {
     /// A state by its number; `None` for a sample of a transient motion in which forces are not determined.
     fn state(&self, number: usize) -> Option<State> {
         if let Some(all) = &self.trajectory {
-            return all.get(number).copied().filter(|state| self.calculation.is_regular(state));
+            let known = |state: &State| self.calculation.is_regular(state) && !self.calculation.rests_by_friction(state);
+            return all.get(number).copied().filter(known);
         }
         let input = &self.calculation.linkage.mechanism.input;
         Some(self.calculation.state(input.coordinate(number)))

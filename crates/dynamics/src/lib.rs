@@ -8,6 +8,7 @@
 
 mod drive;
 mod error;
+mod friction;
 mod instant;
 mod machine;
 mod motor;

@@ -8,7 +8,9 @@ use assur_integrator::{Dependence, Motion, MotionError, Partials, Piece, Reduced
 use assur_kinematics::{Linkage, Position};
 use assur_words::text;
 
-/// The equation of motion of a compiled mechanism under its loads. Evaluating it allocates nothing.
+use crate::friction::{Course, Found, Friction, Place};
+
+/// The equation of motion of a compiled mechanism under its loads. Without dry friction in pairs evaluating it allocates nothing.
 #[derive(Debug, Clone)]
 pub struct Machine<'a> {
     linkage: &'a Linkage,
@@ -16,13 +18,73 @@ pub struct Machine<'a> {
     position: Position,
     phase: Phase,
     dependence: Dependence,
+    friction: Option<Friction>,
 }
 
 impl<'a> Machine<'a> {
     /// Takes a compiled mechanism and its compiled loads.
     pub fn new(linkage: &'a Linkage, loads: &'a Loads) -> Self {
-        let dependence = loads.dependence();
-        Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence }
+        let mut dependence = loads.dependence();
+        let friction = Friction::of(linkage, loads);
+        dependence.moment_on_coordinate |= friction.is_some();
+        dependence.moment_on_speed |= friction.is_some();
+        Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence, friction }
+    }
+
+    /// Takes the dry friction of a known motion from now on: the moment depends on the coordinate alone then, as far as friction
+    /// goes.
+    pub(crate) fn assume(&mut self, course: Course) {
+        if let Some(friction) = &mut self.friction {
+            friction.assume(course);
+            self.dependence = self.loads.dependence();
+            self.dependence.moment_on_coordinate = true;
+        }
+    }
+
+    /// Whether pairs have dry friction.
+    pub(crate) fn rubs(&self) -> bool {
+        self.friction.is_some()
+    }
+
+    /// The dry friction at the state that was evaluated last.
+    pub(crate) fn friction(&self) -> Found {
+        self.friction.as_ref().map(Friction::found).unwrap_or_default()
+    }
+
+    /// The coefficients without dry friction.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if there is no such position, or a load has no value.
+    #[inline]
+    pub(crate) fn ideal(&mut self, state: &State) -> Result<Reduced, MotionError> {
+        self.solve(state.coordinate)?;
+        let Self { linkage, loads, position, phase, .. } = self;
+        let reduced = loads.reduced_in_phase(phase, &load_state(state), &position.bodies);
+        if !reduced.moment.is_finite() {
+            loads
+                .finite(&linkage.mechanism, &load_state(state), &position.bodies)
+                .map_err(|error| MotionError::mechanism(&error))?;
+        }
+        Ok(reduced)
+    }
+
+    /// The reduced moment of the loads at a state by the formulas that the state itself selects, without dry friction.
+    pub(crate) fn load_moment(&mut self, state: &assur_force::State) -> Result<f64, MotionError> {
+        self.solve(state.coordinate)?;
+        Ok(self.loads.reduced(state, &self.position.bodies).moment)
+    }
+
+    /// The acceleration with dry friction at a state by the formulas that the state itself selects; `None` where none is possible.
+    pub(crate) fn acceleration_at(
+        &mut self,
+        state: &assur_force::State,
+        drive: [f64; 2],
+    ) -> Result<Option<f64>, MotionError> {
+        self.solve(state.coordinate)?;
+        let Self { linkage, loads, position, phase, friction, .. } = self;
+        let Some(friction) = friction else { return Ok(None) };
+        friction.acceleration_at(&Place { linkage, loads, phase, position }, state, drive)
     }
 
     /// Potential energy of weights and springs at a coordinate, and the sum of the sizes of its terms, J.
@@ -48,7 +110,11 @@ impl<'a> Machine<'a> {
 
     /// Chooses the formulas of the loads on the side of a state, and returns the box in which they are smooth.
     pub(crate) fn enter_side(&mut self, state: &assur_force::State) -> Piece {
-        self.loads.enter(state, &mut self.phase)
+        let mut piece = self.loads.enter(state, &mut self.phase);
+        if let Some(friction) = &mut self.friction {
+            friction.enter(self.loads, state, &mut piece);
+        }
+        piece
     }
 
     #[inline]
@@ -60,8 +126,8 @@ impl<'a> Machine<'a> {
         if coordinate.to_bits() == self.position.coordinate.to_bits() {
             return Ok(());
         }
-        // The second derivatives are for dJ/dq alone.
-        let order = if self.dependence.inertia_constant { Order::First } else { Order::Second };
+        // The second derivatives are for dJ/dq alone, and for the inertia loads on which friction depends.
+        let order = if self.dependence.inertia_constant && self.friction.is_none() { Order::First } else { Order::Second };
         let solved = self.linkage.solve(coordinate, order, &mut self.position);
         solved.map_err(|error| {
             self.position.coordinate = f64::NAN;
@@ -87,14 +153,20 @@ impl Motion for Machine<'_> {
 
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
-        self.solve(state.coordinate)?;
-        let Self { linkage, loads, position, phase, .. } = self;
-        let reduced = loads.reduced_in_phase(phase, &load_state(state), &position.bodies);
-        if !reduced.moment.is_finite() {
-            loads
-                .finite(&linkage.mechanism, &load_state(state), &position.bodies)
-                .map_err(|error| MotionError::mechanism(&error))?;
+        self.driven(state, [0.0; 2])
+    }
+
+    #[inline]
+    fn driven(&mut self, state: &State, [moment, inertia]: [f64; 2]) -> Result<Reduced, MotionError> {
+        let mut reduced = self.ideal(state)?;
+        if let Some(friction) = &mut self.friction {
+            let Self { linkage, loads, position, phase, .. } = self;
+            let place = Place { linkage, loads, phase, position };
+            let own = friction.moment(&place, &load_state(state), &reduced, [moment, inertia])?;
+            reduced.moment += own;
         }
+        reduced.inertia += inertia;
+        reduced.moment += moment;
         Ok(reduced)
     }
 }

@@ -28,10 +28,13 @@ pub(super) const REACTIONS: Family = Family {
     fill: |rows, cells| {
         let Some((joints, reactions, determined)) = rows.reactions else { return };
         for joint in joints.wanted(reactions, rows.position) {
-            joint.forces.iter().flatten().for_each(|force| cells.put(*force, determined));
+            for force in joint.forces.iter().flatten() {
+                cells.put(*force, rows.known(*force, determined));
+            }
             if let Some((moment, offset, has)) = joint.slide {
-                cells.put(moment, determined);
-                cells.put(offset, std::array::from_fn(|lane| determined[lane] && has[lane]));
+                let known = rows.known(moment, determined);
+                cells.put(moment, known);
+                cells.put(offset, std::array::from_fn(|lane| known[lane] && has[lane]));
             }
         }
     },
@@ -43,7 +46,10 @@ pub(super) const BALANCING: Family = Family {
         let section = schema.section();
         schema.add(section, [Column::BALANCING]);
     },
-    fill: |rows, cells| put(cells, rows.balancing),
+    fill: |rows, cells| {
+        let values = Lanes(rows.balancing.map(Option::unwrap_or_default));
+        cells.put(values, rows.known(values, rows.balancing.map(|value| value.is_some())));
+    },
 };
 
 /// The load that holds the motion at rest or at its speed, and its greatest possible size.

@@ -23,14 +23,16 @@ fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Rub)>)> {
 }
 
 fn applies(calculation: &Calculation) -> bool {
-    calculation.positions_have_forces()
-        && calculation.has_forces()
-        && !calculation.linkage.mechanism.frictions.is_empty()
+    calculation.positions_have_forces() && rubs(calculation)
+}
+
+fn rubs(calculation: &Calculation) -> bool {
+    calculation.has_forces() && !calculation.linkage.mechanism.frictions.is_empty()
 }
 
 /// Moments and forces of friction, and their powers.
 pub(super) const FRICTION: Family = Family {
-    applies,
+    applies: rubs,
     columns: |calculation, schema| {
         let section = schema.section();
         for (pair, rubs) in wanted(calculation) {
@@ -54,10 +56,10 @@ pub(super) const FRICTION: Family = Family {
         for (_, rubs) in wanted(rows.calculation) {
             let mut power = Lanes::ZERO;
             for (index, rub) in rubs {
-                cells.put(rubbing.forces[index], determined);
+                cells.put(rubbing.forces[index], rows.known(rubbing.forces[index], determined));
                 power += power_of(rows, rubbing, index, rub);
             }
-            cells.put(power, determined);
+            cells.put(power, rows.known(power, determined));
         }
     },
 };
@@ -66,12 +68,13 @@ pub(super) const FRICTION: Family = Family {
 fn power_of(rows: &Rows<'_>, rubbing: &Rubbing<Lanes>, index: usize, rub: &Rub) -> Lanes {
     let power = rubbing.forces[index] * rub.relative(&rows.position.bodies) * speed(rows);
     // Where the relative speed is zero but for rounding its sign is not that of the friction.
-    Lanes::of(|lane| power.0[lane].min(0.0))
+    Lanes::of(|lane| if power.0[lane] > 0.0 { 0.0 } else { power.0[lane] })
 }
 
 /// Speed by which powers are counted.
 fn speed(rows: &Rows<'_>) -> Lanes {
-    let moves = rows.calculation.positions_move();
+    // The rows with friction of a transient motion are its samples.
+    let moves = rows.calculation.positions_move() || !rows.calculation.positions_have_forces();
     let loads = rows.calculation.loads.as_ref();
     Lanes::of(|lane| loads.map_or(0.0, |loads| loads.speed_of_friction(&rows.instants[lane].state, moves)))
 }

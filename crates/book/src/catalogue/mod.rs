@@ -67,6 +67,9 @@ fn of(column: Column) -> Row {
         (Q::ResistingWork, _) => {
             without_sense(row("quantity-work-resisting", "", M::Energy, "work_resisting", "work_resisting"))
         }
+        (Q::FrictionWork, _) => {
+            without_sense(row("quantity-work-friction", "", M::Energy, "work_friction", "work_friction"))
+        }
         (Q::KineticEnergy, Link(_)) => without_sense(row(
             "quantity-kinetic-energy",
             "T",

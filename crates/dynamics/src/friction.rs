@@ -1,0 +1,202 @@
+//! Dry friction of the pairs in an equation of motion: it depends on the acceleration through the inertia loads, and the
+//! acceleration on it, so that both are found together at every evaluation.
+
+use std::sync::Arc;
+
+use assur_force::{
+    Accelerations, ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, Rub, State,
+};
+use assur_group::{Body, Wrench};
+use assur_integrator::{MotionError, Reduced};
+use assur_kinematics::{Linkage, Position};
+use assur_words::{number, text};
+
+use crate::Regime;
+
+/// Accelerations whose difference is below this part of them are one.
+const SAME: f64 = 1e-9;
+
+/// The friction of a mechanism, with its memory.
+#[derive(Debug, Clone)]
+pub(crate) struct Friction {
+    method: &'static dyn ForceAnalyzer,
+    out: Reactions,
+    wrenches: Vec<Wrench<f64>>,
+    inertia: Vec<Wrench<f64>>,
+    /// The motion is known, and friction is that of its accelerations.
+    course: Option<Course>,
+    /// What was found last.
+    found: Found,
+}
+
+/// A motion over the coordinate.
+#[derive(Debug, Clone)]
+pub(crate) enum Course {
+    /// At a constant speed.
+    Uniform(f64),
+    /// A periodic regime.
+    Regime(Arc<Regime>),
+}
+
+/// Friction at a state.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Found {
+    /// Its moment reduced to the input, N m (N).
+    pub(crate) moment: f64,
+    /// At rest no acceleration is possible in this direction, whatever its sign.
+    pub(crate) jams: bool,
+}
+
+/// Where the friction is looked for, and by which formulas of the loads.
+pub(crate) struct Place<'a> {
+    pub(crate) linkage: &'a Linkage,
+    pub(crate) loads: &'a Loads,
+    pub(crate) phase: &'a Phase,
+    pub(crate) position: &'a Position,
+}
+
+impl Course {
+    /// Speed and acceleration at a coordinate.
+    pub(crate) fn at(&self, coordinate: f64) -> [f64; 2] {
+        match self {
+            Self::Uniform(speed) => [*speed, 0.0],
+            Self::Regime(regime) => {
+                let at = regime.state(coordinate);
+                [at.speed, at.acceleration]
+            }
+        }
+    }
+}
+
+impl Friction {
+    /// The friction of the pairs; `None` where all are ideal, or no method treats it.
+    pub(crate) fn of(linkage: &Linkage, loads: &Loads) -> Option<Self> {
+        loads.frictions()?;
+        let method = assur_force::choose(None, true).ok()?.instance;
+        let out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
+        let none = vec![Wrench::ZERO; linkage.structure.links];
+        let found = Found::default();
+        Some(Self { method, out, wrenches: none.clone(), inertia: none, course: None, found })
+    }
+
+    /// What was found last.
+    pub(crate) fn found(&self) -> Found {
+        self.found
+    }
+
+    /// Takes the accelerations of a known motion from now on.
+    pub(crate) fn assume(&mut self, course: Course) {
+        self.course = Some(course);
+    }
+
+    /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.
+    pub(crate) fn enter(&mut self, loads: &Loads, state: &State, piece: &mut Piece) {
+        if let Some(rubbing) = &mut self.out.rubbing {
+            loads.enter_friction(state, &mut rubbing.senses, piece);
+        }
+    }
+
+    /// The reduced moment of friction at a state of a motion with this drive; `ideal`: the coefficients without friction.
+    pub(crate) fn moment(
+        &mut self,
+        place: &Place<'_>,
+        state: &State,
+        ideal: &Reduced,
+        drive: [f64; 2],
+    ) -> Result<f64, MotionError> {
+        self.found = match &self.course {
+            Some(course) => {
+                let [speed, acceleration] = course.at(state.coordinate);
+                let moment = self.in_known_motion(place, &State { speed, acceleration, ..*state })?;
+                Found { moment, jams: false }
+            }
+            None => {
+                let (phase, bodies) = (place.phase, &place.position.bodies);
+                place.loads.evaluate_in_phase(phase, state, bodies, &mut self.wrenches);
+                let all = self.accelerations(place, drive)?;
+                self.chosen(all, place, state, ideal, drive)?
+            }
+        };
+        Ok(self.found.moment)
+    }
+
+    fn in_known_motion(&mut self, place: &Place<'_>, state: &State) -> Result<f64, MotionError> {
+        let Place { linkage, loads, phase, position } = place;
+        loads.evaluate_in_phase(phase, state, &position.bodies, &mut self.wrenches);
+        let solved = self.method.solve(linkage, position, &mut self.wrenches, &mut self.out);
+        solved.map_err(|error| MotionError::mechanism(&error))?;
+        let rubbing = self.out.rubbing.as_ref();
+        Ok(rubbing.map_or(0.0, |found| power(&found.frictions.rubs, &found.forces, &position.bodies)))
+    }
+
+    /// The accelerations that are possible under the loads evaluated last.
+    fn accelerations(
+        &mut self,
+        place: &Place<'_>,
+        [drive, drive_inertia]: [f64; 2],
+    ) -> Result<Vec<FrictionSolution>, MotionError> {
+        self.inertia.fill(Wrench::ZERO);
+        let unit =
+            State { coordinate: place.position.coordinate, acceleration: 1.0, ..State::default() };
+        place.loads.inertia(&unit, &place.position.bodies, &mut self.inertia);
+        let motion = FreeMotion { loads: &self.wrenches, inertia: &self.inertia, drive, drive_inertia };
+        let found = self.method.accelerations(place.linkage, place.position, &motion, &self.out);
+        let found = found.map_err(|error| MotionError::mechanism(&error))?;
+        Ok(found.unwrap_or_else(Accelerations::default).solutions)
+    }
+
+    /// The acceleration that a motion takes: the only one; at rest, the only one that leads in the direction of the phase.
+    fn chosen(
+        &self,
+        mut all: Vec<FrictionSolution>,
+        place: &Place<'_>,
+        state: &State,
+        ideal: &Reduced,
+        [drive, drive_inertia]: [f64; 2],
+    ) -> Result<Found, MotionError> {
+        let (sense, rests) = (place.phase.sense(), state.speed == 0.0);
+        if rests && all.iter().any(|one| one.balancing * sense > 0.0) {
+            all.retain(|one| one.balancing * sense > 0.0);
+        } else if rests {
+            let Some(fastest) = all.into_iter().max_by(|a, b| (a.balancing * sense).total_cmp(&(b.balancing * sense)))
+            else {
+                // Nothing moves: friction holds what acts.
+                return Ok(Found { moment: -(ideal.moment + drive), jams: true });
+            };
+            all = vec![fastest];
+        }
+        let size = (ideal.moment + drive).abs() / (ideal.inertia + drive_inertia);
+        all.sort_by(|a, b| a.balancing.total_cmp(&b.balancing));
+        all.dedup_by(|a, b| (a.balancing - b.balancing).abs() <= SAME * size.max(a.balancing.abs()));
+        let shown = |one: &FrictionSolution| number(format_args!("{:.6e}", one.balancing));
+        match &all[..] {
+            [only] => {
+                let rubs = place.loads.frictions().map_or(&[][..], |frictions| &frictions.rubs[..]);
+                Ok(Found { moment: power(rubs, &only.forces, &place.position.bodies), jams: false })
+            }
+            [] => Err(MotionError::Mechanism(text!("dynamics-friction-none"))),
+            [first, .., last] => Err(MotionError::Mechanism(text!(
+                "dynamics-friction-several",
+                count = all.len(),
+                least = shown(first),
+                most = shown(last)
+            ))),
+        }
+    }
+
+    /// The acceleration at a state whose loads are those that the state itself selects.
+    pub(crate) fn acceleration_at(
+        &mut self,
+        place: &Place<'_>,
+        state: &State,
+        drive: [f64; 2],
+    ) -> Result<Option<f64>, MotionError> {
+        place.loads.evaluate(state, &place.position.bodies, &mut self.wrenches);
+        Ok(self.accelerations(place, drive)?.first().map(|one| one.balancing))
+    }
+}
+
+/// Virtual power of the friction of all rubs for dq = 1.
+fn power(rubs: &[Rub], forces: &[f64], bodies: &[Body<f64>]) -> f64 {
+    rubs.iter().zip(forces).map(|(rub, force)| force * rub.relative(bodies)).sum()
+}
