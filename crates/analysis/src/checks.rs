@@ -80,6 +80,11 @@ impl Calculation {
         rests && !self.linkage.mechanism.frictions.is_empty()
     }
 
+    /// Whether there may be samples of a motion at [rest](Self::rests_by_friction) by dry friction.
+    pub(crate) fn rests_leave_unknown(&self) -> bool {
+        matches!(self.motion, InputMotion::Transient(_)) && !self.linkage.mechanism.frictions.is_empty()
+    }
+
     /// The load on the input by the motion that was found; `None` where it is prescribed.
     fn input_load(&self) -> Option<LoadAtState<'_>> {
         let loads = self.loads.as_ref()?;

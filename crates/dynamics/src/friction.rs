@@ -84,9 +84,14 @@ impl Friction {
         self.found
     }
 
-    /// Takes the accelerations of a known motion from now on.
-    pub(crate) fn assume(&mut self, course: Course) {
-        self.course = Some(course);
+    /// Takes the accelerations of a known motion from now on; without one those that it leaves possible.
+    pub(crate) fn assume(&mut self, course: Option<Course>) {
+        self.course = course;
+    }
+
+    /// Whether the acceleration is found with it.
+    pub(crate) fn is_free(&self) -> bool {
+        self.course.is_none()
     }
 
     /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.

@@ -1,6 +1,7 @@
 //! The mechanism with its loads, without its drive, as an equation of motion.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use assur_force::{Loads, Phase};
 use assur_group::{Body, Order};
@@ -8,6 +9,7 @@ use assur_integrator::{Dependence, Motion, MotionError, Partials, Piece, Reduced
 use assur_kinematics::{Linkage, Position};
 use assur_words::text;
 
+use crate::Regime;
 use crate::friction::{Course, Found, Friction, Place};
 
 /// The equation of motion of a compiled mechanism under its loads. Without dry friction in pairs evaluating it allocates nothing.
@@ -24,10 +26,8 @@ pub struct Machine<'a> {
 impl<'a> Machine<'a> {
     /// Takes a compiled mechanism and its compiled loads.
     pub fn new(linkage: &'a Linkage, loads: &'a Loads) -> Self {
-        let mut dependence = loads.dependence();
+        let dependence = loads.dependence();
         let friction = Friction::of(linkage, loads);
-        dependence.moment_on_coordinate |= friction.is_some();
-        dependence.moment_on_speed |= friction.is_some();
         Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence, friction }
     }
 
@@ -35,9 +35,21 @@ impl<'a> Machine<'a> {
     /// goes.
     pub(crate) fn assume(&mut self, course: Course) {
         if let Some(friction) = &mut self.friction {
-            friction.assume(course);
-            self.dependence = self.loads.dependence();
-            self.dependence.moment_on_coordinate = true;
+            friction.assume(Some(course));
+        }
+    }
+
+    /// The machine in a regime that was found, whose dry friction it takes.
+    #[must_use]
+    pub fn in_regime(mut self, regime: &Regime) -> Self {
+        self.assume(Course::Regime(Arc::new(regime.clone())));
+        self
+    }
+
+    /// Finds friction with the acceleration again.
+    pub(crate) fn forget_course(&mut self) {
+        if let Some(friction) = &mut self.friction {
+            friction.assume(None);
         }
     }
 
@@ -144,7 +156,14 @@ pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_fo
 
 impl Motion for Machine<'_> {
     fn dependence(&self) -> Dependence {
-        self.dependence
+        let Some(friction) = &self.friction else { return self.dependence };
+        let by_motion = friction.is_free();
+        Dependence {
+            moment_on_coordinate: true,
+            moment_on_speed: self.dependence.moment_on_speed || by_motion,
+            moment_on_acceleration: by_motion,
+            ..self.dependence
+        }
     }
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {

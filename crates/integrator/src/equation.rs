@@ -33,6 +33,11 @@ impl<'a> Equation<'a> {
         self.motion.dependence().moment_on_time
     }
 
+    /// The moment depends on the acceleration: dry friction through inertia loads.
+    pub fn depends_on_acceleration(&self) -> bool {
+        self.motion.dependence().moment_on_acceleration
+    }
+
     /// Enters the piece just after `state`, see [`Motion::enter`].
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use assur_words::{Describe, Text, list, name, number, text};
 /// A dependence on the *sign* of the speed alone (dry friction, loads against the motion) does not count as a
 /// dependence on the speed: inside a [`Piece`] bounded by w = 0 it is none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "four independent questions that D asks of the equation")]
+#[expect(clippy::struct_excessive_bools, reason = "five independent questions that D asks of the equation")]
 pub struct Dependence {
     /// J does not depend on the coordinate.
     pub inertia_constant: bool,
@@ -17,6 +17,8 @@ pub struct Dependence {
     pub moment_on_speed: bool,
     /// Q depends on time.
     pub moment_on_time: bool,
+    /// Q depends on the acceleration, through the inertia loads on which dry friction depends; with it on coordinate and speed.
+    pub moment_on_acceleration: bool,
 }
 
 impl Dependence {
@@ -44,8 +46,12 @@ impl Dependence {
 /// As `J(q), M(q, w)`.
 impl Describe for Dependence {
     fn describe(&self) -> Text {
-        let variables =
-            [(self.moment_on_coordinate, "q"), (self.moment_on_speed, "w"), (self.moment_on_time, "t")];
+        let variables = [
+            (self.moment_on_coordinate, "q"),
+            (self.moment_on_speed, "w"),
+            (self.moment_on_time, "t"),
+            (self.moment_on_acceleration, "e"),
+        ];
         let variables: Vec<&str> =
             variables.iter().filter_map(|(depends, name)| depends.then_some(*name)).collect();
         let inertia = if self.inertia_constant { text!("integrator-inertia-constant") } else { name("J(q)") };

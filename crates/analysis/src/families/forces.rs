@@ -13,8 +13,12 @@ pub(super) const REACTIONS: Family = Family {
         calculation.has_forces() && calculation.analyzer.is_some_and(|method| method.gives_reactions)
     },
     columns: |calculation, schema| {
-        let section = schema.section();
-        for &pair in &calculation.plan.wanted.reactions {
+        let mut section = schema.section();
+        for (index, &pair) in calculation.plan.wanted.reactions.iter().enumerate() {
+            // At rest some depend on dry friction, which is not determined there, and others don't.
+            if index > 0 && calculation.rests_leave_unknown() {
+                section = schema.section();
+            }
             for link in ends(&calculation.linkage, pair) {
                 schema.add(section, Column::vector(Quantity::Force, Owner::PairOn(pair, link)));
             }

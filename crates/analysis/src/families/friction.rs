@@ -34,8 +34,12 @@ fn rubs(calculation: &Calculation) -> bool {
 pub(super) const FRICTION: Family = Family {
     applies: rubs,
     columns: |calculation, schema| {
-        let section = schema.section();
-        for (pair, rubs) in wanted(calculation) {
+        let mut section = schema.section();
+        for (index, (pair, rubs)) in wanted(calculation).into_iter().enumerate() {
+            let apart = calculation.rests_leave_unknown();
+            if index > 0 && apart {
+                section = schema.section();
+            }
             let several = rubs.len() > 1;
             for (_, rub) in rubs {
                 let column = match pair {
@@ -47,7 +51,9 @@ pub(super) const FRICTION: Family = Family {
                 };
                 schema.add(section, [column]);
             }
-            schema.add(section, [Column::of(Quantity::FrictionPower, Owner::Pair(pair))]);
+            // At rest friction has no power, whatever it is.
+            let of_power = if apart { schema.section() } else { section };
+            schema.add(of_power, [Column::of(Quantity::FrictionPower, Owner::Pair(pair))]);
         }
     },
     fill: |rows, cells| {
@@ -59,7 +65,9 @@ pub(super) const FRICTION: Family = Family {
                 cells.put(rubbing.forces[index], rows.known(rubbing.forces[index], determined));
                 power += power_of(rows, rubbing, index, rub);
             }
-            cells.put(power, rows.known(power, determined));
+            let rests = |lane: usize| rows.rests(lane) && power.0[lane].is_nan();
+            let power = Lanes::of(|lane| if rests(lane) { 0.0 } else { power.0[lane] });
+            cells.put(power, determined);
         }
     },
 };

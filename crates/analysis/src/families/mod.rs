@@ -77,9 +77,13 @@ impl Rows<'_> {
     /// reach the number.
     fn known(&self, value: Lanes, determined: Mask) -> Mask {
         std::array::from_fn(|lane| {
-            let rests = self.calculation.rests_by_friction(&self.instants[lane].state);
-            determined[lane] && (value.0[lane].is_finite() || !rests)
+            determined[lane] && (value.0[lane].is_finite() || !self.rests(lane))
         })
+    }
+
+    /// Whether dry friction holds a motion at rest.
+    fn rests(&self, lane: usize) -> bool {
+        self.calculation.rests_by_friction(&self.instants[lane].state)
     }
 
     /// A number of the state of each lane.
