@@ -208,7 +208,9 @@ impl<'a> Checked<'a> {
     /// A state by its number; `None` for a sample of a transient motion in which forces are not determined.
     fn state(&self, number: usize) -> Option<State> {
         if let Some(all) = &self.trajectory {
-            let known = |state: &State| self.calculation.is_regular(state) && !self.calculation.rests_by_friction(state);
+            let known = |state: &State| {
+                self.calculation.is_regular(state) && !self.calculation.rests_by_friction(state)
+            };
             return all.get(number).copied().filter(known);
         }
         let input = &self.calculation.linkage.mechanism.input;

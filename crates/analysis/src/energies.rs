@@ -7,8 +7,8 @@ use assur_dynamics::{Driven, Instant, Machine, Steady, Transient, equation, requ
 use assur_force::{Kinetostatics, Loads, Side, State, tolerance};
 use assur_group::plane::dot;
 use assur_group::{Body, Order};
-use assur_kinematics::Position;
 use assur_integrator::{Motion as _, Request, Sample, State as Place, Trajectory, Until, solve};
+use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId, Mechanism};
 
 use crate::acting::{Acting, Works, change, over_time, simpson};
@@ -17,8 +17,9 @@ use crate::plan::is_heavy;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
 use crate::{Calculation, InputMotion};
 
-/// Fewest intervals of the quadrature over a transient motion.
-const FEWEST: usize = 500;
+/// Fewest intervals of the quadrature over a transient motion, without and with dry friction, which jumps where a pair turns and
+/// bends where another face is pressed.
+const FEWEST: [usize; 2] = [500, 20_000];
 /// Intervals of the quadrature over each smooth part of an interval of a cycle.
 const IN_INTERVAL: u32 = 4;
 
@@ -94,8 +95,9 @@ impl Calculation {
     /// Works need the moments between the samples.
     fn transient_course(&self, loads: &Loads, found: &Transient) -> Option<Course> {
         let samples = found.instants.len() - 1;
-        let parts = 4 * FEWEST.div_ceil(4 * samples);
         let mechanism = &self.linkage.mechanism;
+        let fewest = FEWEST[usize::from(!mechanism.frictions.is_empty())];
+        let parts = 4 * fewest.div_ceil(4 * samples);
         let (mut motion, trajectory) = self.solved_again(loads, found, samples * parts)?;
         let mut at = |sample: &Sample, is_before: bool| {
             let Instant { state, friction, .. } = motion.instant(sample, is_before).ok()?;
@@ -163,7 +165,8 @@ impl Calculation {
     ) -> Option<[f64; 2]> {
         let torque = found.regime.state(state.coordinate).drive;
         let Some(rubs) = rubs else { return Some([torque, 0.0]) };
-        let behind = state.coordinate - state.speed.signum() * 2.0 * tolerance(state.coordinate, self.period());
+        let behind =
+            state.coordinate - state.speed.signum() * 2.0 * tolerance(state.coordinate, self.period());
         let acceleration = match state.side {
             Side::Before => self.state(behind).acceleration,
             _ => state.acceleration,

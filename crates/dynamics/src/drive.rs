@@ -178,6 +178,14 @@ impl<M: Motion> Motion for Driven<M> {
         Ok(piece)
     }
 
+    fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        if !self.machine.dependence().moment_on_acceleration {
+            return Ok(Vec::new());
+        }
+        self.reduced(state)?;
+        self.machine.bends(state)
+    }
+
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
         let drive = self.present(state);

@@ -27,6 +27,8 @@ pub(crate) struct Friction {
     course: Option<Course>,
     /// What was found last.
     found: Found,
+    /// The forces that pressed the faces of slides then.
+    pressing: Vec<f64>,
 }
 
 /// A motion over the coordinate.
@@ -76,12 +78,25 @@ impl Friction {
         let out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
         let none = vec![Wrench::ZERO; linkage.structure.links];
         let found = Found::default();
-        Some(Self { method, out, wrenches: none.clone(), inertia: none, course: None, found })
+        Some(Self {
+            method,
+            out,
+            wrenches: none.clone(),
+            inertia: none,
+            course: None,
+            found,
+            pressing: Vec::new(),
+        })
     }
 
     /// What was found last.
     pub(crate) fn found(&self) -> Found {
         self.found
+    }
+
+    /// The forces whose moduli gave the friction of slides that was found last.
+    pub(crate) fn pressing(&self) -> &[f64] {
+        &self.pressing
     }
 
     /// Takes the accelerations of a known motion from now on; without one those that it leaves possible.
@@ -141,8 +156,7 @@ impl Friction {
         [drive, drive_inertia]: [f64; 2],
     ) -> Result<Vec<FrictionSolution>, MotionError> {
         self.inertia.fill(Wrench::ZERO);
-        let unit =
-            State { coordinate: place.position.coordinate, acceleration: 1.0, ..State::default() };
+        let unit = State { coordinate: place.position.coordinate, acceleration: 1.0, ..State::default() };
         place.loads.inertia(&unit, &place.position.bodies, &mut self.inertia);
         let motion = FreeMotion { loads: &self.wrenches, inertia: &self.inertia, drive, drive_inertia };
         let found = self.method.accelerations(place.linkage, place.position, &motion, &self.out);
@@ -152,7 +166,7 @@ impl Friction {
 
     /// The acceleration that a motion takes: the only one; at rest, the only one that leads in the direction of the phase.
     fn chosen(
-        &self,
+        &mut self,
         mut all: Vec<FrictionSolution>,
         place: &Place<'_>,
         state: &State,
@@ -163,7 +177,8 @@ impl Friction {
         if rests && all.iter().any(|one| one.balancing * sense > 0.0) {
             all.retain(|one| one.balancing * sense > 0.0);
         } else if rests {
-            let Some(fastest) = all.into_iter().max_by(|a, b| (a.balancing * sense).total_cmp(&(b.balancing * sense)))
+            let Some(fastest) =
+                all.into_iter().max_by(|a, b| (a.balancing * sense).total_cmp(&(b.balancing * sense)))
             else {
                 // Nothing moves: friction holds what acts.
                 return Ok(Found { moment: -(ideal.moment + drive), jams: true });
@@ -176,11 +191,14 @@ impl Friction {
         let shown = |one: &FrictionSolution| number(format_args!("{:.6e}", one.balancing));
         match &all[..] {
             [only] => {
+                if let Some(rubbing) = &self.out.rubbing {
+                    self.pressing = rubbing.pressing(&place.position.bodies, &only.pairs);
+                }
                 let rubs = place.loads.frictions().map_or(&[][..], |frictions| &frictions.rubs[..]);
                 Ok(Found { moment: power(rubs, &only.forces, &place.position.bodies), jams: false })
             }
-            [] => Err(MotionError::Mechanism(text!("dynamics-friction-none"))),
-            [first, .., last] => Err(MotionError::Mechanism(text!(
+            [] => Err(MotionError::Undetermined(text!("dynamics-friction-none"))),
+            [first, .., last] => Err(MotionError::Undetermined(text!(
                 "dynamics-friction-several",
                 count = all.len(),
                 least = shown(first),

@@ -139,7 +139,11 @@ impl<'a> Machine<'a> {
             return Ok(());
         }
         // The second derivatives are for dJ/dq alone, and for the inertia loads on which friction depends.
-        let order = if self.dependence.inertia_constant && self.friction.is_none() { Order::First } else { Order::Second };
+        let order = if self.dependence.inertia_constant && self.friction.is_none() {
+            Order::First
+        } else {
+            Order::Second
+        };
         let solved = self.linkage.solve(coordinate, order, &mut self.position);
         solved.map_err(|error| {
             self.position.coordinate = f64::NAN;
@@ -173,6 +177,11 @@ impl Motion for Machine<'_> {
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
         self.driven(state, [0.0; 2])
+    }
+
+    /// Of the friction that was found last: at this state, under its drive.
+    fn bends(&mut self, _: &State) -> Result<Vec<f64>, MotionError> {
+        Ok(self.friction.as_ref().map_or_else(Vec::new, |friction| friction.pressing().to_vec()))
     }
 
     #[inline]
@@ -214,6 +223,10 @@ impl Motion for Watched<'_, '_> {
             return Err(MotionError::Mechanism(text!("dynamics-stopped")));
         }
         self.motion.reduced(state)
+    }
+
+    fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        self.motion.bends(state)
     }
 
     fn partials(&mut self, state: &State) -> Result<Option<Partials>, MotionError> {

@@ -47,7 +47,9 @@ pub use breaks::tolerance;
 pub use choice::Phase;
 pub use construction::{Construction, Drawing, Step, VectorKind};
 pub use error::{LoadError, LoadFault};
-pub use friction::{Accelerations, Block, FreeMotion, Doubt, FrictionSolution, Frictions, Rub, Rubbing, Unknown, UnknownKind};
+pub use friction::{
+    Accelerations, Block, Doubt, FreeMotion, FrictionSolution, Frictions, Rub, Rubbing, Unknown, UnknownKind,
+};
 pub use group_by_group::{Unsolved, group_by_group, input_link};
 pub use joints::{Joint, JointReaction, joints};
 pub use kinetostatics::{Kinetostatics, LaneKinetostatics};

@@ -72,6 +72,16 @@ impl<'a> Equation<'a> {
         Ok((reduced.inertia, reduced.moment))
     }
 
+    /// The [`Motion::bends`] at a state; counts as one evaluation.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] of the equation.
+    pub(crate) fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        self.evaluations += 1;
+        self.motion.bends(state)
+    }
+
     /// Partial derivatives of the acceleration: from the equation, else by forward differences from
     /// `acceleration`, its value at `state`.
     ///

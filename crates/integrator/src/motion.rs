@@ -214,6 +214,17 @@ pub trait Motion {
         self.reduced(state)?.acceleration(state.speed)
     }
 
+    /// Numbers whose change of sign bends the equation inside a piece, so that a step should end there: of an equation whose
+    /// moment depends on the acceleration, the forces whose modulus gives friction. None by default.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`reduced`](Self::reduced).
+    fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        let _ = state;
+        Ok(Vec::new())
+    }
+
     /// Partial derivatives of the acceleration, where the equation knows them; with `None` (the default) an implicit
     /// method uses finite differences.
     ///
@@ -243,6 +254,8 @@ pub enum MotionError {
     OutOfRange,
     /// The mechanism behind the equation failed: no assembly, singular position.
     Mechanism(Text),
+    /// Dry friction leaves no acceleration possible, or several.
+    Undetermined(Text),
 }
 
 assur_words::errors!(MotionError);
@@ -259,7 +272,7 @@ impl Describe for MotionError {
                 moment = scientific(*moment)
             ),
             Self::OutOfRange => text!("integrator-coordinate-out-of-range"),
-            Self::Mechanism(error) => error.clone(),
+            Self::Mechanism(error) | Self::Undetermined(error) => error.clone(),
         }
     }
 }

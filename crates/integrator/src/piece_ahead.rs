@@ -32,7 +32,7 @@ pub fn enter(
         if let Some((_, downward)) = leading(equation, state, -1.0)? {
             let shown = |value: f64| number(format_args!("{value:.6e}"));
             let both = text!("integrator-both-directions", up = shown(upward.1), down = shown(downward));
-            return Err(IntegrationError::equation(state, MotionError::Mechanism(both)));
+            return Err(IntegrationError::equation(state, MotionError::Undetermined(both)));
         }
         return leading(equation, state, 1.0);
     }

@@ -452,6 +452,7 @@ event-reversal = reversal
 event-rest = rest
 event-held = speed held
 event-release = release
+event-face = other face
 
 # What is calculated, and how.
 explain-stages = Stages

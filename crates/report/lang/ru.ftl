@@ -456,6 +456,7 @@ event-reversal = реверс
 event-rest = остановка
 event-held = скорость удерживается
 event-release = освобождение
+event-face = другая грань
 
 # Что рассчитывается и как.
 explain-stages = Этапы

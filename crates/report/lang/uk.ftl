@@ -456,6 +456,7 @@ event-reversal = реверс
 event-rest = зупинка
 event-held = швидкість утримується
 event-release = звільнення
+event-face = інша грань
 
 # Що розраховується і як.
 explain-stages = Етапи

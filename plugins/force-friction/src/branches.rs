@@ -62,7 +62,11 @@ impl Chain<'_> {
 
     /// Adds the solutions of a block that follow from a solution of those after it.
     fn go_on(&self, block: &Block, branch: Branch, scale: f64, found: &mut Found) -> Result<(), ForceError> {
-        if block.unknowns.iter().any(|&unknown| self.factor(&self.frictions.unknowns[unknown], scale).is_nan()) {
+        if block
+            .unknowns
+            .iter()
+            .any(|&unknown| self.factor(&self.frictions.unknowns[unknown], scale).is_nan())
+        {
             found.branches.push(self.undetermined(block, branch));
             return Ok(());
         }
@@ -102,7 +106,9 @@ impl Chain<'_> {
         if block.stages.contains(&0) {
             (branch.pairs[0], branch.balancing) = (unknown, f64::NAN);
         }
-        for rub in block.unknowns.iter().map(|&index| &self.frictions.rubs[self.frictions.unknowns[index].rub]) {
+        for rub in
+            block.unknowns.iter().map(|&index| &self.frictions.rubs[self.frictions.unknowns[index].rub])
+        {
             [rub.link, rub.on].into_iter().for_each(|link| branch.loads[link] = unknown);
         }
         branch.moduli.extend(block.unknowns.iter().map(|_| f64::NAN));

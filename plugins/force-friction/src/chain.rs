@@ -1,7 +1,8 @@
 //! The linear part: what the groups of a block answer to loads and to the friction of one modulus after the other.
 
 use assur_force::{
-    Block, ForceError, FreeMotion, Frictions, Reactions, UnitBalance, Unknown, UnknownKind, Unsolved, input_link,
+    Block, ForceError, FreeMotion, Frictions, Reactions, UnitBalance, Unknown, UnknownKind, Unsolved,
+    input_link,
 };
 use assur_friction::{Moduli, Width};
 use assur_group::Wrench;

@@ -76,9 +76,7 @@ impl Rows<'_> {
     /// In which lanes a number that depends on dry friction is known: not where that holds a motion at rest, unless it does not
     /// reach the number.
     fn known(&self, value: Lanes, determined: Mask) -> Mask {
-        std::array::from_fn(|lane| {
-            determined[lane] && (value.0[lane].is_finite() || !self.rests(lane))
-        })
+        std::array::from_fn(|lane| determined[lane] && (value.0[lane].is_finite() || !self.rests(lane)))
     }
 
     /// Whether dry friction holds a motion at rest.

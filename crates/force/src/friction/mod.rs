@@ -8,8 +8,9 @@ mod unknown;
 
 use std::sync::Arc;
 
-use assur_group::Wrench;
+use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
+use assur_mechanism::Rubbing as Rubbed;
 use assur_number::Real;
 
 pub use coupling::Block;
@@ -96,6 +97,28 @@ impl<T: Real> Rubbing<T> {
             doubts: Vec::new(),
             frictions,
         }
+    }
+}
+
+impl Rubbing {
+    /// The forces that press the faces of slides, whose moduli give their friction, from reactions with friction.
+    pub fn pressing(&self, bodies: &[Body<f64>], pairs: &[Wrench<f64>]) -> Vec<f64> {
+        let Frictions { rubs, unknowns, .. } = self.frictions.as_ref();
+        let of = |unknown: &Unknown| unknown.vector(&rubs[unknown.rub], bodies, pairs)[0];
+        let each = unknowns.iter().enumerate().filter_map(|(index, unknown)| match unknown.kind {
+            UnknownKind::Normal => Some(of(unknown)),
+            UnknownKind::End(sign) => {
+                // The reaction has the moment of the friction of both faces, which presses neither end.
+                let other = if sign > 0.0 { index + 1 } else { index - 1 };
+                let normal = of(unknown) + of(&unknowns[other]);
+                let rub = &rubs[unknown.rub];
+                let Rubbed::Faces { length, offset, .. } = rub.rubbing else { return None };
+                let own = -self.senses[unknown.rub] * rub.coefficient * offset * normal;
+                Some(of(unknown) - sign * own / length)
+            }
+            UnknownKind::Force | UnknownKind::Shift => None,
+        });
+        each.collect()
     }
 }
 

@@ -170,6 +170,7 @@ fn words_of(kind: EventKind) -> Text {
         EventKind::Rest => text!("event-rest"),
         EventKind::Held => text!("event-held"),
         EventKind::Release => text!("event-release"),
+        EventKind::Face => text!("event-face"),
         other => name(other.to_string()),
     }
 }
