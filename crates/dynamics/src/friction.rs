@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use assur_force::{
-    Accelerations, ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, Rub, State,
+    ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, Rub, State, tolerance,
 };
 use assur_group::{Body, Wrench};
 use assur_integrator::{MotionError, Reduced};
@@ -19,12 +19,15 @@ const SAME: f64 = 1e-9;
 /// The friction of a mechanism, with its memory.
 #[derive(Debug, Clone)]
 pub(crate) struct Friction {
-    method: &'static dyn ForceAnalyzer,
+    /// `None`: no linked method treats friction.
+    method: Option<&'static dyn ForceAnalyzer>,
     out: Reactions,
     wrenches: Vec<Wrench<f64>>,
     inertia: Vec<Wrench<f64>>,
     /// The motion is known, and friction is that of its accelerations.
     course: Option<Course>,
+    /// Where the friction of that motion bends, ascending, and the cycle of these places.
+    bends: (Vec<f64>, f64),
     /// What was found last.
     found: Found,
     /// The forces that pressed the faces of slides then.
@@ -71,10 +74,10 @@ impl Course {
 }
 
 impl Friction {
-    /// The friction of the pairs; `None` where all are ideal, or no method treats it.
+    /// The friction of the pairs; `None` where all are ideal.
     pub(crate) fn of(linkage: &Linkage, loads: &Loads) -> Option<Self> {
         loads.frictions()?;
-        let method = assur_force::choose(None, true).ok()?.instance;
+        let method = assur_force::choose(None, true).ok().map(|plugin| plugin.instance);
         let out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
         let none = vec![Wrench::ZERO; linkage.structure.links];
         let found = Found::default();
@@ -86,6 +89,7 @@ impl Friction {
             course: None,
             found,
             pressing: Vec::new(),
+            bends: (Vec::new(), 0.0),
         })
     }
 
@@ -102,6 +106,7 @@ impl Friction {
     /// Takes the accelerations of a known motion from now on; without one those that it leaves possible.
     pub(crate) fn assume(&mut self, course: Option<Course>) {
         self.course = course;
+        self.bends.0.clear();
     }
 
     /// Whether the acceleration is found with it.
@@ -109,11 +114,29 @@ impl Friction {
         self.course.is_none()
     }
 
+    /// Ends pieces at these coordinates of a cycle from now on.
+    pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
+        self.bends = (coordinates, cycle);
+    }
+
     /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.
     pub(crate) fn enter(&mut self, loads: &Loads, state: &State, piece: &mut Piece) {
         if let Some(rubbing) = &mut self.out.rubbing {
             loads.enter_friction(state, &mut rubbing.senses, piece);
         }
+        self.cut(state, &mut piece.coordinate);
+    }
+
+    /// Cuts an interval of the coordinate to the bends around the place just ahead of a state.
+    fn cut(&self, state: &State, interval: &mut [f64; 2]) {
+        let (bends, cycle) = &self.bends;
+        let (Some(first), Some(last)) = (bends.first(), bends.last()) else { return };
+        let ahead = state.coordinate + state.speed.signum() * tolerance(state.coordinate, Some(*cycle));
+        let shift = ((ahead - first) / cycle).floor() * cycle;
+        let after = bends.partition_point(|bend| bend + shift <= ahead);
+        let low = after.checked_sub(1).map_or(last - cycle, |before| bends[before]) + shift;
+        let high = bends.get(after).copied().unwrap_or(first + cycle) + shift;
+        *interval = [interval[0].max(low), interval[1].min(high)];
     }
 
     /// The reduced moment of friction at a state of a motion with this drive; `ideal`: the coefficients without friction.
@@ -143,10 +166,12 @@ impl Friction {
     fn in_known_motion(&mut self, place: &Place<'_>, state: &State) -> Result<f64, MotionError> {
         let Place { linkage, loads, phase, position } = place;
         loads.evaluate_in_phase(phase, state, &position.bodies, &mut self.wrenches);
-        let solved = self.method.solve(linkage, position, &mut self.wrenches, &mut self.out);
+        let method = self.method.ok_or_else(no_method)?;
+        let solved = method.solve(linkage, position, &mut self.wrenches, &mut self.out);
         solved.map_err(|error| MotionError::mechanism(&error))?;
-        let rubbing = self.out.rubbing.as_ref();
-        Ok(rubbing.map_or(0.0, |found| power(&found.frictions.rubs, &found.forces, &position.bodies)))
+        let Some(rubbing) = &self.out.rubbing else { return Ok(0.0) };
+        self.pressing = rubbing.pressing(&position.bodies, &self.out.pairs);
+        Ok(power(&rubbing.frictions.rubs, &rubbing.forces, &position.bodies))
     }
 
     /// The accelerations that are possible under the loads evaluated last.
@@ -159,9 +184,10 @@ impl Friction {
         let unit = State { coordinate: place.position.coordinate, acceleration: 1.0, ..State::default() };
         place.loads.inertia(&unit, &place.position.bodies, &mut self.inertia);
         let motion = FreeMotion { loads: &self.wrenches, inertia: &self.inertia, drive, drive_inertia };
-        let found = self.method.accelerations(place.linkage, place.position, &motion, &self.out);
+        let method = self.method.ok_or_else(no_method)?;
+        let found = method.accelerations(place.linkage, place.position, &motion, &self.out);
         let found = found.map_err(|error| MotionError::mechanism(&error))?;
-        Ok(found.unwrap_or_else(Accelerations::default).solutions)
+        Ok(found.ok_or_else(no_method)?.solutions)
     }
 
     /// The acceleration that a motion takes: the only one; at rest, the only one that leads in the direction of the phase.
@@ -217,6 +243,10 @@ impl Friction {
         place.loads.evaluate(state, &place.position.bodies, &mut self.wrenches);
         Ok(self.accelerations(place, drive)?.first().map(|one| one.balancing))
     }
+}
+
+fn no_method() -> MotionError {
+    MotionError::Mechanism(text!("dynamics-friction-no-method"))
 }
 
 /// Virtual power of the friction of all rubs for dq = 1.

@@ -13,6 +13,7 @@ mod instant;
 mod machine;
 mod motor;
 mod point;
+mod rubbing;
 mod scene;
 mod steady;
 #[cfg(test)]

@@ -46,6 +46,13 @@ impl<'a> Machine<'a> {
         self
     }
 
+    /// Ends pieces where the friction of a known motion bends, at these coordinates of a cycle.
+    pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
+        if let Some(friction) = &mut self.friction {
+            friction.bend_at(coordinates, cycle);
+        }
+    }
+
     /// Finds friction with the acceleration again.
     pub(crate) fn forget_course(&mut self) {
         if let Some(friction) = &mut self.friction {

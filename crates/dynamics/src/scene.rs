@@ -1,10 +1,9 @@
 //! The steady regime that a scene asks for.
 
 use std::cell::RefCell;
-use std::sync::Arc;
 
 use assur_force::Loads;
-use assur_integrator::{Motion as Equation, State};
+use assur_integrator::Motion as Equation;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, Motor as Asked, Solve, Torque};
 use assur_motor::{Characteristic, FlywheelSize, Motor, flywheel_sizes};
@@ -14,7 +13,7 @@ use crate::friction::Course;
 use crate::machine::{Watched, Watcher};
 use crate::motor::{DriveMotor, SteadyMotor};
 use crate::steady::{CycleRequest, DriveRequest, Regime, RegimeSolver, TorqueRequest};
-use crate::{Driven, DynamicsError, Machine};
+use crate::{DynamicsError, Machine};
 
 /// The steady regime of a scene with its drive.
 #[derive(Debug, Clone)]
@@ -58,73 +57,13 @@ pub(crate) fn steady_of(
 ) -> Result<Steady, DynamicsError> {
     let mut machine = Machine::new(linkage, loads);
     if machine.rubs() {
-        return with_friction(machine, mechanism, watcher);
+        return crate::rubbing::regime(machine, mechanism, watcher);
     }
     steady_motion(&mut machine, mechanism, watcher)
 }
 
-/// The steady regime of a machine with dry friction: friction is that of the speeds and accelerations of the regime before, until
-/// both agree.
-fn with_friction(
-    mut machine: Machine<'_>,
-    mechanism: &Mechanism,
-    mut watcher: Option<&mut Watcher<'_>>,
-) -> Result<Steady, DynamicsError> {
-    let (request, _) = cycle_request(mechanism)?;
-    let mut course = Course::Uniform(request.mean_speed);
-    let mut before = f64::INFINITY;
-    for _ in 0..MOST_ROUNDS {
-        machine.assume(course.clone());
-        let found = steady_motion(&mut machine, mechanism, watcher.as_deref_mut())?;
-        let next = Course::Regime(Arc::new(found.regime.clone()));
-        let change = change(&course, &next, &request);
-        // It falls by the same factor from round to round, down to its rounding.
-        if change <= CONVERGED || change <= NEARLY && change > 0.5 * before {
-            machine.forget_course();
-            return check_friction(machine, &request, found);
-        }
-        (course, before) = (next, change);
-    }
-    Err(DynamicsError::NotPeriodic { cycles: MOST_ROUNDS, residual: before })
-}
-
-/// Rounds in which the friction of a regime has to agree with the regime.
-const MOST_ROUNDS: usize = 60;
-/// Relative change of the speed at which a round has converged, and at which its rounding may be all that is left.
-const CONVERGED: f64 = 1e-13;
-const NEARLY: f64 = 1e-9;
-/// Places of a cycle in which regimes are compared.
-const PLACES: u32 = 360;
-
-fn places(request: &CycleRequest) -> impl Iterator<Item = f64> {
-    let (start, step) = (request.start, request.mean_speed.signum() * request.length / f64::from(PLACES));
-    (0..PLACES).map(move |place| start + step * f64::from(place))
-}
-
-/// The greatest change of the speed from one course to another, as part of the mean speed.
-fn change(before: &Course, after: &Course, request: &CycleRequest) -> f64 {
-    let off = |place: f64| ((after.at(place)[0] - before.at(place)[0]) / request.mean_speed).abs();
-    places(request).map(off).fold(0.0, f64::max)
-}
-
-/// In a regime no place may leave another acceleration possible, or none.
-fn check_friction(
-    machine: Machine<'_>,
-    request: &CycleRequest,
-    found: Steady,
-) -> Result<Steady, DynamicsError> {
-    let mut motion = Driven::new(machine, found.regime.drive());
-    for coordinate in places(request) {
-        let state = State { time: 0.0, coordinate, speed: found.regime.state(coordinate).speed };
-        let failed = |source| DynamicsError::Equation { coordinate, source };
-        motion.enter(&state).map_err(failed)?;
-        motion.reduced(&state).map_err(failed)?;
-    }
-    Ok(found)
-}
-
 /// The steady regime of an equation of motion with the motion and the drive of `mechanism`.
-fn steady_motion(
+pub(crate) fn steady_motion(
     motion: &mut dyn Equation,
     mechanism: &Mechanism,
     watcher: Option<&mut Watcher<'_>>,
@@ -191,7 +130,7 @@ pub(crate) fn chosen_motor(
 }
 
 /// The cycle of a scene, and its unevenness.
-fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Option<Solve>), DynamicsError> {
+pub(crate) fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Option<Solve>), DynamicsError> {
     let Some(Motion::Steady { mean_speed, unevenness }) = mechanism.motion else {
         return Err(DynamicsError::NoMotion("steady"));
     };
