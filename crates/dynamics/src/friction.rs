@@ -28,6 +28,8 @@ pub(crate) struct Friction {
     course: Option<Course>,
     /// Where the friction of that motion bends, ascending, and the cycle of these places.
     bends: (Vec<f64>, f64),
+    /// The interval of the coordinate that was entered last.
+    piece: [f64; 2],
     /// What was found last.
     found: Found,
     /// The forces that pressed the faces of slides then.
@@ -90,6 +92,7 @@ impl Friction {
             found,
             pressing: Vec::new(),
             bends: (Vec::new(), 0.0),
+            piece: [f64::NEG_INFINITY, f64::INFINITY],
         })
     }
 
@@ -125,6 +128,7 @@ impl Friction {
             loads.enter_friction(state, &mut rubbing.senses, piece);
         }
         self.cut(state, &mut piece.coordinate);
+        self.piece = piece.coordinate;
     }
 
     /// Cuts an interval of the coordinate to the bends around the place just ahead of a state.
@@ -149,7 +153,11 @@ impl Friction {
     ) -> Result<f64, MotionError> {
         self.found = match &self.course {
             Some(course) => {
-                let [speed, acceleration] = course.at(state.coordinate);
+                // At the ends of a piece the acceleration may jump: it is that inside.
+                let [low, high] = self.piece;
+                let near = 2.0 * tolerance(state.coordinate, place.linkage.mechanism.input.period());
+                let inside = state.coordinate.min(high - near).max(low + near);
+                let [speed, acceleration] = course.at(inside);
                 let moment = self.in_known_motion(place, &State { speed, acceleration, ..*state })?;
                 Found { moment, jams: false }
             }

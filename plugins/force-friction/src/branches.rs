@@ -35,6 +35,9 @@ pub(crate) struct Found {
 /// Steps from no friction to all of it where a block is too large for all of its solutions to be found.
 const STEPS: u32 = 64;
 
+/// Most solutions that are followed from block to block, each of which may have several for each of them.
+const MOST: usize = 64;
+
 impl Chain<'_> {
     /// All solutions under these loads with all coefficients times `scale`.
     pub(crate) fn solutions(&self, loads: &[Wrench<f64>], scale: f64) -> Result<Found, ForceError> {
@@ -51,6 +54,10 @@ impl Chain<'_> {
             let before = std::mem::take(&mut found.branches);
             for branch in before {
                 self.go_on(block, branch, scale, &mut found)?;
+            }
+            if found.branches.len() > MOST {
+                found.branches.truncate(MOST);
+                found.proved = false;
             }
             if found.branches.is_empty() {
                 found.jammed = Some(index);
