@@ -107,10 +107,6 @@ impl Session {
     }
 
     /// The linkage with all its groups.
-    ///
-    /// # Errors
-    ///
-    /// [`CompileError`] where the lengths of a group don't form one of its kind.
     pub(crate) fn linkage(&self) -> Result<Arc<Linkage>, CompileError> {
         if let Some(linkage) = self.linkage.get() {
             return Ok(Arc::clone(linkage));
@@ -129,10 +125,6 @@ impl Session {
 
     /// The calculation of what the scene requests, or of all results. The linkage is compiled for it alone only where groups
     /// are left out.
-    ///
-    /// # Errors
-    ///
-    /// [`AnalysisError`] where the scene as a whole can't be calculated, or where `watch` breaks.
     pub(crate) fn calculation(
         &self,
         options: &Options,

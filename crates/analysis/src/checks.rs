@@ -19,10 +19,6 @@ type LoadAtState<'a> = Box<dyn Fn(&State) -> InputLoad + Sync + 'a>;
 impl Calculation {
     /// Every check that applies to the scene, in the covered positions and samples of the motion, and the residuals of each
     /// of these; none where the plan leaves out groups.
-    ///
-    /// # Errors
-    ///
-    /// [`Stopped`] where `watch` breaks.
     pub fn checks(&self, coverage: Coverage, watch: &mut Watch<'_>) -> Result<Checks, Stopped> {
         if self.plan.is_partial() || coverage == Coverage::None {
             return Ok(Checks::none());

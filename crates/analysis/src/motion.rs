@@ -139,10 +139,6 @@ impl Counter {
 
 /// Which case of D the equation of a motion is, and which method is used for it and why; `None` without an equation,
 /// and where no position can be assembled.
-///
-/// # Errors
-///
-/// [`AnalysisError`] where the loads can't be compiled, or the integrator can't treat the equation.
 pub fn method_of_motion(linkage: &Linkage, options: &Options) -> Result<Option<Text>, AnalysisError> {
     let mechanism = &linkage.mechanism;
     if linkage.range.is_none() || !mechanism.has_equation_of_motion() {

@@ -23,10 +23,6 @@ impl Calculation {
     /// regime is found, the positions have no forces, and plans of forces are left out.
     ///
     /// Needs the whole mechanism: see [`Plan::is_partial`](crate::plan::Plan::is_partial).
-    ///
-    /// # Errors
-    ///
-    /// [`DiagramError`] where the position can't be assembled, or has no reactions.
     pub fn sheet(&self, index: usize) -> Result<Sheet, DiagramError> {
         // An error names the number of the position.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
@@ -49,10 +45,6 @@ impl Calculation {
 
     /// The constructions on paper of the force analyzers at a position, step by step, each with the name of its analyzer; none where the position has no
     /// forces.
-    ///
-    /// # Errors
-    ///
-    /// [`DiagramError`] where the position can't be assembled.
     pub fn constructions(&self, index: usize) -> Result<Vec<(&'static str, Construction)>, DiagramError> {
         let mut position = self.linkage.position();
         self.linkage.solve_index(index, Order::Second, &mut position)?;
@@ -72,10 +64,6 @@ impl Calculation {
     }
 
     /// Adds reactions by cause to every position that has reactions, and the polar diagrams of all reactions.
-    ///
-    /// # Errors
-    ///
-    /// [`DiagramError`] where a single cause has no reactions.
     pub fn add_causes(&self, analysis: &mut Analysis) -> Result<(), DiagramError> {
         let Some(loads) = &self.loads else { return Ok(()) };
         let positions = &mut analysis.positions;

@@ -3,8 +3,7 @@
 use assur_group::Order;
 use assur_kinematics::Position;
 
-use crate::differences::LEVELS;
-use crate::differences::{SAMPLES, SPACING, rounding_of};
+use crate::differences::{LEVELS, SAMPLES, SPACING, rounding_of};
 use crate::elements::Element;
 use crate::numbers::{Numbers, numbers, quotients};
 use crate::subject::{Solved, Subject};

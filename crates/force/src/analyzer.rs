@@ -21,10 +21,6 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
     ///
     /// `loads`: all loads with the inertia loads, one wrench for each body about the origin of its frame; the method may
     /// change them. `position` needs PF1. Call [`supports`](Self::supports) once before.
-    ///
-    /// # Errors
-    ///
-    /// [`ForceError`] where the reactions or the balancing load are not determined.
     fn solve(
         &self,
         linkage: &Linkage,
@@ -50,10 +46,6 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
     /// The construction on paper that corresponds to the method, at one position; `None` for a method without one.
     ///
     /// `loads`: all loads with the inertia loads, each where it acts.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`solve`](Self::solve).
     fn construction(
         &self,
         _linkage: &Linkage,
@@ -226,10 +218,6 @@ pub struct AnalyzerPlugin {
 assur_plugin::registry!(AnalyzerPlugin, text!("force-sort"), name);
 
 /// All registered methods, sorted by name.
-///
-/// # Errors
-///
-/// [`RegistryError`] where two have one name or none is registered.
 pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
     assur_plugin::all()
 }
@@ -241,20 +229,12 @@ pub fn applicable(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
 }
 
 /// The method of this name.
-///
-/// # Errors
-///
-/// [`RegistryError`] where the registry is faulty or has no such method.
 pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
     assur_plugin::find(name)
 }
 
 /// The method of this name; without a name the preferred one of those that give reactions, and treat the friction of pairs
 /// where there is any.
-///
-/// # Errors
-///
-/// [`RegistryError`] where the registry is faulty or has no such method.
 pub fn choose(name: Option<&str>, friction: bool) -> Result<&'static AnalyzerPlugin, RegistryError> {
     if let Some(name) = name {
         return find(name);

@@ -37,12 +37,10 @@ mod wrenches;
 assur_words::resources!();
 
 pub use acting::Acting;
-pub use analyzer::{AnalyzerPlugin, analyzers, applicable, choose, find};
-pub use analyzer::{ForceAnalyzer, ForceError};
+pub use analyzer::{AnalyzerPlugin, analyzers, applicable, choose, find, ForceAnalyzer, ForceError};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
-pub use balance::Reactions;
-pub use balance::{IdleBalance, UnitBalance};
+pub use balance::{Reactions, IdleBalance, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
 pub use construction::{Construction, Drawing, Step, VectorKind};
@@ -53,8 +51,7 @@ pub use joints::{Joint, JointReaction, joints};
 pub use kinetostatics::{Kinetostatics, LaneKinetostatics};
 pub use loads::{Cause, Loads};
 pub use reduce::power;
-pub use state::LoadNumber;
-pub use state::{Side, State, beside};
+pub use state::{LoadNumber, Side, State, beside};
 
 pub use inventory;
 

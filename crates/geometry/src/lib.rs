@@ -20,8 +20,6 @@ assur_words::resources!();
 
 pub use course::Extremes;
 pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
-pub use instant::Curvature;
-pub use instant::{Center, CenterAt, instant_centers};
-pub use instant::{Centers, centers_of};
+pub use instant::{Curvature, Center, CenterAt, instant_centers, Centers, centers_of};
 pub use measure::{GeometryError, geometry, output_strokes};
 pub use stroke::Stroke;

@@ -53,10 +53,6 @@ impl Characteristic {
     }
 
     /// The characteristic of that kind through synchronous speed and the rated point.
-    ///
-    /// # Errors
-    ///
-    /// [`RatedDataError`] for impossible data; Kloss's formula needs the breakdown torque.
     pub fn new(kind: CharacteristicKind, rated: &RatedData) -> Result<Self, RatedDataError> {
         validate(rated)?;
         let torque = rated_torque(rated);

@@ -110,10 +110,6 @@ impl Describe for SelectionError {
 /// Among equal powers the highest synchronous speed within the limit comes first: such a motor has the least
 /// torque, hence the least size, mass and price, and the limit is there to say how fast it may be. Then the
 /// least slip (less is lost in the rotor), then the designation.
-///
-/// # Errors
-///
-/// [`SelectionError`], which says by how much the best row fails.
 pub fn select<'a, I>(motors: I, request: &SelectionRequest) -> Result<Selection<'a>, SelectionError>
 where
     I: IntoIterator<Item = &'a Motor>,

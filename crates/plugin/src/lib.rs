@@ -103,10 +103,6 @@ impl Describe for RegistryError {
 }
 
 /// All registered entries of a kind, sorted by name.
-///
-/// # Errors
-///
-/// [`RegistryError`] if two entries have one name, or if none is registered.
 pub fn all<P: Registered>() -> Result<Vec<&'static P>, RegistryError>
 where
     inventory::iter<P>: IntoIterator<Item = &'static P>,
@@ -115,10 +111,6 @@ where
 }
 
 /// The entry of this name.
-///
-/// # Errors
-///
-/// [`RegistryError`] where the registry is faulty or has no such entry.
 pub fn find<P: Registered>(name: &str) -> Result<&'static P, RegistryError>
 where
     inventory::iter<P>: IntoIterator<Item = &'static P>,

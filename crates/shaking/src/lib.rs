@@ -20,6 +20,5 @@ mod study;
 
 assur_words::resources!();
 
-pub use data::ShakingError;
-pub use data::{AtPosition, Balanced, Counterweight, Criterion, Harmonic, Proof, Shaking, Size};
+pub use data::{ShakingError, AtPosition, Balanced, Counterweight, Criterion, Harmonic, Proof, Shaking, Size};
 pub use study::shaking;

@@ -17,10 +17,6 @@ const FORMAT: u32 = 1;
 const SAMPLES: usize = 720;
 
 /// Shaking force, harmonics and counterweights of a mechanism; `state` is its motion at a coordinate.
-///
-/// # Errors
-///
-/// [`ShakingError`] where the scene has no mass, no cycle or no motion over it, or a position without solution.
 pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shaking, ShakingError> {
     let mechanism = &linkage.mechanism;
     let input = &mechanism.input;

@@ -30,19 +30,11 @@ pub(crate) struct Lock {
 
 impl Lock {
     /// The lock for writing `target`, in a file at `path`; `None` where the file system has no locks.
-    ///
-    /// # Errors
-    ///
-    /// [`FileError`] that says who writes now, or why there can be no lock.
     pub(crate) fn of(path: &Path, target: &Path) -> Result<Option<Self>, FileError> {
         Self::by(path, target, File::try_lock)
     }
 
     /// As [`Lock::of`], but waits until the other process has ended: for what takes a moment.
-    ///
-    /// # Errors
-    ///
-    /// [`FileError`] that says why there can be no lock.
     pub(super) fn wait(path: &Path, target: &Path) -> Result<Option<Self>, FileError> {
         Self::by(path, target, |file| file.lock().map_err(TryLockError::Error))
     }

@@ -18,7 +18,7 @@ mod structure;
 mod task;
 mod units;
 
-use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table};
+use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table, Column as Values};
 use assur_book::{Column, Document};
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
@@ -93,7 +93,6 @@ impl<'a> Source<'a> {
     }
 }
 
-use assur_analysis::results::Column as Values;
 
 /// The numbers of a column in all rows.
 fn each(table: &Table, values: Values) -> Vec<Option<f64>> {

@@ -80,10 +80,6 @@ impl Describe for ChartError {
 ///
 /// `progress` is called before each piece of work; when it breaks, the finished measurements are kept and
 /// [`ChartData::complete`] is false.
-///
-/// # Errors
-///
-/// [`ChartError`] if there is nothing to measure.
 pub fn chart(
     linkage: &Linkage,
     clock: &mut dyn Clock,

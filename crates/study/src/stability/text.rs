@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 
 use assur_words::{Language, Text, joined, list, name, number, quantity, text};
 
-use super::margin;
+use super::{margin, walk};
 use super::report::Stability;
 use super::row::Comparison;
-use super::walk;
 
 /// Most failed rows that the conclusion lists.
 const MOST_FAILED: usize = 10;
