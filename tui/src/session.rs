@@ -186,7 +186,7 @@ fn doubt_at(source: &Source, text: &str, doubt: &Notice) -> Text {
     let place =
         found.and_then(|found| Some(format!(":{}:{}", found.errors.first()?.line, found.errors[0].column)));
     let place = name(source.name() + &place.unwrap_or_default());
-    text!("cli-mistake", place = place, text = &doubt.text)
+    text!("cli-mistake", place, text = &doubt.text)
 }
 
 fn at_key(source: &Source, text: &str, key: &[&str], message: Text) -> Option<Text> {

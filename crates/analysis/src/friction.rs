@@ -66,9 +66,9 @@ pub(crate) fn jammed(mechanism: &Mechanism, error: Text, limit: Option<f64>) -> 
     match &mechanism.frictions[..] {
         [only] => {
             let coefficient = number(format_args!("{:.9}", limit * only.coefficient));
-            text!("analysis-jammed-coefficient", error = error, factor = factor, coefficient = coefficient)
+            text!("analysis-jammed-coefficient", error, factor, coefficient)
         }
-        _ => text!("analysis-jammed", error = error, factor = factor),
+        _ => text!("analysis-jammed", error, factor),
     }
 }
 

@@ -169,14 +169,14 @@ fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Resu
     if named != AUTO {
         return Ok(text!(
             "analysis-integrator-named",
-            method = method,
-            reason = reason,
+            method,
+            reason,
             summary = &integrator.summary,
             equation = equation_words(dependence)
         ));
     }
     let stiff = chosen.if_stiff().map(|method| text!("analysis-if-stiff", method = name(method.name)));
-    let first = text!("analysis-integrator", method = method, reason = reason);
+    let first = text!("analysis-integrator", method, reason);
     Ok(joined("; ", [first].into_iter().chain(stiff)))
 }
 

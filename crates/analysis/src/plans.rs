@@ -204,7 +204,7 @@ impl Shares {
             let mut name = Name::from(share.cause.clone());
             // A load may be called `weight` too.
             while names.contains(&name) {
-                name = text!("analysis-load-named", name = name).into();
+                name = text!("analysis-load-named", name).into();
             }
             let cause = self.cause(&name);
             self.present[cause][row] = true;

@@ -59,7 +59,7 @@ impl Calculation {
         let mut notes = self.notes(&positions.at_change_points, &samples.without);
         notes.extend(self.friction_notes(&positions.several));
         if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
-            notes.push(text!("analysis-more-failures", more = more).into());
+            notes.push(text!("analysis-more-failures", more).into());
         }
         Ok(Analysis {
             title: mechanism.title.clone(),

@@ -89,7 +89,7 @@ fn number_name(case: &Case<'_>, k: usize, method: &'static str) -> Text {
         None => text!("check-balancing-by", method = name(method)),
         Some(pair) => {
             let pair = linkage.structure.pair_name(&linkage.mechanism, pair);
-            text!("check-pair-by", pair = pair, method = name(method))
+            text!("check-pair-by", pair, method = name(method))
         }
     }
 }

@@ -112,7 +112,7 @@ fn compare_loads(
         collector.offer(one.index, off / total, limit / total, || {
             let mechanism = &subject.linkage.mechanism;
             let link = &mechanism.links[key.1].name;
-            text!("check-load-on", load = key.0.name(mechanism), link = link)
+            text!("check-load-on", load = key.0.name(mechanism), link)
         });
     }
 }

@@ -155,12 +155,9 @@ impl Describe for ForceError {
         let at = |coordinate: f64| number(format_args!("{coordinate:.9}"));
         match self {
             Self::ChangePoint(coordinate) => text!("force-change-point", coordinate = at(*coordinate)),
-            Self::Group { group, coordinate, source } => text!(
-                "force-group-singular",
-                group = group,
-                coordinate = at(*coordinate),
-                cause = source.describe()
-            ),
+            Self::Group { group, coordinate, source } => {
+                text!("force-group-singular", group, coordinate = at(*coordinate), cause = source.describe())
+            }
             Self::Load(error) => error.describe(),
             Self::Singular { coordinate, health } => text!(
                 "force-singular",
@@ -170,21 +167,21 @@ impl Describe for ForceError {
             Self::IdleBalance { load, coordinate, share } => text!(
                 "force-idle-balance",
                 coordinate = at(*coordinate),
-                load = load,
+                load,
                 share = number(format_args!("{share:.3e}"))
             ),
             Self::Parallel { coordinate, lines, angle, instead } => text!(
                 "force-parallel",
                 coordinate = at(*coordinate),
-                lines = lines,
+                lines,
                 angle = quantity(format_args!("{angle:.3e}"), "rad"),
                 instead = name(*instead)
             ),
             Self::Jammed { what, coordinate } => {
-                text!("force-jammed", what = what, coordinate = at(*coordinate))
+                text!("force-jammed", what, coordinate = at(*coordinate))
             }
             Self::Unsupported { analyzer, reason } => {
-                text!("force-unsupported", method = name(*analyzer), reason = reason)
+                text!("force-unsupported", method = name(*analyzer), reason)
             }
         }
     }

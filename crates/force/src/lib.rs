@@ -37,10 +37,10 @@ mod wrenches;
 assur_words::resources!();
 
 pub use acting::Acting;
-pub use analyzer::{AnalyzerPlugin, analyzers, applicable, choose, find, ForceAnalyzer, ForceError};
+pub use analyzer::{AnalyzerPlugin, ForceAnalyzer, ForceError, analyzers, applicable, choose, find};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
-pub use balance::{Reactions, IdleBalance, UnitBalance};
+pub use balance::{IdleBalance, Reactions, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
 pub use construction::{Construction, Drawing, Step, VectorKind};

@@ -222,7 +222,7 @@ impl Writer<'_> {
         };
         if arguments.len() != count {
             let got = arguments.len();
-            return fault(text!("formula-arguments", name = letters(name), count = count, got = got));
+            return fault(text!("formula-arguments", name = letters(name), count, got));
         }
         let start = self.operations.len();
         let mut depth = 1;

@@ -20,6 +20,6 @@ assur_words::resources!();
 
 pub use course::Extremes;
 pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
-pub use instant::{Curvature, Center, CenterAt, instant_centers, Centers, centers_of};
+pub use instant::{Center, CenterAt, Centers, Curvature, centers_of, instant_centers};
 pub use measure::{GeometryError, geometry, output_strokes};
 pub use stroke::Stroke;

@@ -2,8 +2,11 @@
 
 use assur_words::{Describe, Text, joined, name, number, text};
 
-use crate::{accuracy, Dependence, IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajectory, find, integrators};
 use crate::error::SUSPICIOUS;
+use crate::{
+    Dependence, IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajectory, accuracy, find,
+    integrators,
+};
 
 /// The name that leaves the choice of the method to the program.
 pub const AUTO: &str = "auto";

@@ -15,10 +15,15 @@ mod numbers;
 mod size;
 
 pub use alike::{appearance, likeness};
-pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque, Motion, StepLength, Until, passage};
+pub use drive::{
+    Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, StepLength, Torque, Until,
+    passage,
+};
 pub use friction::{Friction, Middle, Rubbing};
 pub use inertia::{Inertia, VaryingInertia};
-pub use load::{Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Spring, Over, Shape, Table, Value};
+pub use load::{
+    Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Over, Shape, Spring, Table, Value,
+};
 pub use name::Name;
 pub use named::Named;
 pub use notice::{Notice, NoticeKind};

@@ -163,7 +163,7 @@ impl Describe for RatedDataError {
     fn describe(&self) -> Text {
         match self {
             Self::NotPositive { what, value } => {
-                text!("motor-rated-not-positive", what = what, value = number(value))
+                text!("motor-rated-not-positive", what, value = number(value))
             }
             Self::NoSlip { rated_speed, synchronous_speed } => text!(
                 "motor-no-slip",

@@ -59,7 +59,7 @@ mod warning;
 assur_words::resources!();
 
 pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
-pub use catalogue::{CataloguePlugin, catalogues, find_catalogue, find_motor, MotorFilter, list_motors};
+pub use catalogue::{CataloguePlugin, MotorFilter, catalogues, find_catalogue, find_motor, list_motors};
 pub use characteristic::{Characteristic, RatedDataError};
 pub use designation::{latin_designation, normalize_designation, same_designation};
 pub use error::{CatalogueError, LookupError, RowFault};

@@ -83,7 +83,7 @@ impl Describe for SelectionError {
         let tenths = |value: f64| number(format_args!("{value:.1}"));
         match self {
             Self::Request { what, value } => {
-                text!("motor-select-not-positive", what = what, value = number(value))
+                text!("motor-select-not-positive", what, value = number(value))
             }
             Self::NoMotors => text!("motor-select-no-motors"),
             Self::NoMaxTorqueRatio(count) => text!("motor-select-no-ratio", count = *count),

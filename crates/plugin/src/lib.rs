@@ -76,25 +76,21 @@ assur_words::errors!(RegistryError);
 impl Describe for RegistryError {
     fn describe(&self) -> Text {
         match self {
-            Self::Duplicate { what, name: of, first, second } => text!(
-                "plugin-twice",
-                what = what,
-                name = name(*of),
-                first = name(*first),
-                second = name(*second)
-            ),
+            Self::Duplicate { what, name: of, first, second } => {
+                text!("plugin-twice", what, name = name(*of), first = name(*first), second = name(*second))
+            }
             Self::Ambiguous { what, first, second } => text!(
                 "plugin-ambiguous",
-                what = what,
+                what,
                 first = name(first.0),
                 first_crate = name(first.1),
                 second = name(second.0),
                 second_crate = name(second.1)
             ),
-            Self::Empty(what) => text!("plugin-empty", what = what),
+            Self::Empty(what) => text!("plugin-empty", what),
             Self::Unknown { what, name: asked, known } => text!(
                 "plugin-unknown",
-                what = what,
+                what,
                 name = name(asked.clone()),
                 known = list(known.iter().map(|known| name(*known)))
             ),

@@ -16,9 +16,9 @@ impl Work<'_> {
                 text!("working-at-sample", sample = index, time = number(self.state.time))
             }
         };
-        self.sheet.section(text!("working-title", title = title, of = of));
+        self.sheet.section(text!("working-title", title, of));
         let formula = &self.linkage.structure.formula;
-        self.sheet.note(text!("working-structure", formula = formula));
+        self.sheet.note(text!("working-structure", formula));
         self.sheet.section(text!("working-conventions"));
         self.remarks([
             text!("working-axes"),
@@ -65,7 +65,7 @@ impl Work<'_> {
             let structure = &self.linkage.structure;
             if (0..structure.pairs.len()).any(|pair| structure.is_share(pair)) {
                 let share = symbol("R", &["x", "B", "s", "t", "r"]);
-                self.sheet.note(text!("working-shares", share = share));
+                self.sheet.note(text!("working-shares", share));
             }
         }
     }

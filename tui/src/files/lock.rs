@@ -98,7 +98,7 @@ fn told(text: &str, path: &Path) -> Text {
     let writer = text.strip_prefix(MARK).map(|rest| rest.trim_start_matches([',', ' ']));
     let writer = writer.filter(|writer| !writer.is_empty());
     let writer = writer.map_or_else(|| text!("file-another-process"), |writer| name(writer.to_owned()));
-    text!("file-locked", writer = writer, lock = name(path.display().to_string()))
+    text!("file-locked", writer, lock = name(path.display().to_string()))
 }
 
 /// Opens a file of our own beside a target, or creates it: a regular file with one name. What a link points to is

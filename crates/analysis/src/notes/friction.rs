@@ -21,7 +21,7 @@ impl Calculation {
             let named = |link: usize| Text::from(&mechanism.links[link].name);
             let (pair, link, on) = (name_of(mechanism, rub.pair), named(rub.link), named(rub.on));
             if rub.rests() {
-                notes.push(text!("analysis-friction-rests", pair = pair, link = link, on = on).into());
+                notes.push(text!("analysis-friction-rests", pair, link, on).into());
                 continue;
             }
             let turning =
@@ -29,16 +29,7 @@ impl Calculation {
             let turning: Listed = turning.collect();
             if !turning.is_empty() {
                 let positions = turning.words();
-                notes.push(
-                    text!(
-                        "analysis-friction-turns",
-                        pair = pair,
-                        link = link,
-                        on = on,
-                        positions = positions
-                    )
-                    .into(),
-                );
+                notes.push(text!("analysis-friction-turns", pair, link, on, positions).into());
             }
         }
         let mut add = |said: fn(&Several) -> bool, note: fn(Text) -> Text| {
@@ -47,12 +38,9 @@ impl Calculation {
                 notes.push(note(found.words()).into());
             }
         };
-        add(
-            |one| one.solutions.len() > 1,
-            |positions| text!("analysis-friction-several", positions = positions),
-        );
-        add(|one| one.continuum, |positions| text!("analysis-friction-continuum", positions = positions));
-        add(|one| !one.proved, |positions| text!("analysis-friction-not-proved", positions = positions));
+        add(|one| one.solutions.len() > 1, |positions| text!("analysis-friction-several", positions));
+        add(|one| one.continuum, |positions| text!("analysis-friction-continuum", positions));
+        add(|one| !one.proved, |positions| text!("analysis-friction-not-proved", positions));
         notes
     }
 }

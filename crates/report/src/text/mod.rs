@@ -11,8 +11,8 @@ use assur_geometry::Geometry;
 use assur_kinematics::Linkage;
 use assur_shaking::Shaking;
 
-use crate::json::{NotFinite, finite};
 use crate::json::analysis::finite as finite_analysis;
+use crate::json::{NotFinite, finite};
 use crate::topic::{self, Source};
 pub use grid::columns;
 pub use layout::{Kind, Line, Style, lines, wrapped, written};

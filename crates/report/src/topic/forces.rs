@@ -180,9 +180,9 @@ pub fn balancing_at_positions(source: &Source<'_>, page: &mut Document) {
     };
     let link = link_name(source.mechanism, link);
     let caption = if source.analysis.input.balancing_is_moment {
-        text!("report-balancing-moment-on", link = link)
+        text!("report-balancing-moment-on", link)
     } else {
-        text!("report-balancing-force-on", link = link)
+        text!("report-balancing-force-on", link)
     };
     let column = source.column(name(symbol), unit, Values::BALANCING);
     page.table(Table::over(caption, source.keys(), vec![column]));

@@ -38,7 +38,7 @@ impl Verdict {
                 return first;
             }
             let [failures, count] = [failures, count].map(number);
-            text!("chart-some-positions", failures = failures, count = count, first = first)
+            text!("chart-some-positions", failures, count, first)
         });
         Self { evaluations: Some(evaluations), error: worst, failure }
     }

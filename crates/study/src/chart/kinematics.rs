@@ -75,5 +75,5 @@ fn closed<'a, T: Number>(
 fn failure(linkage: &Linkage, q: f64, error: &assur_kinematics::ChainError) -> Text {
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     let coordinate = number(format_args!("{q:.9}"));
-    text!("chart-group-at", group = group, coordinate = coordinate, problem = error.source.describe())
+    text!("chart-group-at", group, coordinate, problem = error.source.describe())
 }

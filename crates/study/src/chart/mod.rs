@@ -23,8 +23,8 @@ mod steady;
 pub mod units;
 pub(crate) mod work;
 
-pub use data::{csv, ChartData, Measurement, Reference, Setting, Stage, Value};
-pub use figure::{figure, WIDTH, stage_text, text};
+pub use data::{ChartData, Measurement, Reference, Setting, Stage, Value, csv};
+pub use figure::{WIDTH, figure, stage_text, text};
 pub use options::{Clock, Options, Progress};
 pub use run::{ChartError, chart};
 

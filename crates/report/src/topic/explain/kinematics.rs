@@ -73,7 +73,7 @@ pub(super) fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
 fn coordinate(mechanism: &Mechanism) -> Text {
     let link = link_name(mechanism, mechanism.input.link);
     match mechanism.input.pair {
-        InputPair::Pin(_) => text!("explain-angle-of", link = link),
-        InputPair::Slide(_) => text!("explain-displacement-of", link = link),
+        InputPair::Pin(_) => text!("explain-angle-of", link),
+        InputPair::Slide(_) => text!("explain-displacement-of", link),
     }
 }

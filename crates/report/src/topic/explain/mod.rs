@@ -36,7 +36,7 @@ pub fn explain(
     for stage in stages::stages(mechanism, structure, methods, equation, plan) {
         let (what, why) = (stage.name, stage.reason);
         page.paragraph(match stage.method {
-            Some(method) => text!("explain-run", stage = what, reason = why, method = method),
+            Some(method) => text!("explain-run", stage = what, reason = why, method),
             None => text!("explain-left-out", stage = what, reason = why),
         });
     }
@@ -75,7 +75,7 @@ fn describe_structure(mechanism: &Mechanism, structure: &Structure, plan: &Plan,
 }
 
 fn item(page: &mut Document, what: Text, how: Text) {
-    page.paragraph(text!("report-fact", what = what, value = how));
+    page.paragraph(text!("report-fact", what, value = how));
 }
 
 /// Texts with commas between them, of many only the first ones.

@@ -177,7 +177,7 @@ fn idle(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Option<Tex
     match (idle, plan.by_groups) {
         (0, _) => None,
         (_, false) => Some(text!("explain-idle-as-one-system", groups = names)),
-        (idle, true) => Some(text!("explain-idle", idle = idle, all = all, groups = names)),
+        (idle, true) => Some(text!("explain-idle", idle, all, groups = names)),
     }
 }
 
