@@ -1,7 +1,6 @@
 //! Notes: what had to be left out, and which parts of a request have no use.
 
 mod assembly;
-mod contact;
 mod doubts;
 mod friction;
 mod loads;

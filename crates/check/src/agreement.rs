@@ -5,7 +5,7 @@ use assur_words::{Text, name, text};
 
 use crate::case::{Case, ROUNDINGS, largest};
 use crate::check::Collector;
-use crate::differences::{SAFETY, SAMPLES, SPACING, rounding_of};
+use crate::numbers::{SAFETY, SAMPLES, SPACING, rounding_of};
 
 /// Numbers of one result: the balancing load, then three for each pair.
 type Numbers = Vec<f64>;

@@ -8,7 +8,7 @@ use assur_words::{Text, text};
 
 use crate::case::{Case, ROUNDINGS, largest, rounding_of_sum};
 use crate::check::Collector;
-use crate::residuals::greatest;
+use crate::check::greatest;
 use crate::subject::Solved;
 
 /// The checks of links, of joints and of guides.

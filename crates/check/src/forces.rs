@@ -6,7 +6,7 @@ use assur_words::{Text, text};
 
 use crate::case::{Case, ROUNDINGS};
 use crate::check::Collector;
-use crate::residuals::ForceResiduals;
+use crate::check::ForceResiduals;
 use crate::subject::{Solved, Subject};
 use crate::written::{Given, Items, Writer, given};
 use crate::{agreement, equilibrium, friction, power};

@@ -12,8 +12,8 @@ use winnow::prelude::*;
 use winnow::stream::{LocatingSlice, Location};
 use winnow::token::{any, take_while};
 
-use crate::evaluate::DEPTH;
 use crate::formula::{Formula, Switch, Used, Variable};
+use crate::program::DEPTH;
 use crate::program::{Function, Kind, Operation};
 
 /// What a formula may use, for messages.

@@ -7,8 +7,8 @@ use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{GROUND, LinkId, Point, PointId, SlideId};
 use assur_words::{Describe, Text, text};
 
+use crate::course::Cycle;
 use crate::course::{Course, Motion, Rest};
-use crate::cycle::Cycle;
 use crate::data::{AtPosition, Each, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 use crate::rigid::RigidParts;
 use crate::{Centers, Curvature, Stroke, centers_of};

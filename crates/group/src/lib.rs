@@ -17,7 +17,6 @@ mod error;
 mod general;
 mod joint;
 mod kernel;
-mod linear;
 mod newton;
 mod pair;
 mod pattern;

@@ -9,7 +9,6 @@ mod friction;
 mod inertia;
 mod load;
 mod name;
-mod named;
 mod notice;
 mod numbers;
 mod size;
@@ -25,7 +24,7 @@ pub use load::{
     Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Over, Shape, Spring, Table, Value,
 };
 pub use name::Name;
-pub use named::Named;
+pub use name::Named;
 pub use notice::{Notice, NoticeKind};
 pub use numbers::links_of_length_zero;
 pub use size::{

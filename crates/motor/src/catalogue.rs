@@ -2,7 +2,7 @@
 
 use assur_words::{Text, name, text};
 
-use crate::designation::normalize_latin;
+use crate::lookup::normalize_latin;
 use crate::{
     CatalogueError, CatalogueTable, LookupError, Motor, find_designation, normalize_designation,
     same_designation,

@@ -2,7 +2,8 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use crate::{Formula, Real, sine, widest};
+use crate::real::evaluate_widest;
+use crate::{Formula, Real, sine};
 
 /// Eight numbers that are put through a formula together: a plain array that the compiler turns into vector
 /// instructions (one register of AVX-512, two of AVX).
@@ -135,6 +136,6 @@ impl Real for Lanes {
     }
     #[inline(always)]
     fn evaluate<F: Formula>(formula: F) -> F::Value {
-        widest::evaluate(formula)
+        evaluate_widest(formula)
     }
 }

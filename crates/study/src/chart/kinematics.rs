@@ -8,7 +8,7 @@ use assur_kinematics::{Chain, Linkage};
 use assur_words::{Describe, Text, number, text};
 
 use super::data::STEP;
-use super::entry::Field;
+use super::race::Field;
 use super::work::Work;
 use super::{ChartError, Measurement, Options, Setting, Stage};
 

@@ -7,7 +7,7 @@ use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 use assur_words::{Text, joined, list, name, text};
 
-use super::words::{Stage, left_out, others, run};
+use crate::topic::explain::{Stage, left_out, others, run};
 
 fn solved(plan: &Plan) -> usize {
     plan.groups_needed.iter().filter(|needed| **needed).count()

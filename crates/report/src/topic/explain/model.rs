@@ -6,7 +6,7 @@ use assur_mechanism::{
 };
 use assur_words::{Text, list as listed, number, text};
 
-use super::words::{Remark, remark};
+use crate::topic::explain::{Remark, remark};
 
 /// The parts of the model that the scene defines.
 pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
