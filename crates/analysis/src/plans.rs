@@ -7,7 +7,7 @@ use assur_diagram::{
 };
 use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::Order;
-use assur_mechanism::{LinkId, Name, Named, PairId, Range, SlideId};
+use assur_mechanism::{LinkId, Name, Named, PairId, SlideId};
 use assur_words::text;
 use indexmap::IndexMap;
 
@@ -87,7 +87,7 @@ impl Calculation {
     /// Results from the reactions of all positions, and the geometry of the contacts.
     pub(crate) fn cycle(&self, survey: &Survey) -> Cycle {
         let mechanism = &self.linkage.mechanism;
-        let closed = matches!(mechanism.input.range, Range::Cycle(_));
+        let closed = mechanism.input.is_cycle();
         let extreme = |(pair, link, sizes): &(PairId, LinkId, Sizes)| {
             sizes.extreme(mechanism.named_pair(*pair), mechanism.named_link(*link), closed)
         };
@@ -112,7 +112,7 @@ impl Calculation {
             let (coordinates, points): (Vec<_>, Vec<_>) = rows.filter_map(row).unzip();
             let mechanism = &self.linkage.mechanism;
             let (joint, on) = (mechanism.named_pair(pair), mechanism.named_link(link));
-            let closed = matches!(mechanism.input.range, Range::Cycle(_));
+            let closed = mechanism.input.is_cycle();
             (!points.is_empty()).then_some(Hodograph { joint, on, coordinates, points, closed })
         };
         schema.select(is_force).into_iter().filter_map(curve).collect()

@@ -202,15 +202,16 @@ impl<'a> Cycle<'a> {
     /// Solves the mechanism over the cycle (or range) of its scene.
     pub(crate) fn of(linkage: &'a Linkage) -> Result<Self, PositionError> {
         let input = &linkage.mechanism.input;
-        let (end, length) = match input.range {
-            Range::Cycle(length) => (input.from + input.sign() * length, length),
-            Range::To(to) => (to, (to - input.from).abs()),
+        let [_, end] = input.ends();
+        let length = match input.range {
+            Range::Cycle(length) => length,
+            Range::To(to) => (to - input.from).abs(),
         };
         let at = |coordinate: f64| {
             let mut position = linkage.position();
             linkage.solve(coordinate, Order::Second, &mut position).map(|()| position)
         };
-        let cyclic = matches!(input.range, Range::Cycle(_)) && returned(&at(input.from)?, &at(end)?, linkage);
+        let cyclic = input.is_cycle() && returned(&at(input.from)?, &at(end)?, linkage);
         let step = length / INTERVALS as f64;
         let start = input.from.min(end) + if cyclic { SHIFT * step } else { 0.0 };
         let samples = (0..=INTERVALS).map(|i| at(start + step * i as f64)).collect::<Result<_, _>>()?;

@@ -1,6 +1,6 @@
 //! Several numbers side by side.
 
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::real::evaluate_widest;
 use crate::{Formula, Real, sine};
@@ -67,19 +67,7 @@ impl Neg for Lanes {
     }
 }
 
-impl AddAssign for Lanes {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Lanes {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
+crate::real::assigning!(Lanes);
 
 impl Real for Lanes {
     const ZERO: Self = Self([0.0; Self::WIDTH]);

@@ -17,6 +17,25 @@ pub trait Formula {
     fn evaluate(self) -> Self::Value;
 }
 
+/// `+=` and `-=` of a number by its sum and difference.
+macro_rules! assigning {
+    ($number:ty) => {
+        impl std::ops::AddAssign for $number {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl std::ops::SubAssign for $number {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+    };
+}
+pub(crate) use assigning;
+
 /// A real number, or several side by side.
 ///
 /// There is no comparison of two numbers: a formula that has to decide asks whether all lanes are on one side of a limit.

@@ -24,7 +24,7 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
     if !matches!(mechanism.motion, Some(Motion::Prescribed { .. } | Motion::Steady { .. })) {
         return Err(ShakingError::NoMotion);
     }
-    if mechanism.links.iter().skip(1).all(|link| !link.is_heavy()) {
+    if mechanism.heavy_links().next().is_none() {
         return Err(ShakingError::NoMass);
     }
     let loads = Loads::compile(linkage)?;

@@ -46,27 +46,31 @@ impl Work<'_> {
             text!("working-assumptions"),
         ]);
         if forces {
-            self.remarks([
-                text!(
-                    "working-symbols-of-reactions",
-                    rx = symbol("R", &["x", "B", "r"]),
-                    ry = symbol("R", &["y", "B", "r"]),
-                    mr = symbol("M", &["R"]),
-                ),
-                text!(
-                    "working-symbols-of-loads",
-                    x = symbol("X", &["r"]),
-                    y = symbol("Y", &["r"]),
-                    m = symbol("M", &["r", "A"]),
-                ),
-                text!("working-inertia"),
-                text!("working-assumptions-of-forces"),
-            ]);
-            let structure = &self.linkage.structure;
-            if (0..structure.pairs.len()).any(|pair| structure.is_share(pair)) {
-                let share = symbol("R", &["x", "B", "s", "t", "r"]);
-                self.sheet.note(text!("working-shares", share));
-            }
+            self.conventions_of_forces();
+        }
+    }
+
+    fn conventions_of_forces(&mut self) {
+        self.remarks([
+            text!(
+                "working-symbols-of-reactions",
+                rx = symbol("R", &["x", "B", "r"]),
+                ry = symbol("R", &["y", "B", "r"]),
+                mr = symbol("M", &["R"]),
+            ),
+            text!(
+                "working-symbols-of-loads",
+                x = symbol("X", &["r"]),
+                y = symbol("Y", &["r"]),
+                m = symbol("M", &["r", "A"]),
+            ),
+            text!("working-inertia"),
+            text!("working-assumptions-of-forces"),
+        ]);
+        let structure = &self.linkage.structure;
+        if (0..structure.pairs.len()).any(|pair| structure.is_share(pair)) {
+            let share = symbol("R", &["x", "B", "s", "t", "r"]);
+            self.sheet.note(text!("working-shares", share));
         }
     }
 

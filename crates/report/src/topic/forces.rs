@@ -196,7 +196,7 @@ pub fn causes(source: &Source<'_>, page: &mut Document) {
     }
     page.heading(text!("report-causes"));
     page.paragraph(text!("report-causes-text"));
-    let causes = || schema.causes.iter().enumerate().map(|(cause, of)| (Some(cause), name(of.clone())));
+    let causes = || schema.causes.iter().enumerate().map(|(cause, of)| (Some(cause), Text::from(of)));
     let all = || causes().chain([(None, text!("report-whole"))]);
     for (pair, links) in shown(&source.positions) {
         for link in links {

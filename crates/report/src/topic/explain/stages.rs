@@ -58,8 +58,7 @@ fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> Text {
     if !plan.inertia_constant {
         return text!("explain-reduced");
     }
-    let is_heavy = |id: &usize| mechanism.links[*id].is_heavy();
-    let heavy: Vec<_> = (1..mechanism.links.len()).filter(is_heavy).collect();
+    let heavy: Vec<_> = mechanism.heavy_links().collect();
     if heavy.is_empty() {
         return text!("explain-reduced-without-mass");
     }
