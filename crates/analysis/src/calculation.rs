@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use assur_dynamics::equation;
 use assur_force::{AnalyzerPlugin, Loads, Side, State};
-use assur_kinematics::Linkage;
+use assur_kinematics::{Linkage, decompose};
 use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
 use assur_words::Text;
@@ -63,7 +63,7 @@ impl Calculation {
     /// Decomposes a mechanism into groups, plans and compiles it, and finds its motion. `watch` receives the progress
     /// of the motion, and may stop it; [`unwatched`](crate::unwatched) lets it run.
     pub fn of(mechanism: Mechanism, options: &Options, watch: &mut Watch<'_>) -> Result<Self, AnalysisError> {
-        let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
+        let structure = decompose(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = plan(&mechanism, &structure, options);
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
         Self::planned(Arc::new(linkage), plan, options, watch)
