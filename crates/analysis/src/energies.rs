@@ -13,7 +13,6 @@ use assur_mechanism::{GROUND, LinkId, Mechanism};
 
 use crate::acting::{Acting, Works, change, over_time, simpson};
 use crate::motion::CYCLE_INTERVALS;
-use crate::plan::is_heavy;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
 use crate::{Calculation, InputMotion};
 
@@ -22,6 +21,8 @@ use crate::{Calculation, InputMotion};
 const FEWEST: [usize; 2] = [500, 20_000];
 /// Intervals of the quadrature over each smooth part of an interval of a cycle.
 const IN_INTERVAL: u32 = 4;
+/// How far inside a part its ends are where there is dry friction, in intervals.
+const INSIDE: f64 = 1e-6;
 
 /// Energies over a motion.
 struct Course {
@@ -54,7 +55,7 @@ impl Calculation {
         schema.add(section, all.map(|quantity| Column::of(quantity, Owner::Input)));
         let by_load = by_load(mechanism, schema.loads());
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::Work, *owner)));
-        let links = heavy(mechanism).map(Owner::Link);
+        let links = mechanism.heavy_links().map(Owner::Link);
         schema.add(section, links.map(|link| Column::of(Quantity::KineticEnergy, link)));
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::ReducedLoad, *owner)));
         let mut table = Table::new(Arc::new(schema));
@@ -185,11 +186,12 @@ impl Calculation {
     fn over_coordinate(&self, loads: &Loads, found: &Steady, [from, to]: [f64; 2]) -> Option<[Works; 2]> {
         let sense = (to - from).signum();
         let mut position = self.linkage.position();
-        let mut rubs = self.rubs_of_motion(loads);
+        let mut friction = self.rubs_of_motion(loads);
+        let rubs = friction.is_some();
         let mut moments = |coordinate: f64, side| {
-            self.linkage.solve(coordinate, order(&rubs), &mut position).ok()?;
+            self.linkage.solve(coordinate, order(&friction), &mut position).ok()?;
             let state = State { side, ..self.state(coordinate) };
-            let given = self.moments_in(found, &state, &position, &mut rubs)?;
+            let given = self.moments_in(found, &state, &position, &mut friction)?;
             let acting = Acting::of(loads, &self.linkage.mechanism, &state, &position.bodies, given);
             Some(acting.moments(sense))
         };
@@ -202,8 +204,14 @@ impl Calculation {
             let end = if (to - bound) * sense > 0.0 && (bound - start) * sense > 0.0 { bound } else { to };
             let step = (end - start) / f64::from(IN_INTERVAL);
             let nodes = (0..=IN_INTERVAL).map(|i| {
-                let side = if i == IN_INTERVAL { Side::Before } else { Side::After };
-                moments(start + step * f64::from(i), side)
+                let (side, inward) = match i {
+                    IN_INTERVAL => (Side::Before, -INSIDE),
+                    0 => (Side::After, INSIDE),
+                    _ => (Side::After, 0.0),
+                };
+                // A load against a motion that rests just there is none, and the friction that it gives would be none.
+                let inward = if rubs { inward } else { 0.0 };
+                moments(start + step * (f64::from(i) + inward), side)
             });
             let nodes = nodes.collect::<Option<Vec<_>>>()?;
             works += Works::over(&nodes, |values| simpson(step, values));
@@ -229,11 +237,6 @@ fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
     drive.into_iter().chain(weights).chain(loads).collect()
 }
 
-/// The moving links with mass or moment of inertia.
-fn heavy(mechanism: &Mechanism) -> impl Iterator<Item = LinkId> {
-    (1..mechanism.links.len()).filter(|link| is_heavy(mechanism, *link))
-}
-
 /// Kinetic energies of the links (E eq. 3), J.
 fn energies_of_links(mechanism: &Mechanism, state: &State, bodies: &[Body<f64>]) -> Vec<f64> {
     let of = |link: LinkId| {
@@ -242,7 +245,7 @@ fn energies_of_links(mechanism: &Mechanism, state: &State, bodies: &[Body<f64>])
         let (turning, [inertia, _]) = (body.w1 * state.speed, found.inertia.at(state.coordinate));
         0.5 * (found.mass * dot(velocity, velocity) + inertia * turning * turning)
     };
-    heavy(mechanism).map(of).collect()
+    mechanism.heavy_links().map(of).collect()
 }
 
 impl Course {
