@@ -325,8 +325,7 @@ fn solved(mut legs: [Leg; 3], most: usize) -> Vec<Pose> {
     let polynomial = closure.polynomial(most / 2);
     let at_root = |t: f64| {
         // The root has 16 digits, one step of Newton's method gives it all.
-        let slope: Vec<Dd> =
-            (1..polynomial.len()).map(|k| polynomial[k] * Dd::from_f64(k as f64)).collect();
+        let slope: Vec<Dd> = (1..polynomial.len()).map(|k| polynomial[k] * Dd::from_f64(k as f64)).collect();
         let t = Dd::from_f64(t) - value(&polynomial, t) / value(&slope, t);
         let z = times([Dd::ONE, t], [Dd::ONE, t]);
         let z = scaled(Dd::ONE / (Dd::ONE + t * t), z);
