@@ -2,6 +2,8 @@
 
 #[path = "modes/elimination.rs"]
 mod elimination;
+#[path = "modes/passing.rs"]
+mod passing;
 
 use assur_all as _;
 use assur_check::checks;

@@ -44,11 +44,12 @@ fn is_near<T: Real>(before: T, size: T) -> bool {
     (T::from_f64(CONTRACTION) * before + tiny - size).at_least(0.0)
 }
 
-/// Whether a step after this one would be rounding, in every lane: of quadratic steps it is about size³ / before².
+/// Whether a step after this one would be rounding, in every lane: of quadratic steps it is about size³ / before²; one of few
+/// units of the last place is rounding itself.
 #[inline(always)]
 fn is_last<T: Real>(before: T, size: T) -> bool {
     let limit = T::from_f64(0.1 * T::EPSILON) * before * before;
-    let least = T::from_f64((2.0 * T::EPSILON).powi(3));
+    let least = T::from_f64((LAST_PLACES * T::EPSILON).powi(3));
     (limit + least - size * size * size).at_least(0.0)
 }
 

@@ -8,7 +8,7 @@ use assur_words::{Text, name, text};
 use super::jobs;
 use super::write::home;
 use crate::screen::state::{
-    Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted, Wish,
+    Assembled, Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted, Wish,
 };
 
 /// Shows the list of values, or closes it.
@@ -40,11 +40,22 @@ pub(super) fn put(state: &mut State, index: usize, toml: String) {
     }
 }
 
+/// Takes a mode of a group, by its points, and reads the changed scene; returns whether anything changes.
+pub(super) fn assemble(state: &mut State, points: &[Assembled]) -> bool {
+    let differs = state.what_if.assemble(points);
+    if differs {
+        ask(state);
+    }
+    differs
+}
+
 /// Undoes the last change.
 pub(super) fn undo(state: &mut State) {
     match state.what_if.done.pop() {
-        Some((index, before)) => {
-            state.what_if.set(index, before);
+        Some(values) => {
+            for (index, before) in values.into_iter().rev() {
+                state.what_if.set(index, before);
+            }
             ask(state);
         }
         None => state.say(Role::Plain, text!("say-no-change")),

@@ -1,0 +1,59 @@
+//! Commands on the modes of a group: one after the other is shown in the first position, and one is taken.
+
+use assur_mechanism::Point;
+use assur_words::{number, text};
+
+use super::whatif;
+use crate::screen::state::{Assembled, Role, Scene, State, round};
+
+/// Shows the next (1) or previous (-1) mode of the chosen group, in the first position.
+pub(super) fn show(state: &mut State, by: isize) {
+    let group = state.chosen.group;
+    let Some(modes) = state.scene.as_ref().and_then(|scene| scene.first_modes(group)) else {
+        return state.say(Role::Plain, text!("say-no-modes"));
+    };
+    state.go_to(0);
+    let shown = state.mode_of(group).unwrap_or(modes.present);
+    state.chosen.mode = Some([group, round(shown, by, modes.all.len())]);
+}
+
+/// Takes the mode that is shown: its places are written under `[assembly]`, as a changed value is.
+pub(super) fn take(state: &mut State) {
+    let group = state.chosen.group;
+    let Some((index, scene)) = state.mode_of(group).zip(state.scene.as_ref()) else {
+        return state.say(Role::Plain, text!("say-no-mode-shown"));
+    };
+    let Some(points) = points(scene, group, index).filter(|points| !points.is_empty()) else {
+        return state.say(Role::Bad, text!("say-mode-without-points"));
+    };
+    let way = scene.first_modes(group).map_or(index, |modes| modes.number(index));
+    if whatif::assemble(state, &points) {
+        state.say(Role::Good, text!("say-mode-taken", way = number(way)));
+    } else {
+        state.say(Role::Plain, text!("say-mode-is-taken", way = number(way)));
+    }
+    state.chosen.mode = None;
+}
+
+/// The points that tell a mode: the inner pins of the group, or all its points where it has none, and those that have a place in
+/// `[assembly]` already.
+fn points(scene: &Scene, group: usize, index: usize) -> Option<Vec<Assembled>> {
+    let linkage = &scene.linkage;
+    let (mechanism, frame) = (&linkage.mechanism, &linkage.structure.groups[group].frame);
+    let first = scene.poses.first()?.as_ref()?;
+    let modes = scene.first_modes(group)?;
+    let mode = modes.all.get(index)?;
+    let is_own =
+        |point: &Point| point.places.iter().all(|place| frame.column(place.link).is_some());
+    let has_pins = mechanism.points.iter().any(|point| point.is_pin() && is_own(point));
+    let is_told = |(id, point): &(usize, &Point)| {
+        let stands = mechanism.assembly.iter().any(|(told, _)| told == id);
+        is_own(point) && (point.is_pin() || !has_pins || stands)
+    };
+    let told = mechanism.points.iter().enumerate().filter(is_told).filter_map(|(_, point)| {
+        let of = point.places.first()?;
+        let place = mode.bodies[frame.column(of.link)?].point(of.at);
+        Some(Assembled { name: point.name.to_string(), present: first.bodies[of.link].point(of.at), place })
+    });
+    Some(told.collect())
+}
