@@ -635,3 +635,4 @@ say-no-mode-shown = No mode is shown.
 say-mode-without-points = No point of the group has a name: none can stand under [assembly].
 say-mode-taken = Way { $way } is taken: its places stand under [assembly].
 say-mode-is-taken = Way { $way } is taken already.
+say-mode-vanished = The mode of { $group } has vanished; way { $way } is taken.

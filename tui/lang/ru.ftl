@@ -631,3 +631,4 @@ say-no-mode-shown = Ни одна сборка не показана.
 say-mode-without-points = Ни одна точка группы не имеет имени: в [assembly] нечего записать.
 say-mode-taken = Взят способ { $way }: его точки стоят в [assembly].
 say-mode-is-taken = Способ { $way } уже взят.
+say-mode-vanished = Сборка группы { $group } исчезла; взят способ { $way }.

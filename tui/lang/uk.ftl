@@ -630,3 +630,4 @@ say-no-mode-shown = Жодного складання не показано.
 say-mode-without-points = Жодна точка групи не має назви: нічого записати в [assembly].
 say-mode-taken = Узято спосіб { $way }: його точки стоять у [assembly].
 say-mode-is-taken = Спосіб { $way } уже взято.
+say-mode-vanished = Складання групи { $group } зникло; узято спосіб { $way }.

@@ -242,8 +242,12 @@ impl<'a> Walk<'a> {
             };
             if let (Some(a), Some(b)) = (near(next[k].way), near(next[j].way)) {
                 (left[a], left[b]) = (false, false);
-                (numbers[j], numbers[k]) = (Some(now[a].0), Some(now[b].0));
-                self.found.meetings.push((to, [now[a].0, now[b].0]));
+                (numbers[j], numbers[k]) = if self.is_passed(to, before[a]) {
+                    self.found.meetings.push((to, [now[a].0, now[b].0]));
+                    (Some(now[a].0), Some(now[b].0))
+                } else {
+                    (Some(now[b].0), Some(now[a].0))
+                };
             } else {
                 let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
                 for (number, partner) in [(one, other), (other, one)] {
@@ -275,6 +279,14 @@ impl<'a> Walk<'a> {
                 .map(|known| known.unwrap_or_else(|| self.begin(to, CourseEnd::Infinity)))
                 .collect(),
         )
+    }
+
+    /// Whether a mode meets another one before the next coordinate: its determinant, which falls evenly, is zero there.
+    fn is_passed(&self, to: f64, mode: &Mode<f64>) -> bool {
+        let back = self.linkage.modes_at(self.group, self.now.0 - (to - self.now.0)).unwrap_or_default();
+        let back: Vec<(usize, Mode<f64>)> = back.into_iter().enumerate().collect();
+        let earlier = self.nearest(&back, mode, |_| true);
+        earlier.is_some_and(|(at, _)| mode.health < back[at].1.health - mode.health)
     }
 
     /// Pairs of modes that are about to meet.

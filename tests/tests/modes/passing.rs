@@ -154,7 +154,7 @@ fn results(text: &str) -> serde_json::Value {
     let found = Calculation::of(mechanism, &Options::default(), &mut unwatched)
         .unwrap_or_else(|error| panic!("{error}"));
     let analysis = found.analyze(&mut unwatched).unwrap_or_else(|error| panic!("{error}"));
-    serde_json::from_str(&assur_report::json::to_json(&analysis, true).unwrap()).unwrap()
+    serde_json::from_str(&assur_report::json::analysis::to_json(&analysis, true).unwrap()).unwrap()
 }
 
 /// The greatest difference of the numbers of two values, in which nothing else may differ.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_words::{Text, name, text};
 
-use super::jobs;
+use super::{jobs, modes};
 use super::write::home;
 use crate::screen::state::{
     Assembled, Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted, Wish,
@@ -47,6 +47,17 @@ pub(super) fn assemble(state: &mut State, points: &[Assembled]) -> bool {
         ask(state);
     }
     differs
+}
+
+/// The same as a part of the last change.
+pub(super) fn assemble_too(state: &mut State, points: &[Assembled]) {
+    if state.what_if.assemble(points) {
+        let more = state.what_if.done.pop().unwrap_or_default();
+        if let Some(last) = state.what_if.done.last_mut() {
+            last.extend(more);
+        }
+        ask(state);
+    }
 }
 
 /// Undoes the last change.
@@ -92,8 +103,14 @@ pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>,
     let late = change.edits != what.wanted;
     match scene {
         Ok(scene) => {
+            let is_of_modes = what.is_of_modes(&change.edits);
             what.shown.clone_from(&change.edits);
+            let before = state.scene.as_ref().filter(|_| !late && !is_of_modes);
+            let before = before.and_then(|scene| Some((scene.poses.first()?.clone()?, modes::counts(scene))));
             show(state, *scene);
+            if let Some((before, counts)) = before {
+                modes::keep(state, &before, &counts);
+            }
         }
         Err(text) if !late => {
             what.reading = Reading::Refused;

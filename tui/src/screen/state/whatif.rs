@@ -207,6 +207,13 @@ impl WhatIf {
         self.put_all(places)
     }
 
+    /// Whether places in `[assembly]` are among what these edits change of the scene that is shown.
+    pub(crate) fn is_of_modes(&self, edits: &Edits) -> bool {
+        let differs = |index: &&usize| edits.get(*index) != self.shown.get(*index);
+        let mut changed = edits.keys().chain(self.shown.keys()).filter(differs);
+        changed.any(|index| self.values.get(*index).is_some_and(|value| value.key.starts_with("assembly.")))
+    }
+
     /// The number of the first of the two values of a point in `[assembly]`.
     fn found(&self, point: &Assembled) -> Option<usize> {
         let key = format!("assembly.{}[0]", point.key());
