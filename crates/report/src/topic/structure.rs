@@ -14,7 +14,7 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let (structure, mechanism) = (&source.analysis.structure, source.mechanism);
     let links = list(mechanism.links.iter().skip(1).map(|link| Text::from(&link.name)));
     let input = Text::from(&source.analysis.input.link);
-    page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links = links, input = input));
+    page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links, input));
     counted(structure, page);
 }
 
@@ -26,11 +26,11 @@ fn counted(structure: &StructureReport, page: &mut Document) {
         page.paragraph(text!("report-mobility-by-rank", mobility = number(found)));
     }
     if let Some(note) = &structure.note {
-        page.paragraph(text!("report-note", note = note));
+        page.paragraph(text!("report-note", note));
     }
     let class = name(roman(structure.class));
     page.paragraph(text!("report-formula", formula = &structure.formula));
-    page.paragraph(text!("report-class", class = class));
+    page.paragraph(text!("report-class", class));
 }
 
 /// W = 3 n - 2 p5.
@@ -134,7 +134,12 @@ pub fn study(found: &StructureStudy, page: &mut Document) {
 
 /// The modes of a group over the cycle.
 fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
-    let named = text!("report-modes-of", group = number(group.group), kind = name(group.kind.clone()), links = named(&group.links));
+    let named = text!(
+        "report-modes-of",
+        group = number(group.group),
+        kind = name(group.kind.clone()),
+        links = named(&group.links)
+    );
     let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
         return page.paragraph(text!("report-modes-unlisted", group = named));
     };

@@ -53,7 +53,8 @@ pub(super) fn keep(state: &mut State, before: &Position, counts: &[usize]) {
     for (group, found) in scene.linkage.structure.groups.iter().enumerate() {
         let Some(modes) = scene.first_modes(group) else { continue };
         let apart = |mode: &Mode<f64>| {
-            let bodies = found.frame.links.iter().filter_map(|&link| before.bodies.get(link)).zip(&mode.bodies);
+            let bodies =
+                found.frame.links.iter().filter_map(|&link| before.bodies.get(link)).zip(&mode.bodies);
             let distance = |(a, b): (&Body<f64>, &Body<f64>)| {
                 ((a.x - b.x).hypot(a.y - b.y) / scale).max((a.c - b.c).hypot(a.s - b.s))
             };
@@ -87,8 +88,7 @@ fn points(scene: &Scene, group: usize, index: usize) -> Option<Vec<Assembled>> {
     let first = scene.poses.first()?.as_ref()?;
     let modes = scene.first_modes(group)?;
     let mode = modes.all.get(index)?;
-    let is_own =
-        |point: &Point| point.places.iter().all(|place| frame.column(place.link).is_some());
+    let is_own = |point: &Point| point.places.iter().all(|place| frame.column(place.link).is_some());
     let has_pins = mechanism.points.iter().any(|point| point.is_pin() && is_own(point));
     let is_told = |(id, point): &(usize, &Point)| {
         let stands = mechanism.assembly.iter().any(|(told, _)| told == id);

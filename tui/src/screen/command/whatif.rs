@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use assur_words::{Text, name, text};
 
-use super::{jobs, modes};
 use super::write::home;
+use super::{jobs, modes};
 use crate::screen::state::{
-    Assembled, Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted, Wish,
+    Assembled, Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State,
+    Wanted, Wish,
 };
 
 /// Shows the list of values, or closes it.

@@ -141,7 +141,8 @@ impl WhatIf {
 
     /// The value that was changed last, of those that are changed.
     pub(crate) fn last(&self) -> Option<usize> {
-        let last = self.done.iter().rev().flatten().map(|(index, _)| index).find(|index| self.is_changed(**index));
+        let last =
+            self.done.iter().rev().flatten().map(|(index, _)| index).find(|index| self.is_changed(**index));
         last.or(self.wanted.keys().next()).copied()
     }
 
@@ -232,7 +233,8 @@ impl WhatIf {
             *start += line.len() + 1;
             Some((from, line))
         });
-        let header = header.into_iter().find(|(_, line)| line.trim_end().split('#').next() == Some("[assembly]"));
+        let header =
+            header.into_iter().find(|(_, line)| line.trim_end().split('#').next() == Some("[assembly]"));
         let at = match header {
             Some((from, line)) => (from + line.len() + 1).min(self.text.len()),
             None => self.text.len(),
