@@ -10,6 +10,7 @@ pub use crate::error::Fault;
 pub use crate::walk::{Entry, Section};
 
 use crate::SceneErrors;
+use crate::walk::Known;
 use crate::error::Faults;
 use crate::text::shown;
 
@@ -50,6 +51,17 @@ pub fn read<T>(
     text: &str,
     what: Text,
     known: &'static [&'static str],
+    make: impl FnOnce(&Section<'_>) -> T,
+) -> Result<T, SceneErrors> {
+    read_known(file_name, text, what, known.into(), make)
+}
+
+/// Reads a TOML file whose keys stand in a table of the reference, or in a list.
+pub(crate) fn read_known<T>(
+    file_name: &str,
+    text: &str,
+    what: Text,
+    known: Known,
     make: impl FnOnce(&Section<'_>) -> T,
 ) -> Result<T, SceneErrors> {
     let faults = Faults::default();

@@ -9,6 +9,7 @@ use crate::context::{Context, Sort};
 use crate::joints::{CONTACTS, SPRINGS};
 use crate::linkage::pair;
 use crate::numbers::Bound;
+use crate::reference;
 use crate::text::shown;
 use crate::units::Dimension;
 use crate::value;
@@ -40,9 +41,7 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
 }
 
 const FORCES: Sort = Sort {
-    key: "force",
-    what: "scene-a-force",
-    keys: &["name", "link", "at", "angle", "frame", "value", "scale", "against_motion"],
+    table: &reference::FORCE,
     unnamed: |number, link| text!("scene-unnamed-force", number = number, link = link),
     one: force,
 };
@@ -77,9 +76,7 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
 }
 
 const MOMENTS: Sort = Sort {
-    key: "moment",
-    what: "scene-a-moment",
-    keys: &["name", "link", "value", "scale"],
+    table: &reference::MOMENT,
     unnamed: |number, link| text!("scene-unnamed-moment", number = number, link = link),
     one: moment,
 };
@@ -92,9 +89,7 @@ fn moment(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
 }
 
 const BRAKES: Sort = Sort {
-    key: "brake",
-    what: "scene-a-brake",
-    keys: &["name", "link", "radius", "force", "lever", "scale", "friction"],
+    table: &reference::BRAKE,
     unnamed: |number, link| text!("scene-unnamed-brake", number = number, link = link),
     one: brake,
 };
