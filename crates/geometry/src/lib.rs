@@ -19,9 +19,9 @@ mod stroke;
 assur_words::resources!();
 
 pub use course::Extremes;
-pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
+pub use data::{AtPosition, Courses, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 pub use instant::Curvature;
 pub use instant::{Center, CenterAt, instant_centers};
 pub use instant::{Centers, centers_of};
-pub use measure::{GeometryError, geometry, output_strokes};
+pub use measure::{GeometryError, courses, geometry, output_strokes};
 pub use stroke::Stroke;

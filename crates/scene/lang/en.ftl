@@ -435,3 +435,4 @@ scene-key-note-group = The author's group.
 scene-key-note-variant = Variant of the task.
 scene-key-note-language = Language of note, drawings and texts.
 scene-key-note-positions = Numbers of the positions that are drawn and worked out; absent, the program chooses.
+scene-key-of-sorts = it belongs to another sort: { $sorts }

@@ -441,3 +441,4 @@ scene-key-note-group = Группа автора.
 scene-key-note-variant = Вариант задания.
 scene-key-note-language = Язык записки, чертежей и текстов.
 scene-key-note-positions = Номера положений, которые чертятся и расписываются; без них выбирает программа.
+scene-key-of-sorts = он принадлежит другому виду: { $sorts }

@@ -442,3 +442,4 @@ scene-key-note-group = Група автора.
 scene-key-note-variant = Варіант завдання.
 scene-key-note-language = Мова записки, креслень і текстів.
 scene-key-note-positions = Номери положень, що кресляться й розписуються; без них вибирає програма.
+scene-key-of-sorts = він належить до іншого виду: { $sorts }

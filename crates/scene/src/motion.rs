@@ -8,7 +8,7 @@ use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::reference::MOTION;
-use crate::text::{brief, shown, such_as};
+use crate::text::{brief, did_you_mean, shown, such_as};
 use crate::units::{Dimension, UnitError, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
 
@@ -136,6 +136,11 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, wanted: &'static str) -
     match quantity(text, Dimension::Time) {
         Err(UnitError::WrongDimension { unit, found, .. }) => {
             entry.wants(wanted, measures(&unit, found), Text::default());
+            None
+        }
+        Err(UnitError::UnknownUnit { unit, near, .. }) => {
+            let got = text!("scene-got-unknown-unit", unit = shown(&unit));
+            entry.wants(wanted, got, did_you_mean(near.as_deref()));
             None
         }
         Err(UnitError::NotANumber { .. }) => {

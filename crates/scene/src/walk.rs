@@ -46,6 +46,9 @@ impl Known {
     /// What is meant by a key that the table does not have: the known one, or the tables that have it.
     fn meant(self, word: &str, known: &[&'static str]) -> Text {
         let Self::Table(table, _) = self else { return did_you_mean(nearest(word, known.iter().copied())) };
+        if let Some(sorts) = table.sorts(word) {
+            return text!("scene-key-of-sorts", sorts = name(sorts.join(", ")));
+        }
         let (also, elsewhere) = (table.meant(word).filter(|key| known.contains(key)), Table::elsewhere(word));
         match also.or_else(|| nearest(word, known.iter().copied())) {
             None if !elsewhere.is_empty() => text!("scene-key-elsewhere", tables = name(elsewhere.join(", "))),

@@ -22,4 +22,4 @@ assur_words::resources!();
 
 pub use data::ShakingError;
 pub use data::{AtPosition, Balanced, Counterweight, Criterion, Harmonic, Proof, Shaking, Size};
-pub use study::shaking;
+pub use study::{shaking, shaking_size};

@@ -1,11 +1,13 @@
 //! The families of columns, from what was found at a point.
 
 use assur_dynamics::{Instant, Steady};
-use assur_mechanism::{Input, PairId, Range};
+use assur_geometry::{Courses, Extremes, Stroke};
+use assur_mechanism::{Input, PairId};
+use assur_shaking::Size;
 use assur_words::{Describe, Text, text};
 
 use crate::SweepError;
-use crate::layout::{Layout, Sought};
+use crate::layout::{Layout, Named, Sought};
 use crate::statistics::Statistics;
 
 /// A family of columns.
@@ -21,6 +23,10 @@ pub struct Measure {
     pub(crate) angles: bool,
     /// Whether it needs the transmission angles of the groups.
     pub(crate) transmission: bool,
+    /// Whether it needs the motion between positions.
+    pub(crate) courses: bool,
+    /// Whether it needs the shaking force.
+    pub(crate) shaking: bool,
     put: fn(&Layout, &Measured, &mut Sink<'_>),
 }
 
@@ -40,12 +46,20 @@ pub const MEASURES: &[Measure] = &[
     Measure::new("reactions", "sweep-measure-reactions", reactions),
     Measure { by_default: false, ..Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms) },
     Measure { angles: true, ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
-    Measure { by_default: false, angles: true, ..Measure::new("stroke", "sweep-measure-stroke", stroke) },
+    Measure { by_default: false, courses: true, ..Measure::new("stroke", "sweep-measure-stroke", stroke) },
     Measure {
         by_default: false,
-        angles: true,
+        courses: true,
         ..Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio)
     },
+    Measure { by_default: false, courses: true, ..Measure::new("pf", "sweep-measure-pf", transfer) },
+    Measure { by_default: false, courses: true, ..Measure::new("speed", "sweep-measure-speed", speed) },
+    Measure {
+        by_default: false,
+        courses: true,
+        ..Measure::new("acceleration", "sweep-measure-acceleration", acceleration)
+    },
+    Measure { by_default: false, shaking: true, ..Measure::new("shaking", "sweep-measure-shaking", shaking) },
     Measure::new("regime", "sweep-measure-regime", regime),
     Measure::new("end", "sweep-measure-end", end),
 ];
@@ -73,6 +87,12 @@ pub(crate) struct Measured {
     /// The last state of a transient motion.
     pub(crate) last: Option<Instant>,
     pub(crate) steady: Option<Box<Steady>>,
+    /// The motion between positions; `None` where it was not asked for, or the cycle has a part without a solution.
+    pub(crate) courses: Option<Courses>,
+    /// The speed of an input whose speed is prescribed and constant, rad/s or m/s.
+    pub(crate) speed: Option<f64>,
+    /// The shaking force; `None` where it was not asked for, or there is none.
+    pub(crate) shaking: Option<Size>,
 }
 
 impl Measured {
@@ -103,13 +123,16 @@ impl Measured {
             input: None,
             last: None,
             steady: None,
+            courses: None,
+            speed: None,
+            shaking: None,
         }
     }
 
     /// Forgets what belongs to the positions whatever the loads.
     pub(crate) fn clear_positions(&mut self) {
-        let Self { health, transmission, points, slides, links, input, .. } = self;
-        (*health, *transmission, *input) = (Statistics::NONE, Statistics::NONE, None);
+        let Self { health, transmission, points, slides, links, input, courses, .. } = self;
+        (*health, *transmission, *input, *courses) = (Statistics::NONE, Statistics::NONE, None, None);
         points.fill([Statistics::NONE; 2]);
         slides.fill(Statistics::NONE);
         links.fill(Statistics::NONE);
@@ -117,11 +140,11 @@ impl Measured {
 
     /// Forgets what belongs to loads and motion.
     pub(crate) fn clear_forces(&mut self) {
-        let Self { balancing, load, forces, moments, last, steady, .. } = self;
+        let Self { balancing, load, forces, moments, last, steady, shaking, .. } = self;
         (*balancing, *load) = (Statistics::NONE, Statistics::NONE);
         forces.fill(Statistics::NONE);
         moments.fill(Statistics::NONE);
-        (*last, *steady) = (None, None);
+        (*last, *steady, *shaking) = (None, None, None);
     }
 }
 
@@ -138,7 +161,16 @@ impl Measure {
         summary: &'static str,
         put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
-        Self { name, summary, by_default: true, angles: false, transmission: false, put }
+        Self {
+            name,
+            summary,
+            by_default: true,
+            angles: false,
+            transmission: false,
+            courses: false,
+            shaking: false,
+            put,
+        }
     }
 
     /// The measures that are written where none are named.
@@ -271,32 +303,82 @@ fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     }
 }
 
+/// A part of what is measured with what is known of it between positions.
+fn each<'a, T, C>(of: &'a [Named<T>], courses: Option<&'a Vec<C>>) -> impl Iterator<Item = (&'a str, Option<&'a C>)> {
+    let course = move |index: usize| courses.and_then(|courses| courses.get(index));
+    of.iter().enumerate().map(move |(index, part)| (part.name.as_str(), course(index)))
+}
+
 fn stroke(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sink.of(displacement, Statistics::range, || format!("{}_stroke_m", slide.name));
+    let courses = found.courses.as_ref();
+    for (name, slide) in each(&layout.slides, courses.map(|all| &all.slides)) {
+        sink.put(slide.map(|of| of.pf0.max - of.pf0.min), || format!("{name}_stroke_m"));
     }
-    for (link, angle) in layout.links.iter().zip(&found.links) {
-        sink.of(angle, Statistics::range, || format!("{}_stroke_rad", link.name));
+    for (name, link) in each(&layout.links, courses.map(|all| &all.links)) {
+        sink.put(link.and_then(|of| Some(of.pf0?.max - of.pf0?.min)), || format!("{name}_stroke_rad"));
     }
 }
 
 fn time_ratio(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    let ratio = |of: &Statistics| {
-        let Range::Cycle(_) = found.input.as_ref()?.range else { return None };
-        let positions = found.input.as_ref()?.positions as f64;
-        let there = ((of.at_greatest() - of.at_least()) / positions).rem_euclid(1.0);
-        if !of.is_known() || of.range() <= 0.0 {
-            return None;
-        }
-        Some(there.max(1.0 - there) / there.min(1.0 - there))
-    };
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sink.put(ratio(displacement), || format!("{}_time_ratio", slide.name));
+    let courses = found.courses.as_ref();
+    let ratio = |of: &Option<Stroke>| of.as_ref()?.time_ratio;
+    for (name, slide) in each(&layout.slides, courses.map(|all| &all.slides)) {
+        sink.put(slide.and_then(|of| ratio(&of.stroke)), || format!("{name}_time_ratio"));
     }
-    for (link, angle) in layout.links.iter().zip(&found.links) {
-        let swings = angle.range() < std::f64::consts::PI;
-        sink.put(ratio(angle).filter(|_| swings), || format!("{}_time_ratio", link.name));
+    for (name, link) in each(&layout.links, courses.map(|all| &all.links)) {
+        sink.put(link.and_then(|of| ratio(&of.stroke)), || format!("{name}_time_ratio"));
     }
+}
+
+/// The greatest modulus of a quantity.
+fn modulus(of: &Extremes) -> f64 {
+    of.min.abs().max(of.max.abs())
+}
+
+/// Puts the greatest moduli of the first or second derivative of everything that moves; `factor`: of a derivative by the coordinate,
+/// `None` where it is not known; `name`: of the part and the unit of what moves, rad or m.
+fn derivatives(
+    layout: &Layout,
+    found: &Measured,
+    sink: &mut Sink<'_>,
+    (second, factor): (bool, Option<f64>),
+    name: impl Fn(&str, &str) -> String,
+) {
+    let courses = found.courses.as_ref().filter(|_| factor.is_some());
+    let size = |[first, then]: [&Extremes; 2]| factor.map(|factor| factor * modulus(if second { then } else { first }));
+    for (part, point) in each(&layout.points, courses.map(|all| &all.points)) {
+        sink.put(point.and_then(|of| size([&of.pf1, &of.pf2])), || name(part, "m"));
+    }
+    for (part, slide) in each(&layout.slides, courses.map(|all| &all.slides)) {
+        sink.put(slide.and_then(|of| size([&of.pf1, &of.pf2])), || name(part, "m"));
+    }
+    for (part, link) in each(&layout.links, courses.map(|all| &all.links)) {
+        sink.put(link.and_then(|of| size([&of.pf1, &of.pf2])), || name(part, "rad"));
+    }
+}
+
+fn transfer(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
+    let of = layout.units.coordinate;
+    let one = Some(1.0);
+    derivatives(layout, found, sink, (false, one), |part, unit| format!("{part}_pf1_greatest_{unit}_per_{of}"));
+    derivatives(layout, found, sink, (true, one), |part, unit| format!("{part}_pf2_greatest_{unit}_per_{of}2"));
+}
+
+fn speed(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
+    let factor = found.speed.map(f64::abs);
+    derivatives(layout, found, sink, (false, factor), |part, unit| format!("{part}_speed_greatest_{unit}_per_s"));
+}
+
+fn acceleration(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
+    let factor = found.speed.map(|speed| speed * speed);
+    derivatives(layout, found, sink, (true, factor), |part, unit| format!("{part}_acceleration_greatest_{unit}_per_s2"));
+}
+
+fn shaking(_: &Layout, found: &Measured, sink: &mut Sink<'_>) {
+    let size = found.shaking.as_ref();
+    sink.put(size.map(|size| size.greatest_force), || "shaking_force_greatest_N".to_owned());
+    sink.put(size.map(|size| size.rms_force), || "shaking_force_rms_N".to_owned());
+    sink.put(size.map(|size| size.greatest_moment), || "shaking_moment_greatest_Nm".to_owned());
 }
 
 fn regime(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {

@@ -192,6 +192,11 @@ impl Table {
         self.keys.iter().filter(has).map(|key| key.name)
     }
 
+    /// The sorts of this table that have a key; `None` where all of them do, or none.
+    pub(crate) fn sorts(&self, word: &str) -> Option<&'static [&'static str]> {
+        self.keys.iter().find(|key| key.name == word).map(|key| key.sorts).filter(|sorts| !sorts.is_empty())
+    }
+
     /// Where this key is found in another table.
     pub(crate) fn elsewhere(word: &str) -> Vec<&'static str> {
         let has = |table: &&&Table| table.keys.iter().any(|key| key.name == word);
