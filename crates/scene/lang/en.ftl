@@ -436,3 +436,20 @@ scene-key-note-variant = Variant of the task.
 scene-key-note-language = Language of note, drawings and texts.
 scene-key-note-positions = Numbers of the positions that are drawn and worked out; absent, the program chooses.
 scene-key-of-sorts = it belongs to another sort: { $sorts }
+
+## what is hardly meant in loads and motion
+scene-typographic-quotes = these are the quotes of a word processor: write " before and after
+scene-unquoted-quantity = a number with a unit stands in quotes: "{ $value }"
+scene-decimal-comma = is a comma meant as the decimal sign? it is a point
+scene-small-inertia = The moment of inertia of link `{ $link }` has a radius of gyration of { $radius }, and the link is { $size } long: is a unit wrong?
+scene-far-heavier = Link `{ $link }` has a mass of { $mass }, the others about { $others }: is a unit wrong?
+scene-odd-gravity = Gravity is { $size }; on the earth it is 9.81 m/s^2. Write "9.81 m/s^2", or leave `gravity` out.
+scene-fast = Links would move with { $speed } and more, at which no material holds: is the speed meant in another unit?
+scene-rough = A coefficient of friction of { $found } belongs to no pair of solids; is it in per cent?
+scene-great-journal = The journal has a radius of { $radius }, and the mechanism measures { $size }: is a unit wrong?
+scene-empty-output = [output] names nothing, so nothing is calculated: name points, links, slides or reactions, or leave it out.
+scene-long-spring = The spring has a free length of { $length }, and the mechanism measures { $size }: is a unit wrong?
+scene-strong = The load is that of a force of { $force } on a mechanism of { $size }, which no steel would hold: is a unit wrong?
+scene-long-time = The table over time goes up to { $last }, and the motion lasts { $lasts }: is the time meant in another unit?
+scene-degrees-in-formula = `{ $function }` takes radians, and here its argument looks like degrees: write 30*pi/180 for 30 degrees, and q is in radians already.
+scene-negative-against = A negative `value` against the motion drives: leave the minus sign out.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment};
+use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment, Value};
 use assur_words::{Text, name, text};
 
 use crate::context::{Context, Sort};
@@ -49,6 +49,12 @@ const FORCES: Sort = Sort {
 fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let direction = direction(section, context);
     let value = value::sized(section, "value", Dimension::Force, true, context);
+    if let (Some(Direction::AgainstMotion), Some(Value::Constant(size)), Some(entry)) =
+        (&direction, &value, section.get("value"))
+        && *size < 0.0
+    {
+        entry.faults.mistake(entry.span.clone(), text!("scene-negative-against"));
+    }
     let weight = text!("scene-ground-carries");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));

@@ -11,7 +11,7 @@ use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::{Bound, in_quotes};
 use crate::reference::VALUE;
-use crate::text::{brief, such_as};
+use crate::text::{brief, shown, such_as};
 use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Section};
 
@@ -158,6 +158,9 @@ pub(crate) fn formula_with_unit<'a>(
         }
     };
     let formula = Formula::read(text).map_err(|error| misread(&entry, text, &error)).ok()?;
+    if let Some(function) = formula.takes_degrees() {
+        entry.faults.mistake(entry.span.clone(), text!("scene-degrees-in-formula", function = shown(function)));
+    }
     Some((entry, formula, factor))
 }
 

@@ -260,7 +260,9 @@ impl<'a> Entry<'a> {
         if pair.is_err() {
             let many = text!("scene-list-of-so-many", count = count);
             let got = if self.value.is_array() { many } else { kind(self.value) };
-            self.wants(wanted.clone(), got, Text::default());
+            // 0,15 is two numbers.
+            let label = if count > 2 { text!("scene-decimal-comma") } else { Text::default() };
+            self.wants(wanted.clone(), got, label);
         }
         pair.ok()
     }
