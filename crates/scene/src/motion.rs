@@ -2,13 +2,13 @@
 
 use assur_mechanism::{MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Motion, Solve, StepLength, Until};
 
-use assur_words::{Text, name as words, number, text};
+use assur_words::{Describe, Text, name as words, number, text};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::numbers::Bound;
+use crate::numbers::{Bound, in_quotes};
 use crate::reference::MOTION;
-use crate::text::{brief, did_you_mean, shown, such_as};
+use crate::text::{brief, did_you_mean, nearest, shown, such_as};
 use crate::units::{Dimension, UnitError, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
 
@@ -159,6 +159,12 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let unevenness = section.get("unevenness").and_then(|entry| {
         if entry.value.as_str() == Some("motor") {
             return Some(Solve::Wanted);
+        }
+        if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
+            let quantity = Dimension::Number.describe();
+            let wanted = text!("scene-word-or", word = words("motor"), quantity = quantity);
+            entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["motor"])));
+            return None;
         }
         let value = entry.bounded(Dimension::Number, Bound::Positive)?;
         if value >= 2.0 {
