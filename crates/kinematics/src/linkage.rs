@@ -284,9 +284,14 @@ impl Linkage {
     fn explain(&self, coordinate: f64, failure: ChainError) -> PositionError {
         let failure = self.first_failure.filter(|_| self.range.is_none()).unwrap_or(failure);
         let (mechanism, links) = (&self.mechanism, &self.structure.groups[failure.group].frame.links);
-        let of_ground = |slide: &&Slide| slide.on == GROUND && slide.through == [0.0; 2] && links.contains(&slide.link);
+        let of_ground = |slide: &&Slide| {
+            slide.on == GROUND
+                && slide.through.iter().all(|part| part.abs() <= 0.0)
+                && links.contains(&slide.link)
+        };
         let by_default = mechanism.slides.iter().find(of_ground);
-        let by_default = by_default.map(|slide| Box::new([slide.name.clone(), mechanism.links[GROUND].name.clone()]));
+        let by_default =
+            by_default.map(|slide| Box::new([slide.name.clone(), mechanism.links[GROUND].name.clone()]));
         PositionError {
             group: failure.group,
             group_name: Box::new(self.structure.group_name(&self.mechanism, failure.group)),

@@ -123,6 +123,8 @@ pub fn parameters(file: File, row: usize) -> Result<Option<Vec<(String, f64)>>, 
     let Some(row) = reader.get_row_iter(None)?.nth(row).transpose()? else { return Ok(None) };
     let columns = row.get_column_iter().map(|(name, field)| (name.clone(), field));
     let before = columns.take_while(|(name, _)| name != "status");
-    let number = |(name, field): (String, &Field)| if let Field::Double(number) = field { Some((name, *number)) } else { None };
+    let number = |(name, field): (String, &Field)| {
+        if let Field::Double(number) = field { Some((name, *number)) } else { None }
+    };
     Ok(before.map(number).collect())
 }

@@ -10,9 +10,9 @@ pub use crate::error::Fault;
 pub use crate::walk::{Entry, Section};
 
 use crate::SceneErrors;
-use crate::walk::Known;
 use crate::error::Faults;
 use crate::text::shown;
+use crate::walk::Known;
 
 /// The greatest file that is read, in bytes: a scene has some kilobytes, a table of a hundred thousand rows some
 /// megabytes.
@@ -137,7 +137,8 @@ fn unclosed(text: &str, at: usize, message: &str) -> Option<usize> {
 }
 
 /// The quotes that a word processor writes.
-const TYPOGRAPHIC: [char; 9] = ['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}', '\u{201a}', '\u{ab}', '\u{bb}', '\u{2033}'];
+const TYPOGRAPHIC: [char; 9] =
+    ['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}', '\u{201a}', '\u{ab}', '\u{bb}', '\u{2033}'];
 
 /// The parser's message, with the duplicate key that it does not name.
 fn syntax_words(message: &str, piece: Option<&str>) -> Text {
@@ -146,7 +147,9 @@ fn syntax_words(message: &str, piece: Option<&str>) -> Text {
     if value.is_some_and(|value| value.starts_with(TYPOGRAPHIC)) {
         return text!("scene-typographic-quotes");
     }
-    if let Some(value) = value.filter(|value| value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))) {
+    if let Some(value) =
+        value.filter(|value| value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)))
+    {
         return text!("scene-unquoted-quantity", value = shown(value.trim_end()));
     }
     match piece.filter(|piece| message == "duplicate key" && !piece.is_empty()) {

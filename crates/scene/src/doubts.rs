@@ -8,7 +8,7 @@ use assur_mechanism::{GROUND, LinkId, Mechanism, Notice, Place, appearance};
 use assur_words::{name, quantity, text};
 
 use crate::edit::key_of_steps;
-use crate::text::{brief, shown};
+use crate::text::{rounded, shown};
 
 /// A link so many times as long as the middle one of the others has a wrong unit: mm for m gives a thousand times, and lengths that
 /// are meant differ by less than a hundred.
@@ -38,8 +38,8 @@ pub(crate) fn of(mechanism: &Mechanism) -> Vec<Notice> {
     let size = extents.iter().copied().fold(0.0, f64::max);
     if notices.is_empty() && size > 0.0 {
         notices.extend(task::of(mechanism, size));
-        for link in GROUND + 1..mechanism.links.len() {
-            notices.extend(inertia(mechanism, link, size, extents[link]));
+        for (link, length) in extents.iter().enumerate().skip(GROUND + 1) {
+            notices.extend(inertia(mechanism, link, size, *length));
             notices.extend(center(mechanism, link, size));
         }
     }
@@ -103,7 +103,7 @@ fn middle(lengths: impl Iterator<Item = f64>) -> Option<f64> {
 fn all_lengths(mechanism: &Mechanism, extents: &[f64]) -> Option<Notice> {
     let middle = middle(extents.iter().skip(1).copied()).filter(|middle| *middle > LONGEST)?;
     let link = (1..extents.len()).find(|link| extents[*link] >= middle)?;
-    let text = text!("scene-long-links", length = quantity(brief(middle), "m"));
+    let text = text!("scene-long-links", length = quantity(rounded(middle), "m"));
     Some(Notice::mistake(key(mechanism, link, &["points"]), text))
 }
 
@@ -112,7 +112,7 @@ fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice
     let others = extents.iter().enumerate().filter(|(other, _)| *other != link).map(|(_, extent)| *extent);
     let middle = middle(others)?;
     (extents[link] > MOST_TIMES_LONGER * middle).then(|| {
-        let [own, middle] = [extents[link], middle].map(|length| quantity(brief(length), "m"));
+        let [own, middle] = [extents[link], middle].map(|length| quantity(rounded(length), "m"));
         let link_name = shown(&mechanism.links[link].name);
         let text = text!("scene-far-longer", link = link_name, length = own, others = middle);
         Notice::mistake(key(mechanism, link, &["points"]), text)
@@ -137,7 +137,8 @@ fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Optio
     } else {
         return None;
     };
-    let [radius, size] = [radius, if radius > size { size } else { length }].map(|length| quantity(brief(length), "m"));
+    let [radius, size] =
+        [radius, if radius > size { size } else { length }].map(|length| quantity(rounded(length), "m"));
     let text = text!(id, link = shown(&body.name), radius = radius, size = size);
     Some(Notice::mistake(key(mechanism, link, &["inertia"]), text))
 }
@@ -145,13 +146,14 @@ fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Optio
 /// Links that are far heavier than the others.
 fn masses(mechanism: &Mechanism) -> Vec<Notice> {
     let heavy = |link: LinkId| {
-        let others = mechanism.links.iter().enumerate().filter(|(other, body)| *other != link && body.mass > 0.0);
+        let others =
+            mechanism.links.iter().enumerate().filter(|(other, body)| *other != link && body.mass > 0.0);
         let masses: Vec<f64> = others.map(|(_, body)| body.mass).collect();
         // Of one other link it is not known which of both is wrong.
         let middle = middle(masses.iter().copied()).filter(|_| masses.len() > 1)?;
         let mass = mechanism.links[link].mass;
         (mass > MOST_TIMES_HEAVIER * middle).then(|| {
-            let [own, others] = [mass, middle].map(|mass| quantity(brief(mass), "kg"));
+            let [own, others] = [mass, middle].map(|mass| quantity(rounded(mass), "kg"));
             let link_name = shown(&mechanism.links[link].name);
             let text = text!("scene-far-heavier", link = link_name, mass = own, others = others);
             Notice::mistake(key(mechanism, link, &["mass"]), text)
@@ -167,7 +169,7 @@ fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
     let away = places.map(|place| (place.at[0] - body.center[0]).hypot(place.at[1] - body.center[1]));
     let away = away.fold(f64::INFINITY, f64::min);
     (body.mass > 0.0 && away.is_finite() && away > MOST_TIMES_THE_SIZE * size).then(|| {
-        let [away, size] = [away, size].map(|length| quantity(brief(length), "m"));
+        let [away, size] = [away, size].map(|length| quantity(rounded(length), "m"));
         let text = text!("scene-far-center", link = shown(&body.name), distance = away, size = size);
         Notice::mistake(key(mechanism, link, &["center"]), text)
     })

@@ -21,7 +21,8 @@ const PLACES: &[(&str, FlywheelPlace)] = &[("crank", FlywheelPlace::Crank), ("mo
 
 /// Reads the drive; `motion` is the motion of the scene, if it could be read.
 pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) -> Option<Drive> {
-    let section = root.get("drive").and_then(|entry| entry.section(text!("scene-the-drive"), &reference::DRIVE));
+    let section =
+        root.get("drive").and_then(|entry| entry.section(text!("scene-the-drive"), &reference::DRIVE));
     check_unevenness(root, section.as_ref(), motion);
     let section = section?;
     check_motion(&section, motion, context);

@@ -115,7 +115,8 @@ fn friction(section: &Section<'_>) -> (f64, bool) {
     let Some(entry) = table else {
         return (section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0), false);
     };
-    let Some(section) = entry.section(text!("scene-friction-against-sliding"), &reference::CONTACT_FRICTION) else {
+    let Some(section) = entry.section(text!("scene-friction-against-sliding"), &reference::CONTACT_FRICTION)
+    else {
         return (0.0, true);
     };
     let coefficient = section.need("against_sliding");

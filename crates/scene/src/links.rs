@@ -18,7 +18,8 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let mut linkage = Linkage::default();
     linkage.add_link(massless(Name::ground()));
     let mut firsts = vec![[0.0; 2]];
-    let ground = root.get("ground").and_then(|entry| entry.section(text!("scene-the-ground"), &reference::GROUND));
+    let ground =
+        root.get("ground").and_then(|entry| entry.section(text!("scene-the-ground"), &reference::GROUND));
     if let Some(points) = ground.and_then(|ground| ground.get("points")) {
         firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
     }

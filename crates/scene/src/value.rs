@@ -43,7 +43,12 @@ pub(crate) fn read(
         return if refused_formula(entry) { None } else { entry.quantity(dimension).map(Value::Constant) };
     }
     if entry.named(text!("scene-a-table"), Text::default()).iter().any(|key| key.name == "formula") {
-        return formula(&entry.section(text!("scene-a-formula"), (&VALUE, "formula"))?, dimension, stroke, context);
+        return formula(
+            &entry.section(text!("scene-a-formula"), (&VALUE, "formula"))?,
+            dimension,
+            stroke,
+            context,
+        );
     }
     let kind = kind(entry)?;
     let what = match kind {
@@ -159,7 +164,9 @@ pub(crate) fn formula_with_unit<'a>(
     };
     let formula = Formula::read(text).map_err(|error| misread(&entry, text, &error)).ok()?;
     if let Some(function) = formula.takes_degrees() {
-        entry.faults.mistake(entry.span.clone(), text!("scene-degrees-in-formula", function = shown(function)));
+        entry
+            .faults
+            .mistake(entry.span.clone(), text!("scene-degrees-in-formula", function = shown(function)));
     }
     Some((entry, formula, factor))
 }

@@ -51,7 +51,9 @@ impl Known {
         }
         let (also, elsewhere) = (table.meant(word).filter(|key| known.contains(key)), Table::elsewhere(word));
         match also.or_else(|| nearest(word, known.iter().copied())) {
-            None if !elsewhere.is_empty() => text!("scene-key-elsewhere", tables = name(elsewhere.join(", "))),
+            None if !elsewhere.is_empty() => {
+                text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
+            }
             near => did_you_mean(near),
         }
     }
@@ -90,12 +92,7 @@ pub struct Entry<'a> {
 
 impl<'a> Section<'a> {
     /// The whole file.
-    pub(crate) fn root(
-        table: &'a DeTable<'a>,
-        what: Text,
-        known: Known,
-        faults: &'a Faults,
-    ) -> Self {
+    pub(crate) fn root(table: &'a DeTable<'a>, what: Text, known: Known, faults: &'a Faults) -> Self {
         let section = Self { table, what, span: 0..0, known, faults };
         section.refuse_unknown();
         section
@@ -111,7 +108,8 @@ impl<'a> Section<'a> {
         for entry in self.entries() {
             if !known.contains(&entry.name.as_str()) {
                 entry.faults.note(|| {
-                    let message = text!("scene-unknown", what = text!("scene-key"), name = shown(&entry.name));
+                    let message =
+                        text!("scene-unknown", what = text!("scene-key"), name = shown(&entry.name));
                     let label = self.known.meant(&entry.name, &known);
                     Fault::new(entry.key.clone(), message).label(label).help(self.knows())
                 });

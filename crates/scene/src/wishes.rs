@@ -134,7 +134,8 @@ pub struct Note {
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
     let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new() };
-    let Some(section) = root.get("note").and_then(|entry| entry.section(text!("scene-the-note"), &reference::NOTE))
+    let Some(section) =
+        root.get("note").and_then(|entry| entry.section(text!("scene-the-note"), &reference::NOTE))
     else {
         return note;
     };

@@ -118,7 +118,13 @@ fn refuse_other_mobility(
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);
-            Err(StructureError::Loose { counted, links: loose, surplus, alike: alike(mechanism), alone: alone(mechanism, &loose_links) })
+            Err(StructureError::Loose {
+                counted,
+                links: loose,
+                surplus,
+                alike: alike(mechanism),
+                alone: alone(mechanism, &loose_links),
+            })
         }
     }
 }

@@ -85,7 +85,9 @@ impl Axis {
         let leader = leader.ok_or_else(|| {
             SweepError::vary(tie.key.to_string(), text!("sweep-tie-not-varied", key = name(follows)))
         })?;
-        let end = |number: f64| End { number: decimal(number * tie.factor), unit: parameters[leader].name.clone() }.text();
+        let end = |number: f64| {
+            End { number: decimal(number * tie.factor), unit: parameters[leader].name.clone() }.text()
+        };
         let range = Ends { from: end(parameters[leader].from), to: end(parameters[leader].to), count: 1 };
         let axis = Self::of(&Vary { key: tie.key.clone(), range }, document, file, scene)?;
         Ok(Self { follows: Some((leader, tie.factor)), ..axis })

@@ -304,7 +304,10 @@ fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
 }
 
 /// A part of what is measured with what is known of it between positions.
-fn each<'a, T, C>(of: &'a [Named<T>], courses: Option<&'a Vec<C>>) -> impl Iterator<Item = (&'a str, Option<&'a C>)> {
+fn each<'a, T, C>(
+    of: &'a [Named<T>],
+    courses: Option<&'a Vec<C>>,
+) -> impl Iterator<Item = (&'a str, Option<&'a C>)> {
     let course = move |index: usize| courses.and_then(|courses| courses.get(index));
     of.iter().enumerate().map(move |(index, part)| (part.name.as_str(), course(index)))
 }
@@ -345,7 +348,9 @@ fn derivatives(
     name: impl Fn(&str, &str) -> String,
 ) {
     let courses = found.courses.as_ref().filter(|_| factor.is_some());
-    let size = |[first, then]: [&Extremes; 2]| factor.map(|factor| factor * modulus(if second { then } else { first }));
+    let size = |[first, then]: [&Extremes; 2]| {
+        factor.map(|factor| factor * modulus(if second { then } else { first }))
+    };
     for (part, point) in each(&layout.points, courses.map(|all| &all.points)) {
         sink.put(point.and_then(|of| size([&of.pf1, &of.pf2])), || name(part, "m"));
     }
@@ -360,18 +365,26 @@ fn derivatives(
 fn transfer(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let of = layout.units.coordinate;
     let one = Some(1.0);
-    derivatives(layout, found, sink, (false, one), |part, unit| format!("{part}_pf1_greatest_{unit}_per_{of}"));
-    derivatives(layout, found, sink, (true, one), |part, unit| format!("{part}_pf2_greatest_{unit}_per_{of}2"));
+    derivatives(layout, found, sink, (false, one), |part, unit| {
+        format!("{part}_pf1_greatest_{unit}_per_{of}")
+    });
+    derivatives(layout, found, sink, (true, one), |part, unit| {
+        format!("{part}_pf2_greatest_{unit}_per_{of}2")
+    });
 }
 
 fn speed(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let factor = found.speed.map(f64::abs);
-    derivatives(layout, found, sink, (false, factor), |part, unit| format!("{part}_speed_greatest_{unit}_per_s"));
+    derivatives(layout, found, sink, (false, factor), |part, unit| {
+        format!("{part}_speed_greatest_{unit}_per_s")
+    });
 }
 
 fn acceleration(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let factor = found.speed.map(|speed| speed * speed);
-    derivatives(layout, found, sink, (true, factor), |part, unit| format!("{part}_acceleration_greatest_{unit}_per_s2"));
+    derivatives(layout, found, sink, (true, factor), |part, unit| {
+        format!("{part}_acceleration_greatest_{unit}_per_s2")
+    });
 }
 
 fn shaking(_: &Layout, found: &Measured, sink: &mut Sink<'_>) {

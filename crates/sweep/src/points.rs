@@ -37,13 +37,16 @@ impl Points {
         match self {
             Self::Grid => {
                 let mut rest = index;
-                for (axis, out) in axes.iter().zip(&mut *out).rev().filter(|(axis, _)| axis.follows.is_none()) {
+                for (axis, out) in axes.iter().zip(&mut *out).rev().filter(|(axis, _)| axis.follows.is_none())
+                {
                     *out = between(axis.from, axis.to, rest % axis.count, axis.count);
                     rest /= axis.count;
                 }
             }
             Self::Sample { seed, .. } => {
-                for ((axis, out), dimension) in axes.iter().zip(&mut *out).filter(|(axis, _)| axis.follows.is_none()).zip(0..) {
+                for ((axis, out), dimension) in
+                    axes.iter().zip(&mut *out).filter(|(axis, _)| axis.follows.is_none()).zip(0..)
+                {
                     *out = axis.from + (axis.to - axis.from) * fraction(index, dimension, seed);
                 }
             }

@@ -145,7 +145,8 @@ impl<'a, 'w> Positions<'a, 'w> {
     fn between(&mut self, moved: bool) {
         let (linkage, layout) = (&self.calculation.linkage, &self.worker.sweep.layout);
         if moved && self.wants(|measure| measure.courses) {
-            let (links, slides) = (layout.links.iter().map(|link| link.id), layout.slides.iter().map(|slide| slide.id));
+            let (links, slides) =
+                (layout.links.iter().map(|link| link.id), layout.slides.iter().map(|slide| slide.id));
             let points = layout.points.iter().map(|point| point.id.0);
             self.worker.found.courses = courses(linkage, links, slides, points).ok();
         }

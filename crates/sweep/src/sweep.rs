@@ -55,7 +55,12 @@ pub struct Request {
 
 impl Default for Request {
     fn default() -> Self {
-        Self { points: Points::Grid, ties: Vec::new(), measures: Measure::defaults(), options: Options::default() }
+        Self {
+            points: Points::Grid,
+            ties: Vec::new(),
+            measures: Measure::defaults(),
+            options: Options::default(),
+        }
     }
 }
 
@@ -121,7 +126,8 @@ impl Sweep {
     /// The parameters with their ranges, one text each, as they are given: `link.crank.mass=1 kg..5 kg:9`.
     pub fn ranges(&self) -> impl Iterator<Item = String> + '_ {
         self.axes.iter().map(|axis| {
-            let count = if matches!(self.points, Points::Grid) { format!(":{}", axis.count) } else { String::new() };
+            let count =
+                if matches!(self.points, Points::Grid) { format!(":{}", axis.count) } else { String::new() };
             match axis.follows {
                 Some((leader, factor)) => format!("{}={}*{factor}", axis.key, self.axes[leader].key),
                 None => format!("{}={}..{}{count}", axis.key, axis.shown(axis.from), axis.shown(axis.to)),

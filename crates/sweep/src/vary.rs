@@ -75,11 +75,17 @@ impl Tie {
         let (key, follows) = text.split_once('=').ok_or_else(|| fault(text!("sweep-write-tie")))?;
         // A `*` in brackets stands for all elements of a list.
         let (follows, factor) = match follows.rsplit_once('*').filter(|(_, factor)| !factor.contains(']')) {
-            Some((follows, factor)) => (follows, factor.trim().parse().ok().filter(|factor: &f64| factor.is_finite())),
+            Some((follows, factor)) => {
+                (follows, factor.trim().parse().ok().filter(|factor: &f64| factor.is_finite()))
+            }
             None => (follows, Some(1.0)),
         };
         let factor = factor.ok_or_else(|| fault(text!("sweep-write-tie")))?;
-        Ok(Self { key: Key::parse(key).map_err(fault)?, follows: Key::parse(follows).map_err(fault)?, factor })
+        Ok(Self {
+            key: Key::parse(key).map_err(fault)?,
+            follows: Key::parse(follows).map_err(fault)?,
+            factor,
+        })
     }
 }
 

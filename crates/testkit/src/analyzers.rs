@@ -22,8 +22,11 @@ const ROUNDING: f64 = 1e-9;
 ///
 /// The first [`Fault`] found.
 pub fn judge_analyzer(name: &str) -> Result<(), Fault> {
-    let plugin = assur_force::find(name)
-        .map_err(|error| Fault { check: "registry", seed: None, what: error.to_string() })?;
+    let plugin = assur_force::find(name).map_err(|error| Fault {
+        check: "registry",
+        seed: None,
+        what: error.to_string(),
+    })?;
     judge_forces(plugin)
 }
 
@@ -72,20 +75,24 @@ impl Case<'_> {
         if linkage.solve(coordinate, Order::Second, &mut position).is_err() {
             return Ok(false);
         }
-        let state = State { speed: 3.0, acceleration: 2.0, ..State::prescribed(&linkage.mechanism, coordinate) };
+        let state =
+            State { speed: 3.0, acceleration: 2.0, ..State::prescribed(&linkage.mechanism, coordinate) };
         let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
         loads.evaluate(&state, &position.bodies, &mut wrenches);
         let case = Case { linkage, position, loads: wrenches, seed };
         let found = match case.solved(plugin, 1.0) {
             Ok(found) => found,
             // A load that does no work balances nothing, whatever the method; a method's own singular position has no answer.
-            Err(ForceError::IdleBalance { .. } | ForceError::Parallel { .. } | ForceError::ChangePoint(_)) => return Ok(false),
+            Err(
+                ForceError::IdleBalance { .. } | ForceError::Parallel { .. } | ForceError::ChangePoint(_),
+            ) => return Ok(false),
             Err(error) => return Err(case.fault("solve", error.to_string())),
         };
         case.power(&found)?;
         if plugin.gives_reactions {
             case.equilibrium(&found)?;
-        } else if !found.pairs.iter().all(|pair| [pair.fx, pair.fy, pair.m].iter().all(|part| part.is_nan())) {
+        } else if !found.pairs.iter().all(|pair| [pair.fx, pair.fy, pair.m].iter().all(|part| part.is_nan()))
+        {
             return Err(case.fault("reactions", "the method gives none, so they must be NaN".to_owned()));
         }
         case.proportion(plugin, &found)?;
@@ -115,7 +122,8 @@ impl Case<'_> {
         if left.abs() <= ROUNDING * size.max((found.balancing * of_unit).abs()) {
             return Ok(());
         }
-        let what = format!("the balancing load {} leaves the power {left:.3e} of {size:.3e}", found.balancing);
+        let what =
+            format!("the balancing load {} leaves the power {left:.3e} of {size:.3e}", found.balancing);
         Err(self.fault("virtual power", what))
     }
 
@@ -124,7 +132,8 @@ impl Case<'_> {
         let (linkage, bodies, scale) = (self.linkage, &self.position.bodies, self.linkage.structure.scale);
         let mut left = self.loads.clone();
         let balance = |along: [f64; 2]| along.map(|part| found.balancing * part);
-        let mut greatest = left.iter().map(|load| load.fx.hypot(load.fy).max(load.m.abs() / scale)).fold(0.0, f64::max);
+        let mut greatest =
+            left.iter().map(|load| load.fx.hypot(load.fy).max(load.m.abs() / scale)).fold(0.0, f64::max);
         if let Some(unit) = &found.unit {
             let wrench = unit.wrench(bodies).map(|part| found.balancing * part);
             add(&mut left[unit.link], wrench);
@@ -133,13 +142,19 @@ impl Case<'_> {
             let (a, b) = (&bodies[named.pair.a], &bodies[named.pair.b]);
             let (point, guide) = match named.pair.geometry {
                 PairGeometry::Pin { at_a, .. } => (at_a, None),
-                PairGeometry::Slide { point, angle, .. } => (point, Some(b.turned([angle.cos(), angle.sin()]))),
+                PairGeometry::Slide { point, angle, .. } => {
+                    (point, Some(b.turned([angle.cos(), angle.sin()])))
+                }
             };
-            let (place, mut force, mut moment) = (a.point(vector(point)), [reaction.fx, reaction.fy], reaction.m);
+            let (place, mut force, mut moment) =
+                (a.point(vector(point)), [reaction.fx, reaction.fy], reaction.m);
             greatest = greatest.max(force[0].hypot(force[1])).max(moment.abs() / scale);
             let along = guide.map_or(0.0, |guide| guide[0] * force[0] + guide[1] * force[1]);
             if along.abs() > ROUNDING * greatest {
-                return Err(self.fault("guides", format!("pair {} pushes along its guide with {along:.3e} N", named.pair.id)));
+                return Err(self.fault(
+                    "guides",
+                    format!("pair {} pushes along its guide with {along:.3e} N", named.pair.id),
+                ));
             }
             // The drive acts in the pair of the input: a moment, or a force along the guide.
             if found.unit.is_none() && named.pair.id == linkage.structure.pairs[0].pair.id {
@@ -161,7 +176,10 @@ impl Case<'_> {
             let size = rest.fx.hypot(rest.fy).max(rest.m.abs() / scale);
             if size.is_nan() || size > ROUNDING * greatest {
                 let name = &linkage.mechanism.links[link].name;
-                return Err(self.fault("equilibrium", format!("link `{name}` is left with {rest:?}, forces are up to {greatest:.3e} N")));
+                return Err(self.fault(
+                    "equilibrium",
+                    format!("link `{name}` is left with {rest:?}, forces are up to {greatest:.3e} N"),
+                ));
             }
         }
         Ok(())
@@ -174,7 +192,10 @@ impl Case<'_> {
         if off <= ROUNDING * found.balancing.abs() {
             return Ok(());
         }
-        Err(self.fault("proportion", format!("twice the loads change the balancing load by {off:.3e} from twice itself")))
+        Err(self.fault(
+            "proportion",
+            format!("twice the loads change the balancing load by {off:.3e} from twice itself"),
+        ))
     }
 
     /// A lane has the bits of its position.
@@ -191,7 +212,8 @@ impl Case<'_> {
         }
         let same = |lanes: Lanes, one: f64| lanes.0.iter().all(|lane| lane.to_bits() == one.to_bits());
         let pairs = out.pairs.iter().zip(&found.pairs);
-        let mut pairs = pairs.map(|(lanes, one)| same(lanes.fx, one.fx) && same(lanes.fy, one.fy) && same(lanes.m, one.m));
+        let mut pairs = pairs
+            .map(|(lanes, one)| same(lanes.fx, one.fx) && same(lanes.fy, one.fy) && same(lanes.m, one.m));
         if same(out.balancing, found.balancing) && pairs.all(|same| same) {
             return Ok(());
         }

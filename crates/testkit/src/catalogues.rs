@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_motor::{Characteristic, CharacteristicKind, CataloguePlugin, Motor, find_catalogue};
+use assur_motor::{CataloguePlugin, Characteristic, CharacteristicKind, Motor, find_catalogue};
 
 use crate::Fault;
 
@@ -45,7 +45,10 @@ fn fault(check: &'static str, what: String) -> Fault {
 fn physics(motor: &Motor) -> Result<(), String> {
     let synchronous = 100.0 * std::f64::consts::PI * 2.0 / f64::from(motor.poles);
     if (motor.synchronous_speed / synchronous - 1.0).abs() > 1e-6 {
-        return Err(format!("{} poles at 50 Hz turn with {synchronous} rad/s, not {}", motor.poles, motor.synchronous_speed));
+        return Err(format!(
+            "{} poles at 50 Hz turn with {synchronous} rad/s, not {}",
+            motor.poles, motor.synchronous_speed
+        ));
     }
     let slip = 1.0 - motor.rated_speed / motor.synchronous_speed;
     if slip.is_nan() || slip <= 0.0 || slip > 0.2 {
@@ -61,7 +64,8 @@ fn physics(motor: &Motor) -> Result<(), String> {
     if ratio.is_nan() || ratio <= 1.0 {
         return Err(format!("a breakdown torque of {ratio} rated torques"));
     }
-    let kloss = Characteristic::new(CharacteristicKind::Kloss, &motor.rated_data()).map_err(|error| error.to_string())?;
+    let kloss = Characteristic::new(CharacteristicKind::Kloss, &motor.rated_data())
+        .map_err(|error| error.to_string())?;
     let rated = motor.rated_power / motor.rated_speed;
     let found = kloss.torque(motor.rated_speed);
     if (found / rated - 1.0).abs() > 1e-12 {

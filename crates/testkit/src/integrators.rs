@@ -11,8 +11,8 @@ use crate::Fault;
 
 /// The error that a method with control of its error may leave, in tolerances: errors of steps add up over a motion.
 const TOLERANCES: f64 = 1e4;
-/// The error that a method at its usual fixed step may leave, relative.
-const AT_FIXED_STEP: f64 = 1e-4;
+/// The error that a method at its usual fixed step, a thousandth of the motion, may leave: so many times that step to its order.
+const AT_FIXED_STEP: f64 = 10.0;
 /// What a declared order may differ from that of the errors at two steps.
 const ORDER: f64 = 0.3;
 
@@ -46,7 +46,9 @@ const PROBLEMS: [Problem; 5] = [
         motion: || Box::new(problems::jumps()),
         initial: State { time: 0.0, coordinate: 0.0, speed: 0.0 },
         until: Until::Coordinate(3.0),
-        known: |end| vec![[end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0], [end.speed, 10.0_f64.sqrt()]],
+        known: |end| {
+            vec![[end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0], [end.speed, 10.0_f64.sqrt()]]
+        },
     },
     Problem {
         name: "dry friction to rest",
@@ -117,12 +119,13 @@ fn answers(plugin: &IntegratorPlugin, problem: &Problem, found: &Trajectory) -> 
     let most = match plugin.knob {
         Knob::None => 1e-12,
         Knob::Tolerance => 1e-9 * TOLERANCES,
-        Knob::Step => AT_FIXED_STEP,
+        Knob::Step => (AT_FIXED_STEP * 1e-3_f64.powi(i32::from(plugin.order))).max(1e-9),
     };
     for [value, wanted] in (problem.known)(&found.end) {
         let error = (value / wanted - 1.0).abs();
         if error.is_nan() || error > most {
-            let what = format!("{}: {value} is not {wanted}, off by {error:.1e}, allowed {most:.1e}", problem.name);
+            let what =
+                format!("{}: {value} is not {wanted}, off by {error:.1e}, allowed {most:.1e}", problem.name);
             return Err(fault("answers", what));
         }
     }
@@ -167,7 +170,10 @@ fn order(plugin: &IntegratorPlugin) -> Result<(), Fault> {
         let found = (error(1e-9, 40.0)? / error(1e-9, 80.0)?).log2();
         let declared = f64::from(plugin.order);
         if found.is_nan() || found < declared - ORDER {
-            return Err(fault("order", format!("the errors at two steps have order {found:.2}, declared {declared}")));
+            return Err(fault(
+                "order",
+                format!("the errors at two steps have order {found:.2}, declared {declared}"),
+            ));
         }
         return Ok(());
     }
@@ -182,11 +188,13 @@ fn order(plugin: &IntegratorPlugin) -> Result<(), Fault> {
 
 /// An equation without a value is an error, and so is a motion that never comes to its end.
 fn refusals(plugin: &IntegratorPlugin) -> Result<(), Fault> {
-    let nothing = || problems::Example::new(problems::CONSTANT, |_, _| assur_integrator::Reduced {
-        inertia: 1.0,
-        inertia_derivative: 0.0,
-        moment: f64::NAN,
-    });
+    let nothing = || {
+        problems::Example::new(problems::CONSTANT, |_, _| assur_integrator::Reduced {
+            inertia: 1.0,
+            inertia_derivative: 0.0,
+            moment: f64::NAN,
+        })
+    };
     if plugin.supports(&problems::CONSTANT).is_err() {
         return Ok(());
     }
@@ -194,7 +202,10 @@ fn refusals(plugin: &IntegratorPlugin) -> Result<(), Fault> {
     if let Ok(found) = plugin.solve(&mut nothing(), &request) {
         return Err(fault("refusals", format!("a moment that is no number gives {:?}", found.end)));
     }
-    let never = Request { time_limit: 200.0, ..Request::new(State { time: 0.0, coordinate: 0.0, speed: 100.0 }, Until::Coordinate(2501.0)) };
+    let never = Request {
+        time_limit: 200.0,
+        ..Request::new(State { time: 0.0, coordinate: 0.0, speed: 100.0 }, Until::Coordinate(2501.0))
+    };
     match plugin.solve(&mut problems::d1_friction(), &never) {
         Ok(found) => Err(fault("refusals", format!("an end that is never reached gives {:?}", found.end))),
         Err(_) => Ok(()),

@@ -13,6 +13,8 @@ mod catalogues;
 mod checks;
 mod integrators;
 mod pattern;
+#[cfg(test)]
+mod planted;
 mod rng;
 mod sample;
 pub mod specimen;

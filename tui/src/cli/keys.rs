@@ -52,7 +52,8 @@ impl TypedValueParser for Word {
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let names = TABLES.iter().flat_map(|table| table.keys.iter().map(|key| key.name).chain([table.name()]));
+        let names =
+            TABLES.iter().flat_map(|table| table.keys.iter().map(|key| key.name).chain([table.name()]));
         let mut names: Vec<_> = names.filter(|name| !name.is_empty()).collect();
         names.sort_unstable();
         names.dedup();
@@ -135,7 +136,14 @@ fn markdown(found: &[Found], language: &Language) -> String {
             let values = [key.values(), default(key)].map(|text| text.render(language));
             let values = values.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
             let about = text!(key.about).render(language);
-            let _ = writeln!(page, "| `{}` | {} | {} | `{}` |", key.name, cell(values), cell(about), cell(line(key)));
+            let _ = writeln!(
+                page,
+                "| `{}` | {} | {} | `{}` |",
+                key.name,
+                cell(values),
+                cell(about),
+                cell(line(key))
+            );
         }
     }
     page
@@ -150,6 +158,9 @@ mod tests {
     fn the_page_of_the_documentation_is_the_reference() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/scene.md");
         let found: Vec<_> = search("", Language::english()).collect();
-        assert!(std::fs::read_to_string(path).unwrap() == markdown(&found, Language::english()), "write {path} anew");
+        assert!(
+            std::fs::read_to_string(path).unwrap() == markdown(&found, Language::english()),
+            "write {path} anew"
+        );
     }
 }

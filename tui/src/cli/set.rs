@@ -44,7 +44,8 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
         }
     }
     for value in &args.values {
-        let problem = |problem: Text| Fault::Other(text!("cli-set", value = name(value.clone()), problem = problem));
+        let problem =
+            |problem: Text| Fault::Other(text!("cli-set", value = name(value.clone()), problem = problem));
         let (key, value) = value.split_once('=').ok_or_else(|| problem(text!("cli-write-set")))?;
         let key = Key::parse(key).map_err(problem)?;
         let found = document.find(&key).map_err(problem)?;
@@ -95,18 +96,26 @@ fn measured(document: &Document<'_>, column: &str) -> Result<(Vec<Place>, Option
 /// The parameters of a row of a sweep: names of the columns before `status`, and their numbers.
 fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
     let refused = |problem: Text| Fault::from(files::FileError::refused(result, problem));
-    let row: usize = row.parse().map_err(|_| Fault::Other(text!("cli-row-number", row = name(row.to_owned()))))?;
+    let row: usize =
+        row.parse().map_err(|_| Fault::Other(text!("cli-row-number", row = name(row.to_owned()))))?;
     if result.extension().is_some_and(|end| end.eq_ignore_ascii_case("parquet")) {
-        let file = std::fs::File::open(result).map_err(|error| files::FileError::read(result, assur_words::text_of(&error)))?;
+        let file = std::fs::File::open(result)
+            .map_err(|error| files::FileError::read(result, assur_words::text_of(&error)))?;
         let found = assur_parquet::sweep::parameters(file, row).map_err(Fault::told)?;
         return found.ok_or_else(|| refused(text!("cli-no-row", row = assur_words::number(row))));
     }
     let table = files::read(result)?;
     let mut lines = table.lines();
-    let cells = |line: &str| -> Vec<String> { line.split(',').map(|cell| cell.trim_matches('"').to_owned()).collect() };
+    let cells = |line: &str| -> Vec<String> {
+        line.split(',').map(|cell| cell.trim_matches('"').to_owned()).collect()
+    };
     let header = lines.next().map(cells).unwrap_or_default();
-    let count = header.iter().position(|name| name == "status").ok_or_else(|| refused(text!("cli-no-sweep")))?;
-    let line = lines.nth(row).map(cells).ok_or_else(|| refused(text!("cli-no-row", row = assur_words::number(row))))?;
+    let count =
+        header.iter().position(|name| name == "status").ok_or_else(|| refused(text!("cli-no-sweep")))?;
+    let line = lines
+        .nth(row)
+        .map(cells)
+        .ok_or_else(|| refused(text!("cli-no-row", row = assur_words::number(row))))?;
     let numbers = line.iter().take(count).map(|cell| cell.parse::<f64>().ok());
     let numbers = numbers.collect::<Option<Vec<_>>>().ok_or_else(|| refused(text!("cli-no-sweep")))?;
     Ok(header.into_iter().zip(numbers).collect())

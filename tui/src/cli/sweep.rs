@@ -158,7 +158,12 @@ impl<'a> Job<'a> {
             // What a number takes in CSV with its comma; Parquet takes less than half of it.
             let megabytes = (rows as f64 * columns as f64 * BYTES_OF_NUMBER / 1e6).ceil();
             let [rows, columns] = [rows, columns].map(number);
-            self.style.tell(text!("cli-sweep-size", rows = rows, columns = columns, megabytes = number(megabytes)));
+            self.style.tell(text!(
+                "cli-sweep-size",
+                rows = rows,
+                columns = columns,
+                megabytes = number(megabytes)
+            ));
         }
     }
 

@@ -80,7 +80,8 @@ impl Calculation {
         let mechanism = &self.linkage.mechanism;
         let places = mechanism.points.iter().flat_map(|point| &point.places);
         let size = diagonal(places.map(|place| first.bodies[place.link].point(place.at)));
-        let groups = || self.linkage.groups().iter().enumerate().map(|(group, kernel)| (group, kernel.frame()));
+        let groups =
+            || self.linkage.groups().iter().enumerate().map(|(group, kernel)| (group, kernel.frame()));
         let is_placed = |link: usize| {
             groups().all(|(group, frame)| self.linkage.chain.is_needed(group) || !frame.links.contains(&link))
         };

@@ -3,7 +3,7 @@
 use assur_mechanism::{Load, LoadKind, Mechanism, Motion, Notice, Over, Range, Rubbing, Value};
 use assur_words::{Text, quantity, text};
 
-use crate::text::brief;
+use crate::text::rounded;
 
 /// Gravity between these, m/s^2, is that of a planet: 9810 was meant in mm, 0.00981 written in mm.
 const GRAVITY: [f64; 2] = [0.5, 30.0];
@@ -29,25 +29,38 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
     if let Some([x, y]) = mechanism.gravity {
         let size = x.hypot(y);
         let is_odd = size > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&size);
-        doubt(is_odd, "gravity", text!("scene-odd-gravity", size = quantity(brief(size), "m/s^2")));
+        doubt(is_odd, "gravity", text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2")));
     }
     let speed = match mechanism.motion {
-        Some(Motion::Prescribed { speed, .. } | Motion::Transient { speed, .. }) => ("motion.speed", speed.abs()),
+        Some(Motion::Prescribed { speed, .. } | Motion::Transient { speed, .. }) => {
+            ("motion.speed", speed.abs())
+        }
         Some(Motion::Steady { mean_speed, .. }) => ("motion.mean_speed", mean_speed.abs()),
         None => ("", 0.0),
     };
     let fastest = if mechanism.input.is_angle() { speed.1 * size } else { speed.1 };
-    doubt(fastest > FASTEST, speed.0, text!("scene-fast", speed = quantity(brief(fastest.round()), "m/s")));
+    doubt(fastest > FASTEST, speed.0, text!("scene-fast", speed = quantity(rounded(fastest.round()), "m/s")));
     for (number, friction) in mechanism.frictions.iter().enumerate() {
         let key = |name: &str| format!("friction[{number}].{name}");
         let coefficient = friction.coefficient;
-        doubt(coefficient > ROUGHEST, &key("coefficient"), text!("scene-rough", found = brief(coefficient)));
+        doubt(
+            coefficient > ROUGHEST,
+            &key("coefficient"),
+            text!("scene-rough", found = rounded(coefficient)),
+        );
         let radius = if let Rubbing::Journal { radius, .. } = friction.rubbing { radius } else { 0.0 };
-        let text = text!("scene-great-journal", radius = quantity(brief(radius), "m"), size = quantity(brief(size), "m"));
+        let text = text!(
+            "scene-great-journal",
+            radius = quantity(rounded(radius), "m"),
+            size = quantity(rounded(size), "m")
+        );
         doubt(radius > size, &key("radius"), text);
     }
     let nothing = mechanism.output.as_ref().is_some_and(|output| {
-        output.points.is_empty() && output.links.is_empty() && output.slides.is_empty() && output.reactions.is_empty()
+        output.points.is_empty()
+            && output.links.is_empty()
+            && output.slides.is_empty()
+            && output.reactions.is_empty()
     });
     doubt(nothing, "output", text!("scene-empty-output"));
     for (id, load) in mechanism.loads.iter().enumerate() {
@@ -64,7 +77,7 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
 fn of_load(mechanism: &Mechanism, load: &Load, size: f64) -> Option<(&'static str, Text)> {
     let value = match &load.kind {
         LoadKind::Spring(spring) => {
-            let [length, whole] = [spring.length, size].map(|length| quantity(brief(length), "m"));
+            let [length, whole] = [spring.length, size].map(|length| quantity(rounded(length), "m"));
             let is_long = spring.length > LONGEST_SPRING * size;
             return is_long.then(|| ("length", text!("scene-long-spring", length = length, size = whole)));
         }
@@ -75,16 +88,19 @@ fn of_load(mechanism: &Mechanism, load: &Load, size: f64) -> Option<(&'static st
     let unit = if matches!(load.kind, LoadKind::Force(_)) { 1.0 } else { size };
     let most = value.sizes().fold(0.0, |most: f64, size| most.max(size.abs())) / unit;
     if most > STRONGEST * size * size {
-        let text = text!("scene-strong", force = quantity(brief(most), "N"), size = quantity(brief(size), "m"));
+        let text =
+            text!("scene-strong", force = quantity(rounded(most), "N"), size = quantity(rounded(size), "m"));
         return Some(("value", text));
     }
     let Value::Table { over: Over::Time, table, .. } = value else { return None };
-    let (last, Some(Motion::Prescribed { speed, .. })) = (table.rows.last()?[0], &mechanism.motion) else { return None };
+    let (last, Some(Motion::Prescribed { speed, .. })) = (table.rows.last()?[0], &mechanism.motion) else {
+        return None;
+    };
     let way = match mechanism.input.range {
         Range::Cycle(cycle) => cycle,
         Range::To(to) => (to - mechanism.input.from).abs(),
     };
-    let [last_shown, lasts] = [last, way / speed.abs()].map(|time| quantity(brief(time), "s"));
+    let [last_shown, lasts] = [last, way / speed.abs()].map(|time| quantity(rounded(time), "s"));
     let is_long = last > MOST_TIMES_THE_MOTION * way / speed.abs();
     is_long.then(|| ("value.table", text!("scene-long-time", last = last_shown, lasts = lasts)))
 }

@@ -9,7 +9,8 @@ const NAME: Key = key("name", &[Text], "scene-key-load-name", "\"cutting\"");
 /// The factor on the size of a load.
 const SCALE: Key = key("scale", &[Quantity(Number)], "scene-key-scale", "1.5").or("1").also(&["factor"]);
 /// The link of a load.
-const ON: Key = key("link", &[Named("link")], "scene-key-load-link", "\"ram\"").needed().also(&["on", "body"]);
+const ON: Key =
+    key("link", &[Named("link")], "scene-key-load-link", "\"ram\"").needed().also(&["on", "body"]);
 const VALUES: &str = "value = { ... }";
 
 pub(crate) const FORCE: Table = Table {
@@ -21,11 +22,17 @@ pub(crate) const FORCE: Table = Table {
         key("at", &[Place], "scene-key-force-at", "\"B\"").needed().also(&["point", "position"]),
         key("angle", &[Quantity(Angle)], "scene-key-force-angle", "\"180 deg\"").also(&["direction", "axis"]),
         key("frame", &[Word("ground"), Word("link")], "scene-key-force-frame", "\"link\"").or("\"ground\""),
-        key("value", &[Quantity(Force), Is(VALUES)], "scene-key-value", "\"1500 N\"")
-            .needed()
-            .also(&["magnitude", "size", "f", "force", "amount"]),
+        key("value", &[Quantity(Force), Is(VALUES)], "scene-key-value", "\"1500 N\"").needed().also(&[
+            "magnitude",
+            "size",
+            "f",
+            "force",
+            "amount",
+        ]),
         SCALE,
-        key("against_motion", &[Flag], "scene-key-against-motion", "true").or("false").also(&["resistance", "against"]),
+        key("against_motion", &[Flag], "scene-key-against-motion", "true")
+            .or("false")
+            .also(&["resistance", "against"]),
     ],
 };
 
@@ -35,9 +42,14 @@ pub(crate) const MOMENT: Table = Table {
     keys: &[
         NAME,
         ON,
-        key("value", &[Quantity(Moment), Is(VALUES)], "scene-key-value", "\"25 N*m\"")
-            .needed()
-            .also(&["magnitude", "size", "m", "moment", "torque", "amount"]),
+        key("value", &[Quantity(Moment), Is(VALUES)], "scene-key-value", "\"25 N*m\"").needed().also(&[
+            "magnitude",
+            "size",
+            "m",
+            "moment",
+            "torque",
+            "amount",
+        ]),
         SCALE,
     ],
 };
@@ -53,10 +65,14 @@ pub(crate) const SPRING: Table = Table {
         key("stiffness", &[Quantity(Stiffness)], "scene-key-spring-stiffness", "\"4530 N/m\"")
             .or("0")
             .also(&["k", "c", "rate"]),
-        key("length", &[Quantity(Length)], "scene-key-spring-length", "\"80 mm\"")
+        key("length", &[Quantity(Length)], "scene-key-spring-length", "\"80 mm\"").or("0").also(&[
+            "free_length",
+            "rest_length",
+            "l0",
+        ]),
+        key("damping", &[Quantity(Damping)], "scene-key-spring-damping", "\"12 N*s/m\"")
             .or("0")
-            .also(&["free_length", "rest_length", "l0"]),
-        key("damping", &[Quantity(Damping)], "scene-key-spring-damping", "\"12 N*s/m\"").or("0").also(&["damper", "b"]),
+            .also(&["damper", "b"]),
     ],
 };
 
@@ -69,7 +85,9 @@ pub(crate) const CONTACT: Table = Table {
         key("center", &[Place], "scene-key-contact-center", "\"N\"").needed(),
         key("radius", &[Quantity(Length)], "scene-key-contact-radius", "\"300 mm\"").needed(),
         key("angle", &[Quantity(Angle), Is(VALUES)], "scene-key-contact-angle", "\"4 deg\"").or("0"),
-        key("force", &[Quantity(Force), Is(VALUES)], "scene-key-contact-force", "\"20 kN\"").needed().also(&["value"]),
+        key("force", &[Quantity(Force), Is(VALUES)], "scene-key-contact-force", "\"20 kN\"")
+            .needed()
+            .also(&["value"]),
         SCALE,
         key(
             "friction",
@@ -78,7 +96,12 @@ pub(crate) const CONTACT: Table = Table {
             "{ against_sliding = 0.1 }",
         )
         .or("0"),
-        key("during", &[Two(&ByInput(Angle, Length))], "scene-key-contact-during", "[\"-30 deg\", \"30 deg\"]"),
+        key(
+            "during",
+            &[Two(&ByInput(Angle, Length))],
+            "scene-key-contact-during",
+            "[\"-30 deg\", \"30 deg\"]",
+        ),
     ],
 };
 
@@ -95,10 +118,14 @@ pub(crate) const BRAKE: Table = Table {
         NAME,
         ON,
         key("radius", &[Quantity(Length)], "scene-key-brake-radius", "\"100 mm\"").needed(),
-        key("force", &[Quantity(Force), Is(VALUES)], "scene-key-brake-force", "\"80 N\"").needed().also(&["value"]),
+        key("force", &[Quantity(Force), Is(VALUES)], "scene-key-brake-force", "\"80 N\"")
+            .needed()
+            .also(&["value"]),
         key("lever", &[Quantity(Number)], "scene-key-brake-lever", "2").or("1"),
         SCALE,
-        key("friction", &[Quantity(Number)], "scene-key-brake-friction", "0.1").needed().also(&["coefficient"]),
+        key("friction", &[Quantity(Number)], "scene-key-brake-friction", "0.1")
+            .needed()
+            .also(&["coefficient"]),
     ],
 };
 
@@ -107,10 +134,15 @@ pub(crate) const VALUE: Table = Table {
     header: VALUES,
     what: "scene-table-of-a-load",
     keys: &[
-        key("over", &[Word("angle"), Word("time"), Word("speed"), Word("stroke")], "scene-key-over", "\"angle\"")
-            .needed()
-            .of(&["angle", "time", "speed", "stroke"])
-            .also(&["argument", "variable"]),
+        key(
+            "over",
+            &[Word("angle"), Word("time"), Word("speed"), Word("stroke")],
+            "scene-key-over",
+            "\"angle\"",
+        )
+        .needed()
+        .of(&["angle", "time", "speed", "stroke"])
+        .also(&["argument", "variable"]),
         key("table", &[Rows], "scene-key-table", "[[0, 0], [\"180 deg\", 40]]")
             .needed()
             .of(&["angle", "time", "speed"])
@@ -120,9 +152,16 @@ pub(crate) const VALUE: Table = Table {
             .of(&["angle", "time", "speed", "stroke"])
             .also(&["interpolation"]),
         key("repeat", &[Flag], "scene-key-repeat", "false").of(&["angle"]).also(&["periodic"]),
-        key("axis", &[Quantity(Angle)], "scene-key-axis", "\"180 deg\"").of(&["stroke", "formula"]).also(&["angle"]),
-        key("forward", &[Quantity(Force), Rows], "scene-key-forward", "[[0.05, 0], [0.05, 1500]]").or("0").of(&["stroke"]),
-        key("back", &[Quantity(Force), Rows], "scene-key-back", "0").or("0").of(&["stroke"]).also(&["return"]),
+        key("axis", &[Quantity(Angle)], "scene-key-axis", "\"180 deg\"")
+            .of(&["stroke", "formula"])
+            .also(&["angle"]),
+        key("forward", &[Quantity(Force), Rows], "scene-key-forward", "[[0.05, 0], [0.05, 1500]]")
+            .or("0")
+            .of(&["stroke"]),
+        key("back", &[Quantity(Force), Rows], "scene-key-back", "0")
+            .or("0")
+            .of(&["stroke"])
+            .also(&["return"]),
         FORMULA.of(&["formula"]),
         UNIT.of(&["formula"]),
     ],
@@ -152,7 +191,10 @@ pub(crate) const FRICTION: Table = Table {
         key("coefficient", &[Quantity(Number)], "scene-key-friction-coefficient", "0.1")
             .needed()
             .also(&["f", "mu", "value", "friction"]),
-        key("radius", &[Quantity(Length)], "scene-key-friction-radius", "\"15 mm\"").needed().of(PIN).also(&["diameter", "r"]),
+        key("radius", &[Quantity(Length)], "scene-key-friction-radius", "\"15 mm\"")
+            .needed()
+            .of(PIN)
+            .also(&["diameter", "r"]),
         key("owner", &[Named("link")], "scene-key-friction-owner", "\"crank\"").of(PIN).also(&["journal"]),
         key("length", &[Quantity(Length)], "scene-key-friction-length", "\"120 mm\"").of(SLIDE),
         key("middle", &[Word("point"), Word("through")], "scene-key-friction-middle", "\"through\"")

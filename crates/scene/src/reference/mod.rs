@@ -145,7 +145,8 @@ impl Key {
     /// Whether it, or the sentence on it, contains a word.
     fn speaks_of(&self, word: &str, language: &Language) -> bool {
         let names = || self.also.iter().copied().chain([self.name]);
-        let words = self.kinds.iter().filter_map(|kind| if let Kind::Word(word) = kind { Some(*word) } else { None });
+        let words =
+            self.kinds.iter().filter_map(|kind| if let Kind::Word(word) = kind { Some(*word) } else { None });
         names().chain(words).any(|own| own.to_lowercase().contains(word))
             || text!(self.about).render(language).to_lowercase().contains(word)
     }
@@ -211,13 +212,17 @@ impl Table {
 }
 
 /// Tables with those of their keys that a word is about; all keys of a table of that name.
-pub fn search<'w>(word: &'w str, language: &'w Language) -> impl Iterator<Item = (&'static Table, Vec<&'static Key>)> + 'w {
+pub fn search<'w>(
+    word: &'w str,
+    language: &'w Language,
+) -> impl Iterator<Item = (&'static Table, Vec<&'static Key>)> + 'w {
     let (word, whole) = (word.trim().trim_matches(['[', ']']).to_lowercase(), word.is_empty());
     // The name of a table stands for the table and for keys of that name, not for every sentence in which it occurs.
     let names_table = TABLES.iter().any(|table| !table.header.is_empty() && table.name() == word);
     TABLES.into_iter().filter_map(move |table| {
         let (owner, own) = word.rsplit_once('.').unwrap_or(("", &word));
-        let is_table = table.name() == word || (table.header.contains(".NAME") && table.name() == owner && own == "name");
+        let is_table = table.name() == word
+            || (table.header.contains(".NAME") && table.name() == owner && own == "name");
         let of_table = |key: &Key| !owner.is_empty() && table.name() == owner && key.name == own;
         let found = |key: &&Key| {
             let speaks = if names_table { key.name == word } else { key.speaks_of(&word, language) };

@@ -9,29 +9,47 @@ pub(crate) const SCENE: Table = Table {
     what: "scene-a-scene",
     keys: &[
         key("title", &[Text], "scene-key-title", "\"Slider-crank\"").or("\"\"").also(&["description"]),
-        key("gravity", &[Quantity(Acceleration), Two(&Quantity(Acceleration))], "scene-key-gravity", "\"9.81 m/s^2\"")
-            .also(&["weight"]),
-        key("ground", &[Is("[ground]")], "scene-key-ground", "{ points = { O = 0 } }").also(&["frame", "base", "fixed"]),
+        key(
+            "gravity",
+            &[Quantity(Acceleration), Two(&Quantity(Acceleration))],
+            "scene-key-gravity",
+            "\"9.81 m/s^2\"",
+        )
+        .also(&["weight"]),
+        key("ground", &[Is("[ground]")], "scene-key-ground", "{ points = { O = 0 } }")
+            .also(&["frame", "base", "fixed"]),
         key("link", &[Is("[link.NAME]")], "scene-key-link", "{ crank = { points = { O = 0, A = 0.1 } } }")
             .needed()
             .also(&["links", "body", "bodies"]),
-        key("slide", &[Is("[[slide]]")], "scene-key-slide", "[{ link = \"ram\", on = \"ground\" }]")
-            .also(&["slider", "prismatic", "guide", "slides"]),
+        key("slide", &[Is("[[slide]]")], "scene-key-slide", "[{ link = \"ram\", on = \"ground\" }]").also(&[
+            "slider",
+            "prismatic",
+            "guide",
+            "slides",
+        ]),
         key("input", &[Is("[input]")], "scene-key-input", "{ link = \"crank\" }").needed().also(&["driver"]),
-        key("assembly", &[Is("[assembly]")], "scene-key-assembly", "{ B = [0.4, 0.1] }").also(&["initial", "guess"]),
+        key("assembly", &[Is("[assembly]")], "scene-key-assembly", "{ B = [0.4, 0.1] }")
+            .also(&["initial", "guess"]),
         key("force", &[Is("[[force]]")], "scene-key-force", LOAD).also(&["load", "forces"]),
         key("moment", &[Is("[[moment]]")], "scene-key-moment", "[{ link = \"crank\", value = 25 }]")
             .also(&["torque", "couple", "moments"]),
-        key("spring", &[Is("[[spring]]")], "scene-key-spring", "[{ between = [\"C\", \"D\"], stiffness = 4530 }]")
-            .also(&["damper", "springs"]),
+        key(
+            "spring",
+            &[Is("[[spring]]")],
+            "scene-key-spring",
+            "[{ between = [\"C\", \"D\"], stiffness = 4530 }]",
+        )
+        .also(&["damper", "springs"]),
         key("contact", &[Is("[[contact]]")], "scene-key-contact", CONTACT).also(&["roller"]),
         key("friction", &[Is("[[friction]]")], "scene-key-friction", FRICTION).also(&["coulomb"]),
         key("brake", &[Is("[[brake]]")], "scene-key-brake", BRAKE),
         key("balance", &[Is("[balance]")], "scene-key-balance", "{ link = \"rod\" }"),
         key("motion", &[Is("[motion]")], "scene-key-motion", "{ speed = \"60 rpm\" }").also(&["velocity"]),
-        key("drive", &[Is("[drive]")], "scene-key-drive", "{ torque = \"balance\" }").also(&["motor", "flywheel"]),
+        key("drive", &[Is("[drive]")], "scene-key-drive", "{ torque = \"balance\" }")
+            .also(&["motor", "flywheel"]),
         key("output", &[Is("[output]")], "scene-key-output", "{ points = [\"E\"] }").also(&["results"]),
-        key("note", &[Is("[note]")], "scene-key-note", "{ author = \"A. Student\" }").also(&["author", "report"]),
+        key("note", &[Is("[note]")], "scene-key-note", "{ author = \"A. Student\" }")
+            .also(&["author", "report"]),
     ],
 };
 
@@ -55,8 +73,14 @@ pub(crate) const LINK: Table = Table {
             .needed()
             .also(&["pins", "joints", "length", "l"]),
         key("mass", &[Quantity(Mass)], "scene-key-mass", "\"4 kg\"").or("0").also(&["m", "weight"]),
-        key("center", &[Place], "scene-key-center", "[\"50 mm\", 0]")
-            .also(&["com", "centroid", "cog", "center_of_mass", "centre_of_mass", "s"]),
+        key("center", &[Place], "scene-key-center", "[\"50 mm\", 0]").also(&[
+            "com",
+            "centroid",
+            "cog",
+            "center_of_mass",
+            "centre_of_mass",
+            "s",
+        ]),
         key("inertia", &[Quantity(Inertia), Is("inertia = { ... }")], "scene-key-inertia", "\"0.04 kg*m^2\"")
             .or("0")
             .also(&["j", "i", "moment_of_inertia", "js"]),
@@ -68,11 +92,18 @@ pub(crate) const SLIDE: Table = Table {
     what: "scene-a-slide",
     keys: &[
         key("link", &[Named("link")], "scene-key-slide-link", "\"ram\"").needed().also(&["slider", "body"]),
-        key("on", &[Named("link"), Word("ground")], "scene-key-slide-on", "\"ground\"").needed().also(&["guide", "along"]),
-        key("through", &[Place], "scene-key-slide-through", "[0, \"20 mm\"]")
-            .or("[0, 0]")
-            .also(&["at", "origin", "offset", "eccentricity"]),
-        key("angle", &[Quantity(Angle)], "scene-key-slide-angle", "\"90 deg\"").or("0").also(&["direction", "axis"]),
+        key("on", &[Named("link"), Word("ground")], "scene-key-slide-on", "\"ground\"")
+            .needed()
+            .also(&["guide", "along"]),
+        key("through", &[Place], "scene-key-slide-through", "[0, \"20 mm\"]").or("[0, 0]").also(&[
+            "at",
+            "origin",
+            "offset",
+            "eccentricity",
+        ]),
+        key("angle", &[Quantity(Angle)], "scene-key-slide-angle", "\"90 deg\"")
+            .or("0")
+            .also(&["direction", "axis"]),
         key("point", &[Place], "scene-key-slide-point", "\"B\""),
         key("tilt", &[Quantity(Angle)], "scene-key-slide-tilt", "\"90 deg\"").or("0").also(&["rotation"]),
         key("name", &[Text], "scene-key-slide-name", "\"guide\""),
@@ -88,7 +119,8 @@ pub(crate) const INPUT: Table = Table {
             .or("0")
             .also(&["angle", "start", "begin", "initial"]),
         key("positions", &[Count], "scene-key-input-positions", "48").or("12").also(&["steps", "count", "n"]),
-        key("cycle", &[ByInput(Angle, Length)], "scene-key-input-cycle", "\"720 deg\"").also(&["period", "turn", "stroke"]),
+        key("cycle", &[ByInput(Angle, Length)], "scene-key-input-cycle", "\"720 deg\"")
+            .also(&["period", "turn", "stroke"]),
         key("direction", &[Word("ccw"), Word("cw")], "scene-key-input-direction", "\"cw\"")
             .or("\"ccw\"")
             .also(&["sense", "rotation"]),

@@ -3,7 +3,8 @@
 use super::Kind::{ByInput, Count, List, Named, Place, Quantity, Table as Is, Text, Word};
 use super::{Table, key};
 use crate::units::Dimension::{
-    Acceleration, Angle, AngularAcceleration, AngularSpeed, Force, Inertia, Length, Moment, Number, Power, Speed, Time,
+    Acceleration, Angle, AngularAcceleration, AngularSpeed, Force, Inertia, Length, Moment, Number, Power,
+    Speed, Time,
 };
 
 pub(crate) const BALANCE: Table = Table {
@@ -24,9 +25,14 @@ pub(crate) const MOTION: Table = Table {
     header: "[motion]",
     what: "scene-the-motion",
     keys: &[
-        key("kind", &[Word("prescribed"), Word("transient"), Word("steady")], "scene-key-motion-kind", "\"steady\"")
-            .or("\"prescribed\"")
-            .also(&["type"]),
+        key(
+            "kind",
+            &[Word("prescribed"), Word("transient"), Word("steady")],
+            "scene-key-motion-kind",
+            "\"steady\"",
+        )
+        .or("\"prescribed\"")
+        .also(&["type"]),
         key("speed", &[ByInput(AngularSpeed, Speed)], "scene-key-motion-speed", "\"60 rpm\"")
             .of(&["prescribed", "transient"])
             .also(&["omega", "rpm", "n", "w", "velocity", "angular_velocity", "w1"]),
@@ -39,11 +45,19 @@ pub(crate) const MOTION: Table = Table {
         .or("0")
         .of(PRESCRIBED)
         .also(&["epsilon", "alpha"]),
-        key("until", &[Quantity(Time), ByInput(Angle, Length), Word("rest"), Word("turn")], "scene-key-motion-until", "\"5 rev\"")
-            .needed()
+        key(
+            "until",
+            &[Quantity(Time), ByInput(Angle, Length), Word("rest"), Word("turn")],
+            "scene-key-motion-until",
+            "\"5 rev\"",
+        )
+        .needed()
+        .of(TRANSIENT)
+        .also(&["end", "time", "duration"]),
+        key("samples", &[Count], "scene-key-motion-samples", "200")
+            .or("100")
             .of(TRANSIENT)
-            .also(&["end", "time", "duration"]),
-        key("samples", &[Count], "scene-key-motion-samples", "200").or("100").of(TRANSIENT).also(&["steps", "output"]),
+            .also(&["steps", "output"]),
         key("integrator", &[Named("plugin"), Word("auto")], "scene-key-motion-integrator", "\"dopri5\"")
             .or("\"auto\"")
             .of(TRANSIENT)
@@ -52,7 +66,9 @@ pub(crate) const MOTION: Table = Table {
             .or("1e-9")
             .of(TRANSIENT)
             .also(&["accuracy", "rtol"]),
-        key("step", &[Quantity(Time), ByInput(Angle, Length)], "scene-key-motion-step", "\"1 ms\"").of(TRANSIENT).also(&["dt"]),
+        key("step", &[Quantity(Time), ByInput(Angle, Length)], "scene-key-motion-step", "\"1 ms\"")
+            .of(TRANSIENT)
+            .also(&["dt"]),
         key("max_steps", &[Count], "scene-key-motion-max-steps", "1000000").of(TRANSIENT),
         key("mean_speed", &[ByInput(AngularSpeed, Speed)], "scene-key-motion-mean-speed", "\"60 rpm\"")
             .needed()
@@ -68,15 +84,31 @@ pub(crate) const DRIVE: Table = Table {
     header: "[drive]",
     what: "scene-the-drive",
     keys: &[
-        key("motor", &[Named("motor"), Word("auto"), Is("motor = { ... }")], "scene-key-drive-motor", "\"4A100L4\""),
+        key(
+            "motor",
+            &[Named("motor"), Word("auto"), Is("motor = { ... }")],
+            "scene-key-drive-motor",
+            "\"4A100L4\"",
+        ),
         key("catalogue", &[Named("plugin")], "scene-key-drive-catalogue", "\"4A\"").also(&["catalog"]),
         key("max_motor_speed", &[Quantity(AngularSpeed)], "scene-key-drive-max-motor-speed", "\"1500 rpm\""),
-        key("characteristic", &[Word("kloss"), Word("linear")], "scene-key-drive-characteristic", "\"linear\"").or("\"kloss\""),
-        key("ratio", &[Quantity(Number), Word("solve")], "scene-key-drive-ratio", "\"solve\"").or("1").also(&["gear", "reducer"]),
+        key(
+            "characteristic",
+            &[Word("kloss"), Word("linear")],
+            "scene-key-drive-characteristic",
+            "\"linear\"",
+        )
+        .or("\"kloss\""),
+        key("ratio", &[Quantity(Number), Word("solve")], "scene-key-drive-ratio", "\"solve\"")
+            .or("1")
+            .also(&["gear", "reducer"]),
         key("efficiency", &[Quantity(Number)], "scene-key-drive-efficiency", "0.95").or("1").also(&["eta"]),
-        key("torque", &[Word("balance"), ByInput(Moment, Force)], "scene-key-drive-torque", "\"balance\"").also(&["moment"]),
-        key("flywheel", &[Quantity(Inertia), Word("solve")], "scene-key-drive-flywheel", "\"solve\"").also(&["inertia"]),
-        key("flywheel_on", &[Word("crank"), Word("motor")], "scene-key-drive-flywheel-on", "\"motor\"").or("\"crank\""),
+        key("torque", &[Word("balance"), ByInput(Moment, Force)], "scene-key-drive-torque", "\"balance\"")
+            .also(&["moment"]),
+        key("flywheel", &[Quantity(Inertia), Word("solve")], "scene-key-drive-flywheel", "\"solve\"")
+            .also(&["inertia"]),
+        key("flywheel_on", &[Word("crank"), Word("motor")], "scene-key-drive-flywheel-on", "\"motor\"")
+            .or("\"crank\""),
     ],
 };
 
@@ -85,8 +117,16 @@ pub(crate) const MOTOR: Table = Table {
     what: "scene-a-motor",
     keys: &[
         key("power", &[Quantity(Power)], "scene-key-motor-power", "\"1.1 kW\"").needed(),
-        key("synchronous_speed", &[Quantity(AngularSpeed)], "scene-key-motor-synchronous-speed", "\"1500 rpm\"").needed(),
-        key("rated_speed", &[Quantity(AngularSpeed)], "scene-key-motor-rated-speed", "\"1410 rpm\"").needed().also(&["speed"]),
+        key(
+            "synchronous_speed",
+            &[Quantity(AngularSpeed)],
+            "scene-key-motor-synchronous-speed",
+            "\"1500 rpm\"",
+        )
+        .needed(),
+        key("rated_speed", &[Quantity(AngularSpeed)], "scene-key-motor-rated-speed", "\"1410 rpm\"")
+            .needed()
+            .also(&["speed"]),
         key("max_torque_ratio", &[Quantity(Number)], "scene-key-motor-max-torque-ratio", "2.2"),
         key("inertia", &[Quantity(Inertia)], "scene-key-motor-inertia", "\"0.0045 kg*m^2\"").also(&["j"]),
     ],
@@ -110,7 +150,8 @@ pub(crate) const NOTE: Table = Table {
         key("author", &[Text], "scene-key-note-author", "\"A. Student\"").also(&["name"]),
         key("group", &[Text], "scene-key-note-group", "\"ME-21\""),
         key("variant", &[Text], "scene-key-note-variant", "\"12\""),
-        key("language", &[Word("en"), Word("uk"), Word("ru")], "scene-key-note-language", "\"uk\"").or("\"en\""),
+        key("language", &[Word("en"), Word("uk"), Word("ru")], "scene-key-note-language", "\"uk\"")
+            .or("\"en\""),
         key("positions", &[List(&Count)], "scene-key-note-positions", "[3, 27]").or("[]"),
     ],
 };

@@ -35,16 +35,29 @@ fn keys<'s>(scene: &'s str, table: &'static Table, toml: &DeTable<'_>, found: &m
         let key = table.keys.iter().find(own).unwrap_or_else(|| panic!("`{name}` of {}", table.header));
         let (whole, value_span) = (name.span().start..value.span().end, value.span());
         found.push(Found { scene, table, key, whole, value: value_span });
-        for header in key.kinds.iter().filter_map(|kind| if let Kind::Table(header) = kind { Some(header) } else { None }) {
-            let inner = TABLES.iter().find(|table| table.header == *header).unwrap_or_else(|| panic!("{header}"));
+        for header in key
+            .kinds
+            .iter()
+            .filter_map(|kind| if let Kind::Table(header) = kind { Some(header) } else { None })
+        {
+            let inner =
+                TABLES.iter().find(|table| table.header == *header).unwrap_or_else(|| panic!("{header}"));
             within(scene, inner, value, header.contains(".NAME"), found);
         }
     }
 }
 
-fn within<'s>(scene: &'s str, table: &'static Table, value: &Spanned<DeValue<'_>>, named: bool, found: &mut Vec<Found<'s>>) {
+fn within<'s>(
+    scene: &'s str,
+    table: &'static Table,
+    value: &Spanned<DeValue<'_>>,
+    named: bool,
+    found: &mut Vec<Found<'s>>,
+) {
     match value.get_ref() {
-        DeValue::Table(inner) if named => inner.iter().for_each(|(_, one)| within(scene, table, one, false, found)),
+        DeValue::Table(inner) if named => {
+            inner.iter().for_each(|(_, one)| within(scene, table, one, false, found))
+        }
         DeValue::Table(inner) => keys(scene, table, inner, found),
         DeValue::Array(list) => list.iter().for_each(|one| within(scene, table, one, false, found)),
         _ => {}
@@ -108,7 +121,9 @@ fn the_reader_wants_what_the_reference_says() {
         }
         let errors = crate::read("a", &scene).map(|_| ()).expect_err(&name).to_string();
         let kinds = || found.key.kinds.iter();
-        if !kinds().any(|kind| matches!(kind, Kind::Quantity(_) | Kind::ByInput(..) | Kind::Named(_) | Kind::Text)) {
+        if !kinds()
+            .any(|kind| matches!(kind, Kind::Quantity(_) | Kind::ByInput(..) | Kind::Named(_) | Kind::Text))
+        {
             let wanted: Vec<_> = kinds().flat_map(named).collect();
             assert!(wanted.iter().all(|word| errors.contains(word)), "{name} wants {wanted:?}: {errors}");
         }
@@ -117,7 +132,8 @@ fn the_reader_wants_what_the_reference_says() {
             let mut scene = found.scene.to_owned();
             scene.replace_range(found.value.clone(), written);
             let errors = crate::read("a", &scene).map_or_else(|errors| errors.to_string(), |_| String::new());
-            let wanted = kinds().filter(|kind| matches!(kind, Kind::Quantity(_)) == is_number).flat_map(named);
+            let wanted =
+                kinds().filter(|kind| matches!(kind, Kind::Quantity(_)) == is_number).flat_map(named);
             let open = kinds().any(|kind| matches!(kind, Kind::Named("plugin" | "motor")));
             let lacking: Vec<_> = wanted.filter(|word| !open && !errors.contains(word.as_str())).collect();
             assert!(lacking.is_empty(), "{name} wants {lacking:?}: {errors}");
@@ -149,13 +165,19 @@ fn a_default_is_what_holds_without_its_key() {
                 let mut scene = found.scene.to_owned();
                 scene.replace_range(found.value.clone(), default);
                 // A key that others need can be neither left out nor have its default in that scene.
-                let (Ok(left_out), Ok(written)) = (left_out, crate::read_with_note("a", &scene)) else { continue };
+                let (Ok(left_out), Ok(written)) = (left_out, crate::read_with_note("a", &scene)) else {
+                    continue;
+                };
                 assert_eq!(format!("{left_out:?}"), format!("{written:?}"), "{name}");
                 judged.insert(name);
             }
         }
     }
-    let wanted = TABLES.iter().flat_map(|table| table.keys).filter(|key| matches!(key.default, Default::Is(_))).count();
+    let wanted = TABLES
+        .iter()
+        .flat_map(|table| table.keys)
+        .filter(|key| matches!(key.default, Default::Is(_)))
+        .count();
     assert!(judged.len() * 10 >= wanted * 8, "{} of {wanted}: {judged:?}", judged.len());
 }
 
@@ -163,8 +185,12 @@ fn a_default_is_what_holds_without_its_key() {
 fn is_of(kind: &Kind, value: &DeValue<'_>) -> bool {
     let text = value.as_str();
     match kind {
-        Kind::Quantity(dimension) => text.is_none_or(|text| quantity(text, *dimension).is_ok()) && !value.is_table(),
-        Kind::ByInput(turns, slides) => [turns, slides].iter().any(|kind| is_of(&Kind::Quantity(**kind), value)),
+        Kind::Quantity(dimension) => {
+            text.is_none_or(|text| quantity(text, *dimension).is_ok()) && !value.is_table()
+        }
+        Kind::ByInput(turns, slides) => {
+            [turns, slides].iter().any(|kind| is_of(&Kind::Quantity(**kind), value))
+        }
         Kind::Count => value.is_integer(),
         Kind::Flag => value.is_bool(),
         Kind::Text | Kind::Named(_) => text.is_some(),
@@ -172,8 +198,12 @@ fn is_of(kind: &Kind, value: &DeValue<'_>) -> bool {
         Kind::Place => !value.is_table(),
         Kind::Points => value.is_table(),
         Kind::Rows => value.is_array(),
-        Kind::Two(kind) => value.as_array().is_some_and(|list| list.len() == 2 && list.iter().all(|one| is_of(kind, one.get_ref()))),
-        Kind::List(kind) => value.as_array().is_some_and(|list| list.iter().all(|one| is_of(kind, one.get_ref()))),
+        Kind::Two(kind) => value
+            .as_array()
+            .is_some_and(|list| list.len() == 2 && list.iter().all(|one| is_of(kind, one.get_ref()))),
+        Kind::List(kind) => {
+            value.as_array().is_some_and(|list| list.iter().all(|one| is_of(kind, one.get_ref())))
+        }
         Kind::Table(header) => value.is_table() || header.starts_with("[[") && value.is_array(),
     }
 }
@@ -185,7 +215,13 @@ fn every_example_is_of_a_kind_of_its_key() {
             let toml = format!("x = {}", key.example);
             let toml = DeTable::parse(&toml).unwrap_or_else(|error| panic!("{}: {error}", key.name));
             let value = toml.get_ref().get("x").unwrap().get_ref();
-            assert!(key.kinds.iter().any(|kind| is_of(kind, value)), "{} {}: {}", table.header, key.name, key.example);
+            assert!(
+                key.kinds.iter().any(|kind| is_of(kind, value)),
+                "{} {}: {}",
+                table.header,
+                key.name,
+                key.example
+            );
         }
     }
 }
@@ -217,7 +253,11 @@ fn a_word_finds_the_keys_that_it_is_about() {
     let english = assur_words::Language::english();
     let names = |word: &str| -> Vec<String> {
         let found = search(word, english);
-        found.flat_map(|(table, keys)| keys.into_iter().map(move |key| format!("{}.{}", table.name(), key.name))).collect()
+        found
+            .flat_map(|(table, keys)| {
+                keys.into_iter().map(move |key| format!("{}.{}", table.name(), key.name))
+            })
+            .collect()
     };
     assert!(names("omega").contains(&"motion.speed".to_owned()));
     assert_eq!(names("link.mass"), ["link.mass"]);
