@@ -198,8 +198,3 @@ fn nothing_is_allocated() {
         assert_eq!(counted.count_total, 0);
     }
 }
-
-#[test]
-fn it_conforms() {
-    assur_testkit::analyzer_conformance("groups");
-}

@@ -143,8 +143,3 @@ fn shaken_mechanisms_are_mostly_solvable() {
         assert!(solved.count() >= 30, "{name}");
     }
 }
-
-#[test]
-fn it_conforms() {
-    assur_testkit::analyzer_conformance("newton-euler");
-}
