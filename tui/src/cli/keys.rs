@@ -70,7 +70,7 @@ pub(crate) fn run(args: &KeysArgs, style: Style) -> Result<Status, Fault> {
         return Err(Fault::Other(text!("cli-no-key", word = name(word.to_owned()), offer = offer)));
     }
     let page = match args.format {
-        Form::Text => text(&found, style),
+        Form::Text => text(&found, style.language),
         Form::Markdown => markdown(&found, style.language),
     };
     output::print(&style.text(&page))?;
@@ -97,17 +97,29 @@ fn default(key: &Key) -> Text {
     }
 }
 
+/// All keys as lines of the manual page.
+pub(crate) fn manual() -> String {
+    let english = Language::english();
+    let lines = text(&search("", english).collect::<Vec<_>>(), english);
+    let escaped = lines.replace('\\', "\\e").replace('-', "\\-");
+    // A line that begins with a point or a quote would be a request.
+    let plain = escaped
+        .lines()
+        .map(|line| if line.starts_with(['.', '\'']) { format!("\\&{line}") } else { line.to_owned() });
+    format!(".SH KEYS OF A SCENE\n.nf\n{}\n.fi\n", plain.collect::<Vec<_>>().join("\n"))
+}
+
 /// The reference as text, each key with its value, its meaning and an example.
-pub(crate) fn text(found: &[Found], style: Style) -> String {
-    let say = |text: &Text| text.render(style.language);
+fn text(found: &[Found], language: &Language) -> String {
+    let say = |text: &Text| text.render(language);
     let mut page = String::new();
     for (table, keys) in found {
-        let what = text!(table.what).render(style.language);
+        let what = text!(table.what).render(language);
         let head = if table.header.is_empty() { what } else { format!("{}  {what}", table.header) };
         let _ = writeln!(page, "{}{head}", if page.is_empty() { "" } else { "\n" });
         for key in keys {
             let _ = writeln!(page, "  {}", line(key));
-            let about = text!(key.about).render(style.language);
+            let about = text!(key.about).render(language);
             let kinds = [say(&key.values()), say(&default(key))];
             let kinds = kinds.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("; ");
             for part in [about, kinds] {
