@@ -25,6 +25,7 @@
 
 mod angles;
 mod axis;
+mod between;
 mod error;
 mod layout;
 mod measure;
