@@ -41,7 +41,7 @@ pub(crate) const SCENE: Table = Table {
         )
         .also(&["damper", "springs"]),
         key("contact", &[Is("[[contact]]")], "scene-key-contact", CONTACT).also(&["roller"]),
-        key("friction", &[Is("[[friction]]")], "scene-key-friction", FRICTION).also(&["coulomb"]),
+        key("friction", &[Is("[[friction]]")], "scene-key-friction", FRICTION).also(&["rubbing"]),
         key("brake", &[Is("[[brake]]")], "scene-key-brake", BRAKE),
         key("balance", &[Is("[balance]")], "scene-key-balance", "{ link = \"rod\" }"),
         key("motion", &[Is("[motion]")], "scene-key-motion", "{ speed = \"60 rpm\" }").also(&["velocity"]),

@@ -136,10 +136,10 @@ pub(crate) const OUTPUT: Table = Table {
     header: "[output]",
     what: "scene-the-output",
     keys: &[
-        key("points", &[List(&Named("point"))], "scene-key-output", "[\"E\"]").or("[]"),
-        key("links", &[List(&Named("link"))], "scene-key-output", "[\"ram\"]").or("[]"),
-        key("slides", &[List(&Named("slide"))], "scene-key-output", "[\"ram/ground\"]").or("[]"),
-        key("reactions", &[List(&Named("pair"))], "scene-key-output", "[\"A\"]").or("[]"),
+        key("points", &[List(&Named("point"))], "scene-key-output-names", "[\"E\"]").or("[]"),
+        key("links", &[List(&Named("link"))], "scene-key-output-names", "[\"ram\"]").or("[]"),
+        key("slides", &[List(&Named("slide"))], "scene-key-output-names", "[\"ram/ground\"]").or("[]"),
+        key("reactions", &[List(&Named("pair"))], "scene-key-output-names", "[\"A\"]").or("[]"),
     ],
 };
 
