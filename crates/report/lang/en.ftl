@@ -675,3 +675,27 @@ report-simpler-inputs = With { $count ->
        *[other] one of the links { $links }
     } as the input the groups would be of a lower class.
 head-structure = Structural formula
+report-modes-of = Modes of group { $group } ({ $kind } { $links }) over the cycle
+report-modes-unlisted = { $group }: its kind can't list them.
+head-from = From
+head-to = To
+head-begins = Begins
+head-ends = Ends
+head-circuit = Circuit
+head-branch = Branch
+report-modes-from = { $count } from { $coordinate }
+report-modes-count = Number of modes: { $counts }.
+report-modes-circuits = { $circuits ->
+        [one] One circuit
+       *[other] { $circuits } circuits
+    } (what is reached without taking the mechanism apart), { $branches ->
+        [one] one branch
+       *[other] { $branches } branches
+    } (what is reached without a singular position).
+report-modes-present = In the first position the mechanism is in mode { $way }.
+report-modes-meeting = { $one } and { $other } at { $coordinate }
+report-modes-meet = Modes that meet and both go on: { $meetings }.
+mode-end-cycle = with the cycle
+mode-end-with = together with { $way }
+mode-end-infinity = links run to infinity
+mode-end-barrier = groups before it have no place

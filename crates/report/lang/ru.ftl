@@ -658,3 +658,29 @@ report-simpler-inputs = { $count ->
        *[other] С одним из входных звеньев { $links }
     } группы были бы более низкого класса.
 head-structure = Формула строения
+report-modes-of = Сборки группы { $group } ({ $kind } { $links }) за цикл
+report-modes-unlisted = { $group }: её вид не может их перечислить.
+head-from = От
+head-to = До
+head-begins = Начало
+head-ends = Конец
+head-circuit = Контур движения
+head-branch = Ветвь
+report-modes-from = { $count } от { $coordinate }
+report-modes-count = Число сборок: { $counts }.
+report-modes-circuits = { $circuits ->
+        [one] { $circuits } контур движения
+        [few] { $circuits } контура движения
+       *[other] { $circuits } контуров движения
+    } (достижимое без разборки механизма), { $branches ->
+        [one] { $branches } ветвь
+        [few] { $branches } ветви
+       *[other] { $branches } ветвей
+    } (достижимое без особого положения).
+report-modes-present = В первом положении механизм находится в сборке { $way }.
+report-modes-meeting = { $one } и { $other } при { $coordinate }
+report-modes-meet = Сборки, которые встречаются и обе продолжаются: { $meetings }.
+mode-end-cycle = вместе с циклом
+mode-end-with = вместе со сборкой { $way }
+mode-end-infinity = звенья уходят в бесконечность
+mode-end-barrier = предыдущие группы не собираются
