@@ -96,7 +96,8 @@ impl<T: Real> Unique<T> {
             power = squared(&power, n);
             let sums: [T; MOST[0]] = std::array::from_fn(|i| total(&power[i][..n]) + T::from_f64(FLOOR));
             size = sums[..n].iter().fold(T::ZERO, |most, sum| greater(most, *sum));
-            let greatest = (0..n).fold(T::ZERO, |most, i| greater(most, product(&matrix[i], &sums, n) / sums[i]));
+            let greatest =
+                (0..n).fold(T::ZERO, |most, i| greater(most, product(&matrix[i], &sums, n) / sums[i]));
             let apart = (found - greatest).abs() - greatest * T::from_f64(STILL);
             // A lane that has converged keeps what it has.
             found = found * (T::ONE - open) + greatest * open;

@@ -2,10 +2,13 @@
 
 use assur_analysis::results::FrictionCycle;
 use assur_dynamics::{Instant, Steady};
-use assur_mechanism::{Input, PairId, Range};
+use assur_geometry::Courses;
+use assur_mechanism::{Input, PairId};
+use assur_shaking::Size;
 use assur_words::{Describe, Text, text};
 
 use crate::SweepError;
+use crate::between::{acceleration, shaking, speed, stroke, time_ratio, transfer};
 use crate::layout::{Layout, Sought};
 use crate::statistics::Statistics;
 
@@ -24,6 +27,10 @@ pub struct Measure {
     pub(crate) transmission: bool,
     /// Whether it needs the friction over the cycle.
     pub(crate) friction: bool,
+    /// Whether it needs the motion between positions.
+    pub(crate) courses: bool,
+    /// Whether it needs the shaking force.
+    pub(crate) shaking: bool,
     put: fn(&Layout, &Measured, &mut Sink<'_>),
 }
 
@@ -43,12 +50,20 @@ pub const MEASURES: &[Measure] = &[
     Measure::new("reactions", "sweep-measure-reactions", reactions),
     Measure { by_default: false, ..Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms) },
     Measure { angles: true, ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
-    Measure { by_default: false, angles: true, ..Measure::new("stroke", "sweep-measure-stroke", stroke) },
+    Measure { by_default: false, courses: true, ..Measure::new("stroke", "sweep-measure-stroke", stroke) },
     Measure {
         by_default: false,
-        angles: true,
+        courses: true,
         ..Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio)
     },
+    Measure { by_default: false, courses: true, ..Measure::new("pf", "sweep-measure-pf", transfer) },
+    Measure { by_default: false, courses: true, ..Measure::new("speed", "sweep-measure-speed", speed) },
+    Measure {
+        by_default: false,
+        courses: true,
+        ..Measure::new("acceleration", "sweep-measure-acceleration", acceleration)
+    },
+    Measure { by_default: false, shaking: true, ..Measure::new("shaking", "sweep-measure-shaking", shaking) },
     Measure::new("regime", "sweep-measure-regime", regime),
     Measure::new("end", "sweep-measure-end", end),
     Measure {
@@ -83,6 +98,12 @@ pub(crate) struct Measured {
     pub(crate) steady: Option<Box<Steady>>,
     /// Dry friction over the cycle.
     pub(crate) friction: Option<FrictionCycle>,
+    /// The motion between positions; `None` where it was not asked for, or the cycle has a part without a solution.
+    pub(crate) courses: Option<Courses>,
+    /// The speed of an input whose speed is prescribed and constant, rad/s or m/s.
+    pub(crate) speed: Option<f64>,
+    /// The shaking force; `None` where it was not asked for, or there is none.
+    pub(crate) shaking: Option<Size>,
 }
 
 impl Measured {
@@ -114,13 +135,16 @@ impl Measured {
             last: None,
             steady: None,
             friction: None,
+            courses: None,
+            speed: None,
+            shaking: None,
         }
     }
 
     /// Forgets what belongs to the positions whatever the loads.
     pub(crate) fn clear_positions(&mut self) {
-        let Self { health, transmission, points, slides, links, input, .. } = self;
-        (*health, *transmission, *input) = (Statistics::NONE, Statistics::NONE, None);
+        let Self { health, transmission, points, slides, links, input, courses, .. } = self;
+        (*health, *transmission, *input, *courses) = (Statistics::NONE, Statistics::NONE, None, None);
         points.fill([Statistics::NONE; 2]);
         slides.fill(Statistics::NONE);
         links.fill(Statistics::NONE);
@@ -128,11 +152,11 @@ impl Measured {
 
     /// Forgets what belongs to loads and motion.
     pub(crate) fn clear_forces(&mut self) {
-        let Self { balancing, load, forces, moments, last, steady, friction, .. } = self;
+        let Self { balancing, load, forces, moments, last, steady, shaking, friction, .. } = self;
         (*balancing, *load) = (Statistics::NONE, Statistics::NONE);
         forces.fill(Statistics::NONE);
         moments.fill(Statistics::NONE);
-        (*last, *steady, *friction) = (None, None, None);
+        (*last, *steady, *shaking, *friction) = (None, None, None, None);
     }
 }
 
@@ -149,7 +173,17 @@ impl Measure {
         summary: &'static str,
         put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
-        Self { name, summary, by_default: true, angles: false, transmission: false, friction: false, put }
+        Self {
+            name,
+            summary,
+            by_default: true,
+            angles: false,
+            transmission: false,
+            courses: false,
+            shaking: false,
+            friction: false,
+            put,
+        }
     }
 
     /// The measures that are written where none are named.
@@ -190,7 +224,7 @@ pub(crate) enum Sink<'a> {
 }
 
 impl Sink<'_> {
-    fn put(&mut self, value: Option<f64>, name: impl FnOnce() -> String) {
+    pub(crate) fn put(&mut self, value: Option<f64>, name: impl FnOnce() -> String) {
         match self {
             Self::Names(names) => names.push(name()),
             Self::Values(values, wrong) => {
@@ -279,34 +313,6 @@ fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     for (link, angle) in layout.links.iter().zip(&found.links) {
         sink.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
         sink.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
-    }
-}
-
-fn stroke(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sink.of(displacement, Statistics::range, || format!("{}_stroke_m", slide.name));
-    }
-    for (link, angle) in layout.links.iter().zip(&found.links) {
-        sink.of(angle, Statistics::range, || format!("{}_stroke_rad", link.name));
-    }
-}
-
-fn time_ratio(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    let ratio = |of: &Statistics| {
-        let Range::Cycle(_) = found.input.as_ref()?.range else { return None };
-        let positions = found.input.as_ref()?.positions as f64;
-        let there = ((of.at_greatest() - of.at_least()) / positions).rem_euclid(1.0);
-        if !of.is_known() || of.range() <= 0.0 {
-            return None;
-        }
-        Some(there.max(1.0 - there) / there.min(1.0 - there))
-    };
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sink.put(ratio(displacement), || format!("{}_time_ratio", slide.name));
-    }
-    for (link, angle) in layout.links.iter().zip(&found.links) {
-        let swings = angle.range() < std::f64::consts::PI;
-        sink.put(ratio(angle).filter(|_| swings), || format!("{}_time_ratio", link.name));
     }
 }
 

@@ -23,6 +23,12 @@ impl Work<'_> {
         let solved = forces.solve(&self.state, position).is_ok();
         self.sheet.section(text!("working-friction"));
         self.sheet.note(text!("working-friction-text"));
+        let known =
+            forces.reactions.rubbing.iter().all(|found| found.forces.iter().all(|force| force.is_finite()));
+        if solved && !known {
+            // At rest in a motion friction is not determined.
+            return false;
+        }
         for found in forces.iteration(&self.state, position) {
             self.iteration(&found, &frictions.rubs, |index| {
                 let unknown = &frictions.unknowns[index];

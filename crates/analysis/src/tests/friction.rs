@@ -1,77 +1,113 @@
-//! Dry friction over the cycle, against closed forms.
+//! Motions with dry friction: what is lost, what is not determined at rest, and checks that notice another friction.
 
-use assur_number::search::bisect;
+use assur_force::Loads;
 
-use super::analyzed;
+use crate::results::{Analysis, Column, Owner, Quantity};
+use crate::{Calculation, Coverage, unwatched};
 
-/// A crank whose piston drives it against a moment; friction in the bearing of the crank alone.
-fn driven(coefficient: f64) -> String {
+use super::{analyzed, study};
+
+const CRANK: &str = "gravity = 9.81\n[ground]\npoints = { O = [0, 0] }\n\
+    [link.crank]\npoints = { O = 0, A = 0.1 }\nmass = 3\ncenter = \"A\"\ninertia = 0.08\n\
+    [link.rod]\npoints = { A = 0, B = 0.35 }\nmass = 1.2\ncenter = [0.14, 0]\ninertia = 0.012\n\
+    [link.piston]\npoints = { B = [0, 0] }\nmass = 2\n\
+    [[slide]]\nlink = \"piston\"\non = \"ground\"\nthrough = \"O\"\npoint = \"B\"\nname = \"cylinder\"\n\
+    [input]\nlink = \"crank\"\nfrom = \"30 deg\"\npositions = 12\n[assembly]\nB = [0.4, 0]\n";
+
+fn scene(motion: &str, coefficient: f64) -> String {
     format!(
-        "[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\n[link.rod]\npoints = {{ A = 0, B = 0.35 }}\n\
-         [link.piston]\npoints = {{ B = 0 }}\n[[slide]]\nlink = \"piston\"\non = \"ground\"\n[assembly]\nB = [0.43, 0]\n\
-         [input]\nlink = \"crank\"\nfrom = 1\npositions = 4\n[[moment]]\nlink = \"crank\"\nvalue = -5\n\
-         [balance]\nlink = \"piston\"\nat = \"B\"\nangle = 0\n\
-         [[friction]]\npair = \"O\"\ncoefficient = {coefficient:?}\nradius = 0.02\n"
+        "{CRANK}{motion}[[friction]]\npair = \"A\"\ncoefficient = {coefficient}\nradius = 0.02\n\
+         [[friction]]\npair = \"cylinder\"\ncoefficient = {coefficient}\nlength = 0.08\n"
     )
 }
 
-/// The arm of the force of the rod about the crank's bearing.
-fn arm(q: f64) -> f64 {
-    let rod = (0.1 * q.sin() / 0.35).asin();
-    0.1 * (q + rod).sin()
+const DOWN: &str = "[motion]\nkind = \"transient\"\nspeed = 12\nuntil = \"0.6 s\"\nsamples = 16\n";
+const STEADY: &str = "[motion]\nkind = \"steady\"\nmean_speed = 12\n[drive]\ntorque = \"balance\"\nflywheel = 0.5\n\
+    [[force]]\nlink = \"piston\"\nat = \"B\"\nagainst_motion = true\nvalue = 300\n";
+
+fn energy(found: &Analysis, row: usize, quantity: Quantity) -> f64 {
+    found.trajectory.get(row, Column::of(quantity, Owner::Input)).unwrap()
 }
 
+/// At the start and at each sample the kinetic energy and that of the place of the links give what was lost.
 #[test]
-fn dead_angles_are_where_the_force_of_the_rod_meets_the_circle_of_friction() {
-    // The second is far narrower than the distance of two samples.
-    for coefficient in [0.3, 1e-5] {
-        let circle = 0.02 * coefficient;
-        let found = analyzed(&driven(coefficient));
-        let cycle = found.friction.as_ref().unwrap();
-        let half = std::f64::consts::PI;
-        let [outer, _] = bisect(0.0, 1.0, 0.0, |q| arm(q) < circle);
-        let [inner, _] = bisect(half, 2.0, 0.0, |q| arm(q) < circle);
-        let expected = [[inner, 2.0 * half - inner], [2.0 * half - outer, 2.0 * half + outer]];
-        assert_eq!(cycle.dead_angles.len(), 2, "{:?}", cycle.dead_angles);
-        for (found, expected) in cycle.dead_angles.iter().zip(expected) {
-            for (found, expected) in found.iter().zip(expected) {
-                assert!((found - expected).abs() < 1e-13, "{coefficient}: {found} {expected}");
-            }
-        }
-        assert_eq!(cycle.efficiency, None);
+fn what_friction_takes_is_what_the_energies_lose() {
+    let found = analyzed(&scene(DOWN, 0.1));
+    // The centers of mass of crank and rod; the piston stays on its level.
+    let place = |row: usize| {
+        let height = 0.1 * found.trajectory.get(row, Column::COORDINATE).unwrap().sin();
+        9.81 * height * (3.0 + 1.2 * (1.0 - 0.14 / 0.35))
+    };
+    let start = energy(&found, 0, Quantity::KineticEnergy) + place(0);
+    let mut before = 0.0;
+    for row in 0..found.trajectory.len() {
+        let lost = energy(&found, row, Quantity::FrictionWork);
+        let left = energy(&found, row, Quantity::KineticEnergy) + place(row);
+        assert!((left - start - lost).abs() < 1e-6 * start, "{row}: {lost} {}", left - start);
+        assert!(lost <= before, "{row}: {lost} {before}");
+        before = lost;
     }
-}
-
-/// A wedge of 20 degrees under a load, with friction on its incline; `direction`: lifted or let down.
-fn wedge(coefficient: f64, direction: &str) -> String {
-    format!(
-        "[ground]\npoints = {{ O = 0 }}\n[link.wedge]\npoints = {{ W = 0 }}\n[link.block]\npoints = {{ B = 0 }}\n\
-         [link.plunger]\npoints = {{ B = 0 }}\n[[slide]]\nlink = \"wedge\"\non = \"ground\"\nangle = \"180 deg\"\n\
-         [[slide]]\nlink = \"block\"\non = \"wedge\"\nangle = \"20 deg\"\n[[slide]]\nlink = \"plunger\"\non = \"ground\"\n\
-         angle = \"90 deg\"\n[input]\nlink = \"wedge\"\nfrom = 0.1\nto = 0.2\npositions = 3\ndirection = \"{direction}\"\n\
-         [[force]]\nlink = \"plunger\"\nat = \"B\"\nangle = \"-90 deg\"\nvalue = 1000\n\
-         [[friction]]\npair = \"block/wedge\"\ncoefficient = {coefficient:?}\n"
-    )
+    assert!(before < -1.0, "{before}");
 }
 
 #[test]
-fn a_wedge_brakes_itself_from_the_tangent_of_its_angle_on() {
-    let angle = 20_f64.to_radians();
-    for part in [0.1, 0.5, 1.0 - 1e-9, 1.0 + 1e-9, 1.7] {
-        let coefficient = part * angle.tan();
-        let friction = f64::atan(coefficient);
-        let lifted = analyzed(&wedge(coefficient, "ccw")).friction.unwrap();
-        let expected = angle.tan() / (angle + friction).tan();
-        assert!((lifted.efficiency.unwrap() - expected).abs() < 1e-12);
-        assert!(lifted.self_braking.is_empty());
-        let down = analyzed(&wedge(coefficient, "cw")).friction.unwrap();
-        let expected = ((angle - friction).tan() / angle.tan()).max(0.0);
-        assert!((down.efficiency.unwrap() - expected).abs() < 1e-12, "{part}");
-        let whole: &[[f64; 2]] = if part > 1.0 { &[[0.1, 0.2]] } else { &[] };
-        assert_eq!(down.self_braking, whole, "{part}");
-        // On the way of 0.1 m the load does the work 1000 N 0.1 m tan a; the balancing load takes the rest.
-        let work: f64 = down.friction_work.values().map(|work| work.unwrap()).sum();
-        let balancing = 1000.0 * (angle - friction).tan() * 0.1;
-        assert!((work + 100.0 * angle.tan() - balancing).abs() < 1e-10, "{work}");
+fn at_rest_friction_and_what_depends_on_it_are_not_known() {
+    let found = analyzed(
+        "gravity = 9.81\n[ground]\npoints = { O = [0, 0] }\n[link.block]\npoints = { P = 0 }\nmass = 2\n\
+         [[slide]]\nlink = \"block\"\non = \"ground\"\nthrough = \"O\"\nname = \"guide\"\n\
+         [input]\nlink = \"block\"\nto = 1\npositions = 2\n\
+         [motion]\nkind = \"transient\"\nspeed = 3\nuntil = \"3 s\"\nsamples = 4\n\
+         [[friction]]\npair = \"guide\"\ncoefficient = 0.3\n",
+    );
+    let table = &found.trajectory;
+    let rows = [1, 4].map(|row| {
+        let of = |quantity| {
+            let owner = table.schema().owners(quantity)[0];
+            table.get(row, Column::of(quantity, owner))
+        };
+        [Quantity::FrictionForce, Quantity::FrictionPower].map(of)
+    });
+    let speed = 3.0 - 0.3 * 9.81 * 0.75;
+    let near = |found: Option<f64>, wanted: f64| (found.unwrap() - wanted).abs() < 1e-12;
+    assert!(near(rows[0][0], -0.6 * 9.81) && near(rows[0][1], -0.6 * 9.81 * speed), "{rows:?}");
+    assert_eq!(rows[1], [None, Some(0.0)]);
+    assert_eq!(table.get(4, Column::BALANCING), None);
+    assert!((energy(&found, 4, Quantity::FrictionWork) + 9.0).abs() < 1e-7);
+    let failed: Vec<_> = found.checks.iter().filter(|check| check.failed()).collect();
+    assert!(failed.is_empty(), "{failed:?}");
+}
+
+#[test]
+fn the_works_of_a_cycle_are_the_losses_of_its_pairs() {
+    let found = analyzed(&scene(STEADY, 0.1));
+    let lost: f64 = found.friction.as_ref().unwrap().friction_work.values().map(|work| work.unwrap()).sum();
+    let last = found.trajectory.len() - 1;
+    let [drives, resists, rubs] = [Quantity::DrivingWork, Quantity::ResistingWork, Quantity::FrictionWork]
+        .map(|quantity| energy(&found, last, quantity));
+    assert!((rubs - lost).abs() < 1e-5 * lost.abs(), "{rubs} {lost}");
+    assert!((drives + resists + rubs).abs() < 1e-9 * drives, "{drives} {resists} {rubs}");
+    // Over four strokes the force takes 300 N, the weights nothing.
+    let torque = found.dynamics.as_ref().unwrap().figures.torque.unwrap();
+    assert!(
+        (torque * std::f64::consts::TAU - 4.0 * 0.1 * 300.0 + lost).abs() < 1e-5 * lost.abs(),
+        "{torque}"
+    );
+}
+
+/// The checks that fail for a motion with the friction of other coefficients.
+fn failing(motion: &str, factor: f64) -> Vec<String> {
+    let mut calculation: Calculation = study(&scene(motion, 0.1)).unwrap();
+    let other = study(&scene(motion, 0.1 * factor)).unwrap();
+    calculation.loads = Some(Loads::compile(&other.linkage).unwrap());
+    let found = calculation.checks(Coverage::All, &mut unwatched).unwrap();
+    found.all.iter().filter(|check| check.failed()).map(|check| check.name.to_string()).collect()
+}
+
+#[test]
+fn a_motion_with_another_friction_is_noticed() {
+    for (motion, name) in [(DOWN, "drive against force analysis"), (STEADY, "cycle in time")] {
+        assert_eq!(failing(motion, 1.0), [""; 0], "{name}");
+        let found = failing(motion, 1.0 + 1e-3);
+        assert!(found.iter().any(|failed| failed == name), "{found:?}");
     }
 }

@@ -8,7 +8,7 @@ use assur_mechanism::{
 use assur_structure::name_of;
 use assur_words::{Text, list as listed, number, quantity, text};
 
-use super::words::{Remark, remark};
+use crate::topic::explain::{Remark, remark};
 
 /// The parts of the model that the scene defines.
 pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
@@ -57,7 +57,7 @@ fn masses(mechanism: &Mechanism, list: &mut Vec<Remark>) {
     list.push(remark(text!("model-masses"), how));
     if let Some(gravity) = mechanism.gravity {
         let gravity = Unit::of("m/s²", 1.0).show_all(&gravity);
-        list.push(remark(text!("missing-weights"), text!("model-weights-how", gravity = gravity)));
+        list.push(remark(text!("missing-weights"), text!("model-weights-how", gravity)));
     }
 }
 
@@ -95,7 +95,7 @@ fn acts(mechanism: &Mechanism, load: &LoadKind) -> Text {
         LoadKind::Spring(spring) => {
             let [one, other] = spring.ends.map(|end| link(end.link));
             let damped = if spring.damping == 0.0 { text!("model-undamped") } else { text!("model-damped") };
-            text!("model-spring", one = one, other = other, damped = damped)
+            text!("model-spring", one, other, damped)
         }
         LoadKind::Contact(contact) => contact_words(contact),
     }
@@ -127,7 +127,7 @@ fn contact_words(contact: &Contact) -> Text {
     } else {
         text!("model-contact-always")
     };
-    text!("model-contact", touches = touches, rubs = rubs)
+    text!("model-contact", touches, rubs)
 }
 
 fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {
