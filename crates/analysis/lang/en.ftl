@@ -106,3 +106,4 @@ analysis-place-missed = [assembly] has { $point } at { $wanted }; the assembly t
 analysis-link-rests = Link `{ $link }` never moves.
 analysis-slide-rests = Nothing ever slides in `{ $slide }`.
 analysis-load-without-work = Load `{ $load }` never does work: reactions alone carry it.
+analysis-driving-loads = Over the cycle the loads drive the mechanism, and the balancing load holds it back: { $loads }. If one of them is a resistance, turn its direction.

@@ -107,3 +107,4 @@ analysis-place-missed = По [assembly] точка { $point } — в { $wanted }
 analysis-link-rests = Звено `{ $link }` никогда не движется.
 analysis-slide-rests = В паре `{ $slide }` никогда ничего не скользит.
 analysis-load-without-work = Нагрузка `{ $load }` никогда не совершает работы: её воспринимают одни реакции.
+analysis-driving-loads = За цикл нагрузки движут механизм, а уравновешивающая нагрузка его сдерживает: { $loads }. Если какая-то из них есть сопротивление, измените ее направление.

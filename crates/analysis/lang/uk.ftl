@@ -106,3 +106,4 @@ analysis-place-missed = За [assembly] точка { $point } — у { $wanted }
 analysis-link-rests = Ланка `{ $link }` ніколи не рухається.
 analysis-slide-rests = У парі `{ $slide }` ніколи нічого не ковзає.
 analysis-load-without-work = Навантаження `{ $load }` ніколи не виконує роботи: його сприймають самі реакції.
+analysis-driving-loads = За цикл навантаження рухають механізм, а зрівноважувальне навантаження його стримує: { $loads }. Якщо котресь із них є опором, змініть його напрям.

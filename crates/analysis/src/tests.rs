@@ -10,6 +10,7 @@ use crate::{AnalysisError, Calculation, Coverage, Options, unwatched};
 
 mod energies;
 mod forces;
+mod friction;
 mod jumps;
 mod told;
 mod watched;
@@ -270,7 +271,7 @@ fn idle_loads_and_missing_times_are_noted() {
     assert!(told(zero).contains("Load `idle` never acts"));
     let carried = "[[moment]]\nname = 'tilt'\nlink = 'slider'\nvalue = 5";
     assert!(told(carried).contains("Load `tilt` never does work"));
-    let timed = "[[moment]]\nlink = 'rod'\nvalue = { over = 'time', table = [[0, 1], [1, 2]] }";
+    let timed = "[[moment]]\nlink = 'rod'\nvalue = { over = 'time', table = [[0, -1], [1, -2]] }";
     assert_eq!(scene(timed, "speed = 3\nacceleration = 2"), "");
     // 3 rad/s against 1 rad/s² reach 4.5 rad: positions 0 to 5 of 8.
     assert!(scene(timed, "speed = 3\nacceleration = -1").contains("never reaches 2 positions"));

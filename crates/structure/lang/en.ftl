@@ -21,3 +21,4 @@ structure-no-plugin = { $links } form a group of class { $class }, order { $orde
 structure-pattern = inner { $inner }; outer { $outer }
 structure-what-joins = a point name that stands in two links makes a pin there
 structure-alike = the points `{ $one }` and `{ $other }` stand in one link each and look alike: one name in both links makes a pin there
+structure-alone = a point name that stands in two links makes a pin there; in one link only stand { $points }
