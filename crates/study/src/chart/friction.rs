@@ -6,8 +6,8 @@ use assur_force::{
 use assur_kinematics::{Linkage, Position};
 use assur_words::{Describe, Text, text};
 
-use super::entry::Field;
 use super::forces::Loaded;
+use super::race::Field;
 use super::{ChartError, Measurement, Reference, Setting, Stage};
 
 /// Steps of the textbook iteration.
