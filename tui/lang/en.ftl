@@ -623,3 +623,7 @@ cli-strict =
     error: --strict takes notes on the scene for errors; nothing is calculated or written
 work-of-drive = drive
 work-of-weights = weights
+regime-against = { $load }, against the motion
+regime-excess-area = A* = { $work }
+reduction-mechanism = the mechanism
+reduction-model = disc that stands for the machine: M = { $moment }, J = { $inertia }

@@ -619,3 +619,7 @@ cli-strict =
     ошибка: с --strict примечания к сцене считаются ошибками; ничего не вычислено и не записано
 work-of-drive = привод
 work-of-weights = веса
+regime-against = { $load }, против движения
+regime-excess-area = A* = { $work }
+reduction-mechanism = механизм
+reduction-model = диск, заменяющий машину: M = { $moment }, J = { $inertia }

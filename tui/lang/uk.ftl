@@ -618,3 +618,7 @@ cli-strict =
     помилка: з --strict примітки до сцени є помилками; нічого не обчислено й не записано
 work-of-drive = привід
 work-of-weights = ваги
+regime-against = { $load }, проти руху
+regime-excess-area = A* = { $work }
+reduction-mechanism = механізм
+reduction-model = диск, що заміняє машину: M = { $moment }, J = { $inertia }

@@ -174,7 +174,7 @@ impl Calculation {
 }
 
 /// The drive, the weights and the loads of the scene that have a work, each with its place among what acts.
-fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
+pub(crate) fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
     let drive = mechanism.drive.is_some().then_some((Owner::Input, Acting::DRIVE));
     let weights = mechanism.gravity.is_some() && mechanism.links.iter().skip(1).any(|link| link.mass > 0.0);
     // The ground carries the weights.

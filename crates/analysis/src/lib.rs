@@ -24,6 +24,7 @@ mod positions;
 mod progress;
 mod proof;
 mod residuals;
+mod stops;
 pub mod results;
 mod trajectory;
 

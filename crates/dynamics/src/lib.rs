@@ -11,7 +11,6 @@ mod error;
 mod instant;
 mod machine;
 mod motor;
-mod point;
 mod scene;
 mod steady;
 #[cfg(test)]
@@ -26,7 +25,6 @@ pub use instant::{Holding, Instant};
 pub use machine::Machine;
 pub use machine::Watcher;
 pub use motor::{DriveMotor, SteadyMotor};
-pub use point::ReductionPoint;
 pub use scene::section_margin;
 pub use scene::{Advice, advise};
 pub use scene::{Steady, steady};

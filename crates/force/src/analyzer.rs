@@ -211,6 +211,8 @@ pub struct AnalyzerPlugin {
     pub source: Text,
     /// The method.
     pub instance: &'static dyn ForceAnalyzer,
+    /// Names of further forces that it finds, N: [`Reactions::further`](crate::Reactions::further).
+    pub further: &'static [&'static str],
     /// Whether it finds reactions; otherwise the balancing load alone.
     pub gives_reactions: bool,
     /// Whether it finds the dry friction of pairs ([`Reactions::rubbing`](crate::Reactions::rubbing)).

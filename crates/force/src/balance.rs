@@ -118,6 +118,8 @@ pub struct Reactions<T = f64> {
     pub solved: Vec<bool>,
     /// Dry friction in pairs; `None` where all are ideal, and where it is to be left out.
     pub rubbing: Option<Rubbing<T>>,
+    /// The further forces of the method, N, in the order of [`AnalyzerPlugin::further`](crate::AnalyzerPlugin::further).
+    pub further: Vec<T>,
     /// Scratch of a method: one wrench for each pair.
     pub scratch_pairs: Vec<Wrench<T>>,
     /// Scratch of a method: one wrench for each body.
@@ -134,6 +136,7 @@ impl<T: Real> Reactions<T> {
             unit: UnitBalance::of(&linkage.mechanism),
             solved: groups.map(|group| linkage.chain.is_needed(group)).collect(),
             rubbing: None,
+            further: Vec::new(),
             scratch_pairs: pairs.clone(),
             pairs,
             scratch_bodies: vec![Wrench::ZERO; linkage.structure.links],

@@ -172,6 +172,10 @@ impl Reactions<Lanes> {
     /// Puts the reactions of one position into a lane.
     fn put(&mut self, lane: usize, one: &Reactions) {
         self.balancing.0[lane] = one.balancing;
+        self.further.resize(one.further.len(), Lanes([0.0; Lanes::WIDTH]));
+        for (all, one) in self.further.iter_mut().zip(&one.further) {
+            all.0[lane] = *one;
+        }
         for (all, one) in self.pairs.iter_mut().zip(&one.pairs) {
             (all.fx.0[lane], all.fy.0[lane], all.m.0[lane]) = (one.fx, one.fy, one.m);
         }

@@ -12,6 +12,7 @@ mod name;
 mod named;
 mod notice;
 mod numbers;
+mod point;
 mod size;
 
 pub use alike::{appearance, likeness};
@@ -25,6 +26,7 @@ pub use name::Name;
 pub use named::Named;
 pub use notice::{Notice, NoticeKind};
 pub use numbers::links_of_length_zero;
+pub use point::ReductionPoint;
 pub use size::{
     LONGEST_NAME, MOST_KEPT, MOST_LINKS, MOST_LOADS, MOST_PARTS_DRAWN, MOST_PARTS_KEPT, MOST_PARTS_SAMPLED,
     MOST_PLACES, MOST_SAMPLES, MOST_SLIDES, MOST_STEPS_KEPT,

@@ -1,6 +1,6 @@
 //! The work of a moment on the input link as an area under straight lines.
 
-use assur_mechanism::{LoadId, LoadKind, Mechanism, Over, Table, Value};
+use assur_mechanism::{Brake, LoadId, LoadKind, Mechanism, Over, Table, Value};
 
 /// Straight lines, each from a coordinate and a moment to a coordinate and a moment.
 pub(crate) type Area = Vec<[[f64; 2]; 2]>;
@@ -8,10 +8,14 @@ pub(crate) type Area = Vec<[[f64; 2]; 2]>;
 /// More lines than these nobody adds up by hand.
 const MOST: usize = 12;
 
-/// The lines of a moment of the scene between two coordinates; `None` where it is no constant and no table over the coordinate, does
+/// The lines of a moment of the scene between two coordinates; `None` where it is no constant, no brake and no table over the coordinate, does
 /// not act on the input link as a moment, or has very many lines.
 pub(crate) fn area_under(mechanism: &Mechanism, load: LoadId, [from, to]: [f64; 2]) -> Option<Area> {
-    let LoadKind::Moment(found) = &mechanism.loads.get(load)?.kind else { return None };
+    let found = match &mechanism.loads.get(load)?.kind {
+        LoadKind::Moment(found) => found,
+        LoadKind::Brake(brake) => return braking(mechanism, brake, [from, to]),
+        _ => return None,
+    };
     if found.link != mechanism.input.link || !mechanism.input.is_angle() {
         return None;
     }
@@ -23,6 +27,16 @@ pub(crate) fn area_under(mechanism: &Mechanism, load: LoadId, [from, to]: [f64; 
         }
         _ => None,
     }
+}
+
+/// The constant moment of a brake, against the motion.
+fn braking(mechanism: &Mechanism, brake: &Brake, [from, to]: [f64; 2]) -> Option<Area> {
+    let Value::Constant(force) = &brake.force else { return None };
+    if brake.link != mechanism.input.link || !mechanism.input.is_angle() {
+        return None;
+    }
+    let moment = -brake.moment_of_unit_force() * force * (to - from).signum();
+    Some(vec![[[from, moment], [to, moment]]])
 }
 
 fn lines(table: &Table, period: Option<f64>, [from, to]: [f64; 2]) -> Option<Area> {

@@ -27,6 +27,7 @@ assur_force::inventory::submit! {
         summary: text!("force-newton-euler"),
         source: text!("force-newton-euler.source"),
         instance: &NewtonEuler,
+        further: &[],
         gives_reactions: true,
         treats_friction: true,
         by_groups: false,

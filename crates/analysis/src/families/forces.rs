@@ -2,6 +2,7 @@
 
 use assur_mechanism::PairId;
 use assur_number::Lanes;
+use assur_words::name;
 
 use super::Family;
 use crate::joints::ends;
@@ -34,6 +35,21 @@ pub(super) const REACTIONS: Family = Family {
                 cells.put(offset, std::array::from_fn(|lane| determined[lane] && has[lane]));
             }
         }
+    },
+};
+
+/// The further forces of the analyzer.
+pub(super) const FURTHER: Family = Family {
+    applies: |calculation| calculation.has_forces() && calculation.positions_have_forces(),
+    columns: |calculation, schema| {
+        let names = calculation.analyzer.map_or(&[][..], |method| method.further);
+        schema.further = names.iter().map(|told| name(*told).into()).collect();
+        let section = schema.section();
+        schema.add(section, (0..names.len()).map(|force| Column::of(Quantity::OfMethod, Owner::Method(force))));
+    },
+    fill: |rows, cells| {
+        let Some((_, reactions, determined)) = rows.reactions else { return };
+        reactions.further.iter().for_each(|force| cells.put(*force, determined));
     },
 };
 

@@ -23,7 +23,7 @@ use crate::{Calculation, InputMotion};
 
 pub(crate) use motion::Motions;
 
-use forces::{BALANCING, HOLDING, REACTIONS};
+use forces::{BALANCING, FURTHER, HOLDING, REACTIONS};
 use friction::{EFFICIENCY, FRICTION};
 use loads::{INERTIA_LOADS, INERTIA_OF_LINKS, LOADS, REDUCED, SHAKING};
 use motion::{COORDINATE, LINKS, PLACES, POINTS, RATES, SLIDES, SPEEDS, TIME};
@@ -93,6 +93,7 @@ const POSITIONS: &[Family] = &[
     INERTIA_LOADS,
     SHAKING,
     Family { applies: |found| found.positions_have_forces() && (REACTIONS.applies)(found), ..REACTIONS },
+    FURTHER,
     FRICTION,
     Family { applies: |found| found.positions_have_forces() && (BALANCING.applies)(found), ..BALANCING },
     EFFICIENCY,

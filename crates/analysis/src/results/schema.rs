@@ -29,6 +29,8 @@ pub struct Schema {
     points: Vec<Name>,
     slides: Vec<Name>,
     loads: Vec<(Name, &'static str)>,
+    /// Names of the further forces of the analyzer.
+    pub further: Vec<Name>,
     angular: bool,
     balances_by_moment: bool,
     /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
@@ -47,6 +49,7 @@ impl Schema {
             points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
             slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
             loads: loads(mechanism),
+            further: Vec::new(),
             angular: mechanism.input.is_angle(),
             balances_by_moment: mechanism.balances_by_moment(),
             causes: Vec::new(),
@@ -119,6 +122,7 @@ impl Schema {
             | Owner::Pair(PairId::Slide(slide))
             | Owner::PairOn(PairId::Slide(slide), _) => Some(&self.slides[slide]),
             Owner::Load(load) => Some(&self.loads[load].0),
+            Owner::Method(force) => self.further.get(force),
         }
     }
 

@@ -164,6 +164,7 @@ fn of(column: Column) -> Row {
         (Q::Moment, _) => row("quantity-moment", "M", M::Moment, "reactions.*.moment", "*_moment"),
         (Q::Offset, _) => without_sense(row("quantity-offset", "", M::Length, "", "")),
         (Q::Balancing, _) => row("quantity-balancing", "", M::Balancing, "balancing", "balancing"),
+        (Q::OfMethod, _) => row("quantity-force", "", M::Force, "method.*", "method_*"),
         (Q::FrictionMoment, PairOn(..)) => {
             row("quantity-friction-moment", "Mf", M::Moment, "friction.*.moments.+", "*_+_friction_moment")
         }

@@ -2,14 +2,14 @@
 
 use approx::assert_relative_eq;
 use assur_group::Order;
-use assur_mechanism::Place;
+use assur_mechanism::{Place, ReductionPoint};
 use proptest::prelude::*;
 
 use assur_fixtures::scene;
 
 use super::{compiled, read};
 use crate::{
-    CycleRequest, DriveRequest, Machine, Method, ReductionPoint, RegimeSolver, TorqueRequest, steady,
+    CycleRequest, DriveRequest, Machine, Method, RegimeSolver, TorqueRequest, steady,
     transient,
 };
 

@@ -1,6 +1,7 @@
 //! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked, those of one unit over each other,
 //! with their extremes and means.
 
+use assur_analysis::results::{Owner, Quantity};
 use assur_book::{Column, Extreme, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
 use assur_report::text::Line;
@@ -66,7 +67,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 }
 
 fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
-    let series = &scene.series[orders[order]];
+    let series = &in_radians(&scene.series[orders[order]]);
     let mut value = quantity(series.bare(state.position), series.unit.clone());
     let mut curves = vec![(series, Stroke::Solid, ink)];
     if let Some(compared) = &state.compared
@@ -184,20 +185,31 @@ fn parts_of_picked(state: &State, scene: &Scene, area: Rect) -> [Rect; 2] {
     Layout::vertical([Constraint::Length(rows), Constraint::Min(0)]).areas(area)
 }
 
-/// A panel for each unit, with a ring at the greatest and the least value of each curve.
+/// The picked quantities together.
 fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
-    let all = picked(state, scene);
+    let all: Vec<Series> = picked(state, scene).into_iter().map(in_radians).collect();
+    together(state, scene, &all.iter().collect::<Vec<_>>())
+}
+
+/// A panel for each unit, with a ring at the greatest and the least value of each curve.
+pub(super) fn together(state: &State, scene: &Scene, all: &[&Series]) -> Figure {
     let mut units: Vec<&str> = Vec::new();
-    for series in &all {
+    for series in all {
         let unit = without_radians(&series.unit);
         if !units.contains(&unit) {
             units.push(unit);
         }
     }
-    let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, &all, unit)).collect();
-    let title = if all.len() > 1 { Text::default() } else { list(all.iter().map(|series| series.told())) };
-    let legend = if all.len() > 1 { keys(&all) } else { Vec::new() };
-    Figure { title, panels, columns: 1, legend }
+    let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, all, unit)).collect();
+    let legend = if all.len() > 1 { keys(all) } else { Vec::new() };
+    Figure { panels, columns: 1, legend, ..Figure::default() }
+}
+
+/// The angle of a link in radians, by which its derivatives are taken; other quantities as they are shown.
+fn in_radians(series: &Series) -> Series {
+    let is_angle = matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
+    let unit = if is_angle { "rad".to_owned() } else { series.unit.clone() };
+    Series { unit, factor: if is_angle { 1.0 } else { series.factor }, ..series.clone() }
 }
 
 /// The curves with their units, each under its number, in the strokes of their panels.
