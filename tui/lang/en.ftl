@@ -626,4 +626,4 @@ work-of-weights = weights
 regime-against = { $load }, against the motion
 regime-excess-area = A* = { $work }
 reduction-mechanism = the mechanism
-reduction-model = disc that stands for the machine: M = { $moment }, J = { $inertia }
+reduction-model = disc: M = { $moment }, J = { $inertia }

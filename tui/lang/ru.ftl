@@ -622,4 +622,4 @@ work-of-weights = веса
 regime-against = { $load }, против движения
 regime-excess-area = A* = { $work }
 reduction-mechanism = механизм
-reduction-model = диск, заменяющий машину: M = { $moment }, J = { $inertia }
+reduction-model = диск: M = { $moment }, J = { $inertia }

@@ -621,4 +621,4 @@ work-of-weights = ваги
 regime-against = { $load }, проти руху
 regime-excess-area = A* = { $work }
 reduction-mechanism = механізм
-reduction-model = диск, що заміняє машину: M = { $moment }, J = { $inertia }
+reduction-model = диск: M = { $moment }, J = { $inertia }

@@ -25,8 +25,8 @@ mod positions;
 mod progress;
 mod proof;
 mod residuals;
-mod stops;
 pub mod results;
+mod stops;
 mod trajectory;
 
 assur_words::resources!();

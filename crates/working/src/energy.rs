@@ -116,8 +116,12 @@ impl Work<'_> {
                 let pi = Expr::number((value / PI * part).abs().round()) * Expr::pi() / Expr::number(*part);
                 if value < 0.0 { -pi } else { pi }
             }
-            None if value < 0.0 => -Expr::number(-value),
-            None => Expr::number(value),
+            None => {
+                // What an integration left of a whole number is its rounding.
+                let whole = value.round();
+                let value = if (value - whole).abs() <= 1e-12 * value.abs() { whole } else { value };
+                if value < 0.0 { -Expr::number(-value) } else { Expr::number(value) }
+            }
         }
     }
 
@@ -186,13 +190,30 @@ impl Work<'_> {
             return;
         }
         self.sheet.section(text!("working-energy-uniform"));
-        let known = works.iter().zip(moments).map(|(done, moment)| Expr::symbol(Symbol::from("M").of(&done.name).of(1), moment));
+        let known = works
+            .iter()
+            .zip(moments)
+            .map(|(done, moment)| Expr::symbol(Symbol::from("M").of(&done.name).of(1), moment));
         let sum = known.fold(Expr::zero(), |sum, moment| sum + moment);
         let sum = self.sheet.work("M", &sum, moment);
         let inertia = self.sheet.given("J", inertia, inertia_unit, text!("working-energy-inertia"));
-        let acceleration = self.sheet.work("ε", &(sum / inertia), if mechanism.input.is_angle() { "rad/s²" } else { "m/s²" });
-        let first = self.sheet.given(Symbol::from("ω").of(0), start.speed, self.units[1], text!("working-energy-speed-at-start"));
-        let last = self.sheet.given(Symbol::from("ω").of(1), end.speed, self.units[1], text!("working-energy-speed-at-end"));
+        let acceleration = self.sheet.work(
+            "ε",
+            &(sum / inertia),
+            if mechanism.input.is_angle() { "rad/s²" } else { "m/s²" },
+        );
+        let first = self.sheet.given(
+            Symbol::from("ω").of(0),
+            start.speed,
+            self.units[1],
+            text!("working-energy-speed-at-start"),
+        );
+        let last = self.sheet.given(
+            Symbol::from("ω").of(1),
+            end.speed,
+            self.units[1],
+            text!("working-energy-speed-at-end"),
+        );
         self.sheet.note(text!("working-energy-by-time"));
         let time = self.sheet.work("t", &((last - &first) / &acceleration), "s");
         self.sheet.note(text!("working-energy-way-by-time"));

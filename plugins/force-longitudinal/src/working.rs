@@ -299,7 +299,8 @@ fn closed(sheet: &mut Sheet, axes: &Axes, k: &Acts, arc: &Arc) {
     let cos_rod = sheet.work(Symbol::from("cos").of("ψ"), &(one() - sin_rod.squared()).sqrt(), "");
     let y2 = (&r2 + &b) * &cos_rod - &radius * a.cos();
     sheet.work(Symbol::from("Y").of("KP"), &y2, "m");
-    let x2 = (&axes.r1 * &cos + &b * cos_rod) * &sin / cos - &axes.r1 * sin * (one() + r2 / b) + radius * a.sin();
+    let x2 =
+        (&axes.r1 * &cos + &b * cos_rod) * &sin / cos - &axes.r1 * sin * (one() + r2 / b) + radius * a.sin();
     sheet.work(Symbol::from("X").of("KP"), &x2, "m");
     sheet.note(text!("force-longitudinal-working-closed-same"));
 }

@@ -45,7 +45,8 @@ pub(super) const FURTHER: Family = Family {
         let names = calculation.analyzer.map_or(&[][..], |method| method.further);
         schema.further = names.iter().map(|told| name(*told).into()).collect();
         let section = schema.section();
-        schema.add(section, (0..names.len()).map(|force| Column::of(Quantity::OfMethod, Owner::Method(force))));
+        schema
+            .add(section, (0..names.len()).map(|force| Column::of(Quantity::OfMethod, Owner::Method(force))));
     },
     fill: |rows, cells| {
         let Some((_, reactions, determined)) = rows.reactions else { return };

@@ -4,9 +4,7 @@ use assur_force::Side;
 use assur_integrator::Sample;
 
 use super::{compiled, read};
-use crate::{
-    CycleRequest, Machine, Method, RegimeSolver, equation, section_margin, steady, transient,
-};
+use crate::{CycleRequest, Machine, Method, RegimeSolver, equation, section_margin, steady, transient};
 
 /// A disc on which nothing acts.
 #[test]
@@ -76,7 +74,10 @@ fn loads_are_reduced_to_the_farthest_point_of_the_crank() {
     assert!((found.radius - 0.5).abs() < 1e-15, "{found:?}");
     // Of equal ones the first.
     let mechanism = scene("O = 0, A = 0.2, B = [0, 0.2]");
-    assert_eq!(mechanism.points[assur_mechanism::ReductionPoint::farthest(&mechanism).unwrap().point].name, "A");
+    assert_eq!(
+        mechanism.points[assur_mechanism::ReductionPoint::farthest(&mechanism).unwrap().point].name,
+        "A"
+    );
     assert_eq!(assur_mechanism::ReductionPoint::farthest(&scene("O = 0")), None);
 }
 

@@ -84,7 +84,8 @@ fn example_2_is_worked_by_areas() {
 /// What begins with a speed keeps its energy; a brake that no line is drawn of has the work of the quadrature.
 #[test]
 fn the_energy_at_the_start_counts() {
-    let text = assur_fixtures::scene("brake").replace("force = \"20 N\"", "force = { formula = \"20 + 0*w\", unit = \"N\" }");
+    let text = assur_fixtures::scene("brake")
+        .replace("force = \"20 N\"", "force = { formula = \"20 + 0*w\", unit = \"N\" }");
     let mechanism = assur_scene::read("brake.toml", &text).unwrap();
     let ends = [[0.0, 100.0, 2000.0], [2250.0, 60.0, 720.0]];
     let form = form(&mechanism, &[("brake", -1280.0)], ends);

@@ -144,7 +144,10 @@ fn the_parallels_end_where_the_construction_says() {
             // The parallelogram at K: from the end of F to the ends of both parts.
             for (side, end) in [("along KP", "FA"), ("along KA", "FP")] {
                 let end = minus(plus(of(side).after, of(side).vector), of(end).vector);
-                assert!(length(minus(of(side).after, force)) < least && length(end) < least, "{name} {index}");
+                assert!(
+                    length(minus(of(side).after, force)) < least && length(end) < least,
+                    "{name} {index}"
+                );
             }
             // The parallel to the crank through the end of FA meets the normal at A at the end of -Fb.
             let parallel = of("along OP");

@@ -130,11 +130,13 @@ pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) ->
 }
 
 /// Strokes and inks of several curves, told apart without color.
-const STYLES: [(Stroke, Ink); 4] = [
+const STYLES: [(Stroke, Ink); 6] = [
     (Stroke::Solid, Ink::First),
     (Stroke::Dotted, Ink::Third),
     (Stroke::Chain, Ink::Second),
-    (Stroke::Dashed, Ink::Velocity),
+    (Stroke::Dashed, Ink::Link(5)),
+    (Stroke::Solid, Ink::Link(2)),
+    (Stroke::Chain, Ink::Link(4)),
 ];
 /// The heads of the table of extremes and means, behind the name and the unit.
 const HEADS: [&str; 7] =
@@ -201,24 +203,26 @@ pub(super) fn together(state: &State, scene: &Scene, all: &[&Series]) -> Figure 
         }
     }
     let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, all, unit)).collect();
-    let legend = if all.len() > 1 { keys(all) } else { Vec::new() };
+    let legend = if all.len() > 1 { keys(state, all) } else { Vec::new() };
     Figure { panels, columns: 1, legend, ..Figure::default() }
 }
 
 /// The angle of a link in radians, by which its derivatives are taken; other quantities as they are shown.
 fn in_radians(series: &Series) -> Series {
-    let is_angle = matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
+    let is_angle =
+        matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
     let unit = if is_angle { "rad".to_owned() } else { series.unit.clone() };
     Series { unit, factor: if is_angle { 1.0 } else { series.factor }, ..series.clone() }
 }
 
-/// The curves with their units, each under its number, in the strokes of their panels.
-fn keys(all: &[&Series]) -> Vec<Key> {
+/// The curves with their units and their values at the position, each under its number, in the strokes of their panels.
+fn keys(state: &State, all: &[&Series]) -> Vec<Key> {
     let key = |(number, series): (usize, &&Series)| {
         let unit = without_radians(&series.unit);
         let before = all[..number].iter().filter(|other| without_radians(&other.unit) == unit).count();
         let (stroke, ink) = STYLES[before % STYLES.len()];
-        let text = joined(" ", [name((number + 1).to_string()), series.title()]);
+        let title = joined(" ", [name((number + 1).to_string()), series.title()]);
+        let text = joined(": ", [title, name(series.bare(state.position))]);
         Key { sample: Sample::Line(stroke, ink), text }
     };
     all.iter().enumerate().map(key).collect()

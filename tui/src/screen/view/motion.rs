@@ -74,11 +74,8 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
             curves::stack(state, scene, found, None, &wanted)
         }
     };
-    let (columns, title) = match state.part(View::Motion) {
-        Part::Reduction => (2, scene.place(state.position)),
-        _ => (1, heading(scene, found).1),
-    };
-    Figure { title, panels, columns, legend: Vec::new() }
+    let columns = if state.part(View::Motion) == Part::Reduction { 2 } else { 1 };
+    Figure { title: heading(scene, found).1, panels, columns, legend: Vec::new() }
 }
 
 /// The most important line: the unevenness of a regime, or why there is no speed.

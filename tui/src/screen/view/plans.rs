@@ -122,7 +122,11 @@ fn keys(part: Part, plan: &Plan) -> Vec<Key> {
     let key = |(label, item): (String, &PlanVector)| {
         let size = quantity(digits(item.size, 5), item.unit.clone());
         // An absolute vector is called by its point already.
-        let what = if item.kind == VectorKind::Absolute { name(label) } else { joined(" ", [name(label), item.name.clone()]) };
+        let what = if item.kind == VectorKind::Absolute {
+            name(label)
+        } else {
+            joined(" ", [name(label), item.name.clone()])
+        };
         Key { sample: Sample::Line(Stroke::Solid, ink_of(part, item)), text: joined("  ", [what, size]) }
     };
     named.take(MOST).map(key).collect()

@@ -18,6 +18,8 @@ const ROOM: f64 = 1.5;
 const PIECES: usize = 48;
 /// Radius of the arc of a moment, in radii.
 const ARC: f64 = 1.2;
+/// Part of that arc under its head.
+const HEAD: f64 = 0.3;
 
 /// What is reduced in a position, to the input link and to its farthest point.
 struct Reduced {
@@ -100,9 +102,9 @@ impl Reduced {
         ];
         if self.moment != 0.0 {
             let at = |part: f64| self.polar(ARC, angle + self.moment.signum() * FRAC_PI_2 * part);
-            let arc = (0..PIECES).map(|piece| at(piece as f64 / PIECES as f64));
+            let arc = (0..=PIECES).map(|piece| at((1.0 - HEAD) * piece as f64 / PIECES as f64));
             items.push(Item::line(arc.collect::<Vec<_>>(), Stroke::Solid, Ink::Second));
-            let head = (at(1.0 - 1.0 / 8.0), at(1.0));
+            let head = (at(1.0 - HEAD), at(1.0));
             items.push(Item::Arrow { from: head.0, to: head.1, stroke: Stroke::Solid, ink: Ink::Second });
         }
         let moment = quantity(digits(self.moment, 5), "N m");

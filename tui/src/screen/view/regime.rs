@@ -68,7 +68,11 @@ pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &Regi
         outline.iter_mut().for_each(|at| at[0] *= factor);
         let middle = Bounds::around(outline.iter().copied()).center();
         panel.items.insert(0, Item::Area { outline, ink: Ink::Trace });
-        panel.items.push(Item::name(middle, text!("regime-excess-area", work = quantity(digits(work, 6), "J")), Ink::Title));
+        panel.items.push(Item::name(
+            middle,
+            text!("regime-excess-area", work = quantity(digits(work, 6), "J")),
+            Ink::Title,
+        ));
     }
     panel
 }
@@ -138,7 +142,7 @@ fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
         panel.items.push(Item::line([[end[0], low], [end[0], high]], Stroke::Dotted, Ink::Cursor));
         panel.items.push(Item::sign(*end, Sign::Ring, Ink::Text));
     }
-    panel.items.extend(section.last().map(|at| Item::name(*at, unevenness(dynamics), Ink::Title)));
+    panel.items.extend(section.first().map(|at| Item::name(*at, unevenness(dynamics), Ink::Title)));
 }
 
 /// The energy-mass diagram with its two tangents.
