@@ -43,6 +43,11 @@ do-next-group = the next group; it is marked in the drawing
 do-previous-group = the group before
 do-nearest = go to the position of the group's least determinant (the `health` of assur stability; 0: singular)
     .hint = to its least
+do-next-mode = the next mode of the group in the first position: another way in which it can be assembled
+    .hint = mode
+do-previous-mode = the mode before
+do-take-mode = take the mode that is shown: its places are written under [assembly]
+    .hint = take
 do-next-reaction = the next reaction
     .hint = reaction
 do-previous-reaction = the reaction before
@@ -323,6 +328,7 @@ regime-parts = trials, as parts of the values found
 regime-trial = trial
 regime-driving-work = driving work
 regime-resisting-work = resisting work
+regime-friction-work = friction work
 regime-kinetic-energy = kinetic energy
 regime-energies = energies, J
 motion-none = no [motion] in the scene, so J and Q alone; add it, with speed = "60 rpm"
@@ -627,3 +633,11 @@ regime-against = { $load }, against the motion
 regime-excess-area = A* = { $work }
 reduction-mechanism = the mechanism
 reduction-model = disc: M = { $moment }, J = { $inertia }
+structure-mode = shown: way { $way }, determinant { $determinant } ({ $key } takes it)
+structure-modes = { $key }: shows the others
+say-no-modes = The kind of this group can't list its modes.
+say-no-mode-shown = No mode is shown.
+say-mode-without-points = No point of the group has a name: none can stand under [assembly].
+say-mode-taken = Way { $way } is taken: its places stand under [assembly].
+say-mode-is-taken = Way { $way } is taken already.
+say-mode-vanished = The mode of { $group } has vanished; way { $way } is taken.

@@ -43,6 +43,11 @@ do-next-group = следующая группа; она выделена на ч
 do-previous-group = предыдущая группа
 do-nearest = к положению с наименьшим определителем группы (`health` в assur stability; 0: особое)
     .hint = к наименьшему
+do-next-mode = следующая сборка группы в первом положении: другой способ её собрать
+    .hint = сборка
+do-previous-mode = предыдущая сборка
+do-take-mode = взять показанную сборку: её точки записываются в [assembly]
+    .hint = взять
 do-next-reaction = следующая реакция
     .hint = реакция
 do-previous-reaction = предыдущая реакция
@@ -301,6 +306,7 @@ regime-parts = пробы, в долях найденных значений
 regime-trial = проба
 regime-driving-work = работа движущих сил
 regime-resisting-work = работа сил сопротивления
+regime-friction-work = работа трения
 regime-kinetic-energy = кинетическая энергия
 regime-energies = энергии, Дж
 motion-none = в сцене нет [motion], поэтому только J и Q; добавьте его, со speed = "60 rpm"
@@ -623,3 +629,11 @@ regime-against = { $load }, против движения
 regime-excess-area = A* = { $work }
 reduction-mechanism = механизм
 reduction-model = диск: M = { $moment }, J = { $inertia }
+structure-mode = показан способ { $way }, определитель { $determinant } ({ $key } берёт его)
+structure-modes = { $key }: показывает другие
+say-no-modes = Вид этой группы не может перечислить её сборки.
+say-no-mode-shown = Ни одна сборка не показана.
+say-mode-without-points = Ни одна точка группы не имеет имени: в [assembly] нечего записать.
+say-mode-taken = Взят способ { $way }: его точки стоят в [assembly].
+say-mode-is-taken = Способ { $way } уже взят.
+say-mode-vanished = Сборка группы { $group } исчезла; взят способ { $way }.

@@ -43,6 +43,11 @@ do-next-group = наступна група; її виділено на крес
 do-previous-group = попередня група
 do-nearest = до положення з найменшим визначником групи (`health` у assur stability; 0: особливе)
     .hint = до найменшого
+do-next-mode = наступне складання групи в першому положенні: інший спосіб її зібрати
+    .hint = складання
+do-previous-mode = попереднє складання
+do-take-mode = узяти показане складання: його точки записуються в [assembly]
+    .hint = узяти
 do-next-reaction = наступна реакція
     .hint = реакція
 do-previous-reaction = попередня реакція
@@ -300,6 +305,7 @@ regime-parts = проби, у частках знайдених значень
 regime-trial = проба
 regime-driving-work = робота рушійних сил
 regime-resisting-work = робота сил опору
+regime-friction-work = робота тертя
 regime-kinetic-energy = кінетична енергія
 regime-energies = енергії, Дж
 motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"
@@ -622,3 +628,11 @@ regime-against = { $load }, проти руху
 regime-excess-area = A* = { $work }
 reduction-mechanism = механізм
 reduction-model = диск: M = { $moment }, J = { $inertia }
+structure-mode = показано: спосіб { $way }, визначник { $determinant } ({ $key } бере його)
+structure-modes = { $key }: показує інші
+say-no-modes = Вид цієї групи не може перелічити її складань.
+say-no-mode-shown = Жодного складання не показано.
+say-mode-without-points = Жодна точка групи не має назви: нічого записати в [assembly].
+say-mode-taken = Узято спосіб { $way }: його точки стоять у [assembly].
+say-mode-is-taken = Спосіб { $way } уже взято.
+say-mode-vanished = Складання групи { $group } зникло; узято спосіб { $way }.

@@ -8,9 +8,11 @@
 
 mod drive;
 mod error;
+mod friction;
 mod instant;
 mod machine;
 mod motor;
+mod rubbing;
 mod scene;
 mod steady;
 #[cfg(test)]

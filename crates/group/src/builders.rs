@@ -23,10 +23,6 @@ pub trait GroupKind {
     type Kernel<T: Number>: AssurGroup<T> + 'static;
 
     /// Builds the kernel of one group of a mechanism.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] if the lengths don't form a group of this kind.
     fn build<T: Number>(frame: &GroupFrame) -> Result<Self::Kernel<T>, BuildError>;
 }
 
@@ -54,6 +50,13 @@ impl Builders {
         }
     }
 
+    /// The builders of a kind that iterates from near poses by the same few steps in each lane: several positions are solved at
+    /// once, each with the bits that `f64` gets alone, and its kernel in lanes gives [`GroupError::NoAssembly`] where that would
+    /// not be so; none over intervals.
+    pub const fn near_in_lanes<K: GroupKind>() -> Self {
+        Self { lanes: boxed::<K, Lanes>, ..Self::of::<K>() }
+    }
+
     /// The builders of a kind whose places come from one formula for all numbers, as closed forms do: several positions are
     /// solved at once, each with the bits that `f64` gets alone, and places are enclosed over intervals. A kernel that decides
     /// by its numbers what it calculates, such as an iteration, or the general solution by its choice of pivots, has none.
@@ -65,10 +68,6 @@ impl Builders {
 /// A number type for which the kernels of groups can be built.
 pub trait Number: Real {
     /// Builds the kernel of a group of this kind in this number type.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] if the lengths don't form a group of this kind.
     fn build(builders: &Builders, frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Self>>, BuildError>;
 }
 

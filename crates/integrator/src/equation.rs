@@ -33,21 +33,18 @@ impl<'a> Equation<'a> {
         self.motion.dependence().moment_on_time
     }
 
+    /// The moment depends on the acceleration: dry friction through inertia loads.
+    pub fn depends_on_acceleration(&self) -> bool {
+        self.motion.dependence().moment_on_acceleration
+    }
+
     /// Enters the piece just after `state`, see [`Motion::enter`].
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] of the equation.
     pub fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
         self.pieces += 1;
         self.motion.enter(state)
     }
 
     /// Acceleration at a state, by the formulas of the present piece.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] of the equation.
     #[inline]
     pub fn acceleration(&mut self, state: &State) -> Result<f64, MotionError> {
         self.evaluations += 1;
@@ -67,12 +64,18 @@ impl<'a> Equation<'a> {
         Ok((reduced.inertia, reduced.moment))
     }
 
-    /// Partial derivatives of the acceleration: from the equation, else by forward differences from
-    /// `acceleration`, its value at `state`.
+    /// The [`Motion::bends`] at a state; counts as one evaluation.
     ///
     /// # Errors
     ///
     /// [`MotionError`] of the equation.
+    pub(crate) fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        self.evaluations += 1;
+        self.motion.bends(state)
+    }
+
+    /// Partial derivatives of the acceleration: from the equation, else by forward differences from
+    /// `acceleration`, its value at `state`.
     pub fn partials(&mut self, state: &State, acceleration: f64) -> Result<Partials, MotionError> {
         self.jacobians += 1;
         if let Some(partials) = self.motion.partials(state)? {
@@ -86,10 +89,6 @@ impl<'a> Equation<'a> {
     }
 
     /// Largest modulus of the eigenvalues of the equation at a state, 1/s.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] of the equation.
     pub fn eigenvalue(&mut self, state: &State) -> Result<f64, MotionError> {
         let acceleration = self.acceleration(state)?;
         let Partials { by_coordinate, by_speed } = self.partials(state, acceleration)?;

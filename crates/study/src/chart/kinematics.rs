@@ -3,12 +3,12 @@
 pub(crate) mod differences;
 mod general;
 
-use assur_group::{Number, Order};
+use assur_group::{Body, Number, Order};
 use assur_kinematics::{Chain, Linkage};
 use assur_words::{Describe, Text, number, text};
 
 use super::data::STEP;
-use super::entry::Field;
+use super::race::Field;
 use super::work::Work;
 use super::{ChartError, Measurement, Options, Setting, Stage};
 
@@ -62,8 +62,12 @@ fn closed<'a, T: Number>(
 ) -> Result<impl FnMut(usize, bool) -> Result<f64, Text> + 'a, ChartError> {
     let chain = Chain::<T>::compile(&work.linkage.mechanism, &work.linkage.structure)?;
     let (mut bodies, mut health) = (chain.bodies(), vec![T::ZERO; chain.groups.len()]);
+    let kept = kept(work);
     Ok(move |index: usize, judged| {
         let q = work.coordinates[index];
+        if let Some(kept) = &kept {
+            bodies.clone_from_slice(&kept[index]);
+        }
         let ways = work.linkage.ways.at(q);
         let solved = chain.solve(T::from_f64(q), ways, Order::Second, &mut bodies, &mut health);
         solved.map_err(|error| failure(work.linkage, q, &error))?;
@@ -71,9 +75,15 @@ fn closed<'a, T: Number>(
     })
 }
 
+/// Where groups that iterate begin at each position; `None` where there are none.
+fn kept<T: Number>(work: &Work<'_>) -> Option<Vec<Vec<Body<T>>>> {
+    let iterates = work.linkage.structure.groups.iter().any(|group| group.plugin.iterates);
+    iterates.then(|| work.coordinates.iter().map(|&q| work.linkage.starting_bodies(q)).collect())
+}
+
 /// The error of a chain, with group and coordinate.
 fn failure(linkage: &Linkage, q: f64, error: &assur_kinematics::ChainError) -> Text {
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     let coordinate = number(format_args!("{q:.9}"));
-    text!("chart-group-at", group = group, coordinate = coordinate, problem = error.source.describe())
+    text!("chart-group-at", group, coordinate, problem = error.source.describe())
 }

@@ -249,7 +249,7 @@ pub(super) fn over_samples(found: &Found, over: Column, column: Column, factor: 
     Course::from_points(points)
 }
 
-/// The works of the driving and the resisting loads and the kinetic energy at the samples of the motion; `None` where they are
+/// The works of the driving and the resisting loads and of dry friction, and the kinetic energy at the samples of the motion; `None` where they are
 /// not known.
 pub(super) fn energies(found: &Found, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
     let all = [
@@ -257,7 +257,9 @@ pub(super) fn energies(found: &Found, over: Column, x: (Axis, f64), cursor: f64)
         ("regime-resisting-work", Quantity::ResistingWork),
         ("regime-kinetic-energy", Quantity::KineticEnergy),
     ];
-    let curves = all.map(|(told, of)| (text!(told), sampled(found, over, of)));
+    let mut curves: Vec<_> = all.map(|(told, of)| (text!(told), sampled(found, over, of))).into();
     let known = curves.iter().all(|(_, course)| !course.is_empty());
-    known.then(|| plots::curves(text!("regime-energies"), curves.into(), x, Some(cursor.into())))
+    let friction = sampled(found, over, Quantity::FrictionWork);
+    curves.extend((!friction.is_empty()).then(|| (text!("regime-friction-work"), friction)));
+    known.then(|| plots::curves(text!("regime-energies"), curves, x, Some(cursor.into())))
 }
