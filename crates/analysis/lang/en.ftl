@@ -106,3 +106,5 @@ analysis-place-missed = [assembly] has { $point } at { $wanted }; the assembly t
 analysis-link-rests = Link `{ $link }` never moves.
 analysis-slide-rests = Nothing ever slides in `{ $slide }`.
 analysis-load-without-work = Load `{ $load }` never does work: reactions alone carry it.
+analysis-passive-link = link { $link }
+analysis-passive-pair = pair { $pair } of { $link }

@@ -107,3 +107,5 @@ analysis-place-missed = По [assembly] точка { $point } — в { $wanted }
 analysis-link-rests = Звено `{ $link }` никогда не движется.
 analysis-slide-rests = В паре `{ $slide }` никогда ничего не скользит.
 analysis-load-without-work = Нагрузка `{ $load }` никогда не совершает работы: её воспринимают одни реакции.
+analysis-passive-link = звено { $link }
+analysis-passive-pair = пара { $pair } звена { $link }

@@ -106,3 +106,5 @@ analysis-place-missed = За [assembly] точка { $point } — у { $wanted }
 analysis-link-rests = Ланка `{ $link }` ніколи не рухається.
 analysis-slide-rests = У парі `{ $slide }` ніколи нічого не ковзає.
 analysis-load-without-work = Навантаження `{ $load }` ніколи не виконує роботи: його сприймають самі реакції.
+analysis-passive-link = ланка { $link }
+analysis-passive-pair = пара { $pair } ланки { $link }

@@ -16,6 +16,9 @@ pub struct StructureStudy {
     pub format: u8,
     /// Title of the scene; may be empty.
     pub title: String,
+    /// Whether the coordinate of the scene's input is an angle.
+    #[serde(skip)]
+    pub angular: bool,
     /// With the input of the scene; `None` where it gives no mechanism.
     pub structure: Option<StructureReport>,
     /// Why it gives none.
@@ -50,13 +53,15 @@ impl StructureStudy {
     pub fn of(linkage: &Linkage) -> Self {
         let structure = Some(report(linkage, true));
         let title = linkage.mechanism.title.clone();
-        Self { format: 1, title, structure, why: None, inputs: Vec::new() }
+        let angular = linkage.angular();
+        Self { format: 1, title, angular, structure, why: None, inputs: Vec::new() }
     }
 
     /// Of a mechanism whose input gives none.
     pub fn without(mechanism: &Mechanism, error: &StructureError) -> Self {
         let why = Some(error.describe());
-        Self { format: 1, title: mechanism.title.clone(), structure: None, why, inputs: Vec::new() }
+        let (title, angular) = (mechanism.title.clone(), mechanism.input.is_angle());
+        Self { format: 1, title, angular, structure: None, why, inputs: Vec::new() }
     }
 
     /// Adds every possible input.

@@ -39,6 +39,8 @@ pub(crate) struct JointForces<'a> {
     /// Of a slide: moment on the sliding link about its point, N m; its [offset](crate::results::Quantity::Offset), m, and
     /// the lanes that have one.
     pub(crate) slide: Option<(Lanes, Lanes, Mask)>,
+    /// By link, then for the moment of a slide: 1 where it is not determined; empty where all are.
+    pub(crate) open: &'a [Lanes],
 }
 
 /// The links that a pin or slide joins, in the order of the results.
@@ -90,19 +92,22 @@ impl Joints {
                 *greatest = greatest.max(x.0[lane].hypot(y.0[lane]));
             }
         }
-        let mut rest = &self.forces[..];
+        let (mut rest, mut open) = (&self.forces[..], &reactions.open[..]);
         let each = self.all.iter().map(move |shown| {
-            let (forces, after) = rest.split_at(shown.joint.links.len().min(rest.len()));
-            rest = after;
-            (shown, forces)
+            let ends = shown.joint.links.len();
+            let (forces, after) = rest.split_at(ends.min(rest.len()));
+            let marks = ends + usize::from(shown.guide.is_some());
+            let (marks, others) = open.split_at(marks.min(open.len()));
+            (rest, open) = (after, others);
+            (shown, forces, marks)
         });
-        each.filter(|(shown, _)| shown.wanted).map(move |(shown, forces)| {
+        each.filter(|(shown, ..)| shown.wanted).map(move |(shown, forces, open)| {
             let slide = shown.joint.moment(&reactions.pairs).zip(shown.guide).map(|(moment, (on, along))| {
                 let normal = dot(perp(position.bodies[on].turned(along)), forces[0]);
                 let has = std::array::from_fn(|lane| normal.0[lane].abs() > LEAST_FORCE * greatest[lane]);
                 (moment, moment / normal, has)
             });
-            JointForces { forces, slide }
+            JointForces { forces, slide, open }
         })
     }
 }

@@ -672,3 +672,6 @@ report-simpler-inputs = With { $count ->
        *[other] one of the links { $links }
     } as the input the groups would be of a lower class.
 head-structure = Structural formula
+report-passive = Passive: { $what } repeats what others say and is left out of the motion
+report-misfit = { $what } is passive by count, but misses by { $misfit } mm at { $place } (limit { $limit } mm){ $closes }
+report-closes = ; it closes with { $key } = { $value } (SI)

@@ -13,6 +13,7 @@ use super::output::Output;
 use super::scene;
 use super::style::Style;
 use crate::session::{Source, mechanism_of};
+use crate::verdict::Verdict;
 
 /// Arguments of `structure`.
 #[derive(Debug, Clone, Args)]
@@ -62,7 +63,11 @@ fn study(args: &StructureArgs, style: Style) -> Result<(StructureStudy, Status),
     if args.all_inputs || fault.is_some() {
         study.add_inputs(&mechanism);
     }
-    let Some(fault) = fault else { return Ok((study, Status::Done)) };
+    let Some(fault) = fault else {
+        let verdict = Verdict::of_structure(&study);
+        verdict.tell(style);
+        return Ok((study, verdict.status()));
+    };
     let any = study.inputs.iter().any(|input| input.class.is_some());
     if any && !args.all_inputs {
         return Err(fault);

@@ -13,12 +13,16 @@ pub(super) const REACTIONS: Family = Family {
         calculation.has_forces() && calculation.analyzer.is_some_and(|method| method.gives_reactions)
     },
     columns: |calculation, schema| {
-        let section = schema.section();
+        // Beside passive parts each reaction may lack, and is then told to.
+        let may_lack = !calculation.linkage.structure.passive.is_empty();
+        let together = schema.section();
         for &pair in &calculation.plan.wanted.reactions {
             for link in ends(&calculation.linkage, pair) {
+                let section = if may_lack { schema.nullable() } else { together };
                 schema.add(section, Column::vector(Quantity::Force, Owner::PairOn(pair, link)));
             }
             if matches!(pair, PairId::Slide(_)) {
+                let section = if may_lack { schema.nullable() } else { together };
                 schema.add(section, [Column::of(Quantity::Moment, Owner::Pair(pair))]);
                 let offset = schema.section();
                 schema.add(offset, [Column::of(Quantity::Offset, Owner::Pair(pair))]);
@@ -28,10 +32,19 @@ pub(super) const REACTIONS: Family = Family {
     fill: |rows, cells| {
         let Some((joints, reactions, determined)) = rows.reactions else { return };
         for joint in joints.wanted(reactions, rows.position) {
-            joint.forces.iter().flatten().for_each(|force| cells.put(*force, determined));
+            let known = |nth: usize| {
+                let open = joint.open.get(nth).filter(|_| !rows.calculation.least_norm);
+                open.map_or(determined, |open| {
+                    std::array::from_fn(|lane| determined[lane] && open.0[lane] == 0.0)
+                })
+            };
+            for (nth, force) in joint.forces.iter().enumerate() {
+                force.iter().for_each(|part| cells.put(*part, known(nth)));
+            }
             if let Some((moment, offset, has)) = joint.slide {
-                cells.put(moment, determined);
-                cells.put(offset, std::array::from_fn(|lane| determined[lane] && has[lane]));
+                let [force, turning] = [known(0), known(joint.forces.len())];
+                cells.put(moment, turning);
+                cells.put(offset, std::array::from_fn(|lane| force[lane] && turning[lane] && has[lane]));
             }
         }
     },

@@ -96,8 +96,10 @@ impl Rows {
         let mut out = Vec::with_capacity(rows.len() * columns.len() * USUAL);
         for row in rows {
             let make = |has: &dyn Fn(usize) -> bool| {
-                let columns = columns.iter().copied().filter(|column| has(*column));
-                template(table.schema(), columns, *form, *ascii)
+                let schema = table.schema();
+                let columns =
+                    columns.iter().copied().filter(|column| has(*column) || schema.is_nullable(*column));
+                template(schema, columns, has, *form, *ascii)
             };
             let template = templates.of(table, row, make);
             out.extend_from_slice(b",{");
@@ -121,7 +123,13 @@ fn number(value: f64, out: &mut Vec<u8>) {
 }
 
 /// The text of a row with numbers in these columns, without its opening brace.
-fn template(schema: &Schema, columns: impl Iterator<Item = usize>, form: Form, ascii: bool) -> Template {
+fn template(
+    schema: &Schema,
+    columns: impl Iterator<Item = usize>,
+    has: &dyn Fn(usize) -> bool,
+    form: Form,
+    ascii: bool,
+) -> Template {
     let mut writer = Writer { text: String::new(), open: Vec::new(), ascii, any: form.numbered };
     let mut pieces = Vec::new();
     let paths: Vec<_> =
@@ -133,7 +141,18 @@ fn template(schema: &Schema, columns: impl Iterator<Item = usize>, form: Form, a
             writer.go(vec![Step::Key(key.into())]);
             writer.text += "{}";
         }
-        while let Some((column, path)) = paths.next_if(|(_, path)| under(path)) {
+        while let Some((column, mut path)) = paths.next_if(|(_, path)| under(path)) {
+            if !has(column) {
+                // A vector is null as a whole.
+                if matches!(path.last(), Some(Step::Item(_))) {
+                    path.pop();
+                }
+                if writer.open != path {
+                    writer.go(path);
+                    writer.text += "null";
+                }
+                continue;
+            }
             writer.go(path);
             pieces.push((std::mem::take(&mut writer.text), column));
         }
