@@ -108,3 +108,5 @@ analysis-slide-rests = Nothing ever slides in `{ $slide }`.
 analysis-load-without-work = Load `{ $load }` never does work: reactions alone carry it.
 analysis-passive-link = link { $link }
 analysis-passive-pair = pair { $pair } of { $link }
+analysis-least-norm = Reactions that the passive links leave undetermined are those of least norm (forces, and moments divided by the size of the mechanism).
+analysis-open-reactions = Reactions that the passive links leave undetermined are left open; `{ $option }` gives those of least norm.

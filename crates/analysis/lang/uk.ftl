@@ -108,3 +108,5 @@ analysis-slide-rests = У парі `{ $slide }` ніколи нічого не �
 analysis-load-without-work = Навантаження `{ $load }` ніколи не виконує роботи: його сприймають самі реакції.
 analysis-passive-link = ланка { $link }
 analysis-passive-pair = пара { $pair } ланки { $link }
+analysis-least-norm = Реакції, яких пасивні ланки не дають визначити, мають найменшу норму (сили та моменти, поділені на розмір механізму).
+analysis-open-reactions = Реакції, яких пасивні ланки не дають визначити, не наведено; `{ $option }` дає реакції найменшої норми.

@@ -92,22 +92,19 @@ impl Joints {
                 *greatest = greatest.max(x.0[lane].hypot(y.0[lane]));
             }
         }
-        let (mut rest, mut open) = (&self.forces[..], &reactions.open[..]);
+        let mut rest = &self.forces[..];
         let each = self.all.iter().map(move |shown| {
-            let ends = shown.joint.links.len();
-            let (forces, after) = rest.split_at(ends.min(rest.len()));
-            let marks = ends + usize::from(shown.guide.is_some());
-            let (marks, others) = open.split_at(marks.min(open.len()));
-            (rest, open) = (after, others);
-            (shown, forces, marks)
+            let (forces, after) = rest.split_at(shown.joint.links.len().min(rest.len()));
+            rest = after;
+            (shown, forces)
         });
-        each.filter(|(shown, ..)| shown.wanted).map(move |(shown, forces, open)| {
+        each.filter(|(shown, _)| shown.wanted).map(move |(shown, forces)| {
             let slide = shown.joint.moment(&reactions.pairs).zip(shown.guide).map(|(moment, (on, along))| {
                 let normal = dot(perp(position.bodies[on].turned(along)), forces[0]);
                 let has = std::array::from_fn(|lane| normal.0[lane].abs() > LEAST_FORCE * greatest[lane]);
                 (moment, moment / normal, has)
             });
-            JointForces { forces, slide, open }
+            JointForces { forces, slide, open: shown.joint.open(&reactions.open) }
         })
     }
 }

@@ -29,8 +29,8 @@ impl<W: Write + Send> Writer<W> {
     /// [`ParquetError`] if the writer fails.
     pub fn new(analysis: &Analysis, out: W) -> Result<Self, ParquetError> {
         let schema = analysis.positions.schema();
-        let all =
-            (0..schema.columns().len()).filter(|column| analysis.survey.has(schema.section_of(*column)));
+        let all = (0..schema.columns().len())
+            .filter(|column| analysis.survey.has(schema.section_of(*column)) || schema.is_nullable(*column));
         let named =
             all.filter_map(|column| Some((column, catalogue::csv(schema, schema.columns()[column])?)));
         let (sources, names): (Vec<usize>, Vec<String>) = named.unzip();

@@ -675,3 +675,4 @@ head-structure = Structural formula
 report-passive = Passive: { $what } repeats what others say and is left out of the motion
 report-misfit = { $what } is passive by count, but misses by { $misfit } mm at { $place } (limit { $limit } mm){ $closes }
 report-closes = ; it closes with { $key } = { $value } (SI)
+report-formula-without = { $formula }; passive: { $parts }

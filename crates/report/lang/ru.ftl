@@ -658,3 +658,4 @@ head-structure = Формула строения
 report-passive = Пассивное: { $what } повторяет то, что уже задано, и в движении не учитывается
 report-misfit = { $what }: по подсчёту пассивно, но расходится на { $misfit } мм при { $place } (предел { $limit } мм){ $closes }
 report-closes = ; замыкается, если { $key } = { $value } (СИ)
+report-formula-without = { $formula }; пассивное: { $parts }

@@ -658,3 +658,4 @@ head-structure = Формула будови
 report-passive = Пасивне: { $what } повторює те, що вже задано, і в русі не враховується
 report-misfit = { $what }: за підрахунком пасивне, але розходиться на { $misfit } мм при { $place } (межа { $limit } мм){ $closes }
 report-closes = ; замикається, якщо { $key } = { $value } (SI)
+report-formula-without = { $formula }; пасивне: { $parts }

@@ -32,3 +32,4 @@ sweep-several-quantities = it can measure several things: write FROM and TO with
 sweep-at-position = position { $position }: { $problem }
 sweep-in-line = { $problem } (line { $line })
 sweep-not-finite = the number found for `{ $column }` is not finite
+sweep-misfit = the passive links miss by { $misfit } over the cycle

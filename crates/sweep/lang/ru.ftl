@@ -32,3 +32,4 @@ sweep-several-quantities = это может быть несколько вел�
 sweep-at-position = положение { $position }: { $problem }
 sweep-in-line = { $problem } (строка { $line })
 sweep-not-finite = число, найденное для `{ $column }`, бесконечно
+sweep-misfit = пассивные звенья расходятся за цикл на { $misfit }

@@ -32,3 +32,4 @@ sweep-several-quantities = це може бути кілька величин: �
 sweep-at-position = положення { $position }: { $problem }
 sweep-in-line = { $problem } (рядок { $line })
 sweep-not-finite = число, знайдене для `{ $column }`, нескінченне
+sweep-misfit = пасивні ланки розходяться за цикл на { $misfit }

@@ -103,10 +103,8 @@ fn determined_friction(linkage: &Linkage, system: &System<'_>) -> Result<(), Tex
     }
     let loads = vec![Wrench::ZERO; mechanism.links.len()];
     let Ok(found) = system.solve(&position.bodies, &loads, &[]) else { return Ok(()) };
-    let mut open = found.open.iter().map(|open| *open > 0.0);
     for joint in joints(mechanism, &linkage.structure) {
-        let ends = joint.links.len() + usize::from(matches!(joint.id, PairId::Slide(_)));
-        let is_open = open.by_ref().take(ends).fold(false, |any, open| any || open);
+        let is_open = joint.open(&found.open).iter().any(|open| *open > 0.0);
         if is_open && mechanism.frictions.iter().any(|friction| friction.pair == joint.id) {
             return Err(text!("force-newton-euler-open-friction", pair = &mechanism.named_pair(joint.id)));
         }

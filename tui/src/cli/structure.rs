@@ -53,15 +53,18 @@ pub(crate) fn run(args: &StructureArgs, style: Style) -> Result<Status, Fault> {
 /// The structure of the scene, and how the command ends: 1 where no input gives a mechanism.
 fn study(args: &StructureArgs, style: Style) -> Result<(StructureStudy, Status), Fault> {
     let mechanism = mechanism_of(&Source::File(args.scene.clone())).map_err(Fault::Scene)?;
-    let (mut study, fault) = match scene::open(&args.scene, style) {
-        Ok(session) => (StructureStudy::of(&*scene::linkage(&session)?), None),
+    let (mut study, linkage, fault) = match scene::open(&args.scene, style) {
+        Ok(session) => {
+            let linkage = scene::linkage(&session)?;
+            (StructureStudy::of(&linkage), Some(linkage), None)
+        }
         Err(fault) => match decompose(&mechanism) {
             Ok(_) => return Err(fault),
-            Err(error) => (StructureStudy::without(&mechanism, &error), Some(fault)),
+            Err(error) => (StructureStudy::without(&mechanism, &error), None, Some(fault)),
         },
     };
     if args.all_inputs || fault.is_some() {
-        study.add_inputs(&mechanism);
+        study.add_inputs(&mechanism, linkage.as_deref());
     }
     let Some(fault) = fault else {
         let verdict = Verdict::of_structure(&study);

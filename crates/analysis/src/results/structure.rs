@@ -122,18 +122,23 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
     }
 }
 
+/// A part in words: `link rod3`.
+pub(crate) fn part(mechanism: &Mechanism, part: Part) -> Text {
+    match part {
+        Part::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
+        Part::Pair(pair, link) => text!(
+            "analysis-passive-pair",
+            pair = &mechanism.named_pair(pair),
+            link = &mechanism.named_link(link)
+        ),
+    }
+}
+
 /// The passive parts of a mechanism.
 pub fn passive(linkage: &Linkage) -> Vec<PassiveReport> {
     let mechanism = &linkage.mechanism;
     let of = |found: &Misfit| PassiveReport {
-        what: match found.part {
-            Part::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
-            Part::Pair(pair, link) => text!(
-                "analysis-passive-pair",
-                pair = &mechanism.named_pair(pair),
-                link = &mechanism.named_link(link)
-            ),
-        },
+        what: part(mechanism, found.part),
         link: if let Part::Link(link) = found.part { Some(link) } else { None },
         misfit: found.misfit,
         limit: found.limit,

@@ -157,7 +157,15 @@ pub fn study(found: &StructureStudy, page: &mut Document) {
 fn possible_inputs(found: &StructureStudy, page: &mut Document) {
     let heads = [text!("head-input"), text!("head-pair"), text!("head-class"), text!("head-structure")];
     let of = |input: &PossibleInput| {
-        let structure = input.formula.as_ref().map(Text::from).or_else(|| input.why.clone());
+        let structure = input.formula.as_ref().map(|formula| {
+            let parts = list(input.passive.iter().cloned());
+            if input.passive.is_empty() {
+                Text::from(formula)
+            } else {
+                text!("report-formula-without", formula = formula, parts = parts)
+            }
+        });
+        let structure = structure.or_else(|| input.why.clone());
         let class = input.class.map(|class| name(roman(class)));
         row![Text::from(&input.link), Text::from(&input.pair), class, structure]
     };
