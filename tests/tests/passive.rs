@@ -204,6 +204,19 @@ fn undetermined_reactions_are_null_and_those_of_least_norm_come_from_a_pseudo_in
 }
 
 #[test]
+fn without_places_the_groups_are_assembled_as_the_passive_link_needs_them() {
+    let bare = CRANKS.replace("[assembly]\nB = [0.398, 0.017]\n", "");
+    for from in [40, 130, 220, 310] {
+        let linkage = compiled(&bare.replace("\"10 deg\"", &format!("\"{from} deg\"")));
+        let mut position = linkage.position();
+        linkage.solve_index(0, Order::Place, &mut position).unwrap();
+        let coupler = &position.bodies[2];
+        assert!(coupler.s.abs() < 1e-14 && coupler.c > 0.0, "{from}: the coupler keeps its direction");
+        assert!(linkage.misfits[0].misfit < 1e-14, "{from}: {:?}", linkage.misfits);
+    }
+}
+
+#[test]
 fn a_crank_of_another_length_misses_by_the_difference_and_its_length_closes() {
     let linkage = compiled(&CRANKS.replace("O3 = 0, C = 0.1 ", "O3 = 0, C = 0.103 "));
     let [found] = &linkage.misfits[..] else { panic!("{:?}", linkage.misfits) };

@@ -66,7 +66,8 @@ impl Structure {
             passive.push(Passive { part, frame });
         }
         let formula = formula(mechanism, &groups);
-        Ok(Self { mobility, pairs, groups, passive, links: mechanism.links.len(), scale, formula })
+        let (placed, links) = (Vec::new(), mechanism.links.len());
+        Ok(Self { mobility, pairs, groups, passive, placed, links, scale, formula })
     }
 }
 

@@ -1,7 +1,7 @@
 //! A mechanism decomposed into its pairs and groups.
 
 use assur_group::{GroupFrame, GroupPlugin, Pair, SeenPair};
-use assur_mechanism::{LinkId, Mechanism, Name, PairId};
+use assur_mechanism::{LinkId, Mechanism, Name, PairId, PointId};
 use assur_words::{Text, list, name, text};
 
 /// A mechanism decomposed into its pairs and groups.
@@ -15,6 +15,9 @@ pub struct Structure {
     pub groups: Vec<Group>,
     /// What repeats what others say and is left out of the groups, in the order in which its links are placed.
     pub passive: Vec<Passive>,
+    /// Where the passive parts need points in the first position, m: those of groups that `[assembly]` leaves free. Empty where the
+    /// first way of each group is theirs.
+    pub placed: Vec<(PointId, [f64; 2])>,
     /// Number of links, the ground included.
     pub links: usize,
     /// A typical length of the mechanism, m.

@@ -1,6 +1,7 @@
 //! Which parts are passive.
 
-use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, Slide};
+use assur_group::{Mode, Order};
+use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, Slide};
 use assur_structure::{Excess, Part, Structure, SurplusCause};
 
 use crate::Linkage;
@@ -34,7 +35,7 @@ pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, Surplu
     let mut search = Search { mechanism, candidates, doubled, counted, compiled: MOST_COMPILED, best: None };
     search.go(&mut Vec::new(), 0);
     match search.best {
-        Some(Found { structure, rank: Rank::Fits | Rank::Closes | Rank::Near, .. }) => Ok(structure),
+        Some(Found { linkage, rank: Rank::Fits | Rank::Closes | Rank::Near, .. }) => Ok(linkage.structure),
         Some(Found { misfit, .. }) => Err(SurplusCause::Misses(misfit)),
         None => Err(SurplusCause::None),
     }
@@ -58,7 +59,7 @@ struct Found {
     rank: Rank,
     /// The greatest one, m.
     misfit: f64,
-    structure: Structure,
+    linkage: Linkage,
 }
 
 /// A search through the parts, last ones first.
@@ -136,17 +137,35 @@ impl Search<'_> {
 
     /// Compiles the mechanism without the chosen parts; whether all of them fit.
     fn try_out(&mut self, chosen: &[Part]) -> bool {
-        self.compiled -= 1;
         let Ok(structure) = Structure::without(self.mechanism, &self.parts(chosen)) else { return false };
         let hangs = |frame| Hanging::<f64>::of(frame).is_some();
         if !structure.passive.iter().all(|one| one.frame.links.is_empty() || hangs(&one.frame)) {
             return false;
         }
-        let all = vec![true; structure.groups.len()];
-        let Ok(linkage) = Linkage::compile_for(self.mechanism.clone(), structure, &all) else { return false };
-        if linkage.range.is_none() {
-            return false;
+        let Some(mut found) = self.compile(structure) else { return false };
+        // A group that the scene leaves free is assembled as the parts need it.
+        for group in 0..found.linkage.structure.groups.len() {
+            for placed in others(&found.linkage, group) {
+                if found.rank == Rank::Fits || self.compiled == 0 {
+                    break;
+                }
+                let mut structure = found.linkage.structure.clone();
+                structure.placed.extend(placed);
+                found = self.compile(structure).filter(|other| other.is_better(&found)).unwrap_or(found);
+            }
         }
+        let fits = found.rank == Rank::Fits;
+        if self.best.as_ref().is_none_or(|best| found.is_better(best)) {
+            self.best = Some(found);
+        }
+        fits
+    }
+
+    fn compile(&mut self, structure: Structure) -> Option<Found> {
+        self.compiled = self.compiled.saturating_sub(1);
+        let all = vec![true; structure.groups.len()];
+        let linkage = Linkage::compile_for(self.mechanism.clone(), structure, &all).ok()?;
+        linkage.range?;
         let misfit = linkage.misfits.iter().map(|one| one.misfit).fold(0.0, f64::max);
         let closes = linkage.misfits.iter().all(|one| one.fits() || one.closes.is_some());
         let rank = match (linkage.misfits.iter().all(super::Misfit::fits), closes) {
@@ -155,14 +174,41 @@ impl Search<'_> {
             _ if misfit <= MEANT_TO_FIT * linkage.structure.scale => Rank::Near,
             _ => Rank::Misses,
         };
-        let better = |best: &Found| {
-            rank < best.rank || rank == best.rank && rank == Rank::Misses && misfit < best.misfit
-        };
-        if self.best.as_ref().is_none_or(better) {
-            self.best = Some(Found { rank, misfit, structure: linkage.structure });
-        }
-        rank == Rank::Fits
+        Some(Found { rank, misfit, linkage })
     }
+}
+
+impl Found {
+    fn is_better(&self, other: &Self) -> bool {
+        self.rank < other.rank
+            || self.rank == other.rank && self.rank == Rank::Misses && self.misfit < other.misfit
+    }
+}
+
+/// The places of a group's points in its other assemblies in the first position; none where the scene places one of them.
+fn others(linkage: &Linkage, group: usize) -> Vec<Vec<(PointId, [f64; 2])>> {
+    let (mechanism, frame) = (&linkage.mechanism, &linkage.structure.groups[group].frame);
+    let is_outer = |id: PointId| {
+        let mut outer = frame.outer.iter().map(|pair| linkage.structure.pairs[pair.id].source);
+        outer.any(|source| source == PairId::Pin(id))
+    };
+    let of_group = |id: PointId| {
+        let mut places = mechanism.points[id].places.iter().filter(|_| !is_outer(id));
+        places.find_map(|place| Some((frame.column(place.link)?, place.at)))
+    };
+    let mut position = linkage.position();
+    let is_free = |(id, _): &(PointId, [f64; 2])| of_group(*id).is_none();
+    if !mechanism.assembly.iter().all(is_free) || linkage.solve_index(0, Order::Place, &mut position).is_err()
+    {
+        return Vec::new();
+    }
+    let Ok(Some(modes)) = linkage.modes(group, &position) else { return Vec::new() };
+    let placed = |mode: &Mode<f64>| {
+        let place = |id| of_group(id).map(|(column, at)| (id, mode.bodies[column].point(at)));
+        (0..mechanism.points.len()).filter_map(place).collect()
+    };
+    let present = modes.present;
+    modes.all.iter().enumerate().filter(|(k, _)| *k != present).map(|(_, mode)| placed(mode)).collect()
 }
 
 /// Links from the last to the first, then slides, then pins likewise; without the input and the link that balances.
