@@ -39,7 +39,9 @@ pub(super) const REACTIONS: Family = Family {
                 })
             };
             for (nth, force) in joint.forces.iter().enumerate() {
-                force.iter().for_each(|part| cells.put(*part, known(nth)));
+                for part in force {
+                    cells.put(*part, known(nth));
+                }
             }
             if let Some((moment, offset, has)) = joint.slide {
                 let [force, turning] = [known(0), known(joint.forces.len())];
