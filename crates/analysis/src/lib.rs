@@ -24,7 +24,6 @@ mod plans;
 mod positions;
 mod progress;
 mod proof;
-mod residuals;
 pub mod results;
 mod trajectory;
 

@@ -9,14 +9,13 @@ pub mod catalogue;
 mod course;
 mod document;
 mod fact;
-mod name;
 mod number;
 mod table;
 
 pub use course::{Course, Extreme, Node, Step, Summary};
 pub use document::{Block, Document, Term};
+pub use fact::link_name;
 pub use fact::{Fact, Value};
-pub use name::link_name;
 pub use number::{Digits, Unit};
 pub use table::{Cell, Column, Group, Printed, Table};
 

@@ -16,10 +16,6 @@ use crate::{
 
 impl Structure {
     /// Decomposes a mechanism into Assur groups.
-    ///
-    /// # Errors
-    ///
-    /// [`StructureError`] if the mobility is not 1, or if a group has no registered kind.
     pub fn of(mechanism: &Mechanism) -> Result<Self, StructureError> {
         Self::without(mechanism, &[])
     }

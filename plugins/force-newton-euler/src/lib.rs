@@ -47,7 +47,7 @@ impl ForceAnalyzer for NewtonEuler {
         if equations == unknowns || passive && equations < unknowns {
             return if passive { determined_friction(linkage, &system) } else { Ok(()) };
         }
-        Err(text!("force-newton-euler-unbalanced", equations = equations, unknowns = unknowns))
+        Err(text!("force-newton-euler-unbalanced", equations, unknowns))
     }
 
     fn treats_passive(&self) -> bool {

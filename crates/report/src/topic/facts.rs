@@ -5,7 +5,6 @@ use assur_book::{Fact, Unit};
 use assur_diagram::Extreme;
 use assur_geometry::output_strokes;
 use assur_kinematics::Linkage;
-use assur_mechanism::Range;
 use assur_words::{Text, count, joined, list, name, number, text};
 
 use super::forces::greatest_reactions;
@@ -107,7 +106,7 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let loads: Vec<f64> = table.each(load).flatten().collect();
     // Equal steps over a whole cycle; a part of a cycle has no mean of this kind. The mean moment of a regime is that of
     // its works, which the positions give to the step of the positions only.
-    if matches!(input.range, Range::Cycle(_)) && loads.len() == table.len() {
+    if input.is_cycle() && loads.len() == table.len() {
         facts.push(Fact::number(mean_id, loads.iter().sum::<f64>() / loads.len() as f64, unit));
     }
     let speed = Column::of(Quantity::Velocity, Owner::Input);

@@ -14,7 +14,7 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let (structure, mechanism) = (&source.analysis.structure, source.mechanism);
     let links = list(mechanism.links.iter().skip(1).map(|link| Text::from(&link.name)));
     let input = Text::from(&source.analysis.input.link);
-    page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links = links, input = input));
+    page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links, input));
     counted(structure, source.analysis.input.angular, page);
 }
 
@@ -26,12 +26,12 @@ fn counted(structure: &StructureReport, angular: bool, page: &mut Document) {
         page.paragraph(text!("report-mobility-by-rank", mobility = number(found)));
     }
     if let Some(note) = &structure.note {
-        page.paragraph(text!("report-note", note = note));
+        page.paragraph(text!("report-note", note));
     }
     structure.passive.iter().for_each(|passive| page.paragraph(passive_part(passive, angular)));
     let class = name(roman(structure.class));
     page.paragraph(text!("report-formula", formula = &structure.formula));
-    page.paragraph(text!("report-class", class = class));
+    page.paragraph(text!("report-class", class));
 }
 
 /// A passive part in words, with its misfit where it has one.
