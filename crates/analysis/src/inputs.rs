@@ -9,6 +9,7 @@ use assur_structure::StructureError;
 use assur_words::{Describe, Text};
 use serde::Serialize;
 
+use crate::modes::GroupModes;
 use crate::results::StructureReport;
 use crate::results::structure::{part, report};
 
@@ -19,9 +20,6 @@ pub struct StructureStudy {
     pub format: u8,
     /// Title of the scene; may be empty.
     pub title: String,
-    /// Whether the coordinate of the scene's input is an angle.
-    #[serde(skip)]
-    pub angular: bool,
     /// With the input of the scene; `None` where it gives no mechanism.
     pub structure: Option<StructureReport>,
     /// Why it gives none.
@@ -30,6 +28,12 @@ pub struct StructureStudy {
     /// Every possible input, if requested: links in the order of the scene, pinned to the ground or sliding on it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<PossibleInput>,
+    /// Whether the input of the scene is pinned: its coordinate is an angle.
+    #[serde(skip)]
+    pub angular: bool,
+    /// The modes of every group over the cycle, if requested.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub modes: Vec<GroupModes>,
 }
 
 /// A link that could be the input.
@@ -60,14 +64,14 @@ impl StructureStudy {
         let structure = Some(report(linkage, true));
         let title = linkage.mechanism.title.clone();
         let angular = linkage.angular();
-        Self { format: 1, title, angular, structure, why: None, inputs: Vec::new() }
+        Self { format: 1, title, structure, why: None, inputs: Vec::new(), angular, modes: Vec::new() }
     }
 
     /// Of a mechanism whose input gives none.
     pub fn without(mechanism: &Mechanism, error: &StructureError) -> Self {
         let why = Some(error.describe());
         let (title, angular) = (mechanism.title.clone(), mechanism.input.is_angle());
-        Self { format: 1, title, angular, structure: None, why, inputs: Vec::new() }
+        Self { format: 1, title, structure: None, why, inputs: Vec::new(), angular, modes: Vec::new() }
     }
 
     /// Adds every possible input.
@@ -87,6 +91,11 @@ impl StructureStudy {
             posed.assembly = places.filter_map(|(id, point)| Some((id, place(point)?))).collect();
         }
         self.inputs = inputs(mechanism, &posed, position.as_ref());
+    }
+
+    /// Adds the modes of every group over the cycle.
+    pub fn add_modes(&mut self, linkage: &Linkage) {
+        self.modes = crate::modes::of(linkage);
     }
 
     /// The possible inputs that would make the groups simpler.

@@ -23,6 +23,9 @@ pub(crate) struct StructureArgs {
     /// Formula and class with each link as the input that is pinned to the ground or slides on it
     #[arg(long)]
     all_inputs: bool,
+    /// All modes of every group over the cycle: where they are born, meet and end, circuits and branches
+    #[arg(long)]
+    modes: bool,
     /// Form of the results
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
@@ -56,7 +59,11 @@ fn study(args: &StructureArgs, style: Style) -> Result<(StructureStudy, Status),
     let (mut study, linkage, fault) = match scene::open(&args.scene, style) {
         Ok(session) => {
             let linkage = scene::linkage(&session)?;
-            (StructureStudy::of(&linkage), Some(linkage), None)
+            let mut study = StructureStudy::of(&linkage);
+            if args.modes {
+                study.add_modes(&linkage);
+            }
+            (study, Some(linkage), None)
         }
         Err(fault) => match decompose(&mechanism) {
             Ok(_) => return Err(fault),

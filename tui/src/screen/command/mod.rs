@@ -4,6 +4,7 @@ mod act;
 mod find;
 mod jobs;
 mod line;
+mod modes;
 mod motors;
 mod picker;
 mod probe;
