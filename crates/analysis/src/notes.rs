@@ -2,6 +2,7 @@
 
 mod assembly;
 mod doubts;
+mod driving;
 mod friction;
 mod loads;
 
@@ -25,6 +26,7 @@ impl Calculation {
         notes.extend(self.poles());
         notes.extend(self.barriers());
         notes.extend(self.regime_notes());
+        notes.extend(self.driving_loads());
         notes.extend(self.springs_without_direction());
         notes.extend(self.positions_out_of_time());
         notes.extend(self.listed_against_the_motion());

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
-use assur_mechanism::Mechanism;
+use assur_mechanism::{GROUND, Mechanism, Slide};
 use assur_number::{Lanes, Real};
 use assur_structure::Structure;
 
@@ -332,6 +332,15 @@ impl Linkage {
     #[cold]
     fn explain(&self, coordinate: f64, failure: ChainError) -> PositionError {
         let failure = self.first_failure.filter(|_| self.range.is_none()).unwrap_or(failure);
+        let (mechanism, links) = (&self.mechanism, &self.structure.groups[failure.group].frame.links);
+        let of_ground = |slide: &&Slide| {
+            slide.on == GROUND
+                && slide.through.iter().all(|part| part.abs() <= 0.0)
+                && links.contains(&slide.link)
+        };
+        let by_default = mechanism.slides.iter().find(of_ground);
+        let by_default =
+            by_default.map(|slide| Box::new([slide.name.clone(), mechanism.links[GROUND].name.clone()]));
         PositionError {
             group: failure.group,
             group_name: Box::new(self.structure.group_name(&self.mechanism, failure.group)),
@@ -340,6 +349,7 @@ impl Linkage {
             angular: self.angular(),
             source: failure.source,
             range: self.range.map(|range| [range.low, range.high]),
+            by_default,
         }
     }
 }

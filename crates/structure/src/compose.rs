@@ -139,6 +139,7 @@ fn refuse_other_mobility(
         let pairs: Vec<String> = names.filter(|name| seen.insert(*name)).map(ToString::to_string).collect();
         (pairs, link_names(&nodes))
     });
+    let loose_links = links_of(graph, &graph.loose());
     let loose = link_names(&graph.loose());
     match (surplus, loose.is_empty()) {
         (None, true) => Ok(()),
@@ -151,7 +152,13 @@ fn refuse_other_mobility(
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);
-            Err(StructureError::Loose { counted, links: loose, surplus, alike: alike(mechanism) })
+            Err(StructureError::Loose {
+                counted,
+                links: loose,
+                surplus,
+                alike: alike(mechanism),
+                alone: alone(mechanism, &loose_links),
+            })
         }
     }
 }
@@ -166,6 +173,17 @@ fn alike(mechanism: &Mechanism) -> Option<Box<[String; 2]>> {
         }
     }
     None
+}
+
+/// The points of some links that stand in one link only, each with it: pins that were meant may be among them.
+fn alone(mechanism: &Mechanism, links: &[LinkId]) -> Vec<String> {
+    let of_link = |link: &LinkId| {
+        let alone = |point: &&Point| point.places.len() == 1 && point.places[0].link == *link;
+        let points = mechanism.points.iter().filter(alone).map(|point| point.name.to_string());
+        let points = points.collect::<Vec<_>>().join(", ");
+        (!points.is_empty()).then(|| format!("{}: {points}", mechanism.links[*link].name))
+    };
+    links.iter().chain([&GROUND]).filter_map(of_link).collect()
 }
 
 /// The links of one part in the order of the scene; a part that is a single pin has none.

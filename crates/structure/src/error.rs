@@ -43,6 +43,8 @@ pub enum StructureError {
         surplus: Vec<String>,
         /// Two points of different links that stand in one link each, but have nearly the same name.
         alike: Option<Box<[String; 2]>>,
+        /// Points of these links, and of the ground, that stand in no other link, by link.
+        alone: Vec<String>,
     },
     /// Some pairs constrain what is already fixed.
     Surplus {
@@ -111,7 +113,7 @@ assur_words::errors!(StructureError; Registry(RegistryError));
 impl Describe for StructureError {
     fn describe(&self) -> Text {
         match self {
-            Self::Loose { counted, links, surplus, alike } => text!(
+            Self::Loose { counted, links, surplus, alike, alone } => text!(
                 "structure-loose",
                 mobility = number(counted.mobility),
                 formula = name(counted.formula.clone()),
@@ -123,7 +125,8 @@ impl Describe for StructureError {
                     text!("structure-loose-also", pairs = some(surplus, ""))
                 },
                 hint = match alike {
-                    None => text!("structure-what-joins"),
+                    None if alone.is_empty() => text!("structure-what-joins"),
+                    None => text!("structure-alone", points = some(alone, "")),
                     Some(both) => {
                         let [one, other] = (**both).clone().map(name);
                         text!("structure-alike", one, other)

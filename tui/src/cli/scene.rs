@@ -51,7 +51,15 @@ pub(crate) fn doubt_of_state(state: &State, session: &Session, style: Style) -> 
 
 /// Tells what is hardly meant in a scene, or refuses it where that is an error.
 fn doubt(session: &Session, doubts: &[Notice], style: Style) -> Result<(), Fault> {
-    let told: Vec<Text> = doubts.iter().map(|doubt| session.doubt(doubt)).collect();
+    doubted(doubts.iter().map(|doubt| session.doubt(doubt)).collect(), style)
+}
+
+/// The same of a scene that stands in no file yet.
+pub(crate) fn doubt_of(doubts: &[Notice], style: Style) -> Result<(), Fault> {
+    doubted(doubts.iter().map(|doubt| text!("cli-note", note = doubt)).collect(), style)
+}
+
+fn doubted(told: Vec<Text>, style: Style) -> Result<(), Fault> {
     if style.strict && !told.is_empty() {
         return Err(Fault::Scene(text!("cli-strict", notes = joined("\n", told))));
     }
