@@ -152,7 +152,8 @@ impl Calculation {
     /// The force analysis of the dry friction in a regime; `None` where all pairs are ideal.
     fn rubs_of_motion<'a>(&'a self, loads: &'a Loads) -> Option<Kinetostatics<'a>> {
         loads.frictions()?;
-        let method = assur_force::choose(None, true).ok()?.instance;
+        let method =
+            assur_force::choose(None, true, !self.linkage.structure.passive.is_empty()).ok()?.instance;
         Some(Kinetostatics::new(&self.linkage, loads, method, &self.plan.groups_carrying))
     }
 

@@ -79,7 +79,9 @@ impl Friction {
     /// The friction of the pairs; `None` where all are ideal.
     pub(crate) fn of(linkage: &Linkage, loads: &Loads) -> Option<Self> {
         loads.frictions()?;
-        let method = assur_force::choose(None, true).ok().map(|plugin| plugin.instance);
+        let method = assur_force::choose(None, true, !linkage.structure.passive.is_empty())
+            .ok()
+            .map(|plugin| plugin.instance);
         let out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
         let none = vec![Wrench::ZERO; linkage.structure.links];
         let found = Found::default();
