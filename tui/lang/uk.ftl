@@ -305,6 +305,7 @@ regime-parts = проби, у частках знайдених значень
 regime-trial = проба
 regime-driving-work = робота рушійних сил
 regime-resisting-work = робота сил опору
+regime-friction-work = робота тертя
 regime-kinetic-energy = кінетична енергія
 regime-energies = енергії, Дж
 motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"
@@ -631,3 +632,28 @@ say-mode-without-points = Жодна точка групи не має назв�
 say-mode-taken = Узято спосіб { $way }: його точки стоять у [assembly].
 say-mode-is-taken = Спосіб { $way } уже взято.
 say-mode-vanished = Складання групи { $group } зникло; узято спосіб { $way }.
+
+## reference of the keys, other numbers of a scene
+cli-keys-near = можливо, `{ $near }`?
+cli-no-key = жоден ключ і жоден опис не містить `{ $word }`; без слова показано всі ключі. { $offer }
+cli-key-needed = обов'язковий
+cli-key-needed-of = обов'язковий, для: { $sorts }
+cli-key-of = для: { $sorts }
+cli-key-default = типово { $value }
+cli-key-default-of = типово { $value }, для: { $sorts }
+cli-key = ключ
+cli-key-value = значення
+cli-key-meaning = зміст
+cli-key-example = приклад
+cli-keys-page = # Ключі сцени
+
+    Сцена є одним файлом TOML. Число без одиниці дано в SI: м, кг, с, рад, Н, Н·м; текст є числом, пробілом і одиницею: `"120 mm"`. Кути зростають
+    проти годинникової стрілки, вісь y спрямована вгору. `assur keys WORD` шукає на цій сторінці, мовою `--language`.
+
+    Записано командою `assur keys --format markdown`; тест порівнює.
+cli-set = { $value }: { $problem }
+cli-write-set = запишіть як KEY=VALUE, наприклад "link.crank.mass=2 kg"
+cli-row-number = --row { $row }: запишіть номер рядка, ціле число від 0, і файл
+cli-no-row = у ньому немає рядка { $row }; перший має номер 0
+cli-no-sweep = це не результат варіювання: параметри стоять перед стовпцем `status`
+cli-sweep-size = примітка: рядків { $rows }, стовпців { $columns }, до { $megabytes } МБ у CSV; `--measure` називає потрібне, Parquet займає менше.

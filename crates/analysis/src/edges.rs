@@ -102,5 +102,5 @@ impl Calculation {
 }
 
 fn instant(state: State) -> Instant {
-    Instant { state, holding: None }
+    Instant { state, holding: None, friction: 0.0 }
 }

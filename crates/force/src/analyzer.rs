@@ -6,10 +6,16 @@ use assur_number::Lanes;
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Describe, Text, name, number, quantity, text};
 
-use crate::{Acting, Construction, LoadError, Reactions};
+use crate::{Accelerations, Acting, Construction, FreeMotion, LoadError, Reactions};
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
+    /// Whether the method treats passive parts, whose reactions the equilibrium leaves undetermined: it gives those of least norm and
+    /// marks what is [open](Reactions::open).
+    fn treats_passive(&self) -> bool {
+        false
+    }
+
     /// Whether the method can treat this mechanism.
     ///
     /// # Errors
@@ -67,6 +73,22 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         _out: &Reactions,
     ) -> Option<f64> {
         None
+    }
+
+    /// The accelerations that are possible with dry friction in the senses of `out`; `None` for a method that does not find them.
+    /// `position` needs PF2.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`solve`](Self::solve), without [`ForceError::Jammed`]: where none is possible there is none among the solutions.
+    fn accelerations(
+        &self,
+        _linkage: &Linkage,
+        _position: &Position,
+        _motion: &FreeMotion<'_>,
+        _out: &Reactions,
+    ) -> Result<Option<Accelerations>, ForceError> {
+        Ok(None)
     }
 
     /// The factor by which the method magnifies rounding in this position beyond the groups themselves (1 /
@@ -147,6 +169,9 @@ impl AnalyzerPlugin {
     pub fn supports(&self, linkage: &Linkage) -> Result<(), Text> {
         if !linkage.mechanism.frictions.is_empty() && !self.treats_friction {
             return Err(text!("force-without-friction"));
+        }
+        if !linkage.structure.passive.is_empty() && !self.instance.treats_passive() {
+            return Err(text!("force-without-passive"));
         }
         self.instance.supports(linkage)
     }
@@ -233,13 +258,18 @@ pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
 }
 
 /// The method of this name; without a name the preferred one of those that give reactions, and treat the friction of pairs
-/// where there is any.
-pub fn choose(name: Option<&str>, friction: bool) -> Result<&'static AnalyzerPlugin, RegistryError> {
+/// and passive parts where there are any.
+pub fn choose(
+    name: Option<&str>,
+    friction: bool,
+    passive: bool,
+) -> Result<&'static AnalyzerPlugin, RegistryError> {
     if let Some(name) = name {
         return find(name);
     }
     let all = analyzers()?
         .into_iter()
-        .filter(|plugin| plugin.gives_reactions && plugin.treats_friction >= friction);
+        .filter(|plugin| plugin.gives_reactions && plugin.treats_friction >= friction)
+        .filter(|plugin| plugin.instance.treats_passive() >= passive);
     all.min_by_key(|plugin| plugin.rank).ok_or(RegistryError::Empty(AnalyzerPlugin::WHAT))
 }

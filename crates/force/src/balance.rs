@@ -116,6 +116,9 @@ pub struct Reactions<T = f64> {
     /// group that carries no load, or is not placed. Respected by methods that solve [by
     /// groups](crate::AnalyzerPlugin::by_groups).
     pub solved: Vec<bool>,
+    /// For each end of each joint in the order of [`joints`](crate::joints()), and then for the moment of a slide: 1 where passive
+    /// parts leave that reaction undetermined, else 0. Empty where nothing is passive.
+    pub open: Vec<T>,
     /// Dry friction in pairs; `None` where all are ideal, and where it is to be left out.
     pub rubbing: Option<Rubbing<T>>,
     /// Scratch of a method: one wrench for each pair.
@@ -133,6 +136,7 @@ impl<T: Real> Reactions<T> {
             balancing: T::from_f64(f64::NAN),
             unit: UnitBalance::of(&linkage.mechanism),
             solved: groups.map(|group| linkage.chain.is_needed(group)).collect(),
+            open: Vec::new(),
             rubbing: None,
             scratch_pairs: pairs.clone(),
             pairs,

@@ -33,6 +33,7 @@ fact-resistance-work = net work that the loads take in a cycle
 fact-net-driving-work = net work that the loads do in a cycle
 fact-driving-work = work of driving loads over a cycle
 fact-resisting-work = work of resisting loads over a cycle
+fact-friction-work = work of dry friction over a cycle
 fact-kinetic-energy = kinetic energy with flywheel and rotor
 fact-driving-moment = driving moment
 fact-braking-moment = resisting moment of the drive
@@ -191,6 +192,7 @@ head-remark = Remark
 head-reserve = Reserve
 head-residual = Residual
 head-resisting-work = Resisting work
+head-rubbing-work = Friction work
 head-rests-at = Rests at
 head-result = Result
 head-rim-speed = Rim speed
@@ -450,6 +452,7 @@ event-reversal = reversal
 event-rest = rest
 event-held = speed held
 event-release = release
+event-face = other face
 
 # What is calculated, and how.
 explain-stages = Stages
@@ -672,6 +675,10 @@ report-simpler-inputs = With { $count ->
        *[other] one of the links { $links }
     } as the input the groups would be of a lower class.
 head-structure = Structural formula
+report-passive = Passive: { $what } repeats what others say and is left out of the motion
+report-misfit = { $what } is passive by count, but misses by { $misfit } mm at { $place } (limit { $limit } mm){ $closes }
+report-closes = ; it closes with { $key } = { $value } (SI)
+report-formula-without = { $formula }; passive: { $parts }
 report-modes-of = Modes of group { $group } ({ $kind } { $links }) over the cycle
 report-modes-unlisted = { $group }: its kind can't list them.
 head-from = From

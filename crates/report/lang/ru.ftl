@@ -39,6 +39,7 @@ fact-resistance-work = работа, которую нагрузки отбир�
 fact-net-driving-work = работа, которую нагрузки совершают за цикл
 fact-driving-work = работа движущих сил за цикл
 fact-resisting-work = работа сил сопротивления за цикл
+fact-friction-work = работа сухого трения за цикл
 fact-kinetic-energy = кинетическая энергия с маховиком и ротором
 fact-driving-moment = движущий момент
 fact-braking-moment = момент сопротивления привода
@@ -198,6 +199,7 @@ head-remark = Примечание
 head-reserve = Запас
 head-residual = Невязка
 head-resisting-work = Работа сил сопротивления
+head-rubbing-work = Работа трения
 head-rests-at = Выстой при
 head-result = Вывод
 head-rim-speed = Скорость обода
@@ -454,6 +456,7 @@ event-reversal = реверс
 event-rest = остановка
 event-held = скорость удерживается
 event-release = освобождение
+event-face = другая грань
 
 # Что рассчитывается и как.
 explain-stages = Этапы
@@ -655,6 +658,10 @@ report-simpler-inputs = { $count ->
        *[other] С одним из входных звеньев { $links }
     } группы были бы более низкого класса.
 head-structure = Формула строения
+report-passive = Пассивное: { $what } повторяет то, что уже задано, и в движении не учитывается
+report-misfit = { $what }: по подсчёту пассивно, но расходится на { $misfit } мм при { $place } (предел { $limit } мм){ $closes }
+report-closes = ; замыкается, если { $key } = { $value } (СИ)
+report-formula-without = { $formula }; пассивное: { $parts }
 report-modes-of = Сборки группы { $group } ({ $kind } { $links }) за цикл
 report-modes-unlisted = { $group }: её вид не может их перечислить.
 head-from = От

@@ -39,6 +39,7 @@ fact-resistance-work = робота, яку навантаження відби�
 fact-net-driving-work = робота, яку навантаження виконують за цикл
 fact-driving-work = робота рушійних сил за цикл
 fact-resisting-work = робота сил опору за цикл
+fact-friction-work = робота сухого тертя за цикл
 fact-kinetic-energy = кінетична енергія з маховиком і ротором
 fact-driving-moment = рушійний момент
 fact-braking-moment = момент опору привода
@@ -198,6 +199,7 @@ head-remark = Примітка
 head-reserve = Запас
 head-residual = Нев'язка
 head-resisting-work = Робота сил опору
+head-rubbing-work = Робота тертя
 head-rests-at = Вистій при
 head-result = Висновок
 head-rim-speed = Швидкість обода
@@ -454,6 +456,7 @@ event-reversal = реверс
 event-rest = зупинка
 event-held = швидкість утримується
 event-release = звільнення
+event-face = інша грань
 
 # Що розраховується і як.
 explain-stages = Етапи
@@ -655,6 +658,10 @@ report-simpler-inputs = { $count ->
        *[other] З однією з вхідних ланок { $links }
     } групи мали б нижчий клас.
 head-structure = Формула будови
+report-passive = Пасивне: { $what } повторює те, що вже задано, і в русі не враховується
+report-misfit = { $what }: за підрахунком пасивне, але розходиться на { $misfit } мм при { $place } (межа { $limit } мм){ $closes }
+report-closes = ; замикається, якщо { $key } = { $value } (SI)
+report-formula-without = { $formula }; пасивне: { $parts }
 report-modes-of = Складання групи { $group } ({ $kind } { $links }) за цикл
 report-modes-unlisted = { $group }: її вид не може їх перелічити.
 head-from = Від

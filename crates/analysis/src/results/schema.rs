@@ -24,6 +24,8 @@ pub struct Schema {
     columns: Vec<Column>,
     section_of: Vec<Section>,
     sections: usize,
+    /// Sections of which a row says where it lacks them.
+    nullable: Vec<Section>,
     places: HashMap<Column, usize>,
     links: Vec<Name>,
     points: Vec<Name>,
@@ -42,6 +44,7 @@ impl Schema {
             columns: Vec::new(),
             section_of: Vec::new(),
             sections: 1,
+            nullable: Vec::new(),
             places: HashMap::new(),
             links: mechanism.links.iter().map(|link| link.name.clone()).collect(),
             points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
@@ -57,6 +60,18 @@ impl Schema {
     pub fn section(&mut self) -> Section {
         self.sections += 1;
         Section(self.sections - 1)
+    }
+
+    /// A new section for one quantity: a row that lacks it says so (null in JSON).
+    pub fn nullable(&mut self) -> Section {
+        let section = self.section();
+        self.nullable.push(section);
+        section
+    }
+
+    /// Whether a row says that it lacks this column.
+    pub fn is_nullable(&self, column: usize) -> bool {
+        self.nullable.contains(&self.section_of[column])
     }
 
     /// Adds columns at the end.
