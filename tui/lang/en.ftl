@@ -629,6 +629,10 @@ cli-strict =
     error: --strict takes notes on the scene for errors; nothing is calculated or written
 work-of-drive = drive
 work-of-weights = weights
+regime-against = { $load }, against the motion
+regime-excess-area = A* = { $work }
+reduction-mechanism = the mechanism
+reduction-model = disc: M = { $moment }, J = { $inertia }
 structure-mode = shown: way { $way }, determinant { $determinant } ({ $key } takes it)
 structure-modes = { $key }: shows the others
 say-no-modes = The kind of this group can't list its modes.

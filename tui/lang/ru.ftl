@@ -625,6 +625,10 @@ cli-strict =
     ошибка: с --strict примечания к сцене считаются ошибками; ничего не вычислено и не записано
 work-of-drive = привод
 work-of-weights = веса
+regime-against = { $load }, против движения
+regime-excess-area = A* = { $work }
+reduction-mechanism = механизм
+reduction-model = диск: M = { $moment }, J = { $inertia }
 structure-mode = показан способ { $way }, определитель { $determinant } ({ $key } берёт его)
 structure-modes = { $key }: показывает другие
 say-no-modes = Вид этой группы не может перечислить её сборки.

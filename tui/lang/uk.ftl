@@ -624,6 +624,10 @@ cli-strict =
     помилка: з --strict примітки до сцени є помилками; нічого не обчислено й не записано
 work-of-drive = привід
 work-of-weights = ваги
+regime-against = { $load }, проти руху
+regime-excess-area = A* = { $work }
+reduction-mechanism = механізм
+reduction-model = диск: M = { $moment }, J = { $inertia }
 structure-mode = показано: спосіб { $way }, визначник { $determinant } ({ $key } бере його)
 structure-modes = { $key }: показує інші
 say-no-modes = Вид цієї групи не може перелічити її складань.

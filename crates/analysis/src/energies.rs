@@ -152,7 +152,8 @@ impl Calculation {
     /// The force analysis of the dry friction in a regime; `None` where all pairs are ideal.
     fn rubs_of_motion<'a>(&'a self, loads: &'a Loads) -> Option<Kinetostatics<'a>> {
         loads.frictions()?;
-        let method = assur_force::choose(None, true).ok()?.instance;
+        let method =
+            assur_force::choose(None, true, !self.linkage.structure.passive.is_empty()).ok()?.instance;
         Some(Kinetostatics::new(&self.linkage, loads, method, &self.plan.groups_carrying))
     }
 
@@ -228,7 +229,7 @@ fn order(rubs: bool) -> Order {
 }
 
 /// The drive, the weights and the loads of the scene that have a work, each with its place among what acts.
-fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
+pub(crate) fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
     let drive = mechanism.drive.is_some().then_some((Owner::Input, Acting::DRIVE));
     let weights = mechanism.gravity.is_some() && mechanism.links.iter().skip(1).any(|link| link.mass > 0.0);
     // The ground carries the weights.

@@ -34,6 +34,15 @@ impl Calculation {
         if let InputMotion::Transient(found) = &self.motion {
             notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why)));
         }
+        if !self.linkage.structure.passive.is_empty()
+            && self.analyzer.is_some_and(|method| method.gives_reactions)
+        {
+            notes.push(if self.least_norm {
+                text!("analysis-least-norm")
+            } else {
+                text!("analysis-open-reactions", option = name("--indeterminate least-norm"))
+            });
+        }
         if !positions.is_empty() {
             notes.push(text!("analysis-no-reactions", positions = positions.words()));
         }

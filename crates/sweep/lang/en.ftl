@@ -33,6 +33,7 @@ sweep-several-quantities = it can measure several things: write FROM and TO with
 sweep-at-position = position { $position }: { $problem }
 sweep-in-line = { $problem } (line { $line })
 sweep-not-finite = the number found for `{ $column }` is not finite
+sweep-misfit = the passive links miss by { $misfit } over the cycle
 sweep-write-tie = write it as KEY=KEY or KEY=KEY*FACTOR; the second key is varied
 sweep-tie-not-varied = it follows `{ $key }`, which is not varied: name that key in --vary
 sweep-measure-pf = greatest moduli of the first and second transfer functions of points, slides and links, between positions

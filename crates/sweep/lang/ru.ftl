@@ -33,6 +33,7 @@ sweep-several-quantities = это может быть несколько вел�
 sweep-at-position = положение { $position }: { $problem }
 sweep-in-line = { $problem } (строка { $line })
 sweep-not-finite = число, найденное для `{ $column }`, бесконечно
+sweep-misfit = пассивные звенья расходятся за цикл на { $misfit }
 sweep-write-tie = запишите как KEY=KEY или KEY=KEY*FACTOR; второй ключ варьируется
 sweep-tie-not-varied = он следует за `{ $key }`, который не варьируется: назовите тот ключ в --vary
 sweep-measure-pf = наибольшие модули первых и вторых функций положения точек, поступательных пар и звеньев, между положениями

@@ -33,6 +33,7 @@ sweep-several-quantities = це може бути кілька величин: �
 sweep-at-position = положення { $position }: { $problem }
 sweep-in-line = { $problem } (рядок { $line })
 sweep-not-finite = число, знайдене для `{ $column }`, нескінченне
+sweep-misfit = пасивні ланки розходяться за цикл на { $misfit }
 sweep-write-tie = запишіть як KEY=KEY або KEY=KEY*FACTOR; другий ключ варіюється
 sweep-tie-not-varied = він слідує за `{ $key }`, який не варіюється: назвіть той ключ у --vary
 sweep-measure-pf = найбільші модулі перших і других функцій положення точок, поступальних пар і ланок, між положеннями

@@ -9,7 +9,7 @@ use assur_kinematics::{LanePosition, Position, PositionError};
 use assur_mechanism::{Motion, Slide};
 use assur_number::{Lanes, Real};
 use assur_shaking::shaking_size;
-use assur_words::{Describe, Text, number, text};
+use assur_words::{Describe, Text, number, quantity, text};
 
 use crate::Status;
 use crate::measure::Measure;
@@ -109,6 +109,12 @@ impl<'a, 'w> Positions<'a, 'w> {
             (Some((status, message)), _) => Err(Failure { status, message, failed: Some(self.failed) }),
             (None, Some(error)) => {
                 Err(Failure { status: Status::NoSolution, message: error.describe(), failed: Some(0) })
+            }
+            (None, None) if linkage.misfits.iter().any(|misfit| !misfit.fits()) => {
+                let worst = linkage.misfits.iter().map(|misfit| misfit.misfit).fold(0.0, f64::max);
+                let misfit = quantity(format_args!("{:.6}", worst * 1e3), "mm");
+                let message = text!("sweep-misfit", misfit = misfit);
+                Err(Failure { status: Status::NoAssembly, message, failed: Some(0) })
             }
             (None, None) => {
                 Ok(Outcome { status: Status::Ok, message: String::new(), failed: Some(0), motor: None })
@@ -225,6 +231,9 @@ impl<'a, 'w> Positions<'a, 'w> {
         found.load.add(valid, numbers, reactions.balancing.abs());
         let joints = self.worker.sweep.layout.joints.iter().map(|joint| &joint.id);
         for ((joint, force), moment) in joints.zip(&mut found.forces).zip(&mut found.moments) {
+            // Beside passive parts what is not determined has no greatest value.
+            let open = joint.open(&reactions.open).iter().fold(Lanes::ZERO, |all, open| all + *open);
+            let valid = std::array::from_fn(|lane| valid[lane] && open.0[lane] == 0.0);
             force.add(valid, numbers, greatest_square(joint, &reactions.pairs));
             if let Some(size) = joint.moment(&reactions.pairs) {
                 moment.add(valid, numbers, size.abs());

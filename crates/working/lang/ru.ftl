@@ -154,3 +154,10 @@ working-friction-normal = |N| в { $pair }
 working-friction-end = |N| на конце { $end } пары { $pair }
 working-friction-of = трение в { $pair }, найденное выше
 working-friction-along = составляющая направления направляющей
+working-to-point = (E, уравнения 4–6) То же, приведённое к точке { $point } входного звена, скорость которой r ω: одна сила вдоль неё с мощностью Q и одна масса в ней с энергией J.
+working-energy-uniform = Равноускоренное движение (D, уравнения 3.12, 3.13)
+working-energy-speed-at-start = скорость в начале
+working-energy-speed-at-end = скорость в конце
+working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, откуда время:
+working-energy-way-by-time = (3.13) Путь за это время, от начала:
+working-energy-balance-resists = Постоянный момент сопротивления

@@ -17,7 +17,10 @@ impl Work<'_> {
     /// Writes how friction is found by a method and adds it to the loads on the links; whether there is a solution.
     pub(crate) fn friction(&mut self, loads: &Loads, analyzer: Option<&str>, position: &Position) -> bool {
         let Some(frictions) = loads.frictions() else { return true };
-        let Ok(plugin) = assur_force::choose(analyzer, true) else { return true };
+        let Ok(plugin) = assur_force::choose(analyzer, true, !self.linkage.structure.passive.is_empty())
+        else {
+            return true;
+        };
         let carrying = vec![true; self.linkage.groups().len()];
         let mut forces = Kinetostatics::new(self.linkage, loads, plugin.instance, &carrying);
         let solved = forces.solve(&self.state, position).is_ok();

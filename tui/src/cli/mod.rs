@@ -135,7 +135,7 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
         }
         Some(scene) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };
-            let checked = CheckedArgs { scene, checks: Checks::Sample };
+            let checked = CheckedArgs { scene, checks: Checks::Sample, indeterminate: None };
             analyze::run(
                 &AnalyzeArgs {
                     checked,

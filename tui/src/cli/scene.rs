@@ -10,7 +10,7 @@ use assur_scene::SceneErrors;
 use assur_words::{Describe, Text, joined, text};
 
 use super::fault::{Fault, Status};
-use super::options::MethodArgs;
+use super::options::{CheckedArgs, MethodArgs};
 use super::style::Style;
 use crate::files::FileError;
 use crate::progress::ProgressLine;
@@ -90,6 +90,14 @@ pub(crate) fn options(methods: &MethodArgs, whole: bool) -> Result<Options, Faul
         assur_integrator::find(method).map_err(Fault::told)?;
     }
     Ok(Options { whole, ..methods.clone().into() })
+}
+
+impl CheckedArgs {
+    /// The requested methods, as [`options`], and how undetermined reactions are given.
+    pub(crate) fn options(&self, whole: bool) -> Result<Options, Fault> {
+        let least_norm = self.indeterminate.is_some();
+        Ok(Options { least_norm, ..options(&self.scene.methods, whole)? })
+    }
 }
 
 /// The errors of a scene or a configuration.

@@ -56,7 +56,7 @@ fn within<'s>(
 ) {
     match value.get_ref() {
         DeValue::Table(inner) if named => {
-            inner.iter().for_each(|(_, one)| within(scene, table, one, false, found))
+            inner.iter().for_each(|(_, one)| within(scene, table, one, false, found));
         }
         DeValue::Table(inner) => keys(scene, table, inner, found),
         DeValue::Array(list) => list.iter().for_each(|one| within(scene, table, one, false, found)),

@@ -35,6 +35,7 @@ impl<'a> Rubbed<'a> {
     /// `None` where the pairs are ideal.
     pub(crate) fn new(loaded: &'a Loaded<'a>, loads: &'a Loads) -> Result<Option<Self>, ChartError> {
         let Some(frictions) = loads.frictions() else { return Ok(None) };
+        let linkage = loaded.work().linkage;
         let states: Vec<State> = (0..loaded.positions().len()).map(|index| loaded.state(index)).collect();
         let mut senses = vec![vec![0.0; frictions.rubs.len()]; states.len()];
         for (state, senses) in states.iter().zip(&mut senses) {
@@ -52,13 +53,17 @@ impl<'a> Rubbed<'a> {
             loaded,
             frictions,
             loads,
-            ideal: choose(None, false)?,
+            ideal: choose(None, false, !linkage.structure.passive.is_empty())?,
             senses: senses.collect(),
             states,
             truth: Vec::new(),
             reference: Reference { how: text!("chart-reference-friction"), error: 0.0 },
         };
-        let treating = || analyzers().map(|all| all.into_iter().filter(|plugin| plugin.treats_friction));
+        let treating = || {
+            analyzers().map(|all| {
+                all.into_iter().filter(|plugin| plugin.treats_friction && plugin.supports(linkage).is_ok())
+            })
+        };
         // The last in rank is independent of the one that is used.
         let Some(judge) = treating()?.max_by_key(|plugin| plugin.rank) else { return Ok(None) };
         let mut forces = found.method(judge);
@@ -130,7 +135,10 @@ impl<'a> Rubbed<'a> {
 pub(crate) fn field<'a>(rubbed: &'a Rubbed<'a>) -> Result<Field<'a>, ChartError> {
     let row = |method: &str, setting| Measurement::new(Stage::Friction, method, setting);
     let mut entries = Vec::new();
-    for plugin in analyzers()?.into_iter().filter(|plugin| plugin.treats_friction) {
+    for plugin in analyzers()?
+        .into_iter()
+        .filter(|plugin| plugin.treats_friction && plugin.supports(rubbed.linkage()).is_ok())
+    {
         let mut forces = rubbed.method(plugin);
         entries.push(rubbed.loaded.work().entry(
             row(plugin.name, Setting::default()),

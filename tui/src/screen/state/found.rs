@@ -22,6 +22,8 @@ pub(crate) struct Found {
     pub(crate) analysis: Analysis,
     /// What lies between and after the positions, through which the curves lead.
     pub(crate) edges: Edges,
+    /// What there was just before the samples at which the motion comes to rest.
+    pub(crate) stops: Table,
     /// What is missing, or not proved.
     pub(crate) verdict: Verdict,
     /// All its series over the positions.
@@ -51,6 +53,7 @@ impl Found {
         let analysis = calculation.analyze(watch)?;
         let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
         let edges = calculation.edges(&analysis.positions);
+        let stops = calculation.stops();
         // The whole mechanism is checked and has plans, whatever results the scene requests.
         let whole = if calculation.plan.all {
             None
@@ -66,7 +69,7 @@ impl Found {
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
         let verdict = Verdict::of(&analysis, plans.calculation(), None);
-        Ok(Self { analyzer, analysis, edges, verdict, series, reactions, plans, fastest, motion })
+        Ok(Self { analyzer, analysis, edges, stops, verdict, series, reactions, plans, fastest, motion })
     }
 
     /// Adds the checks, and the residuals as series.
