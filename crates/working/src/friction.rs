@@ -24,8 +24,8 @@ impl Work<'_> {
         let carrying = vec![true; self.linkage.groups().len()];
         let mut forces = Kinetostatics::new(self.linkage, loads, plugin.instance, &carrying);
         let solved = forces.solve(&self.state, position).is_ok();
-        self.sheet.section(text!("working-friction"));
-        self.sheet.note(text!("working-friction-text"));
+        self.sheet.section(text!("working-rubbing"));
+        self.sheet.note(text!("working-rubbing-text"));
         let known =
             forces.reactions.rubbing.iter().all(|found| found.forces.iter().all(|force| force.is_finite()));
         if solved && !known {
@@ -62,7 +62,7 @@ impl Work<'_> {
             let each = found.unknowns.iter().zip(z).map(|(index, z)| {
                 let (rub, kind) = unknown(*index);
                 text!(
-                    "working-friction-modulus",
+                    "working-rubbing-modulus",
                     name = modulus(mechanism, &rubs[rub], kind),
                     value = quantity(format_args!("{z:.6}"), "N")
                 )
@@ -71,15 +71,15 @@ impl Work<'_> {
         };
         let radius = number(format_args!("{:.6}", found.radius));
         let proved = found.radius < 1.0;
-        let id = if proved { "working-friction-block" } else { "working-friction-block-not-proved" };
+        let id = if proved { "working-rubbing-block" } else { "working-rubbing-block-not-proved" };
         self.sheet.note(text!(id, what = &found.what, radius = radius));
         for (step, z) in found.steps.iter().enumerate() {
             let moduli = moduli(z);
-            self.sheet.note(text!("working-friction-step", step = step, moduli = moduli));
+            self.sheet.note(text!("working-rubbing-step", step = step, moduli = moduli));
         }
         if let Some(z) = &found.solution {
             let moduli = moduli(z);
-            self.sheet.note(text!("working-friction-newton", moduli = moduli));
+            self.sheet.note(text!("working-rubbing-newton", moduli = moduli));
         }
     }
 
@@ -97,7 +97,7 @@ impl Work<'_> {
                 Symbol::from("M").of("f").of(tag),
                 force,
                 "N·m",
-                text!("working-friction-of", pair = of),
+                text!("working-rubbing-of", pair = of),
             );
             self.turn(rub.link, moment.clone());
             self.turn(rub.on, -moment);
@@ -109,7 +109,7 @@ impl Work<'_> {
             Symbol::from("F").of("f").of(tag),
             force,
             "N",
-            text!("working-friction-of", pair = of.clone()),
+            text!("working-rubbing-of", pair = of.clone()),
         );
         let [c, s] = rub.along(self.bodies);
         let along = [("c", c), ("s", s)].map(|(letter, part)| match part {
@@ -119,7 +119,7 @@ impl Work<'_> {
                 Symbol::from(letter).of(of.clone()),
                 part,
                 "",
-                text!("working-friction-along"),
+                text!("working-rubbing-along"),
             ),
         });
         for (link, sign) in [(rub.link, 1.0), (rub.on, -1.0)].into_iter().filter(|(link, _)| *link != GROUND)
@@ -136,7 +136,7 @@ impl Work<'_> {
         {
             let symbol = Symbol::from("M").of("f").of(of.clone());
             let moment =
-                self.sheet.given(symbol, lever * offset, "N·m", text!("working-friction-of", pair = of));
+                self.sheet.given(symbol, lever * offset, "N·m", text!("working-rubbing-of", pair = of));
             self.turn(rub.link, moment.clone());
             self.turn(rub.on, -moment);
         }
@@ -154,11 +154,11 @@ fn modulus(mechanism: &Mechanism, rub: &Rub, kind: UnknownKind) -> Text {
     let pair = Text::from(name_of(mechanism, rub.pair));
     match kind {
         UnknownKind::Force => {
-            text!("working-friction-pin", pair = pair, link = Text::from(&mechanism.links[rub.link].name))
+            text!("working-rubbing-pin", pair = pair, link = Text::from(&mechanism.links[rub.link].name))
         }
         UnknownKind::End(end) => {
-            text!("working-friction-end", pair = pair, end = number(if end > 0.0 { 1 } else { 2 }))
+            text!("working-rubbing-end", pair = pair, end = number(if end > 0.0 { 1 } else { 2 }))
         }
-        UnknownKind::Normal | UnknownKind::Shift => text!("working-friction-normal", pair = pair),
+        UnknownKind::Normal | UnknownKind::Shift => text!("working-rubbing-normal", pair = pair),
     }
 }
