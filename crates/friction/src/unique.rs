@@ -1,7 +1,7 @@
 //! The one solution that a certificate proves, in small fixed memory and for any number: eight positions at once too.
 //!
 //! Forces of friction that have the same place and direction, as on both ends of a slide, have one unknown: the sum of their
-//! moduli, s_r = sum over the vectors j of r of `|a_j + sum of W_jq s_q|`.
+//! moduli, `s_r = sum over the vectors j of r of |a_j + sum of W_jq s_q|`.
 
 use assur_number::{Formula, Real};
 
@@ -188,29 +188,29 @@ fn eliminate<T: Real>(matrix: &mut [[T; MOST[0]]; MOST[0]], right: &mut [T; MOST
         row[i] += T::ONE;
     }
     for k in 0..n {
-        for i in k + 1..n {
-            let factor = matrix[i][k] / matrix[k][k];
-            for j in k + 1..n {
-                let known = matrix[k][j];
-                matrix[i][j] -= factor * known;
+        let (own, known) = (matrix[k], right[k]);
+        for (row, right) in matrix[..n].iter_mut().zip(&mut right[..n]).skip(k + 1) {
+            let factor = row[k] / own[k];
+            for (entry, own) in row[..n].iter_mut().zip(&own).skip(k + 1) {
+                *entry -= factor * *own;
             }
-            let known = right[k];
-            right[i] -= factor * known;
+            *right -= factor * known;
         }
     }
     for k in (0..n).rev() {
-        let known = (k + 1..n).fold(T::ZERO, |sum, j| sum + matrix[k][j] * right[j]);
-        right[k] = (right[k] - known) / matrix[k][k];
+        let row = &matrix[k];
+        let known = row[..n].iter().zip(&right[..n]).skip(k + 1).fold(T::ZERO, |sum, (a, x)| sum + *a * *x);
+        right[k] = (right[k] - known) / row[k];
     }
 }
 
 #[inline(always)]
 fn squared<T: Real>(matrix: &[[T; MOST[0]]; MOST[0]], n: usize) -> [[T; MOST[0]]; MOST[0]] {
     let mut square = [[T::ZERO; MOST[0]]; MOST[0]];
-    for i in 0..n {
-        for k in 0..n {
-            for j in 0..n {
-                square[i][j] += matrix[i][k] * matrix[k][j];
+    for (square, row) in square[..n].iter_mut().zip(matrix) {
+        for (factor, other) in row[..n].iter().zip(matrix) {
+            for (sum, entry) in square[..n].iter_mut().zip(other) {
+                *sum += *factor * *entry;
             }
         }
     }
