@@ -258,7 +258,7 @@ impl Cycle<'_> {
             for kind in 0..3 {
                 let [a, b, c] = [three[0], three[1], three[2]].map(|sample| sample.room[kind]);
                 // A least value that the slopes beside it might take below zero.
-                if !(b <= a && b <= c && b <= (a - b) + (c - b)) || !b.is_finite() {
+                if !(b.is_finite() && b <= a && b <= c && b <= (a - b) + (c - b)) {
                     continue;
                 }
                 let ends = [three[0].coordinate, three[2].coordinate];

@@ -1,6 +1,8 @@
 //! What friction in all pairs adds to a position of the shaper: positions with PF1 and PF2, loads and reactions, one by one and
 //! eight at once. Medians of short rounds in turns.
 
+#![expect(clippy::unwrap_used, reason = "a bench that can't run says so")]
+
 use std::hint::black_box;
 use std::time::Instant;
 
