@@ -11,6 +11,7 @@ mod document;
 mod fact;
 mod name;
 mod number;
+mod peaks;
 mod table;
 
 pub use course::{Course, Extreme, Node, Step, Summary};
@@ -18,6 +19,7 @@ pub use document::{Block, Document, Term};
 pub use fact::{Fact, Value};
 pub use name::link_name;
 pub use number::{Digits, Unit};
+pub use peaks::peaks;
 pub use table::{Cell, Column, Group, Printed, Table};
 
 assur_words::resources!();

@@ -23,5 +23,5 @@ pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, Slide
 pub use instant::Curvature;
 pub use instant::{Center, CenterAt, instant_centers};
 pub use instant::{Centers, centers_of};
-pub use measure::{GeometryError, geometry, output_strokes};
+pub use measure::{GeometryError, Overview, geometry, overview};
 pub use stroke::Stroke;

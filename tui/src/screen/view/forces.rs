@@ -9,7 +9,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::causes::{self, curves};
 use super::page;
 use crate::screen::draw::{paint, put, short};
-use crate::screen::state::{Found, Part, Reaction, Role, Scene, State, View};
+use crate::screen::state::{Found, Part, Purpose, Reaction, Role, Scene, State, View};
 
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
@@ -21,7 +21,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let Some(found) = &scene.found else { return };
     let theme = state.look.theme;
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &state.told(heading(scene, found)), theme.style(Role::Header));
+    put(buffer, title, 1, 0, &state.told(heading(state, scene, found)), theme.style(Role::Header));
     match state.part(View::Forces) {
         Part::Overview => {
             let rows = short(found.reactions.len()) + 2;
@@ -55,18 +55,21 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
         }
     };
     let name = chosen(state, found).map(|reaction| reaction.name.clone()).unwrap_or_default();
-    Figure { title: list([name, heading(scene, found)]), panels, columns, legend: Vec::new() }
+    Figure { title: list([name, heading(state, scene, found)]), panels, columns, legend: Vec::new() }
 }
 
-fn heading(scene: &Scene, found: &Found) -> Text {
+fn heading(state: &State, scene: &Scene, found: &Found) -> Text {
     let own = name(found.analyzer.clone());
+    let calculating = state.running.iter().any(|running| running.purpose == Purpose::Difference);
     match &scene.other {
-        Some(other) => {
+        // One method has no difference to itself.
+        Some(other) if other.analyzer != found.analyzer => {
             let difference = format!("{:.1e}", largest_difference(scene, found, other));
             let (theirs, difference) = (name(other.analyzer.clone()), quantity(difference, "N"));
             text!("forces-two-analyzers", one = own, other = theirs, difference = difference)
         }
-        None => text!("forces-analyzer", method = own),
+        _ if calculating => text!("forces-calculating", method = own),
+        _ => text!("forces-analyzer", method = own),
     }
 }
 
