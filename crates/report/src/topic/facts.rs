@@ -10,8 +10,11 @@ use super::forces::{force, shown};
 use super::units::{ANGLE, FORCE, LENGTH, MOMENT, MOVING, POWER, SECOND, TURN, TURNING};
 use super::{Units, regime};
 
-/// Of more reactions only the greatest stand on a page of paper.
-const MOST_REACTIONS: usize = 7;
+/// What stands in a list on a page: reactions, moments of guides; and how many of each.
+const LISTED: [&str; 2] = ["fact-greatest-reaction", "fact-greatest-moment"];
+const MOST_LISTED: [usize; 2] = [6, 2];
+/// A formula of more groups is no line of a page.
+const MOST_GROUPS: usize = 6;
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,19 +62,44 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     all.into_iter().flat_map(|(about, facts)| facts.into_iter().map(move |fact| (about, fact))).collect()
 }
 
-/// The results that are asked for first, on a page: of many reactions the greatest.
+/// The results that are asked for first, one below the other.
 pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
-    let mut facts: Vec<Fact> = results(analysis, linkage).into_iter().map(|(_, fact)| fact).collect();
+    results(analysis, linkage).into_iter().map(|(_, fact)| fact).collect()
+}
+
+/// The same on a page of a terminal: the outputs of the machine without the links that rock between, and reactions and moments of
+/// guides in a list of the greatest.
+pub fn on_a_page(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
+    let (mut listed, mut rows): (Vec<Fact>, Vec<Fact>) =
+        summary(analysis, linkage).into_iter().partition(|fact| LISTED.contains(&fact.id));
+    let owner = |fact: &Fact| fact.column.map(|column| column.owner);
+    let has_output = rows.iter().any(|fact| matches!(owner(fact), Some(Owner::Slide(_))));
+    let is_left_out = |fact: &Fact| {
+        // The formula tells the class.
+        let told = if analysis.structure.groups.len() <= MOST_GROUPS { "fact-class" } else { "fact-formula" };
+        let between = has_output && matches!(owner(fact), Some(Owner::Link(_)));
+        fact.id == told || between || fact.id == "fact-fastest" && analysis.dynamics.is_some()
+    };
+    rows.retain(|fact| !is_left_out(fact));
     let size = |fact: &Fact| if let Value::Number(value) = fact.value { value.abs() } else { 0.0 };
-    let is_reaction = |fact: &Fact| fact.id == "fact-greatest-reaction";
-    let mut sizes: Vec<f64> = facts.iter().filter(|fact| is_reaction(fact)).map(size).collect();
-    sizes.sort_by(|one, other| other.total_cmp(one));
-    let Some(least) = sizes.get(MOST_REACTIONS) else { return facts };
-    let last = facts.iter().rposition(|fact| is_reaction(fact) && size(fact) > *least);
-    let more = Fact::text("fact-more-reactions", count(sizes.iter().filter(|size| *size <= least).count()));
-    facts.insert(last.map_or(0, |last| last + 1), more);
-    facts.retain(|fact| !is_reaction(fact) || size(fact) > *least);
-    facts
+    let kinds: Vec<_> = LISTED.into_iter().zip(MOST_LISTED).collect();
+    let mut more = 0;
+    for (id, most) in kinds {
+        let mut sizes: Vec<f64> = listed.iter().filter(|fact| fact.id == id).map(size).collect();
+        sizes.sort_by(|one, other| other.total_cmp(one));
+        let Some(least) = sizes.get(most) else { continue };
+        more += sizes.len() - sizes.iter().filter(|size| *size > least).count();
+        listed.retain(|fact| fact.id != id || size(fact) > *least);
+    }
+    if !listed.is_empty() {
+        let items = listed.iter().map(|fact| {
+            text!("fact-listed", what = fact.what().short(), value = fact.with_unit(), place = fact.place())
+        });
+        let more = (more > 0).then(|| text!("fact-more-reactions", count = more));
+        let all = joined("; ", items.chain(more));
+        rows.insert(rows.len().min(1), Fact::text("fact-greatest-forces", all));
+    }
+    rows
 }
 
 fn structure(analysis: &Analysis) -> Vec<Fact> {
@@ -146,8 +174,8 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         });
     }
     facts.extend(found.transmission.map(|(group, angle, at)| {
-        let group = linkage.structure.group_name(mechanism, group);
-        Fact::number("fact-transmission", angle, ANGLE).of("group", group).at(&[at], place)
+        let fact = Fact::number("fact-transmission", angle, ANGLE).of("group", number(group + 1));
+        fact.at(&[at], place).about(Column::of(Quantity::Condition, Owner::Group(group)))
     }));
     facts
 }

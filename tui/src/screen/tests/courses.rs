@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use assur_analysis::DRAWN;
-use assur_analysis::results::Quantity;
+use assur_analysis::results::{Column, Quantity};
 use assur_figure::{Figure, Frame, Item};
 use assur_fixtures::SCENES;
 use serde_json::Value;
@@ -96,6 +96,11 @@ fn is_drawn(points: &[[f64; 2]], course: &Points, [across, up]: [f64; 2]) -> boo
         (drawn[0] - across * found[0]).abs() <= ROUNDING * wide
             && (drawn[1] - up * found[1]).abs() <= ROUNDING * high
     };
+    // Most of the courses of the results differ in their beginning.
+    let begins = |first: &[f64; 2]| points.iter().take(64).any(|drawn| same(drawn, first));
+    if !course.first().is_some_and(begins) {
+        return false;
+    }
     let mut left = course.iter().peekable();
     for drawn in points {
         left.next_if(|found| same(drawn, found));
@@ -182,7 +187,7 @@ fn every_curve_is_a_column_of_the_json() {
 /// What is drawn between the positions are the numbers of the JSON of the same scene with more positions.
 #[test]
 fn curves_between_the_positions_are_those_of_more_positions() {
-    for (name, positions) in [("shaper", 48), ("shaper-drive", 48), ("slider-crank", 24), ("press", 24)] {
+    for (name, positions) in [("shaper", 48), ("shaper-drive", 48), ("slider-crank", 24)] {
         let text = assur_fixtures::scene(name);
         let line = text.lines().find(|line| line.starts_with("positions")).unwrap();
         let with = |count: usize| super::scene(&text.replace(line, &format!("positions = {count}")));
@@ -193,7 +198,9 @@ fn curves_between_the_positions_are_those_of_more_positions() {
         let scene = few.scene.as_ref().unwrap();
         let mut compared = 0;
         for series in (0..scene.column_count()).map(|index| scene.column(index).unwrap()) {
-            if matches!(series.column.quantity, Quantity::Residual(_)) {
+            // Residuals are known where positions were checked; the coordinate is a straight line.
+            if matches!(series.column.quantity, Quantity::Residual(_)) || series.column == Column::COORDINATE
+            {
                 continue;
             }
             // Both sides of a jump are no positions.
