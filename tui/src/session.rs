@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use assur_analysis::{AnalysisError, Calculation, Options, Watch, plan};
 use assur_fixtures::SCENES;
-use assur_kinematics::{CompileError, Linkage};
+use assur_kinematics::{CompileError, Linkage, decompose};
 use assur_mechanism::{Mechanism, Motion, Notice};
 use assur_scene::Note;
 use assur_structure::Structure;
@@ -28,6 +28,17 @@ impl Source {
         match self {
             Self::File(path) => path.display().to_string(),
             Self::Shipped(name) => format!("{name}.toml"),
+        }
+    }
+
+    /// Its text.
+    fn text(&self) -> Result<String, Text> {
+        match self {
+            Self::File(path) => files::read(path).map_err(|error| error.describe()),
+            Self::Shipped(name) => {
+                let scene = SCENES.iter().find(|(known, _)| known == name);
+                Ok(scene.map(|(_, text)| (*text).to_owned()).unwrap_or_default())
+            }
         }
     }
 
@@ -63,13 +74,7 @@ impl Session {
     ///
     /// The faults in words, complete with file and line.
     pub(crate) fn open(source: Source) -> Result<Self, Text> {
-        let text = match &source {
-            Source::File(path) => files::read(path).map_err(|error| error.describe())?,
-            Source::Shipped(name) => {
-                let scene = SCENES.iter().find(|(known, _)| known == name);
-                scene.map(|(_, text)| (*text).to_owned()).unwrap_or_default()
-            }
-        };
+        let text = source.text()?;
         Self::read(source, text)
     }
 
@@ -80,7 +85,7 @@ impl Session {
     /// The faults in words, complete with file and line.
     pub(crate) fn read(source: Source, text: String) -> Result<Self, Text> {
         let (mechanism, note) = read(&source, &text)?;
-        let structure = Structure::of(&mechanism).map_err(|error| {
+        let structure = decompose(&mechanism).map_err(|error| {
             // What is hardly meant may be why the links don't form a mechanism.
             let doubts = mechanism.notes.iter().map(|doubt| doubt_at(&source, &text, doubt));
             joined("\n", doubts.chain([uncompiled(&source, &text, &error.into())]))
@@ -170,6 +175,15 @@ impl Session {
     pub(crate) fn in_file(&self, message: Text) -> Text {
         in_file(&self.source, message)
     }
+}
+
+/// The mechanism of a scene, which need not be one that moves.
+///
+/// # Errors
+///
+/// The faults in words, complete with file and line.
+pub(crate) fn mechanism_of(source: &Source) -> Result<Mechanism, Text> {
+    Ok(read(source, &source.text()?)?.0)
 }
 
 /// Reads the mechanism of a scene, and what it says about its note.

@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use assur_dynamics::equation;
 use assur_force::{AnalyzerPlugin, Loads, Side, State};
-use assur_kinematics::Linkage;
+use assur_kinematics::{Linkage, decompose};
 use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
 use assur_words::Text;
@@ -67,7 +67,7 @@ impl Calculation {
     ///
     /// [`AnalysisError`] where the scene as a whole can't be calculated, or where `watch` breaks.
     pub fn of(mechanism: Mechanism, options: &Options, watch: &mut Watch<'_>) -> Result<Self, AnalysisError> {
-        let structure = Structure::of(&mechanism).map_err(assur_kinematics::CompileError::from)?;
+        let structure = decompose(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = plan(&mechanism, &structure, options);
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
         Self::planned(Arc::new(linkage), plan, options, watch)

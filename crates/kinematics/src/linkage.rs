@@ -11,6 +11,7 @@ use crate::dependence::Dependence;
 use crate::follow::{coordinate_unit, follow};
 use crate::interpolant::Interpolation;
 use crate::interpolants::Interpolants;
+use crate::passive::decompose;
 use crate::poses::Guesses;
 use crate::start::refuse_without_start;
 use crate::ways::{END_ROUNDING, Transition, Ways};
@@ -61,7 +62,7 @@ impl Linkage {
     ///
     /// [`CompileError`] if the mechanism can't be decomposed into registered groups.
     pub fn compile(mechanism: Mechanism) -> Result<Self, CompileError> {
-        let structure = Structure::of(&mechanism)?;
+        let structure = decompose(&mechanism)?;
         let needed = vec![true; structure.groups.len()];
         Self::compile_for(mechanism, structure, &needed)
     }

@@ -678,3 +678,10 @@ head-friction-work = Work
 fact-efficiency = efficiency of the cycle
 fact-self-braking = self-braking
 fact-dead-angle = dead angle (no solution with friction)
+report-inputs = Possible inputs
+head-input = Input
+report-simpler-inputs = With { $count ->
+        [one] the link { $links }
+       *[other] one of the links { $links }
+    } as the input the groups would be of a lower class.
+head-structure = Structural formula

@@ -661,3 +661,10 @@ head-friction-work = Работа
 fact-efficiency = КПД цикла
 fact-self-braking = самоторможение
 fact-dead-angle = мёртвый угол (с трением решения нет)
+report-inputs = Возможные входные звенья
+head-input = Вход
+report-simpler-inputs = { $count ->
+        [one] С входным звеном { $links }
+       *[other] С одним из входных звеньев { $links }
+    } группы были бы более низкого класса.
+head-structure = Формула строения

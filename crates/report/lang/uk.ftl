@@ -661,3 +661,10 @@ head-friction-work = Робота
 fact-efficiency = ККД циклу
 fact-self-braking = самогальмування
 fact-dead-angle = мертвий кут (з тертям розв’язку немає)
+report-inputs = Можливі вхідні ланки
+head-input = Вхід
+report-simpler-inputs = { $count ->
+        [one] З вхідною ланкою { $links }
+       *[other] З однією з вхідних ланок { $links }
+    } групи мали б нижчий клас.
+head-structure = Формула будови

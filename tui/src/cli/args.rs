@@ -49,6 +49,8 @@ pub(crate) enum Command {
     Stability(StabilityArgs),
     /// Measure the motion: strokes, dead points, extremes, force angles, centrodes, curvature
     Geometry(super::geometry::GeometryArgs),
+    /// Mobility, Assur groups and class; with another link as the input too
+    Structure(super::structure::StructureArgs),
     /// Shaking force and moment on the ground, harmonics, and the counterweights that make the force least
     Shaking(super::shaking::ShakingArgs),
     /// Write the explanatory note: task, structure, plans, forces, dynamics, working, checks, with all figures

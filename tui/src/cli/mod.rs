@@ -19,6 +19,7 @@ mod shaking;
 mod shell;
 mod stability;
 mod starter;
+mod structure;
 mod style;
 mod sweep;
 mod usage;
@@ -102,6 +103,7 @@ fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fau
         Some(Command::Stability(args)) => stability::run(&args, style),
         Some(Command::Geometry(args)) => geometry::run(&args, style),
         Some(Command::Shaking(args)) => shaking::run(&args, style),
+        Some(Command::Structure(args)) => structure::run(&args, style),
         Some(Command::Report(args)) => report::run(&args, cli.language.as_deref(), style),
         Some(Command::Draw(args)) => draw::run(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),

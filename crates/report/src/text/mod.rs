@@ -5,6 +5,7 @@
 mod grid;
 mod layout;
 
+use assur_analysis::StructureStudy;
 use assur_analysis::results::Analysis;
 use assur_book::Document;
 use assur_geometry::Geometry;
@@ -49,6 +50,16 @@ pub fn report(
 pub fn geometry(found: &Geometry, style: Style<'_>) -> Result<String, NotFinite> {
     let found = finite(found)?;
     Ok(told(style, |page| topic::geometry(found, page)))
+}
+
+/// Structure, and what it would be with other inputs.
+///
+/// # Errors
+///
+/// [`NotFinite`] for a number that is not finite.
+pub fn structure(found: &StructureStudy, style: Style<'_>) -> Result<String, NotFinite> {
+    let found = finite(found)?;
+    Ok(told(style, |page| topic::structure_study(found, page)))
 }
 
 /// Shaking force and counterweights.

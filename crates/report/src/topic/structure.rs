@@ -1,6 +1,7 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{GroupReport, StructureReport};
+use assur_analysis::{PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
 use assur_mechanism::Named;
 use assur_structure::roman;
@@ -14,6 +15,11 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let links = list(mechanism.links.iter().skip(1).map(|link| Text::from(&link.name)));
     let input = Text::from(&source.analysis.input.link);
     page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links = links, input = input));
+    counted(structure, page);
+}
+
+/// Mobility as counted and as it is, formula and class.
+fn counted(structure: &StructureReport, page: &mut Document) {
     page.paragraph(text!("report-chebyshev"));
     page.blocks.push(Block::Equation(chebyshev(structure)));
     if let Some(found) = structure.mobility_by_rank {
@@ -74,6 +80,10 @@ pub(super) fn named<I>(all: &[Named<I>]) -> Text {
 
 /// The groups in solving order.
 pub fn groups(source: &Source<'_>, page: &mut Document) {
+    groups_of(&source.analysis.structure, page);
+}
+
+fn groups_of(structure: &StructureReport, page: &mut Document) {
     let heads = [
         text!("head-group"),
         text!("head-kind"),
@@ -102,7 +112,36 @@ pub fn groups(source: &Source<'_>, page: &mut Document) {
     };
     let columns = heads.map(|head| Column::short(head, Unit::NONE));
     page.table(
-        Table::list(text!("report-groups"), columns)
-            .rows(source.analysis.structure.groups.iter().enumerate().map(of)),
+        Table::list(text!("report-groups"), columns).rows(structure.groups.iter().enumerate().map(of)),
     );
+}
+
+/// The answer of `assur structure`.
+pub fn study(found: &StructureStudy, page: &mut Document) {
+    if !found.title.is_empty() {
+        page.title(name(found.title.clone()));
+    }
+    if let Some(structure) = &found.structure {
+        counted(structure, page);
+        groups_of(structure, page);
+    }
+    if !found.inputs.is_empty() {
+        possible_inputs(found, page);
+    }
+}
+
+/// What the structure would be with each possible input.
+fn possible_inputs(found: &StructureStudy, page: &mut Document) {
+    let heads = [text!("head-input"), text!("head-pair"), text!("head-class"), text!("head-structure")];
+    let of = |input: &PossibleInput| {
+        let structure = input.formula.as_ref().map(Text::from).or_else(|| input.why.clone());
+        let class = input.class.map(|class| name(roman(class)));
+        row![Text::from(&input.link), Text::from(&input.pair), class, structure]
+    };
+    let table = Table::list(text!("report-inputs"), heads.map(Column::of));
+    page.table(table.rows(found.inputs.iter().map(of)));
+    let simpler: Vec<Text> = found.simpler().map(|input| Text::from(&input.link)).collect();
+    if !simpler.is_empty() {
+        page.paragraph(text!("report-simpler-inputs", count = simpler.len(), links = list(simpler)));
+    }
 }
