@@ -112,8 +112,10 @@ impl Course {
 
     /// Both sides of the places at which the value jumps.
     pub fn steps(&self) -> impl Iterator<Item = Step> {
-        let pairs = self.line.windows(2);
-        let jumps = pairs.filter(|two| two[0][0].to_bits() == two[1][0].to_bits() && two[0][1] != two[1][1]);
+        let (pairs, least) = (self.line.windows(2), ZERO * self.size());
+        let jumps = pairs.filter(move |two| {
+            two[0][0].to_bits() == two[1][0].to_bits() && (two[0][1] - two[1][1]).abs() > least
+        });
         jumps.map(|two| Step { at: two[0][0], values: [two[0][1], two[1][1]] })
     }
 

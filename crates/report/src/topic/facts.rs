@@ -13,6 +13,8 @@ use super::{Units, regime};
 /// What stands in a list on a page: reactions, moments of guides; and how many of each.
 const LISTED: [&str; 2] = ["fact-greatest-reaction", "fact-greatest-moment"];
 const MOST_LISTED: [usize; 2] = [6, 2];
+/// Reactions beside the numbers of a regime.
+const MOST_IN_REGIME: usize = 4;
 /// A formula of more groups is no line of a page.
 const MOST_GROUPS: usize = 6;
 
@@ -85,6 +87,7 @@ pub fn on_a_page(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
     let kinds: Vec<_> = LISTED.into_iter().zip(MOST_LISTED).collect();
     let mut more = 0;
     for (id, most) in kinds {
+        let most = if analysis.dynamics.is_some() { most.min(MOST_IN_REGIME) } else { most };
         let mut sizes: Vec<f64> = listed.iter().filter(|fact| fact.id == id).map(size).collect();
         sizes.sort_by(|one, other| other.total_cmp(one));
         let Some(least) = sizes.get(most) else { continue };

@@ -5,7 +5,7 @@ use assur_kinematics::continuous_angle;
 use assur_words::{Text, number, quantity, text};
 
 use crate::number::{digits, number as plain};
-use crate::screen::state::{Role, Scene, Series, State, coordinate_unit};
+use crate::screen::state::{Role, Scene, Series, State, coordinate_unit, round};
 
 /// An extreme nearer to a position than this part of the way to the next one is in it.
 const AT_POSITION: f64 = 1e-6;
@@ -41,14 +41,23 @@ fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
     };
     let near = state.nearest(turn.at);
     let found = refined(scene, series, turn);
-    let (place, unit) = (scene.linkage.mechanism.input.coordinate(near), &series.unit);
-    let first = scene.linkage.mechanism.input.coordinate(0);
-    let step = scene.linkage.mechanism.input.coordinate(1) - first;
-    let place = if (found.at - place).abs() <= AT_POSITION * step.abs() {
+    let (input, unit) = (&scene.linkage.mechanism.input, &series.unit);
+    let [first, next] = [0, 1].map(|index| input.coordinate(index));
+    let part = (found.at - first) / (next - first);
+    let place = if (part - part.round()).abs() <= AT_POSITION {
         text!("place-in", position = number(near))
     } else {
         let (own, factor) = coordinate_unit(&scene.linkage);
-        text!("place-between", at = quantity(digits(factor * found.at, 6), own), position = number(near))
+        let (at, count) = (quantity(digits(factor * found.at, 6), own), state.positions());
+        // The position before it, and the one after it, which of the last one is the first.
+        let before = if input.coordinate(near) * (next - first).signum() > found.at * (next - first).signum()
+            || (near == 0 && part > 1.0)
+        {
+            round(near, -1, count)
+        } else {
+            near
+        };
+        text!("place-between", at = at, one = number(before), other = number(round(before, 1, count)))
     };
     let value = quantity(plain(series.factor * found.value), unit.clone());
     let text = Text::message(told, vec![("quantity", series.of.clone()), ("value", value), ("place", place)]);

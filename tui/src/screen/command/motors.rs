@@ -86,11 +86,11 @@ fn row(state: &State, candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
     let reserve = torque.zip(load).filter(|(_, load)| *load > 0.0);
     let reserve = or_dash(reserve.map(|(torque, load)| torque * candidate.ratio / load));
     let text = format!(
-        "{:<21} {:<12} {:>6} {:>6.0} {:>7} {:>7} {:>7}",
+        "{:<21} {:<12} {:>6} {:>9} {:>7} {:>7} {:>7}",
         motor.designation,
         motor.catalogue,
         told(motor.rated_power / 1e3),
-        rpm(motor.rated_speed),
+        format_args!("{:.0}/{:.0}", rpm(motor.synchronous_speed), rpm(motor.rated_speed)),
         told(candidate.ratio),
         reserve,
         or_dash(motor.mass),

@@ -55,7 +55,9 @@ impl Found {
         let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
         let edges = calculation.edges(&analysis.positions);
         analysis.peaks = assur_book::peaks(&calculation, &analysis.positions, &edges);
-        let results = topic::results(&analysis, &calculation.linkage);
+        let mut results = topic::results(&analysis, &calculation.linkage);
+        // The view of the structure has it.
+        results.retain(|(_, fact)| fact.id != "fact-formula");
         // The whole mechanism is checked and has plans, whatever results the scene requests.
         let whole = if calculation.plan.all {
             None

@@ -95,7 +95,7 @@ impl Picker {
         let (numbers, words): (Vec<&str>, Vec<&str>) = typed.partition(|word| is_number(word));
         // Digits that stand apart are no number: 1500 is a field of its own.
         let has_numbers = |choice: &&Choice| {
-            let fields: Vec<&str> = choice.text.split_whitespace().collect();
+            let fields: Vec<&str> = choice.text.split([' ', '/']).collect();
             numbers.iter().all(|number| fields.iter().any(|field| same_number(field, number)))
         };
         let rows: Vec<&Choice> = self.rows.iter().filter(has_numbers).collect();

@@ -203,10 +203,7 @@ fn curves_between_the_positions_are_those_of_more_positions() {
             {
                 continue;
             }
-            // Both sides of a jump are no positions.
-            let jumps: Vec<f64> = series.course.steps().map(|step| step.at).collect();
-            let points: Points =
-                series.course.line().iter().copied().filter(|at| !jumps.contains(&at[0])).collect();
+            let points = series.course.line();
             assert!(
                 points.len() > DRAWN && points.iter().all(|at| !at[1].is_nan()),
                 "{name} {}",
@@ -216,8 +213,9 @@ fn curves_between_the_positions_are_those_of_more_positions() {
             let same = |found: &Points| {
                 found.len() == DRAWN
                     && found.iter().all(|found| {
-                        let drawn = points.iter().find(|at| (at[0] - found[0]).abs() < 1e-9);
-                        drawn.is_some_and(|at| (at[1] - found[1]).abs() <= 1e-6 * most)
+                        points.iter().any(|at| {
+                            (at[0] - found[0]).abs() < 1e-9 && (at[1] - found[1]).abs() <= 1e-6 * most
+                        })
                     })
             };
             assert!(

@@ -32,10 +32,10 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 
 /// The title of the scene, and the name of the second one.
 fn title(state: &State, scene: &Scene) -> Text {
-    let own = name(scene.linkage.mechanism.title.clone());
+    let own = || name(scene.session.source.short_name());
     match state.compared.as_ref().filter(|compared| !compared.before) {
-        Some(compared) => text!("header-compared", own = own, other = &compared.name),
-        None => own,
+        Some(compared) => text!("header-compared", own = own(), other = &compared.name),
+        None => name(scene.linkage.mechanism.title.clone()),
     }
 }
 
