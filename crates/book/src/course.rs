@@ -224,7 +224,9 @@ impl Course {
         let last = line.len().saturating_sub(1);
         let mut turns = Vec::new();
         for (index, here) in line.iter().enumerate().filter(|(_, at)| !at[1].is_nan()) {
-            let beside = |at: Option<&[f64; 2]>| at.filter(known).filter(|at| at[0] != here[0]).copied();
+            let beside = |at: Option<&[f64; 2]>| {
+                at.filter(known).filter(|at| at[0].to_bits() != here[0].to_bits()).copied()
+            };
             let before = beside(index.checked_sub(1).map(|before| &line[before]));
             let after = beside(line.get(index + 1));
             // The first place of a closed course is its last one again.

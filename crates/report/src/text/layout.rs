@@ -20,7 +20,7 @@ const MOST_ROWS: usize = 4096;
 const MOST_LINES: usize = 16 * MOST_ROWS;
 /// A fact whose value is longer has lines of its own, since columns don't break.
 const LONG: usize = 30;
-/// Columns of facts: what is asked for first is read on a terminal.
+/// Columns of the facts of the first section: what is asked for first is read on a terminal.
 const SCREEN: usize = 78;
 /// Facts on a narrower page are no table.
 const NARROW: usize = 60;
@@ -172,7 +172,9 @@ impl Page<'_> {
             return facts.iter().for_each(|fact| self.fact(fact));
         }
         let width = self.width;
-        self.width = width.min(SCREEN);
+        if self.sections == 1 {
+            self.width = width.min(SCREEN);
+        }
         self.table_of_facts(facts);
         self.width = width;
     }

@@ -12,7 +12,7 @@ use super::{Units, regime};
 
 /// What stands in a list on a page: reactions, moments of guides; and how many of each.
 const LISTED: [&str; 2] = ["fact-greatest-reaction", "fact-greatest-moment"];
-const MOST_LISTED: [usize; 2] = [6, 2];
+const MOST_LISTED: [usize; 2] = [5, 2];
 /// Reactions beside the numbers of a regime.
 const MOST_IN_REGIME: usize = 4;
 /// A formula of more groups is no line of a page.
@@ -139,7 +139,7 @@ fn farthest(analysis: &Analysis, column: Column) -> Option<Turn> {
 /// A mechanism that can't be assembled everywhere has no strokes.
 fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let Ok(found) = overview(linkage) else { return Vec::new() };
-    let mechanism = &linkage.mechanism;
+    let (mechanism, units) = (&linkage.mechanism, Units::of(analysis.input.angular));
     let slides = found.slides.iter().map(|(id, course)| {
         (Owner::Slide(*id), &mechanism.slides[*id].name, course.stroke.as_ref(), &course.pf1)
     });
@@ -158,22 +158,15 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let ratio = stroke.time_ratio.map(|ratio| Fact::number("fact-time-ratio", ratio, Unit::NONE));
         facts.extend(ratio.map(|fact| of(fact).about(place_of)));
         let speed = Column::of(Quantity::Velocity, owner);
-        let units = Units::of(analysis.input.angular);
-        facts.push(match farthest(analysis, speed) {
-            Some(turn) => {
-                let unit = if is_slide { MOVING[0] } else { TURNING[0] };
-                of(Fact::number("fact-fastest", turn.value, unit)).at(&[turn.at], place).about(speed)
-            }
-            None => {
-                let [value, at] = if pf1.max.abs() >= pf1.min.abs() {
-                    [pf1.max, pf1.at_max]
-                } else {
-                    [pf1.min, pf1.at_min]
-                };
-                let unit = if is_slide { units.length[1] } else { units.angle[1] };
-                let fact = of(Fact::number("fact-greatest-pf1", value, unit)).at(&[at], place);
-                fact.about(Column::of(Quantity::Transfer(1), owner))
-            }
+        facts.push(if let Some(turn) = farthest(analysis, speed) {
+            let unit = if is_slide { MOVING[0] } else { TURNING[0] };
+            of(Fact::number("fact-fastest", turn.value, unit)).at(&[turn.at], place).about(speed)
+        } else {
+            let [value, at] =
+                if pf1.max.abs() >= pf1.min.abs() { [pf1.max, pf1.at_max] } else { [pf1.min, pf1.at_min] };
+            let unit = if is_slide { units.length[1] } else { units.angle[1] };
+            let fact = of(Fact::number("fact-greatest-pf1", value, unit)).at(&[at], place);
+            fact.about(Column::of(Quantity::Transfer(1), owner))
         });
     }
     facts.extend(found.transmission.map(|(group, angle, at)| {

@@ -87,11 +87,8 @@ fn courses(json: &Value, links: &[&str]) -> Vec<Points> {
 
 /// Whether the points are those of a course, in its order, of all of it, each number multiplied by the factors. What else is
 /// drawn lies between them, or one above the other, or is the end of the cycle.
-fn is_drawn(points: &[[f64; 2]], course: &Points, [across, up]: [f64; 2]) -> bool {
-    let most = |axis: usize, factor: f64| {
-        course.iter().fold(0.0_f64, |most, point| most.max((factor * point[axis]).abs()))
-    };
-    let [wide, high] = [most(0, across), most(1, up)];
+fn is_drawn(points: &[[f64; 2]], course: &Points, most: [f64; 2], [across, up]: [f64; 2]) -> bool {
+    let [wide, high] = [most[0] * across.abs(), most[1] * up.abs()];
     let same = |drawn: &[f64; 2], found: &[f64; 2]| {
         (drawn[0] - across * found[0]).abs() <= ROUNDING * wide
             && (drawn[1] - up * found[1]).abs() <= ROUNDING * high
@@ -163,10 +160,20 @@ pub(crate) fn assert_found(name: &str, state: &State, lines: &[(String, Points)]
     let (all, (_, factor)) = (courses(&json(state), &links), coordinate_unit(linkage));
     // Lengths in mm, angles in degrees, moments against the motion.
     let ups = [1.0, -1.0, 1e3, 1.0_f64.to_degrees()];
+    let most = |course: &Points, axis: usize| {
+        course.iter().fold(0.0_f64, |most, point: &[f64; 2]| most.max(point[axis].abs()))
+    };
+    let all: Vec<(Points, [f64; 2])> = all
+        .into_iter()
+        .map(|course| {
+            let most = [0, 1].map(|axis| most(&course, axis));
+            (course, most)
+        })
+        .collect();
     for (title, points) in lines {
-        let found = all.iter().any(|course| {
-            ups.iter()
-                .any(|up| is_drawn(points, course, [factor, *up]) || is_drawn(points, course, [1.0, *up]))
+        let found = all.iter().any(|(course, most)| {
+            let drawn = |factors| is_drawn(points, course, *most, factors);
+            ups.iter().any(|up| drawn([factor, *up]) || drawn([1.0, *up]))
         });
         assert!(found, "{name}: {title} draws what no column of the JSON has: {points:?}");
     }
@@ -209,7 +216,7 @@ fn curves_between_the_positions_are_those_of_more_positions() {
                 "{name} {}",
                 series.short
             );
-            let most = points.iter().fold(0.0_f64, |most, at| most.max(at[1].abs())).max(1e-9);
+            let most = points.iter().fold(0.0_f64, |most, at| most.max(at[1].abs())).max(1e-6);
             let same = |found: &Points| {
                 found.len() == DRAWN
                     && found.iter().all(|found| {
