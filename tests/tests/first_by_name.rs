@@ -16,10 +16,6 @@ struct Wrong;
 const WRONG: f64 = 12_345.0;
 
 impl ForceAnalyzer for Wrong {
-    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
-        Ok(())
-    }
-
     fn solve(
         &self,
         _linkage: &Linkage,

@@ -42,8 +42,8 @@ impl Describe for FileError {
     fn describe(&self) -> Text {
         let file = |path: &Path| name(path.display().to_string());
         match self {
-            Self::Read { path, problem } => text!("cli-error-in", file = file(path), problem = problem),
-            Self::Write { path, problem } => text!("file-not-written", file = file(path), problem = problem),
+            Self::Read { path, problem } => text!("cli-error-in", file = file(path), problem),
+            Self::Write { path, problem } => text!("file-not-written", file = file(path), problem),
             Self::Reader => text!("file-reader-gone"),
         }
     }
@@ -95,6 +95,6 @@ pub(crate) fn read(path: &Path) -> Result<String, FileError> {
         let byte = rest
             .first()
             .map_or_else(Text::default, |byte| text!("file-byte", byte = name(format!("0x{byte:02X}"))));
-        error(text!("file-not-utf8", line = number(line), column = number(column), byte = byte))
+        error(text!("file-not-utf8", line = number(line), column = number(column), byte))
     })
 }

@@ -22,7 +22,7 @@ fn counted(progress: Progress) -> (Text, Option<[usize; 2]>) {
     match progress {
         Progress::Motion { time, cycles } => {
             let (turn, time) = (number(cycles.saturating_add(1)), quantity(plain(time), "s"));
-            (text!("progress-turn", turn = turn, time = time), None)
+            (text!("progress-turn", turn, time), None)
         }
         Progress::Regime { evaluations } => (text!("progress-regime", count = number(evaluations)), None),
         Progress::Positions { done, total } => (text!("progress-position"), Some([done, total])),
@@ -37,7 +37,7 @@ fn counted(progress: Progress) -> (Text, Option<[usize; 2]>) {
 pub(crate) fn told(progress: Progress) -> Text {
     match counted(progress) {
         (what, Some([done, total])) => {
-            text!("progress-of", what = what, done = number(done), total = number(total))
+            text!("progress-of", what, done = number(done), total = number(total))
         }
         (what, None) => what,
     }
@@ -104,8 +104,7 @@ fn style(template: &str, language: &'static Language) -> ProgressStyle {
     let counted = move |state: &ProgressState, out: &mut dyn fmt::Write| {
         let [done, all] = [state.pos(), state.len().unwrap_or(0)].map(|count| number(HumanCount(count)));
         let rate = quantity(plain(state.per_sec()), "1/s");
-        let line =
-            text!("progress-counted", done = done, all = all, rate = rate, left = lasting(state.eta()));
+        let line = text!("progress-counted", done, all, rate, left = lasting(state.eta()));
         let _ = out.write_str(&line.render(language));
     };
     let since = move |state: &ProgressState, out: &mut dyn fmt::Write| {

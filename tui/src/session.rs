@@ -112,10 +112,6 @@ impl Session {
     }
 
     /// The linkage with all its groups.
-    ///
-    /// # Errors
-    ///
-    /// [`CompileError`] where the lengths of a group don't form one of its kind.
     pub(crate) fn linkage(&self) -> Result<Arc<Linkage>, CompileError> {
         if let Some(linkage) = self.linkage.get() {
             return Ok(Arc::clone(linkage));
@@ -134,10 +130,6 @@ impl Session {
 
     /// The calculation of what the scene requests, or of all results. The linkage is compiled for it alone only where groups
     /// are left out.
-    ///
-    /// # Errors
-    ///
-    /// [`AnalysisError`] where the scene as a whole can't be calculated, or where `watch` breaks.
     pub(crate) fn calculation(
         &self,
         options: &Options,
@@ -208,7 +200,7 @@ fn doubt_at(source: &Source, text: &str, doubt: &Notice) -> Text {
     let place =
         found.and_then(|found| Some(format!(":{}:{}", found.errors.first()?.line, found.errors[0].column)));
     let place = name(source.name() + &place.unwrap_or_default());
-    text!("cli-mistake", place = place, text = &doubt.text)
+    text!("cli-mistake", place, text = &doubt.text)
 }
 
 fn at_key(source: &Source, text: &str, key: &[&str], message: Text) -> Option<Text> {

@@ -109,8 +109,7 @@ fn no_motion(calculation: &Calculation, session: Option<&Session>) -> Option<Tex
 }
 
 fn checks(all: &[Check]) -> Vec<Text> {
-    let told =
-        |id: &'static str, check: &Check, reason: &Text| text!(id, check = &check.name, reason = reason);
+    let told = |id: &'static str, check: &Check, reason: &Text| text!(id, check = &check.name, reason);
     let failed = all.iter().filter(|check| check.failed());
     let failed = failed.map(|check| told("verdict-failed", check, &check.reason));
     let open = all.iter().filter(|check| check.verdict().is_none());

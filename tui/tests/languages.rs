@@ -15,7 +15,7 @@ use english::{english, of_the_registries, words};
 
 /// Commands with the scene `a.toml`.
 const COMMANDS: &[&[&str]] = &[
-    &["analyze", "a.toml", "--plans", "1"],
+    &["analyze", "a.toml", "--plans", "1", "--by-cause"],
     &["analyze", "a.toml", "--positions", "0..1"],
     &["check", "a.toml"],
     &["explain", "a.toml"],

@@ -71,7 +71,7 @@ impl<'a> Blocks<'a> {
                 holding: None,
             });
             for (index, obstacle) in filler.add(first, &instants, end - first, &mut table) {
-                let at = |error| text!("analysis-at-position", number = index, error = error);
+                let at = |error| text!("analysis-at-position", number = index, error);
                 let (mut key, mut limit) = (None, None);
                 let message = match obstacle {
                     Obstacle::Unsolved(error) => PositionError { index: Some(index), ..error }.describe(),

@@ -62,10 +62,6 @@ pub struct Varied {
 impl Calculation {
     /// Decomposes a mechanism into groups, plans and compiles it, and finds its motion. `watch` receives the progress
     /// of the motion, and may stop it; [`unwatched`](crate::unwatched) lets it run.
-    ///
-    /// # Errors
-    ///
-    /// [`AnalysisError`] where the scene as a whole can't be calculated, or where `watch` breaks.
     pub fn of(mechanism: Mechanism, options: &Options, watch: &mut Watch<'_>) -> Result<Self, AnalysisError> {
         let structure = decompose(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = plan(&mechanism, &structure, options);
@@ -74,10 +70,6 @@ impl Calculation {
     }
 
     /// The calculation of a plan on a linkage that is compiled for the groups that the plan needs.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`of`](Self::of), but for those of compiling the mechanism.
     pub fn planned(
         linkage: Arc<Linkage>,
         plan: Plan,
@@ -89,10 +81,6 @@ impl Calculation {
 
     /// The calculation of a mechanism that differs in numbers only, with what it has in common with this one: structure and
     /// plan; where the positions are the same, positions and loads too.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`of`](Self::of).
     pub fn varied(
         self,
         mechanism: Mechanism,

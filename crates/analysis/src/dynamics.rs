@@ -48,10 +48,6 @@ impl Calculation {
 
     /// The motors that would do, the best first, at most `most`, each with the greatest unevenness that it allows; and how many
     /// such motors there are.
-    ///
-    /// # Errors
-    ///
-    /// [`AnalysisError`]: the scene has no steady motion with a motor, or no motor fits.
     pub fn advice(&self, most: usize) -> Result<(Vec<MotorAdvice>, usize), AnalysisError> {
         let no_motion = DynamicsError::NoMotion("steady");
         let loads = self.loads.as_ref().ok_or(no_motion)?;

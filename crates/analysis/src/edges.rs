@@ -3,7 +3,6 @@
 
 use assur_dynamics::Instant;
 use assur_force::{Loads, Side, State, tolerance};
-use assur_mechanism::Range;
 use assur_number::Lanes;
 
 use crate::Calculation;
@@ -44,7 +43,7 @@ impl Calculation {
         let mut filler = Filler::new(self, &blocks.columns, self.positions_have_forces());
         let (mut between, mut ending) = (filler.table(), filler.table());
         let input = &self.linkage.mechanism.input;
-        let closed = matches!(input.range, Range::Cycle(_));
+        let closed = input.is_cycle();
         if closed {
             let state = self.state(input.coordinate(input.positions));
             filler.add(input.positions, &[instant(state); Lanes::WIDTH], 1, &mut ending);

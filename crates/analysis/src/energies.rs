@@ -12,7 +12,6 @@ use assur_mechanism::{GROUND, LinkId, Mechanism};
 
 use crate::acting::{Acting, Works, change, over_time, simpson};
 use crate::motion::CYCLE_INTERVALS;
-use crate::plan::is_heavy;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
 use crate::{Calculation, InputMotion};
 
@@ -50,7 +49,7 @@ impl Calculation {
         schema.add(section, all.map(|quantity| Column::of(quantity, Owner::Input)));
         let by_load = by_load(mechanism, schema.loads());
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::Work, *owner)));
-        let links = heavy(mechanism).map(Owner::Link);
+        let links = mechanism.heavy_links().map(Owner::Link);
         schema.add(section, links.map(|link| Column::of(Quantity::KineticEnergy, link)));
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::ReducedLoad, *owner)));
         let mut table = Table::new(Arc::new(schema));
@@ -183,11 +182,6 @@ fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
     drive.into_iter().chain(weights).chain(loads).collect()
 }
 
-/// The moving links with mass or moment of inertia.
-fn heavy(mechanism: &Mechanism) -> impl Iterator<Item = LinkId> {
-    (1..mechanism.links.len()).filter(|link| is_heavy(mechanism, *link))
-}
-
 /// Kinetic energies of the links (E eq. 3), J.
 fn energies_of_links(mechanism: &Mechanism, state: &State, bodies: &[Body<f64>]) -> Vec<f64> {
     let of = |link: LinkId| {
@@ -196,7 +190,7 @@ fn energies_of_links(mechanism: &Mechanism, state: &State, bodies: &[Body<f64>])
         let (turning, [inertia, _]) = (body.w1 * state.speed, found.inertia.at(state.coordinate));
         0.5 * (found.mass * dot(velocity, velocity) + inertia * turning * turning)
     };
-    heavy(mechanism).map(of).collect()
+    mechanism.heavy_links().map(of).collect()
 }
 
 impl Course {

@@ -46,7 +46,7 @@ impl Describe for AnalysisError {
             Self::Load(error) => error.describe(),
             Self::Analyzer(error) => error.describe(),
             Self::Unfit { analyzer, reason } => {
-                text!("analysis-unfit", method = name(*analyzer), reason = reason)
+                text!("analysis-unfit", method = name(*analyzer), reason)
             }
             Self::Stopped(stopped) => stopped.describe(),
             Self::Motion { message, .. } => message.clone(),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use assur_check::Notable;
 use assur_dynamics::Instant;
-use assur_force::{ForceError, Kinetostatics, LaneKinetostatics};
+use assur_force::{ForceError, Kinetostatics, LaneKinetostatics, State};
 use assur_kinematics::{LanePosition, PositionError};
 use assur_number::Lanes;
 
@@ -99,67 +99,67 @@ impl<'a> Filler<'a> {
         instants: &[Instant; Lanes::WIDTH],
         table: &mut Table,
     ) -> Vec<(usize, Obstacle)> {
-        let Self { calculation, position, motions, .. } = self;
-        let Calculation { linkage, plan, loads, .. } = *calculation;
+        let calculation = self.calculation;
+        let Calculation { linkage, plan, loads, .. } = calculation;
         let states = instants.map(|instant| instant.state);
-        motions.read(linkage, &plan.wanted, &position.bodies);
+        self.motions.read(linkage, &plan.wanted, &self.position.bodies);
         let loads = loads.as_ref().filter(|_| plan.reduction);
-        let reduced = loads.map(|loads| loads.reduced(&states, &position.bodies));
+        let reduced = loads.map(|loads| loads.reduced(&states, &self.position.bodies));
         let mut obstacles = Vec::new();
         for (loads, reduced) in loads.into_iter().zip(&reduced) {
             for lane in (0..Lanes::WIDTH).filter(|&lane| !reduced.moment.0[lane].is_finite()) {
-                let bodies: Vec<_> = position.bodies.iter().map(|body| body.lane(lane)).collect();
+                let bodies: Vec<_> = self.position.bodies.iter().map(|body| body.lane(lane)).collect();
                 let finite = loads.finite(&linkage.mechanism, &states[lane], &bodies);
                 if let (Err(error), true) = (finite, std::mem::take(&mut rows[lane])) {
                     obstacles.push((lane, Obstacle::Forceless(error.into())));
                 }
             }
         }
-        let (mut determined, mut balancing, mut refused) = (rows, [None; Lanes::WIDTH], Vec::new());
-        if let Some((forces, joints)) = &mut self.forces {
-            refused = forces.solve(&states, position).err().unwrap_or_default();
-            refused.retain(|(lane, _)| rows[*lane]);
-            joints.sum(&forces.reactions);
-            if let Some(rubbing) = &mut forces.reactions.rubbing {
-                let doubts = rubbing.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
-                self.several.extend(doubts.map(|(lane, doubt)| Several::of(linkage, first + lane, &doubt)));
-            }
-            balancing = forces.reactions.balancing.0.map(Some);
-            for (lane, error) in &refused {
-                determined[*lane] = false;
-                balancing[*lane] = match error {
-                    ForceError::ChangePoint(_) => forces.balancing_alone(*lane, &states[*lane], position),
-                    _ => None,
-                };
-            }
-        }
-        let mut limits = [None; Lanes::WIDTH];
-        for (lane, error) in &refused {
-            if let (ForceError::Jammed { .. }, Some((forces, _))) = (error, &mut self.forces) {
-                limits[*lane] = forces.jamming_limit(*lane, &states[*lane], position);
-            }
-        }
-        let forces = self.forces.as_ref().map(|(forces, joints)| (joints, &forces.reactions, determined));
-        let found = forces.map(|(_, reactions, determined)| (determined, reactions));
+        let (determined, balancing, refused) = self.solve_forces(first, rows, &states);
+        obstacles.extend(refused);
+        let reactions = self.forces.as_ref().map(|(forces, joints)| (joints, &forces.reactions, determined));
+        let found = reactions.map(|(_, reactions, determined)| (determined, reactions));
+        let (position, motions, instants) = (&self.position, &self.motions, *instants);
         self.notable.add(linkage, first, (rows, position), found);
-        let known = Rows {
-            calculation,
-            instants: *instants,
-            position,
-            motions,
-            reduced,
-            reactions: forces,
-            balancing,
-        };
+        let known = Rows { calculation, instants, position, motions, reduced, reactions, balancing };
         let mut cells = table.rows(first, rows);
         for (family, end) in &self.columns.families {
             (family.fill)(&known, &mut cells);
             cells.end_at(*end);
         }
-        obstacles.extend(refused.into_iter().map(|(lane, error)| match error {
-            ForceError::Jammed { .. } => (lane, Obstacle::Jammed(error, limits[lane])),
-            _ => (lane, Obstacle::Forceless(error)),
-        }));
         obstacles
     }
+
+    /// Finds the forces in these lanes: where they are determined, the balancing loads, and why others have none.
+    fn solve_forces(&mut self, first: usize, rows: Mask, states: &[State; Lanes::WIDTH]) -> Forces {
+        let Self { forces, position, several, calculation, .. } = self;
+        let Some((forces, joints)) = forces else { return (rows, [None; Lanes::WIDTH], Vec::new()) };
+        let refused = forces.solve(states, position).err().unwrap_or_default();
+        joints.sum(&forces.reactions);
+        if let Some(rubbing) = &mut forces.reactions.rubbing {
+            let doubts = rubbing.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
+            let linkage = &calculation.linkage;
+            several.extend(doubts.map(|(lane, doubt)| Several::of(linkage, first + lane, &doubt)));
+        }
+        let (mut determined, mut balancing) = (rows, forces.reactions.balancing.0.map(Some));
+        let obstacle = |(lane, error): (usize, ForceError)| {
+            (determined[lane], balancing[lane]) = (false, None);
+            match error {
+                ForceError::Jammed { .. } => {
+                    (lane, Obstacle::Jammed(error, forces.jamming_limit(lane, &states[lane], position)))
+                }
+                error => {
+                    if let ForceError::ChangePoint(_) = error {
+                        balancing[lane] = forces.balancing_alone(lane, &states[lane], position);
+                    }
+                    (lane, Obstacle::Forceless(error))
+                }
+            }
+        };
+        let refused = refused.into_iter().filter(|(lane, _)| rows[*lane]).map(obstacle).collect();
+        (determined, balancing, refused)
+    }
 }
+
+/// The lanes in which forces are determined, the balancing load of each lane, and why there are none.
+type Forces = (Mask, [Option<f64>; Lanes::WIDTH], Vec<(usize, Obstacle)>);

@@ -3,7 +3,7 @@
 use assur_force::{Doubt, ForceError, FrictionSolution, Kinetostatics, Loads, UnitBalance, joints};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{Mechanism, PairId, Range};
+use assur_mechanism::{Mechanism, PairId};
 use assur_number::search::bisect;
 use assur_structure::name_of;
 use assur_words::{Text, number, text};
@@ -66,9 +66,9 @@ pub(crate) fn jammed(mechanism: &Mechanism, error: Text, limit: Option<f64>) -> 
     match &mechanism.frictions[..] {
         [only] => {
             let coefficient = number(format_args!("{:.9}", limit * only.coefficient));
-            text!("analysis-jammed-coefficient", error = error, factor = factor, coefficient = coefficient)
+            text!("analysis-jammed-coefficient", error, factor, coefficient)
         }
-        _ => text!("analysis-jammed", error = error, factor = factor),
+        _ => text!("analysis-jammed", error, factor),
     }
 }
 
@@ -141,13 +141,9 @@ impl Calculation {
         let forces = Kinetostatics::new(&self.linkage, loads, analyzer.instance, carrying);
         let mut cycle = Cycle { calculation: self, loads, forces, position: self.linkage.position() };
         let input = &self.linkage.mechanism.input;
-        let ends = match input.range {
-            Range::Cycle(length) => [input.from, input.from + input.sign() * length],
-            Range::To(to) => [input.from, to],
-        };
+        let ends = input.ends();
         let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        let closes = matches!(input.range, Range::Cycle(_));
-        let (dead_angles, self_braking) = cycle.intervals([low, high], closes);
+        let (dead_angles, self_braking) = cycle.intervals([low, high], input.is_cycle());
         let works = if dead_angles.is_empty() { cycle.works([low, high]) } else { None };
         let pairs = self.linkage.mechanism.frictions.iter().map(|friction| friction.pair);
         let named = pairs.clone().map(|pair| name_of(&self.linkage.mechanism, pair).to_string());

@@ -25,7 +25,6 @@ mod plans;
 mod positions;
 mod progress;
 mod proof;
-mod residuals;
 pub mod results;
 mod trajectory;
 

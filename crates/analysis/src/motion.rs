@@ -139,10 +139,6 @@ impl Counter {
 
 /// Which case of D the equation of a motion is, and which method is used for it and why; `None` without an equation,
 /// and where no position can be assembled.
-///
-/// # Errors
-///
-/// [`AnalysisError`] where the loads can't be compiled, or the integrator can't treat the equation.
 pub fn method_of_motion(linkage: &Linkage, options: &Options) -> Result<Option<Text>, AnalysisError> {
     let mechanism = &linkage.mechanism;
     if linkage.range.is_none() || !mechanism.has_equation_of_motion() {
@@ -173,14 +169,14 @@ fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Resu
     if named != AUTO {
         return Ok(text!(
             "analysis-integrator-named",
-            method = method,
-            reason = reason,
+            method,
+            reason,
             summary = &integrator.summary,
             equation = equation_words(dependence)
         ));
     }
     let stiff = chosen.if_stiff().map(|method| text!("analysis-if-stiff", method = name(method.name)));
-    let first = text!("analysis-integrator", method = method, reason = reason);
+    let first = text!("analysis-integrator", method, reason);
     Ok(joined("; ", [first].into_iter().chain(stiff)))
 }
 

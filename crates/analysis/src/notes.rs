@@ -1,7 +1,6 @@
 //! Notes: what had to be left out, and which parts of a request have no use.
 
 mod assembly;
-mod contact;
 mod doubts;
 mod friction;
 mod loads;
@@ -31,7 +30,7 @@ impl Calculation {
         notes.extend(self.listed_against_the_motion());
         notes.extend(self.friction_of_contacts());
         if let InputMotion::Transient(found) = &self.motion {
-            notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why = why)));
+            notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why)));
         }
         if !positions.is_empty() {
             notes.push(text!("analysis-no-reactions", positions = positions.words()));
@@ -40,7 +39,7 @@ impl Calculation {
             notes.push(text!("analysis-no-reactions-of-samples", count = samples.at_change_points));
         }
         if let Some(reason) = &samples.reason {
-            notes.push(text!("analysis-no-forces", count = samples.refused, reason = reason));
+            notes.push(text!("analysis-no-forces", count = samples.refused, reason));
         }
         notes
     }
@@ -78,9 +77,9 @@ impl Calculation {
             let speed = |speed: f64| quantity(format_args!("{speed:.6}"), unit);
             let [wanted, found] = [wanted, regime.figures.mean_speed].map(speed);
             notes.push(if regime.figures.ratio.is_some() {
-                text!("analysis-other-mean-speed", wanted = wanted, found = found)
+                text!("analysis-other-mean-speed", wanted, found)
             } else {
-                text!("analysis-other-mean-speed-by-moment", wanted = wanted, found = found)
+                text!("analysis-other-mean-speed-by-moment", wanted, found)
             });
         }
         if regime.figures.required_power < 0.0 {
@@ -125,10 +124,10 @@ impl Listed {
     pub(crate) fn words(&self) -> Text {
         let more = match self.count - self.first.len() {
             0 => Text::default(),
-            more => text!("analysis-and-more", more = more),
+            more => text!("analysis-and-more", more),
         };
         let numbers = list(self.first.iter().map(number));
-        text!("analysis-positions", count = self.count, numbers = numbers, more = more)
+        text!("analysis-positions", count = self.count, numbers, more)
     }
 }
 
@@ -151,9 +150,9 @@ pub(crate) fn unused(mechanism: &Mechanism, options: &Options) -> Vec<Text> {
     if let Some(method) = options.integrator.as_ref().filter(|_| !transient) {
         let method = name(method.clone());
         notes.push(if steady {
-            text!("analysis-integrator-unused-steady", method = method)
+            text!("analysis-integrator-unused-steady", method)
         } else {
-            text!("analysis-integrator-unused", method = method)
+            text!("analysis-integrator-unused", method)
         });
     }
     if let Some(Motion::Transient { step: Some(_), integrator, .. }) = &mechanism.motion {

@@ -7,7 +7,7 @@ use assur_diagram::{
 };
 use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::Order;
-use assur_mechanism::{LinkId, Name, Named, PairId, Range, SlideId};
+use assur_mechanism::{LinkId, Name, Named, PairId, SlideId};
 use assur_words::text;
 use indexmap::IndexMap;
 
@@ -23,10 +23,6 @@ impl Calculation {
     /// regime is found, the positions have no forces, and plans of forces are left out.
     ///
     /// Needs the whole mechanism: see [`Plan::is_partial`](crate::plan::Plan::is_partial).
-    ///
-    /// # Errors
-    ///
-    /// [`DiagramError`] where the position can't be assembled, or has no reactions.
     pub fn sheet(&self, index: usize) -> Result<Sheet, DiagramError> {
         // An error names the number of the position.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
@@ -49,10 +45,6 @@ impl Calculation {
 
     /// The constructions on paper of the force analyzers at a position, step by step, each with the name of its analyzer; none where the position has no
     /// forces.
-    ///
-    /// # Errors
-    ///
-    /// [`DiagramError`] where the position can't be assembled.
     pub fn constructions(&self, index: usize) -> Result<Vec<(&'static str, Construction)>, DiagramError> {
         let mut position = self.linkage.position();
         self.linkage.solve_index(index, Order::Second, &mut position)?;
@@ -72,10 +64,6 @@ impl Calculation {
     }
 
     /// Adds reactions by cause to every position that has reactions, and the polar diagrams of all reactions.
-    ///
-    /// # Errors
-    ///
-    /// [`DiagramError`] where a single cause has no reactions.
     pub fn add_causes(&self, analysis: &mut Analysis) -> Result<(), DiagramError> {
         let Some(loads) = &self.loads else { return Ok(()) };
         let positions = &mut analysis.positions;
@@ -99,7 +87,7 @@ impl Calculation {
     /// Results from the reactions of all positions, and the geometry of the contacts.
     pub(crate) fn cycle(&self, survey: &Survey) -> Cycle {
         let mechanism = &self.linkage.mechanism;
-        let closed = matches!(mechanism.input.range, Range::Cycle(_));
+        let closed = mechanism.input.is_cycle();
         let extreme = |(pair, link, sizes): &(PairId, LinkId, Sizes)| {
             sizes.extreme(mechanism.named_pair(*pair), mechanism.named_link(*link), closed)
         };
@@ -124,7 +112,7 @@ impl Calculation {
             let (coordinates, points): (Vec<_>, Vec<_>) = rows.filter_map(row).unzip();
             let mechanism = &self.linkage.mechanism;
             let (joint, on) = (mechanism.named_pair(pair), mechanism.named_link(link));
-            let closed = matches!(mechanism.input.range, Range::Cycle(_));
+            let closed = mechanism.input.is_cycle();
             (!points.is_empty()).then_some(Hodograph { joint, on, coordinates, points, closed })
         };
         schema.select(is_force).into_iter().filter_map(curve).collect()
@@ -216,7 +204,7 @@ impl Shares {
             let mut name = Name::from(share.cause.clone());
             // A load may be called `weight` too.
             while names.contains(&name) {
-                name = text!("analysis-load-named", name = name).into();
+                name = text!("analysis-load-named", name).into();
             }
             let cause = self.cause(&name);
             self.present[cause][row] = true;

@@ -51,10 +51,6 @@ impl Calculation {
     /// the failures; one without forces too, and keeps the other results.
     ///
     /// Of more than [`Mechanism::most_kept`](assur_mechanism::Mechanism::most_kept) positions only every so many are kept; [`each_block`](Self::each_block) gives all.
-    ///
-    /// # Errors
-    ///
-    /// [`Stopped`] where `watch` breaks.
     pub fn analyze(&self, watch: &mut Watch<'_>) -> Result<Analysis, Stopped> {
         let mechanism = &self.linkage.mechanism;
         let positions = self.positions(mechanism.input.positions.div_ceil(mechanism.most_kept()), watch)?;
@@ -63,7 +59,7 @@ impl Calculation {
         let mut notes = self.notes(&positions.at_change_points, &samples.without);
         notes.extend(self.friction_notes(&positions.several));
         if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
-            notes.push(text!("analysis-more-failures", more = more).into());
+            notes.push(text!("analysis-more-failures", more).into());
         }
         Ok(Analysis {
             title: mechanism.title.clone(),

@@ -1,6 +1,7 @@
 //! What one number of the results is.
 
 use assur_analysis::results::Column as Quantity;
+use assur_mechanism::{LinkId, Mechanism};
 use assur_words::{Text, joined, text, unit};
 
 use crate::number::Unit;
@@ -118,4 +119,9 @@ pub(crate) fn table(caption: Text, facts: &[Fact]) -> Table {
     let heads = heads.into_iter().take(if has_place { 4 } else { 3 });
     let row = |fact: &Fact| [fact.what(), fact.value(), unit(fact.unit.name), fact.place()].map(Cell::Text);
     Table::list(caption, heads.map(Column::of)).rows(facts.iter().map(row))
+}
+
+/// The name of a link.
+pub fn link_name(mechanism: &Mechanism, link: LinkId) -> Text {
+    mechanism.links.get(link).map_or_else(Text::default, |link| Text::from(&link.name))
 }

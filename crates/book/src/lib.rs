@@ -9,15 +9,14 @@ pub mod catalogue;
 mod course;
 mod document;
 mod fact;
-mod name;
 mod number;
 mod peaks;
 mod table;
 
 pub use course::{Course, Extreme, Node, Step, Summary};
 pub use document::{Block, Document, Term};
+pub use fact::link_name;
 pub use fact::{Fact, Value};
-pub use name::link_name;
 pub use number::{Digits, Unit};
 pub use peaks::peaks;
 pub use table::{Cell, Column, Group, Printed, Table};

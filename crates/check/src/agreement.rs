@@ -5,8 +5,7 @@ use assur_words::{Text, name, text};
 
 use crate::case::{Case, ROUNDINGS, largest};
 use crate::check::Collector;
-use crate::differences::SAFETY;
-use crate::differences::{SAMPLES, SPACING, rounding_of};
+use crate::numbers::{SAFETY, SAMPLES, SPACING, rounding_of};
 
 /// Numbers of one result: the balancing load, then three for each pair.
 type Numbers = Vec<f64>;
@@ -90,7 +89,7 @@ fn number_name(case: &Case<'_>, k: usize, method: &'static str) -> Text {
         None => text!("check-balancing-by", method = name(method)),
         Some(pair) => {
             let pair = linkage.structure.pair_name(&linkage.mechanism, pair);
-            text!("check-pair-by", pair = pair, method = name(method))
+            text!("check-pair-by", pair, method = name(method))
         }
     }
 }

@@ -46,7 +46,7 @@ impl Closure {
                 let unit = subject.unit(order, true);
                 self.collectors[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
                     let pair = linkage.structure.pair_name(&linkage.mechanism, id);
-                    text!("check-pair", pair = pair)
+                    text!("check-pair", pair)
                 });
             }
         }

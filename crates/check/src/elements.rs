@@ -45,7 +45,7 @@ impl Element {
         match self {
             Self::Place(place, Some(id)) => {
                 let point = &mechanism.points[id].name;
-                text!("check-point-on", point = point, link = link(place.link))
+                text!("check-point-on", point, link = link(place.link))
             }
             Self::Place(place, None) => text!("check-center-of-mass", link = link(place.link)),
             Self::Link(id) => text!("check-link", link = link(id)),

@@ -8,7 +8,7 @@ use assur_words::{Text, text};
 
 use crate::case::{Case, ROUNDINGS, largest, rounding_of_sum};
 use crate::check::Collector;
-use crate::residuals::greatest;
+use crate::check::greatest;
 use crate::subject::Solved;
 
 /// The checks of links, of joints and of guides.
@@ -146,7 +146,7 @@ fn joint_name(linkage: &Linkage, joint: PairId) -> Text {
             let places = &mechanism.points[point].places;
             let ground = places.iter().any(|place| place.link == GROUND);
             let pin = &mechanism.points[point].name;
-            if ground { text!("check-pin-on-ground", pin = pin) } else { text!("check-pin", pin = pin) }
+            if ground { text!("check-pin-on-ground", pin) } else { text!("check-pin", pin) }
         }
         PairId::Slide(slide) => {
             text!("check-slide", slide = &mechanism.slides[slide].name)

@@ -6,7 +6,7 @@ use assur_words::{Text, text};
 
 use crate::case::{Case, ROUNDINGS};
 use crate::check::Collector;
-use crate::residuals::ForceResiduals;
+use crate::check::ForceResiduals;
 use crate::subject::{Solved, Subject};
 use crate::written::{Given, Items, Writer, given};
 use crate::{agreement, equilibrium, friction, power};
@@ -112,7 +112,7 @@ fn compare_loads(
         collector.offer(one.index, off / total, limit / total, || {
             let mechanism = &subject.linkage.mechanism;
             let link = &mechanism.links[key.1].name;
-            text!("check-load-on", load = key.0.name(mechanism), link = link)
+            text!("check-load-on", load = key.0.name(mechanism), link)
         });
     }
 }

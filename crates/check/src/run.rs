@@ -8,10 +8,10 @@ use assur_kinematics::Linkage;
 use rayon::prelude::*;
 
 use crate::Chosen;
+use crate::check::Residuals;
 use crate::check::{Check, Collector};
 use crate::closure::Closure;
 use crate::forces::Forces;
-use crate::residuals::Residuals;
 use crate::subject::{Subject, methods};
 use crate::test_pf::TestPf;
 use crate::written::Writer;

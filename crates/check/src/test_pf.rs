@@ -9,13 +9,13 @@ use assur_number::Dd;
 use assur_words::{Text, text};
 
 use crate::check::Collector;
-use crate::differences::{LEVELS, SAFETY, extrapolated};
+use crate::check::greatest;
 use crate::elements::{Element, elements};
-use crate::interpolated::interpolated;
 use crate::kinetics;
+use crate::numbers::{LEVELS, SAFETY, extrapolated};
 use crate::numbers::{Numbers, numbers};
-use crate::residuals::greatest;
 use crate::subject::{Solved, Subject};
+use crate::surroundings::interpolated;
 use crate::surroundings::{Differences, Surroundings};
 
 /// Greatest limit, relative to what is compared, with which differences in 16 digits judge; where they need a wider one,

@@ -15,16 +15,14 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
     /// # Errors
     ///
     /// Why not, as a clause: `it has 7 links; the method needs 3`.
-    fn supports(&self, linkage: &Linkage) -> Result<(), Text>;
+    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
+        Ok(())
+    }
 
     /// Solves one position.
     ///
     /// `loads`: all loads with the inertia loads, one wrench for each body about the origin of its frame; the method may
     /// change them. `position` needs PF1. Call [`supports`](Self::supports) once before.
-    ///
-    /// # Errors
-    ///
-    /// [`ForceError`] where the reactions or the balancing load are not determined.
     fn solve(
         &self,
         linkage: &Linkage,
@@ -50,10 +48,6 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
     /// The construction on paper that corresponds to the method, at one position; `None` for a method without one.
     ///
     /// `loads`: all loads with the inertia loads, each where it acts.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`solve`](Self::solve).
     fn construction(
         &self,
         _linkage: &Linkage,
@@ -163,12 +157,9 @@ impl Describe for ForceError {
         let at = |coordinate: f64| number(format_args!("{coordinate:.9}"));
         match self {
             Self::ChangePoint(coordinate) => text!("force-change-point", coordinate = at(*coordinate)),
-            Self::Group { group, coordinate, source } => text!(
-                "force-group-singular",
-                group = group,
-                coordinate = at(*coordinate),
-                cause = source.describe()
-            ),
+            Self::Group { group, coordinate, source } => {
+                text!("force-group-singular", group, coordinate = at(*coordinate), cause = source.describe())
+            }
             Self::Load(error) => error.describe(),
             Self::Singular { coordinate, health } => text!(
                 "force-singular",
@@ -178,21 +169,21 @@ impl Describe for ForceError {
             Self::IdleBalance { load, coordinate, share } => text!(
                 "force-idle-balance",
                 coordinate = at(*coordinate),
-                load = load,
+                load,
                 share = number(format_args!("{share:.3e}"))
             ),
             Self::Parallel { coordinate, lines, angle, instead } => text!(
                 "force-parallel",
                 coordinate = at(*coordinate),
-                lines = lines,
+                lines,
                 angle = quantity(format_args!("{angle:.3e}"), "rad"),
                 instead = name(*instead)
             ),
             Self::Jammed { what, coordinate } => {
-                text!("force-jammed", what = what, coordinate = at(*coordinate))
+                text!("force-jammed", what, coordinate = at(*coordinate))
             }
             Self::Unsupported { analyzer, reason } => {
-                text!("force-unsupported", method = name(*analyzer), reason = reason)
+                text!("force-unsupported", method = name(*analyzer), reason)
             }
         }
     }
@@ -226,10 +217,6 @@ pub struct AnalyzerPlugin {
 assur_plugin::registry!(AnalyzerPlugin, text!("force-sort"), name);
 
 /// All registered methods, sorted by name.
-///
-/// # Errors
-///
-/// [`RegistryError`] where two have one name or none is registered.
 pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
     assur_plugin::all()
 }
@@ -241,20 +228,12 @@ pub fn applicable(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
 }
 
 /// The method of this name.
-///
-/// # Errors
-///
-/// [`RegistryError`] where the registry is faulty or has no such method.
 pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
     assur_plugin::find(name)
 }
 
 /// The method of this name; without a name the preferred one of those that give reactions, and treat the friction of pairs
 /// where there is any.
-///
-/// # Errors
-///
-/// [`RegistryError`] where the registry is faulty or has no such method.
 pub fn choose(name: Option<&str>, friction: bool) -> Result<&'static AnalyzerPlugin, RegistryError> {
     if let Some(name) = name {
         return find(name);

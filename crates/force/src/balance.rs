@@ -94,8 +94,8 @@ impl IdleBalance {
     pub fn explain(&self, linkage: &Linkage, coordinate: f64) -> ForceError {
         let link = &linkage.mechanism.links[self.unit.link].name;
         let load = match self.unit.load {
-            UnitLoad::Force { .. } => text!("force-balancing-force", link = link),
-            UnitLoad::Moment => text!("force-balancing-moment", link = link),
+            UnitLoad::Force { .. } => text!("force-balancing-force", link),
+            UnitLoad::Moment => text!("force-balancing-moment", link),
         };
         ForceError::IdleBalance { load, coordinate, share: self.share }
     }

@@ -13,9 +13,9 @@ use assur_mechanism::{
 use assur_words::{Text, text};
 
 use crate::breaks::Breaks;
-use crate::curve::Curve;
 use crate::formula::{FormulaLaw, Unlocated};
 use crate::grid::{Bodies, GRID, Span, rests};
+use crate::law::Curve;
 use crate::law::Law;
 use crate::loads::{Action, Along, Applied, ArcContact, Mass, PointForce, Shoe};
 use crate::sliding::{Rate, Sliding};
@@ -48,20 +48,12 @@ impl Loads {
     ///
     /// A stroke is the one over the cycle; if the mechanism can't turn fully and the scene gives a range, the one over
     /// the range. Its extremes, and the places where it passes the rows of its tables, are found to rounding.
-    ///
-    /// # Errors
-    ///
-    /// [`LoadError`] for a load that needs a motion or a stroke which the scene does not define.
     pub fn compile(linkage: &Linkage) -> Result<Self, LoadError> {
         Self::varied(linkage, None)
     }
 
     /// Compiles the loads of a mechanism, except those that it has in common with an `earlier` one: with the same positions,
     /// and with loads that differ from its own in numbers only.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`compile`](Self::compile).
     pub fn varied(linkage: &Linkage, earlier: Option<(&Mechanism, &Self)>) -> Result<Self, LoadError> {
         let (mechanism, scale) = (&linkage.mechanism, linkage.structure.scale);
         let input = &mechanism.input;

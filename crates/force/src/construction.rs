@@ -1,7 +1,15 @@
 //! The construction behind a result: named vectors in the order in which they are drawn.
 
+use assur_group::plane::{cross, dot, minus, plus, scaled};
+use assur_group::{Body, Wrench};
+use assur_mechanism::{LinkId, Mechanism};
 use assur_words::{Describe, Text, text};
 use serde::Serialize;
+
+use crate::State;
+use crate::choice::Live;
+use crate::loads::{Cause, Loads};
+use crate::visit::{Sink, Visit};
 
 /// What a vector of a plan or a step of a construction represents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -106,5 +114,93 @@ impl Construction {
     /// The step of this short name in English in a drawing.
     pub fn step(&self, drawing: Drawing, name: &str) -> Option<&Step> {
         self.steps.iter().find(|step| step.drawing == drawing && step.name.to_string() == name)
+    }
+}
+
+/// One load on one link, in the ground's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Acting {
+    /// Its cause.
+    pub cause: Cause,
+    /// The loaded link.
+    pub link: LinkId,
+    /// Force and moment about the origin of the link's frame.
+    pub wrench: Wrench<f64>,
+    /// Where the force acts, m; `None` for a moment alone. An inertia load acts at the center of mass.
+    pub at: Option<[f64; 2]>,
+}
+
+impl Acting {
+    /// Its moment about its point of action, N m: that of a load without a force, and of an inertia load.
+    pub fn couple(&self, bodies: &[Body<f64>]) -> f64 {
+        let body = &bodies[self.link];
+        self.at.map_or(self.wrench.m, |at| {
+            self.wrench.m - cross(minus(at, [body.x, body.y]), self.wrench.force())
+        })
+    }
+
+    /// The normal force and the friction of a contact, N; `None` of any other load.
+    pub fn parts(&self, mechanism: &Mechanism, bodies: &[Body<f64>]) -> Option<[[f64; 2]; 2]> {
+        let (Cause::Load(id), Some(at)) = (self.cause, self.at) else { return None };
+        let contact = mechanism.loads[id].kind.contact()?;
+        // From K towards the center of the arc.
+        let normal = scaled(1.0 / contact.radius, minus(bodies[self.link].point(contact.center.at), at));
+        let across = scaled(dot(self.wrench.force(), normal), normal);
+        Some([across, minus(self.wrench.force(), across)])
+    }
+
+    /// All loads as one wrench for each of so many links, about the origin of its frame.
+    pub fn total(loads: &[Self], links: usize) -> Vec<Wrench<f64>> {
+        let mut wrenches = vec![Wrench::ZERO; links];
+        for load in loads {
+            wrenches[load.link].add_at([0.0; 2], load.wrench.force(), load.wrench.m);
+        }
+        wrenches
+    }
+}
+
+/// Gathers the loads.
+#[derive(Default)]
+struct Gather {
+    cause: Option<Cause>,
+    list: Vec<Acting>,
+}
+
+impl Sink<f64> for Gather {
+    fn cause(&mut self, cause: Cause) {
+        self.cause = Some(cause);
+    }
+
+    fn force(&mut self, link: usize, body: &Body<f64>, arm: [f64; 2], force: [f64; 2]) {
+        let mut wrench = Wrench::ZERO;
+        wrench.add_at(arm, force, 0.0);
+        let at = Some(plus([body.x, body.y], arm));
+        self.list.extend(self.cause.map(|cause| Acting { cause, link, wrench, at }));
+    }
+
+    fn moment(&mut self, link: usize, _: &Body<f64>, moment: f64) {
+        let wrench = Wrench { m: moment, ..Wrench::ZERO };
+        self.list.extend(self.cause.map(|cause| Acting { cause, link, wrench, at: None }));
+    }
+}
+
+impl Loads {
+    /// Each load of a state by itself: weights, the loads of the scene (a spring on both of its links), inertia loads.
+    pub fn acting(&self, state: &State, bodies: &[Body<f64>]) -> Vec<Acting> {
+        let mut all = Gather::default();
+        let heavy = self.masses.iter().filter(|mass| mass.m > 0.0 && self.has_weights());
+        for mass in heavy {
+            all.cause(Cause::Weight(mass.link));
+            let body = &bodies[mass.link];
+            all.force(mass.link, body, body.arm(mass.center), mass.weight(self.gravity));
+        }
+        Visit { loads: self, choice: &Live, states: state, bodies }.each(&mut all);
+        let Gather { mut list, .. } = all;
+        let center = |link| self.masses.iter().find(|mass| mass.link == link).map(|mass| mass.center);
+        self.inertia_of_each(state, bodies, |link, wrench| {
+            let at = center(link).filter(|_| wrench.force() != [0.0, 0.0]).map(|at| bodies[link].point(at));
+            list.push(Acting { cause: Cause::Inertia(link), link, wrench, at });
+        });
+        list
     }
 }

@@ -56,30 +56,30 @@ impl Describe for LoadError {
         let load = &self.load;
         let at = |coordinate: &f64| number(format_args!("{coordinate:.9}"));
         match &self.fault {
-            LoadFault::NeedsMotion(what) => text!("force-load-needs-motion", load = load, what = what),
-            LoadFault::StrokeOfMoment => text!("force-stroke-of-moment", load = load),
+            LoadFault::NeedsMotion(what) => text!("force-load-needs-motion", load, what),
+            LoadFault::StrokeOfMoment => text!("force-stroke-of-moment", load),
             LoadFault::NoStroke(travel) => {
-                text!("force-no-stroke", load = load, travel = quantity(format_args!("{travel:.3e}"), "m"))
+                text!("force-no-stroke", load, travel = quantity(format_args!("{travel:.3e}"), "m"))
             }
             LoadFault::InfiniteStroke(coordinate) => {
-                text!("force-infinite-stroke", load = load, coordinate = at(coordinate))
+                text!("force-infinite-stroke", load, coordinate = at(coordinate))
             }
             LoadFault::NotFinite(coordinate) => {
-                text!("force-not-finite", load = load, coordinate = at(coordinate))
+                text!("force-not-finite", load, coordinate = at(coordinate))
             }
             LoadFault::Unlocated { function, column } => {
-                text!("force-unlocated", load = load, function = name(function.clone()), column = *column)
+                text!("force-unlocated", load, function = name(function.clone()), column = *column)
             }
-            LoadFault::UnlocatedSliding => text!("force-unlocated-sliding", load = load),
+            LoadFault::UnlocatedSliding => text!("force-unlocated-sliding", load),
             LoadFault::ChangesTooOften { function, column, most } => text!(
                 "force-changes-too-often",
-                load = load,
+                load,
                 function = name(function.clone()),
                 column = *column,
                 most = *most
             ),
             LoadFault::NoPosition(coordinate, error) => {
-                text!("force-no-position", load = load, coordinate = at(coordinate), cause = error.describe())
+                text!("force-no-position", load, coordinate = at(coordinate), cause = error.describe())
             }
         }
     }

@@ -31,10 +31,6 @@ impl<'a> Kinetostatics<'a> {
     }
 
     /// Finds the reactions and the balancing load of a state; the position is solved up to PF2.
-    ///
-    /// # Errors
-    ///
-    /// [`ForceError`] where they are not determined, [`ForceError::ChangePoint`] and [`ForceError::Load`] among them.
     #[inline]
     pub fn solve(&mut self, state: &State, position: &Position) -> Result<(), ForceError> {
         if self.linkage.is_at_change_point(position) {

@@ -10,14 +10,12 @@
 //! Knows no concrete analyzer, no scene file and no method of integration. SI units; forces in the ground's frame; moments
 //! counter-clockwise.
 
-mod acting;
 mod analyzer;
 mod balance;
 mod breaks;
 mod choice;
 mod compile;
 mod construction;
-mod curve;
 mod error;
 mod formula;
 mod friction;
@@ -36,15 +34,13 @@ mod wrenches;
 
 assur_words::resources!();
 
-pub use acting::Acting;
-pub use analyzer::{AnalyzerPlugin, analyzers, applicable, choose, find};
-pub use analyzer::{ForceAnalyzer, ForceError};
+pub use analyzer::{AnalyzerPlugin, ForceAnalyzer, ForceError, analyzers, applicable, choose, find};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
-pub use balance::Reactions;
-pub use balance::{IdleBalance, UnitBalance};
+pub use balance::{IdleBalance, Reactions, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
+pub use construction::Acting;
 pub use construction::{Construction, Drawing, Step, VectorKind};
 pub use error::{LoadError, LoadFault};
 pub use friction::{Block, Doubt, FrictionSolution, Frictions, Rub, Rubbing, Unknown, UnknownKind};
@@ -53,8 +49,7 @@ pub use joints::{Joint, JointReaction, joints};
 pub use kinetostatics::{Kinetostatics, LaneKinetostatics};
 pub use loads::{Cause, Loads};
 pub use reduce::power;
-pub use state::LoadNumber;
-pub use state::{Side, State, beside};
+pub use state::{LoadNumber, Side, State, beside};
 
 pub use inventory;
 

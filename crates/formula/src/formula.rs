@@ -6,9 +6,9 @@ use std::sync::Arc;
 use assur_number::Dd;
 
 use crate::branches::Branches;
-use crate::evaluate::evaluate;
 use crate::number::Number;
 use crate::parse::{self, FormulaError};
+use crate::program::evaluate;
 use crate::program::{Kind, Operation};
 use crate::rounded::Rounded;
 use crate::slope::{Dual, Signed};

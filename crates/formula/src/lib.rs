@@ -8,10 +8,8 @@
 //! of operators and their precedence is borrowed (`winnow`).
 
 mod branches;
-mod evaluate;
 mod formula;
 mod interval;
-mod least;
 mod locate;
 mod number;
 mod parse;

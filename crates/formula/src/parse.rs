@@ -12,8 +12,8 @@ use winnow::prelude::*;
 use winnow::stream::{LocatingSlice, Location};
 use winnow::token::{any, take_while};
 
-use crate::evaluate::DEPTH;
 use crate::formula::{Formula, Switch, Used, Variable};
+use crate::program::DEPTH;
 use crate::program::{Function, Kind, Operation};
 
 /// What a formula may use, for messages.
@@ -222,7 +222,7 @@ impl Writer<'_> {
         };
         if arguments.len() != count {
             let got = arguments.len();
-            return fault(text!("formula-arguments", name = letters(name), count = count, got = got));
+            return fault(text!("formula-arguments", name = letters(name), count, got));
         }
         let start = self.operations.len();
         let mut depth = 1;

@@ -1,11 +1,10 @@
 //! A quantity over the cycle: its greatest and least values, and where it rests.
 
 use assur_group::Order;
-use assur_kinematics::{Position, PositionError, continuous_angle};
+use assur_kinematics::{Linkage, Position, PositionError, continuous_angle};
+use assur_mechanism::{self as mechanism, Mechanism, Range};
 use assur_number::search;
 use serde::Serialize;
-
-use crate::cycle::Cycle;
 
 /// A quantity whose values differ by less than this part of the largest one is constant.
 const CONSTANT: f64 = 1e-11;
@@ -177,4 +176,125 @@ impl<'a, const N: usize> Course<'a, N> {
 
 fn product<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Intervals between sampled coordinates: two dead points of one quantity are rarely nearer than half a degree.
+const INTERVALS: usize = 720;
+
+/// Part of an interval by which the samples of a closed cycle are shifted, so that dead points in symmetric positions lie
+/// between samples.
+const SHIFT: f64 = 0.381_966;
+
+/// Difference of poses, in typical lengths, below which the mechanism has returned to its first position.
+const RETURNED: f64 = 1e-9;
+
+/// The sampled cycle of a mechanism.
+#[derive(Debug)]
+pub(crate) struct Cycle<'a> {
+    pub(crate) linkage: &'a Linkage,
+    /// Increasing coordinates; those of a closed cycle cover it once, the last repeats the first.
+    pub(crate) samples: Vec<Position>,
+    /// Length of the cycle if the mechanism has returned at its end.
+    pub(crate) period: Option<f64>,
+}
+
+impl<'a> Cycle<'a> {
+    /// Solves the mechanism over the cycle (or range) of its scene.
+    pub(crate) fn of(linkage: &'a Linkage) -> Result<Self, PositionError> {
+        let input = &linkage.mechanism.input;
+        let [_, end] = input.ends();
+        let length = match input.range {
+            Range::Cycle(length) => length,
+            Range::To(to) => (to - input.from).abs(),
+        };
+        let at = |coordinate: f64| {
+            let mut position = linkage.position();
+            linkage.solve(coordinate, Order::Second, &mut position).map(|()| position)
+        };
+        let cyclic = input.is_cycle() && returned(&at(input.from)?, &at(end)?, linkage);
+        let step = length / INTERVALS as f64;
+        let start = input.from.min(end) + if cyclic { SHIFT * step } else { 0.0 };
+        let samples = (0..=INTERVALS).map(|i| at(start + step * i as f64)).collect::<Result<_, _>>()?;
+        Ok(Self { linkage, samples, period: cyclic.then_some(length) })
+    }
+
+    /// A coordinate moved by whole cycles to where the scene counts its positions from; rounding before the first
+    /// position is taken away.
+    pub(crate) fn inside(&self, coordinate: f64) -> f64 {
+        let Some(period) = self.period else { return coordinate };
+        let input = &self.linkage.mechanism.input;
+        let way = (input.sign() * (coordinate - input.from)).rem_euclid(period);
+        let rounding = 8.0 * f64::EPSILON * (period + input.from.abs());
+        if way < rounding || period - way < rounding { input.from } else { input.from + input.sign() * way }
+    }
+}
+
+fn returned(first: &Position, last: &Position, linkage: &Linkage) -> bool {
+    let scale = linkage.structure.scale;
+    first.bodies.iter().zip(&last.bodies).all(|(a, b)| {
+        let apart = ((a.x - b.x).hypot(a.y - b.y) / scale).max((a.c - b.c).hypot(a.s - b.s));
+        apart <= RETURNED
+    })
+}
+
+/// The stroke of a slide, of a rocking link, or of a point that goes to and fro on its path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stroke {
+    /// Displacement between the dead points, m; of a link its angle of swing, rad; of a point the distance between its
+    /// farthest dead points, m.
+    pub stroke: f64,
+    /// Coordinates of the dead points, where the motion reverses, rad or m, in the order of the motion.
+    pub dead_points: Vec<f64>,
+    /// For two dead points in a closed cycle: the intervals of the coordinate from the first to the second and from the
+    /// second to the first, rad or m, positive.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub intervals: Option<[f64; 2]>,
+    /// The longer interval over the shorter one: the ratio of the times of the two strokes at constant input speed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_ratio: Option<f64>,
+    /// Angle of overlap: half the difference of the intervals, rad or m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overlap: Option<f64>,
+    /// Mean speeds over the two intervals for a prescribed constant input speed, m/s or rad/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_speeds: Option<[f64; 2]>,
+}
+
+impl Stroke {
+    /// From the positions of rest of a quantity; `None` where it does not go to and fro. `size` gives the stroke.
+    pub(crate) fn of(
+        rests: &[Rest],
+        period: Option<f64>,
+        mechanism: &Mechanism,
+        size: impl FnOnce(&[f64]) -> f64,
+    ) -> Option<Self> {
+        let dead = rests.iter().filter(|rest| rest.reverses).map(|rest| rest.coordinate);
+        let dead_points: Vec<f64> = dead.collect();
+        if dead_points.len() < 2 {
+            return None;
+        }
+        let stroke = size(&dead_points);
+        let intervals = match (period, dead_points.as_slice()) {
+            (Some(period), [first, second]) => {
+                let out = (second - first).abs();
+                Some([out, period - out])
+            }
+            _ => None,
+        };
+        let ordered = intervals.map(|[out, back]| [out.max(back), out.min(back)]);
+        let speed = match mechanism.motion {
+            Some(mechanism::Motion::Prescribed { speed, acceleration: 0.0 }) if speed != 0.0 => {
+                Some(speed.abs())
+            }
+            _ => None,
+        };
+        Some(Self {
+            stroke,
+            dead_points,
+            intervals,
+            time_ratio: ordered.map(|[long, short]| long / short),
+            overlap: ordered.map(|[long, short]| 0.5 * (long - short)),
+            mean_speeds: intervals.zip(speed).map(|(ways, speed)| ways.map(|way| stroke * speed / way)),
+        })
+    }
 }

@@ -9,19 +9,15 @@
 //! speeds do.
 
 mod course;
-mod cycle;
 mod data;
 mod instant;
 mod measure;
 mod rigid;
-mod stroke;
 
 assur_words::resources!();
 
 pub use course::Extremes;
+pub use course::Stroke;
 pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
-pub use instant::Curvature;
-pub use instant::{Center, CenterAt, instant_centers};
-pub use instant::{Centers, centers_of};
+pub use instant::{Center, CenterAt, Centers, Curvature, centers_of, instant_centers};
 pub use measure::{GeometryError, Overview, geometry, overview};
-pub use stroke::Stroke;

@@ -7,8 +7,8 @@ use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{GROUND, LinkId, Point, PointId, SlideId};
 use assur_words::{Describe, Text, text};
 
+use crate::course::Cycle;
 use crate::course::{Course, Motion, Rest};
-use crate::cycle::Cycle;
 use crate::data::{AtPosition, Each, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 use crate::rigid::RigidParts;
 use crate::{Centers, Curvature, Stroke, centers_of};
@@ -39,10 +39,6 @@ impl From<PositionError> for GeometryError {
 
 /// The geometry of the motion of a mechanism over its cycle; `against` is the link from which the centers are seen, the
 /// ground for absolute ones.
-///
-/// # Errors
-///
-/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
 pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, GeometryError> {
     let mechanism = &linkage.mechanism;
     let cycle = Cycle::of(linkage)?;

@@ -5,7 +5,7 @@ use assur_group::{Body, GroupFrame, Pair};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, LinkId, PairId};
 
-use crate::cycle::Cycle;
+use crate::course::Cycle;
 use crate::instant::modulus;
 
 /// Rounding units of the terms of a relative velocity: of four products and their sums, in each of two bodies.

@@ -23,10 +23,6 @@ pub trait GroupKind {
     type Kernel<T: Number>: AssurGroup<T> + 'static;
 
     /// Builds the kernel of one group of a mechanism.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] if the lengths don't form a group of this kind.
     fn build<T: Number>(frame: &GroupFrame) -> Result<Self::Kernel<T>, BuildError>;
 }
 
@@ -65,10 +61,6 @@ impl Builders {
 /// A number type for which the kernels of groups can be built.
 pub trait Number: Real {
     /// Builds the kernel of a group of this kind in this number type.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] if the lengths don't form a group of this kind.
     fn build(builders: &Builders, frame: &GroupFrame) -> Result<Box<dyn AssurGroup<Self>>, BuildError>;
 }
 

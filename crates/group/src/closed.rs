@@ -16,10 +16,6 @@ pub trait ClosedForm<T: Real>: Sized + std::fmt::Debug + Send + Sync {
     const WAYS: usize;
 
     /// The formulas with the lengths of one group.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] if the group is not of this kind, or a length is impossible.
     fn new(frame: &GroupFrame) -> Result<Self, BuildError>;
 
     /// Places the links (PF0) in a way; returns the shared quantities and the health.
@@ -76,10 +72,6 @@ pub struct Closed<K> {
 
 impl<K> Closed<K> {
     /// The kernel of one group.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`ClosedForm::new`].
     pub fn new<T: Real>(frame: &GroupFrame) -> Result<Self, BuildError>
     where
         K: ClosedForm<T>,

@@ -44,7 +44,7 @@ impl Describe for GroupError {
                 text!("group-singular-start", determinant = determinant(health))
             }
             Self::Unfit { links, pairs } => {
-                text!("group-wrong-count", links = links, needed = (3 * links).div_ceil(2), pairs = pairs)
+                text!("group-wrong-count", links, needed = (3 * links).div_ceil(2), pairs)
             }
         }
     }

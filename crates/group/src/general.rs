@@ -15,10 +15,10 @@ use crate::{Body, GroupError, GroupFrame, LEAST_HEALTH, Order, Pair, PairGeometr
 macro_rules! sized {
     ($frame:expr, $call:ident ( $($arg:expr),* ), $unfit:expr) => {
         match $crate::general::links_that_fit($frame) {
-            Some(1 | 2) => $call::<T, $crate::linear::Lu<T, 6>>($($arg),*),
-            Some(3 | 4) => $call::<T, $crate::linear::Lu<T, 12>>($($arg),*),
-            Some(5 | 6) => $call::<T, $crate::linear::Lu<T, 18>>($($arg),*),
-            Some(7 | 8) => $call::<T, $crate::linear::Lu<T, 24>>($($arg),*),
+            Some(1 | 2) => $call::<T, $crate::solver::Lu<T, 6>>($($arg),*),
+            Some(3 | 4) => $call::<T, $crate::solver::Lu<T, 12>>($($arg),*),
+            Some(5 | 6) => $call::<T, $crate::solver::Lu<T, 18>>($($arg),*),
+            Some(7 | 8) => $call::<T, $crate::solver::Lu<T, 24>>($($arg),*),
             Some(_) => $call::<T, $crate::sparse::SparseLu<T>>($($arg),*),
             None => $unfit,
         }

@@ -17,7 +17,6 @@ mod error;
 mod general;
 mod joint;
 mod kernel;
-mod linear;
 mod newton;
 mod pair;
 mod pattern;
@@ -29,9 +28,7 @@ mod sparse;
 assur_words::resources!();
 
 pub use assur_plugin::RegistryError;
-pub use body::Anchor;
-pub use body::Body;
-pub use body::Wrench;
+pub use body::{Anchor, Body, Wrench};
 pub use builders::{Builders, GroupKind, Number};
 pub use closed::{Closed, ClosedForm, ClosedKind};
 pub use error::{BuildError, GroupError, LEAST_HEALTH};

@@ -91,10 +91,6 @@ impl Pattern {
     }
 
     /// Assigns the links and pairs of a group to this pattern, as the builder of a kind needs them.
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`] if the group does not match this pattern.
     pub fn read(&self, frame: &GroupFrame) -> Result<Reading, BuildError> {
         self.find(frame).ok_or_else(|| BuildError::new(text!("group-other-pattern")))
     }

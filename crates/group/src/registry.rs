@@ -109,10 +109,6 @@ pub struct GroupPlugin {
 assur_plugin::registry!(GroupPlugin, text!("group-sort"), name);
 
 /// All registered kinds, sorted by name. They are collected once.
-///
-/// # Errors
-///
-/// [`RegistryError`] if two kinds have one name, or if none is registered.
 pub fn groups() -> Result<Vec<&'static GroupPlugin>, RegistryError> {
     registered().map(<[_]>::to_vec)
 }
@@ -137,10 +133,6 @@ impl GroupPlugin {
 
 /// The registered kind of a group; of several that fit, the one with the lowest rank, then the most specific one (with the
 /// fewest pairs of either sort).
-///
-/// # Errors
-///
-/// [`RegistryError`] if two kinds have one name, if none is registered, or if two fit equally well.
 pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, RegistryError> {
     let mut best: Option<&'static GroupPlugin> = None;
     let mut rival = None;
@@ -162,10 +154,6 @@ pub fn plugin_for(frame: &GroupFrame) -> Result<Option<&'static GroupPlugin>, Re
 }
 
 /// The kernel of a group in one number type.
-///
-/// # Errors
-///
-/// [`BuildError`] if the lengths don't form a group of this kind.
 pub fn kernel_of<T: Number>(
     plugin: &GroupPlugin,
     frame: &GroupFrame,

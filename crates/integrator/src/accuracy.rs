@@ -22,10 +22,6 @@ const LEAST_TOLERANCE: f64 = 1e-15;
 
 /// Solves the equation to the tolerance for the motion as a whole: with finer and finer steps, until a still finer run
 /// gives the same motion. The estimated error is in [`Statistics::error`](crate::Statistics::error).
-///
-/// # Errors
-///
-/// [`IntegrationError`] of the first run. If a finer run fails, the result is that of the run before it.
 pub(crate) fn solve(
     plugin: &IntegratorPlugin,
     motion: &mut dyn Motion,

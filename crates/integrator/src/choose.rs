@@ -2,10 +2,10 @@
 
 use assur_words::{Describe, Text, joined, name, number, text};
 
-use crate::accuracy;
 use crate::error::SUSPICIOUS;
 use crate::{
-    Dependence, IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajectory, find, integrators,
+    Dependence, IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajectory, accuracy, find,
+    integrators,
 };
 
 /// The name that leaves the choice of the method to the program.
@@ -43,10 +43,6 @@ pub struct Solution {
 }
 
 /// Solves an equation by the method of that name, or by the methods that [`AUTO`] stands for.
-///
-/// # Errors
-///
-/// Those of [`choose`] and [`Choice::solve`].
 pub fn solve(name: &str, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
     let mut found = choose(name, &motion.dependence(), request.tolerance)?.solve(motion, request)?;
     if found.integrator.knob == Knob::Step {
@@ -108,10 +104,6 @@ fn ranked(
 
 impl Choice {
     /// Solves the equation by the first method that can treat it, keeping the tolerance for the motion as a whole.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError`] of the last method that was tried.
     pub fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
         let mut refusals = Vec::new();
         let mut rest = self.others.iter();

@@ -34,20 +34,12 @@ impl<'a> Equation<'a> {
     }
 
     /// Enters the piece just after `state`, see [`Motion::enter`].
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] of the equation.
     pub fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
         self.pieces += 1;
         self.motion.enter(state)
     }
 
     /// Acceleration at a state, by the formulas of the present piece.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] of the equation.
     #[inline]
     pub fn acceleration(&mut self, state: &State) -> Result<f64, MotionError> {
         self.evaluations += 1;
@@ -69,10 +61,6 @@ impl<'a> Equation<'a> {
 
     /// Partial derivatives of the acceleration: from the equation, else by forward differences from
     /// `acceleration`, its value at `state`.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] of the equation.
     pub fn partials(&mut self, state: &State, acceleration: f64) -> Result<Partials, MotionError> {
         self.jacobians += 1;
         if let Some(partials) = self.motion.partials(state)? {
@@ -86,10 +74,6 @@ impl<'a> Equation<'a> {
     }
 
     /// Largest modulus of the eigenvalues of the equation at a state, 1/s.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] of the equation.
     pub fn eigenvalue(&mut self, state: &State) -> Result<f64, MotionError> {
         let acceleration = self.acceleration(state)?;
         let Partials { by_coordinate, by_speed } = self.partials(state, acceleration)?;

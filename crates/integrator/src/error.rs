@@ -110,9 +110,9 @@ assur_words::errors!(IntegrationError; Registry(RegistryError));
 impl Describe for IntegrationError {
     fn describe(&self) -> Text {
         match self {
-            Self::Request(fault) => text!("integrator-bad-request", fault = fault),
+            Self::Request(fault) => text!("integrator-bad-request", fault),
             Self::Unsupported { integrator, reason } => {
-                text!("integrator-unsupported", method = name(*integrator), reason = reason)
+                text!("integrator-unsupported", method = name(*integrator), reason)
             }
             Self::NoMethod(dependence) => text!("integrator-no-method", equation = dependence.describe()),
             Self::Registry(error) => error.describe(),
@@ -143,7 +143,7 @@ impl Describe for IntegrationError {
                 text!("integrator-no-value", state = at.describe(), cause = source.describe())
             }
             Self::NotReached { goal, at, why } => {
-                text!("integrator-not-reached", goal = goal.describe(), state = at.describe(), why = why)
+                text!("integrator-not-reached", goal = goal.describe(), state = at.describe(), why)
             }
             Self::EmptyPiece { at } => text!("integrator-empty-piece", state = at.describe()),
         }

@@ -171,24 +171,12 @@ pub trait Motion {
     /// both sides, with the least positive and the least negative speed, and takes the side whose acceleration points
     /// to that side; if neither does, the mechanism stays at rest (dry friction). A bound of the speed is treated
     /// alike. A bound at which the formula jumps must be given as a bound of the piece; a mere kink should be.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if the state is impossible.
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError>;
 
     /// J, dJ/dq and Q at `state`.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if the mechanism has no such position.
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError>;
 
     /// Acceleration e at `state`, rad/s² (m/s²), computed from [`reduced`](Self::reduced).
-    ///
-    /// # Errors
-    ///
-    /// Those of [`reduced`](Self::reduced) and [`Reduced::acceleration`].
     #[inline]
     fn acceleration(&mut self, state: &State) -> Result<f64, MotionError> {
         self.reduced(state)?.acceleration(state.speed)
@@ -196,10 +184,6 @@ pub trait Motion {
 
     /// Partial derivatives of the acceleration, where the equation knows them; with `None` (the default) an implicit
     /// method uses finite differences.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`reduced`](Self::reduced).
     fn partials(&mut self, state: &State) -> Result<Option<Partials>, MotionError> {
         let _ = state;
         Ok(None)

@@ -12,10 +12,6 @@ use crate::{Dependence, IntegrationError, Motion, Request, Trajectory};
 pub trait Integrator: Sync {
     /// Solves the equation from the initial state to the end. Called through [`IntegratorPlugin::solve`], which makes sure
     /// that the method suits the equation.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError`] with the place that was reached.
     fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError>;
 }
 
@@ -101,10 +97,6 @@ impl IntegratorPlugin {
     }
 
     /// Solves the equation from the initial state to the end.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError`] with the place that was reached.
     pub fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
         self.supports(&motion.dependence())?;
         request.check()?;
@@ -113,19 +105,11 @@ impl IntegratorPlugin {
 }
 
 /// All linked integrators, sorted by name.
-///
-/// # Errors
-///
-/// [`RegistryError`] where two have one name or none is linked.
 pub fn integrators() -> Result<Vec<&'static IntegratorPlugin>, RegistryError> {
     assur_plugin::all()
 }
 
 /// The integrator of that name.
-///
-/// # Errors
-///
-/// [`RegistryError`] where the registry is faulty or has no such integrator.
 pub fn find(name: &str) -> Result<&'static IntegratorPlugin, RegistryError> {
     assur_plugin::find(name)
 }

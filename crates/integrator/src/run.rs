@@ -58,10 +58,6 @@ impl<'a, C: Curve> Run<'a, C> {
     }
 
     /// Enters the first piece. `false`: the speed is held, see [`Run::enter`].
-    ///
-    /// # Errors
-    ///
-    /// Those of [`enter`].
     pub fn begin(&mut self) -> Result<bool, IntegrationError> {
         let moving = self.enter(false)?;
         self.first = self.node;
@@ -71,10 +67,6 @@ impl<'a, C: Curve> Run<'a, C> {
     /// Enters the piece ahead; `at_speed_bound` if the speed is on a bound of the previous piece.
     ///
     /// `false`: the motion sticks at its speed, each side of which drives it back; the acceleration is zero then.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`enter`].
     pub fn enter(&mut self, at_speed_bound: bool) -> Result<bool, IntegrationError> {
         if self.events.len() > MOST_EVENTS {
             return Err(self.not_reached(text!("integrator-many-events")));
@@ -93,10 +85,6 @@ impl<'a, C: Curve> Run<'a, C> {
     /// Enters the piece after a bound of the present one, like [`Run::enter`], but a motion that would stop again
     /// within the rounding of its coordinate stops here: between two pieces that drive it back and forth it comes to
     /// rest after infinitely many turning points in a finite time.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`enter`].
     pub fn enter_next(&mut self, at_speed_bound: bool) -> Result<bool, IntegrationError> {
         /// Roundings of the coordinate.
         const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
@@ -159,10 +147,6 @@ impl<'a, C: Curve> Run<'a, C> {
 
     /// An error where a coordinate that is reached has grown so large that few of its digits are significant, and the motion does not
     /// end in time.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError::NotReached`].
     pub fn check_way(&self, coordinate: f64) -> Result<(), IntegrationError> {
         /// Coordinate, rad (m).
         const FURTHEST: f64 = 1e12;
@@ -239,10 +223,6 @@ impl<'a, C: Curve> Run<'a, C> {
     }
 
     /// Ends here, with the acceleration by the formulas of the present piece.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError::Equation`].
     pub fn finish(&mut self) -> Result<(), IntegrationError> {
         let acceleration = self.equation.acceleration(&self.node.state);
         self.node.acceleration = acceleration.map_err(|source| self.failed(source))?;
@@ -251,10 +231,6 @@ impl<'a, C: Curve> Run<'a, C> {
     }
 
     /// The time limit is reached: an error unless the requested end is a time.
-    ///
-    /// # Errors
-    ///
-    /// [`IntegrationError::NotReached`].
     pub fn time_is_over(&self) -> Result<(), IntegrationError> {
         match self.request.until {
             Until::Time(_) => Ok(()),

@@ -82,10 +82,6 @@ pub trait Stepper: Default {
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError>;
 
     /// Acceleration at the end of the last attempt.
-    ///
-    /// # Errors
-    ///
-    /// [`MotionError`] if the equation fails there.
     fn finish(&mut self, equation: &mut Equation<'_>, end: &State) -> Result<f64, MotionError> {
         equation.acceleration(end)
     }

@@ -9,20 +9,22 @@ mod friction;
 mod inertia;
 mod load;
 mod name;
-mod named;
 mod notice;
 mod numbers;
 mod size;
 
 pub use alike::{appearance, likeness};
-pub use drive::{Characteristic, Drive, FlywheelPlace, Motor, RatedMotor, Solve, Torque};
-pub use drive::{Motion, StepLength, Until, passage};
+pub use drive::{
+    Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, StepLength, Torque, Until,
+    passage,
+};
 pub use friction::{Friction, Middle, Rubbing};
 pub use inertia::{Inertia, VaryingInertia};
-pub use load::{Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Spring};
-pub use load::{Over, Shape, Table, Value};
+pub use load::{
+    Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Over, Shape, Spring, Table, Value,
+};
 pub use name::Name;
-pub use named::Named;
+pub use name::Named;
 pub use notice::{Notice, NoticeKind};
 pub use numbers::links_of_length_zero;
 pub use size::{
@@ -222,6 +224,20 @@ impl Input {
         }
     }
 
+    /// Where the positions begin and end; the end of a cycle repeats its start.
+    pub fn ends(&self) -> [f64; 2] {
+        let end = match self.range {
+            Range::Cycle(cycle) => self.from + self.sign() * cycle,
+            Range::To(to) => to,
+        };
+        [self.from, end]
+    }
+
+    /// Whether the positions are those of a whole cycle.
+    pub fn is_cycle(&self) -> bool {
+        matches!(self.range, Range::Cycle(_))
+    }
+
     /// Length of one cycle of the mechanism: the cycle of the scene, or one turn (rad) for a range of a pinned input;
     /// `None` for a range of a sliding one.
     pub fn period(&self) -> Option<f64> {
@@ -336,6 +352,11 @@ impl Mechanism {
     /// Whether its motion is found from an equation of motion; otherwise it is given, or there is none.
     pub fn has_equation_of_motion(&self) -> bool {
         matches!(self.motion, Some(Motion::Transient { .. } | Motion::Steady { .. }))
+    }
+
+    /// The moving links with mass or moment of inertia.
+    pub fn heavy_links(&self) -> impl Iterator<Item = LinkId> {
+        (1..self.links.len()).filter(|link| self.links[*link].is_heavy())
     }
 
     /// Whether any load acts on the links besides the drive.

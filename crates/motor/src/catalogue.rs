@@ -2,7 +2,7 @@
 
 use assur_words::{Text, name, text};
 
-use crate::designation::normalize_latin;
+use crate::lookup::normalize_latin;
 use crate::{
     CatalogueError, CatalogueTable, LookupError, Motor, find_designation, normalize_designation,
     same_designation,
@@ -27,10 +27,6 @@ assur_plugin::registry!(CataloguePlugin, text!("motor-sort"), name);
 
 impl CataloguePlugin {
     /// All rows, in the order of the source; read once, then cached.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`parse_table`](crate::parse_table).
     pub fn rows(&self) -> Result<&[Motor], CatalogueError> {
         self.table.rows(self.name)
     }
@@ -55,10 +51,6 @@ pub fn catalogues() -> Result<Vec<&'static CataloguePlugin>, CatalogueError> {
 }
 
 /// The registered catalogue of that name, without regard to case, spaces and script.
-///
-/// # Errors
-///
-/// Those of [`catalogues`], and [`CatalogueError::UnknownName`].
 pub fn find_catalogue(name: &str) -> Result<&'static CataloguePlugin, CatalogueError> {
     named(&catalogues()?, name)
 }
@@ -124,10 +116,6 @@ impl MotorFilter {
 }
 
 /// The rows of these catalogues that the filter admits, in the order of the catalogues and of their rows.
-///
-/// # Errors
-///
-/// [`CatalogueError`] if the filter names a catalogue that is not among these, or one cannot be used.
 pub fn list_motors(
     catalogues: &[&'static CataloguePlugin],
     filter: &MotorFilter,

@@ -53,10 +53,6 @@ impl Characteristic {
     }
 
     /// The characteristic of that kind through synchronous speed and the rated point.
-    ///
-    /// # Errors
-    ///
-    /// [`RatedDataError`] for impossible data; Kloss's formula needs the breakdown torque.
     pub fn new(kind: CharacteristicKind, rated: &RatedData) -> Result<Self, RatedDataError> {
         validate(rated)?;
         let torque = rated_torque(rated);
@@ -167,7 +163,7 @@ impl Describe for RatedDataError {
     fn describe(&self) -> Text {
         match self {
             Self::NotPositive { what, value } => {
-                text!("motor-rated-not-positive", what = what, value = number(value))
+                text!("motor-rated-not-positive", what, value = number(value))
             }
             Self::NoSlip { rated_speed, synchronous_speed } => text!(
                 "motor-no-slip",

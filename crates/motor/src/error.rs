@@ -150,7 +150,7 @@ impl Describe for LookupError {
             Self::NotFound { designation, catalogue, nearest } => text!(
                 "motor-not-found",
                 designation = name(designation.clone()),
-                catalogue = catalogue,
+                catalogue,
                 hint = if nearest.is_empty() {
                     text!("motor-hint-list")
                 } else {
@@ -161,7 +161,7 @@ impl Describe for LookupError {
                 "motor-ambiguous",
                 designation = name(designation.clone()),
                 count = *count,
-                catalogue = catalogue,
+                catalogue,
                 candidates = names(candidates),
                 more = name(if *count > candidates.len() { ", ..." } else { "" })
             ),

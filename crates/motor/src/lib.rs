@@ -46,33 +46,27 @@
 
 mod catalogue;
 mod characteristic;
-mod designation;
 mod error;
 mod flywheel;
 mod lookup;
 mod motor;
 mod selection;
 mod table;
-mod usual;
 mod warning;
 
 assur_words::resources!();
 
 pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
-pub use catalogue::{CataloguePlugin, catalogues, find_catalogue, find_motor};
-pub use catalogue::{MotorFilter, list_motors};
-pub use characteristic::Characteristic;
-pub use characteristic::RatedDataError;
-pub use designation::{latin_designation, normalize_designation, same_designation};
+pub use catalogue::{CataloguePlugin, MotorFilter, catalogues, find_catalogue, find_motor, list_motors};
+pub use characteristic::{Characteristic, RatedDataError};
 pub use error::{CatalogueError, LookupError, RowFault};
 pub use flywheel::{FlywheelSize, flywheel_sizes};
+pub use flywheel::{USUAL_SOURCE, USUAL_UNEVENNESS, UsualUnevenness};
 pub use lookup::find_designation;
-pub use motor::Motor;
-pub use motor::flag_meaning;
-pub use motor::{rad_per_s, rpm};
+pub use lookup::{latin_designation, normalize_designation, same_designation};
+pub use motor::{Motor, flag_meaning, rad_per_s, rpm};
 pub use selection::{Candidate, Selection, SelectionError, SelectionRequest, select};
 pub use table::{CatalogueTable, parse_table};
-pub use usual::{USUAL_SOURCE, USUAL_UNEVENNESS, UsualUnevenness};
 pub use warning::{
     MotorWarning, check_breakdown, check_rms, check_rotor_inertia, check_starting, rms_torque,
     starting_torque,

@@ -83,7 +83,7 @@ impl Describe for SelectionError {
         let tenths = |value: f64| number(format_args!("{value:.1}"));
         match self {
             Self::Request { what, value } => {
-                text!("motor-select-not-positive", what = what, value = number(value))
+                text!("motor-select-not-positive", what, value = number(value))
             }
             Self::NoMotors => text!("motor-select-no-motors"),
             Self::NoMaxTorqueRatio(count) => text!("motor-select-no-ratio", count = *count),
@@ -110,10 +110,6 @@ impl Describe for SelectionError {
 /// Among equal powers the highest synchronous speed within the limit comes first: such a motor has the least
 /// torque, hence the least size, mass and price, and the limit is there to say how fast it may be. Then the
 /// least slip (less is lost in the rotor), then the designation.
-///
-/// # Errors
-///
-/// [`SelectionError`], which says by how much the best row fails.
 pub fn select<'a, I>(motors: I, request: &SelectionRequest) -> Result<Selection<'a>, SelectionError>
 where
     I: IntoIterator<Item = &'a Motor>,

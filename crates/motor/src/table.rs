@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use serde::Deserialize;
 
-use crate::designation::normalize_latin;
+use crate::lookup::normalize_latin;
 use crate::motor::rad_per_s;
 use crate::{CatalogueError, Motor, RowFault};
 

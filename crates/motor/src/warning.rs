@@ -70,7 +70,7 @@ impl Describe for MotorWarning {
                 excess = tenths(100.0 * (rms / rated - 1.0))
             ),
             Self::RotorInertiaUnknown { ref designation } => {
-                text!("motor-rotor-inertia-unknown", designation = designation)
+                text!("motor-rotor-inertia-unknown", designation)
             }
         }
     }

@@ -3,7 +3,7 @@
 //! Sums and products use the error-free transformations of Dekker (1971) and Knuth; the error of a product is found
 //! by a fused multiply-add. Used for reference results, not for speed.
 
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::Real;
 
@@ -113,17 +113,7 @@ impl Neg for Dd {
     }
 }
 
-impl AddAssign for Dd {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Dd {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
+crate::real::assigning!(Dd);
 
 impl Real for Dd {
     const ZERO: Self = Self { hi: 0.0, lo: 0.0 };

@@ -1,6 +1,6 @@
 //! Intervals, eight side by side.
 
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::{Lanes, Real};
 
@@ -74,19 +74,7 @@ impl Neg for Intervals {
     }
 }
 
-impl AddAssign for Intervals {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Intervals {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
+crate::real::assigning!(Intervals);
 
 impl Real for Intervals {
     const ZERO: Self = Self { middle: Lanes::ZERO, radius: Lanes::ZERO };

@@ -1,8 +1,9 @@
 //! Several numbers side by side.
 
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::{Formula, Real, sine, widest};
+use crate::real::evaluate_widest;
+use crate::{Formula, Real, sine};
 
 /// Eight numbers that are put through a formula together: a plain array that the compiler turns into vector
 /// instructions (one register of AVX-512, two of AVX).
@@ -66,19 +67,7 @@ impl Neg for Lanes {
     }
 }
 
-impl AddAssign for Lanes {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Lanes {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
+crate::real::assigning!(Lanes);
 
 impl Real for Lanes {
     const ZERO: Self = Self([0.0; Self::WIDTH]);
@@ -135,6 +124,6 @@ impl Real for Lanes {
     }
     #[inline(always)]
     fn evaluate<F: Formula>(formula: F) -> F::Value {
-        widest::evaluate(formula)
+        evaluate_widest(formula)
     }
 }

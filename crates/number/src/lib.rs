@@ -12,7 +12,6 @@ pub mod panel;
 mod real;
 pub mod search;
 mod sine;
-mod widest;
 
 pub use dd::Dd;
 pub use intervals::Intervals;

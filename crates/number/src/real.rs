@@ -3,7 +3,9 @@
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use crate::{sine, widest};
+use pulp::Arch;
+
+use crate::sine;
 
 /// A formula over numbers of one kind, for [`Real::evaluate`].
 pub trait Formula {
@@ -14,6 +16,25 @@ pub trait Formula {
     /// the caller reach only as far as code is inlined.
     fn evaluate(self) -> Self::Value;
 }
+
+/// `+=` and `-=` of a number by its sum and difference.
+macro_rules! assigning {
+    ($number:ty) => {
+        impl std::ops::AddAssign for $number {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl std::ops::SubAssign for $number {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+    };
+}
+pub(crate) use assigning;
 
 /// A real number, or several side by side.
 ///
@@ -137,7 +158,7 @@ macro_rules! primitive {
             }
             #[inline(always)]
             fn evaluate<F: Formula>(formula: F) -> F::Value {
-                widest::evaluate(formula)
+                evaluate_widest(formula)
             }
         }
     };
@@ -151,4 +172,21 @@ fn sin_cos(angle: f64) -> (f64, f64) {
     let (found, is_right) = sine::quick(angle);
     let [sine, cosine] = if is_right { found } else { sine::precise(angle) };
     (sine, cosine)
+}
+
+struct Widest<F>(F);
+
+impl<F: Formula> pulp::WithSimd for Widest<F> {
+    type Output = F::Value;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> F::Value {
+        self.0.evaluate()
+    }
+}
+
+/// Evaluates a formula with the widest instructions that the machine has.
+#[inline(always)]
+pub(crate) fn evaluate_widest<F: Formula>(formula: F) -> F::Value {
+    Arch::new().dispatch(Widest(formula))
 }

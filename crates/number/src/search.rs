@@ -84,10 +84,6 @@ pub fn root(mut positive: f64, mut negative: f64, width: f64, f: impl Fn(f64) ->
 
 /// Root between `a` and `b` of a function with opposite signs there, from its value and derivative: Newton's method, kept
 /// within the bracket by bisection, to rounding. With a derivative of 0 it bisects.
-///
-/// # Errors
-///
-/// The first error of `f`.
 pub fn try_newton_root<E>(
     mut a: f64,
     mut b: f64,
@@ -126,10 +122,6 @@ pub fn least(low: f64, high: f64, sections: usize, mut f: impl FnMut(f64) -> f64
 }
 
 /// Minimum, by golden sections, of a function that can fail; see [`least`].
-///
-/// # Errors
-///
-/// The first error of `f`.
 pub fn try_least<E>(
     low: f64,
     high: f64,

@@ -141,10 +141,6 @@ impl Column {
 }
 
 /// The schema of a file with these columns.
-///
-/// # Errors
-///
-/// [`ParquetError`] if two columns have one name.
 pub fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
     let fields = columns.iter().map(Column::field).collect::<Result<_, _>>()?;
     Ok(Arc::new(Type::group_type_builder("assur").with_fields(fields).build()?))
@@ -158,10 +154,6 @@ pub struct File<W: Write + Send> {
 
 impl<W: Write + Send> File<W> {
     /// Begins a file with these columns; `data`: keys and values of its own.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the writer fails.
     pub fn new(columns: &[Column], data: Vec<(&str, String)>, out: W) -> Result<Self, ParquetError> {
         let data = data.into_iter().map(|(key, value)| KeyValue::new(key.to_owned(), value));
         let data: Vec<KeyValue> = data.collect();
@@ -185,10 +177,6 @@ impl<W: Write + Send> File<W> {
     }
 
     /// Writes the rows of all columns as a group; the columns are empty then.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the writer fails, or the columns are not those of the file.
     pub fn write_group(&mut self, columns: &mut [Column]) -> Result<(), ParquetError> {
         let descriptions = self.file.schema_descr().columns().to_vec();
         let mut group = self.file.next_row_group()?;
@@ -209,10 +197,6 @@ impl<W: Write + Send> File<W> {
     }
 
     /// Appends the groups of a complete file with the same columns.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the file can't be read, or the writer fails.
     pub fn append(&mut self, part: &fs::File) -> Result<(), ParquetError> {
         let reader = SerializedFileReader::new(part.try_clone()?)?;
         for old in reader.metadata().row_groups() {
@@ -234,10 +218,6 @@ impl<W: Write + Send> File<W> {
     }
 
     /// Ends the file, and returns what it was written to.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the writer fails.
     pub fn finish(self) -> Result<W, ParquetError> {
         Ok(self.file.into_inner()?)
     }

@@ -23,10 +23,6 @@ pub struct Writer<W: Write + Send> {
 
 impl<W: Write + Send> Writer<W> {
     /// Begins a file with the columns that CSV has, under the same names.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the writer fails.
     pub fn new(analysis: &Analysis, out: W) -> Result<Self, ParquetError> {
         let schema = analysis.positions.schema();
         let all =
@@ -45,10 +41,6 @@ impl<W: Write + Send> Writer<W> {
     }
 
     /// Adds the rows of a table.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the writer fails.
     pub fn add(&mut self, table: &Table) -> Result<(), ParquetError> {
         for (nth, column) in self.columns.iter_mut().enumerate() {
             let source = nth.checked_sub(1).map(|nth| self.sources[nth]);
@@ -59,10 +51,6 @@ impl<W: Write + Send> Writer<W> {
     }
 
     /// Ends the file.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the writer fails.
     pub fn finish(mut self) -> Result<(), ParquetError> {
         if self.rows > 0 {
             self.write_group()?;

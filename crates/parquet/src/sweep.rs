@@ -17,10 +17,6 @@ const TALLY: &str = "assur.tally";
 const LAST: &str = "assur.last";
 
 /// Rows as a whole file with one group. It keeps what [`Part`] reads back.
-///
-/// # Errors
-///
-/// [`ParquetError`] if the writer fails.
 pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
     let tally = Tally::of(rows);
     let first = tally.first.map_or_else(String::new, |first| first.to_string());
@@ -73,10 +69,6 @@ fn last(rows: &Rows) -> String {
 }
 
 /// Writes the groups of all parts, in their order, as one file.
-///
-/// # Errors
-///
-/// [`ParquetError`] if a part can't be read, or the writer fails.
 pub fn join(
     sweep: &Sweep,
     parts: impl IntoIterator<Item = std::io::Result<File>>,

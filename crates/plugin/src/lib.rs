@@ -76,25 +76,21 @@ assur_words::errors!(RegistryError);
 impl Describe for RegistryError {
     fn describe(&self) -> Text {
         match self {
-            Self::Duplicate { what, name: of, first, second } => text!(
-                "plugin-twice",
-                what = what,
-                name = name(*of),
-                first = name(*first),
-                second = name(*second)
-            ),
+            Self::Duplicate { what, name: of, first, second } => {
+                text!("plugin-twice", what, name = name(*of), first = name(*first), second = name(*second))
+            }
             Self::Ambiguous { what, first, second } => text!(
                 "plugin-ambiguous",
-                what = what,
+                what,
                 first = name(first.0),
                 first_crate = name(first.1),
                 second = name(second.0),
                 second_crate = name(second.1)
             ),
-            Self::Empty(what) => text!("plugin-empty", what = what),
+            Self::Empty(what) => text!("plugin-empty", what),
             Self::Unknown { what, name: asked, known } => text!(
                 "plugin-unknown",
-                what = what,
+                what,
                 name = name(asked.clone()),
                 known = list(known.iter().map(|known| name(*known)))
             ),
@@ -103,10 +99,6 @@ impl Describe for RegistryError {
 }
 
 /// All registered entries of a kind, sorted by name.
-///
-/// # Errors
-///
-/// [`RegistryError`] if two entries have one name, or if none is registered.
 pub fn all<P: Registered>() -> Result<Vec<&'static P>, RegistryError>
 where
     inventory::iter<P>: IntoIterator<Item = &'static P>,
@@ -115,10 +107,6 @@ where
 }
 
 /// The entry of this name.
-///
-/// # Errors
-///
-/// [`RegistryError`] where the registry is faulty or has no such entry.
 pub fn find<P: Registered>(name: &str) -> Result<&'static P, RegistryError>
 where
     inventory::iter<P>: IntoIterator<Item = &'static P>,

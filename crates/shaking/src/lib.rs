@@ -20,6 +20,7 @@ mod study;
 
 assur_words::resources!();
 
-pub use data::ShakingError;
-pub use data::{AtPosition, Balanced, Counterweight, Criterion, Harmonic, Proof, Shaking, Size};
+pub use data::{
+    AtPosition, Balanced, Counterweight, Criterion, Harmonic, Proof, Shaking, ShakingError, Size,
+};
 pub use study::shaking;

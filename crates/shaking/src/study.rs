@@ -17,10 +17,6 @@ const FORMAT: u32 = 1;
 const SAMPLES: usize = 720;
 
 /// Shaking force, harmonics and counterweights of a mechanism; `state` is its motion at a coordinate.
-///
-/// # Errors
-///
-/// [`ShakingError`] where the scene has no mass, no cycle or no motion over it, or a position without solution.
 pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shaking, ShakingError> {
     let mechanism = &linkage.mechanism;
     let input = &mechanism.input;
@@ -28,7 +24,7 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
     if !matches!(mechanism.motion, Some(Motion::Prescribed { .. } | Motion::Steady { .. })) {
         return Err(ShakingError::NoMotion);
     }
-    if mechanism.links.iter().skip(1).all(|link| !link.is_heavy()) {
+    if mechanism.heavy_links().next().is_none() {
         return Err(ShakingError::NoMass);
     }
     let loads = Loads::compile(linkage)?;

@@ -12,10 +12,6 @@ use crate::{Counted, Group, Mobility, NamedPair, Structure, StructureError, name
 
 impl Structure {
     /// Decomposes a mechanism into Assur groups.
-    ///
-    /// # Errors
-    ///
-    /// [`StructureError`] if the mobility is not 1, or if a group has no registered kind.
     pub fn of(mechanism: &Mechanism) -> Result<Self, StructureError> {
         let mobility = count(mechanism);
         let graph = counted_system(mechanism);

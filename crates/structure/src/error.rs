@@ -107,7 +107,7 @@ impl Describe for StructureError {
                     None => text!("structure-what-joins"),
                     Some(both) => {
                         let [one, other] = (**both).clone().map(name);
-                        text!("structure-alike", one = one, other = other)
+                        text!("structure-alike", one, other)
                     }
                 }
             ),
@@ -124,7 +124,7 @@ impl Describe for StructureError {
                 links = links_named(links),
                 class = name(crate::roman(*class)),
                 order = number(order),
-                pattern = pattern
+                pattern
             ),
             Self::Build { group, source } => joined(": ", [group.clone(), source.describe()]),
             Self::Registry(error) => error.describe(),

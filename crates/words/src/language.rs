@@ -7,8 +7,8 @@ use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use unic_langid::LanguageIdentifier;
 
+use crate::Text;
 use crate::text::Part;
-use crate::{Resource, Text};
 
 /// The codes of the languages, English first.
 pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
@@ -168,4 +168,34 @@ fn raised(digit: char) -> char {
         '0'..='9' => char::from_u32(u32::from(digit) - u32::from('0') + u32::from('⁰')).unwrap_or(digit),
         other => other,
     }
+}
+
+/// The texts of a crate in a language.
+#[derive(Debug, Clone, Copy)]
+pub struct Resource {
+    /// Code of the language: one of [`LANGUAGES`](crate::LANGUAGES).
+    pub language: &'static str,
+    /// The texts by identity, in the syntax of Fluent.
+    pub texts: &'static str,
+    /// The crate, for messages.
+    pub crate_name: &'static str,
+}
+
+inventory::collect!(Resource);
+
+/// Brings along the files `lang/en.ftl`, `lang/uk.ftl` and `lang/ru.ftl` of the crate. It stands once in a crate.
+#[macro_export]
+macro_rules! resources {
+    () => {
+        $crate::resources!("en" "uk" "ru");
+    };
+    ($($language:literal)*) => {
+        $($crate::inventory::submit! {
+            $crate::Resource {
+                language: $language,
+                texts: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/lang/", $language, ".ftl")),
+                crate_name: env!("CARGO_PKG_NAME"),
+            }
+        })*
+    };
 }

@@ -5,12 +5,11 @@
 //! translated by its English words.
 
 mod language;
-mod resource;
 mod text;
 
 pub use inventory;
+pub use language::Resource;
 pub use language::{LANGUAGES, Language};
-pub use resource::Resource;
 pub use text::{Describe, Text, Told, count, joined, list, name, number, quantity, text_of, unit};
 
 resources!();

@@ -33,11 +33,14 @@ pub(crate) enum Part {
 }
 
 /// A text by its identity: `text!("group-past-end", group = name(group), gap = quantity(format_args!("{gap:.2}"), "mm"))`.
-/// Each value is a [`Text`], or a count. Without values it may stand in a constant: in the entry of a plugin.
+/// Each value is a [`Text`], or a count; of a variable with the name of the value the name is enough. Without values it may
+/// stand in a constant: in the entry of a plugin.
 #[macro_export]
 macro_rules! text {
-    ($id:expr $(, $value:ident = $text:expr)* $(,)?) => {
-        $crate::Text::message($id, vec![$((stringify!($value), $crate::Text::from($text))),*])
+    (@ $value:ident) => { $crate::Text::from($value) };
+    (@ $value:ident = $text:expr) => { $crate::Text::from($text) };
+    ($id:expr $(, $value:ident $(= $text:expr)?)* $(,)?) => {
+        $crate::Text::message($id, vec![$((stringify!($value), $crate::text!(@ $value $(= $text)?))),*])
     };
 }
 

@@ -20,18 +20,12 @@ impl Work<'_> {
         let found = &self.linkage.structure.groups[group];
         let class = name(roman(found.class));
         let class = match found.plugin.number {
-            0 => text!("working-class", class = class),
-            number => text!("working-class-and-type", class = class, number = usize::from(number)),
+            0 => text!("working-class", class),
+            number => text!("working-class-and-type", class, number = usize::from(number)),
         };
         let links: Vec<Text> = found.frame.links.iter().map(|&link| self.sheet.body_name(link)).collect();
         let kind = name(found.plugin.kind);
-        self.sheet.section(text!(
-            "working-group",
-            group = group + 1,
-            kind = kind,
-            class = class,
-            links = list(links)
-        ));
+        self.sheet.section(text!("working-group", group = group + 1, kind, class, links = list(links)));
         self.sheet.begin_group(group + 1);
         let before = self.sheet.clone();
         let own = plugin_for(found.plugin.name)?.filter(|_| self.own).filter(|plugin| {

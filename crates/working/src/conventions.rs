@@ -16,9 +16,9 @@ impl Work<'_> {
                 text!("working-at-sample", sample = index, time = number(self.state.time))
             }
         };
-        self.sheet.section(text!("working-title", title = title, of = of));
+        self.sheet.section(text!("working-title", title, of));
         let formula = &self.linkage.structure.formula;
-        self.sheet.note(text!("working-structure", formula = formula));
+        self.sheet.note(text!("working-structure", formula));
         self.sheet.section(text!("working-conventions"));
         self.remarks([
             text!("working-axes"),
@@ -46,27 +46,31 @@ impl Work<'_> {
             text!("working-assumptions"),
         ]);
         if forces {
-            self.remarks([
-                text!(
-                    "working-symbols-of-reactions",
-                    rx = symbol("R", &["x", "B", "r"]),
-                    ry = symbol("R", &["y", "B", "r"]),
-                    mr = symbol("M", &["R"]),
-                ),
-                text!(
-                    "working-symbols-of-loads",
-                    x = symbol("X", &["r"]),
-                    y = symbol("Y", &["r"]),
-                    m = symbol("M", &["r", "A"]),
-                ),
-                text!("working-inertia"),
-                text!("working-assumptions-of-forces"),
-            ]);
-            let structure = &self.linkage.structure;
-            if (0..structure.pairs.len()).any(|pair| structure.is_share(pair)) {
-                let share = symbol("R", &["x", "B", "s", "t", "r"]);
-                self.sheet.note(text!("working-shares", share = share));
-            }
+            self.conventions_of_forces();
+        }
+    }
+
+    fn conventions_of_forces(&mut self) {
+        self.remarks([
+            text!(
+                "working-symbols-of-reactions",
+                rx = symbol("R", &["x", "B", "r"]),
+                ry = symbol("R", &["y", "B", "r"]),
+                mr = symbol("M", &["R"]),
+            ),
+            text!(
+                "working-symbols-of-loads",
+                x = symbol("X", &["r"]),
+                y = symbol("Y", &["r"]),
+                m = symbol("M", &["r", "A"]),
+            ),
+            text!("working-inertia"),
+            text!("working-assumptions-of-forces"),
+        ]);
+        let structure = &self.linkage.structure;
+        if (0..structure.pairs.len()).any(|pair| structure.is_share(pair)) {
+            let share = symbol("R", &["x", "B", "s", "t", "r"]);
+            self.sheet.note(text!("working-shares", share));
         }
     }
 

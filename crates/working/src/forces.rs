@@ -41,7 +41,7 @@ impl Work<'_> {
     fn group_reactions(&mut self, group: usize) -> Result<bool, WorkingError> {
         let found = &self.linkage.structure.groups[group];
         let kind = name(found.plugin.kind);
-        self.sheet.section(text!("working-reactions", group = group + 1, kind = kind));
+        self.sheet.section(text!("working-reactions", group = group + 1, kind));
         self.sheet.begin_group(group + 1);
         let before = self.sheet.clone();
         if let Some(plugin) = plugin_for(found.plugin.name)?.filter(|_| !self.general.contains(&group)) {

@@ -6,7 +6,6 @@
 //! equations, and in a position where they are singular (0/0), the general linear system is used. This crate is
 //! independent of concrete kinds, of files and of the terminal.
 
-mod area;
 mod chain;
 mod conventions;
 mod energy;
@@ -149,10 +148,6 @@ pub(crate) struct Work<'a> {
 
 impl Working {
     /// Writes the working of a position; with loads also its equation of motion, where the input has a drive, and its forces.
-    ///
-    /// # Errors
-    ///
-    /// [`WorkingError`] if the position does not exist or can't be assembled, or a load has no value there.
     pub fn of(task: &Task<'_>) -> Result<Self, WorkingError> {
         Self::by(task, true)
     }

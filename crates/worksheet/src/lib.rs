@@ -18,7 +18,6 @@ mod figure;
 mod line;
 mod load;
 mod place;
-mod plugin;
 mod render;
 mod sheet;
 mod symbol;
@@ -28,9 +27,9 @@ pub use expr::Expr;
 pub use line::{Entry, Line, RESULT_DIGITS, Section};
 pub use load::{Load, Reaction};
 pub use place::{Guide, Point, Pose, Rod};
-pub use plugin::{WorkingPlugin, Write, plugin_for};
 pub use render::{WIDTH, text};
 pub use sheet::{Names, Sheet, Units};
+pub use sheet::{WorkingPlugin, Write, plugin_for};
 pub use symbol::{Symbol, plain};
 pub use term::Term;
 

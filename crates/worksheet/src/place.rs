@@ -184,7 +184,7 @@ impl Sheet {
                 return Expr::zero();
             }
             let axis = name(AXES[i]);
-            let what = text!("worksheet-from-to", from = from.0, to = to.0, axis = axis, link = &link);
+            let what = text!("worksheet-from-to", from = from.0, to = to.0, axis, link = &link);
             self.given(Symbol::from(["u", "v"][i]).of(from.0).of(to.0), length, "m", what)
         })
     }
@@ -285,19 +285,19 @@ impl Sheet {
             joined(" ", [vector, unit(self.units.length[order])])
         };
         let [pf0, pf1, pf2] = [0, 1, 2].map(shown);
-        self.note(text!("worksheet-outer-pin", pin = &pin.name, pf0 = pf0, pf1 = pf1, pf2 = pf2));
+        self.note(text!("worksheet-outer-pin", pin = &pin.name, pf0, pf1, pf2));
     }
 
     /// Writes the known angle of a body with a guide at the beginning of a group.
     pub fn outline_angle(&mut self, body: usize) {
         let link = self.body_name(body);
         if self.poses[body].is_none() {
-            return self.note(text!("worksheet-carrier-at-rest", link = link));
+            return self.note(text!("worksheet-carrier-at-rest", link));
         }
         let angle = self.angle(body);
         let shown = |order: usize| joined(" ", [printed(&angle[order]), unit(self.units.angle[order])]);
         let [pf0, pf1, pf2] = [0, 1, 2].map(shown);
-        self.note(text!("worksheet-carrier", link = link, pf0 = pf0, pf1 = pf1, pf2 = pf2));
+        self.note(text!("worksheet-carrier", link, pf0, pf1, pf2));
     }
 }
 

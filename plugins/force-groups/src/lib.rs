@@ -13,7 +13,7 @@ use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, group_by
 use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
-use assur_words::{Text, text};
+use assur_words::text;
 
 assur_words::resources!();
 
@@ -36,10 +36,6 @@ assur_force::inventory::submit! {
 pub struct Groups;
 
 impl ForceAnalyzer for Groups {
-    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
-        Ok(())
-    }
-
     #[inline]
     fn solve(
         &self,

@@ -135,19 +135,19 @@ fn loads(draft: &mut Vec<Step>, scene: &Scene, at: &Setting) {
     let Scene { third, b, end, coupler, .. } = scene;
     if at.known != [0.0, 0.0] {
         let (symbol, what) = if at.slider {
-            ("F3", text!("force-longitudinal-along-guide", third = third, point = b))
+            ("F3", text!("force-longitudinal-along-guide", third, point = b))
         } else {
-            ("R3t", text!("force-longitudinal-across-rocker", end = end, third = third, point = b))
+            ("R3t", text!("force-longitudinal-across-rocker", end, third, point = b))
         };
         push(draft, (Drawing::Mechanism, VectorKind::Load), [(symbol, at.b, at.known, what)]);
     }
     let (k, couple) = point_of_action(scene, at);
     let what = text!("force-longitudinal-point");
     push(draft, (Drawing::Mechanism, VectorKind::Point), [("K", k, [0.0; 2], what)]);
-    let mut what = text!("force-longitudinal-load", coupler = coupler);
+    let mut what = text!("force-longitudinal-load", coupler);
     if couple != 0.0 {
         let couple = quantity(format_args!("{couple:.6e}"), "N m");
-        what = joined("; ", [what, text!("force-longitudinal-couple", couple = couple)]);
+        what = joined("; ", [what, text!("force-longitudinal-couple", couple)]);
     }
     push(draft, (Drawing::Mechanism, VectorKind::Load), [("F", k, at.force, what)]);
 }
@@ -253,18 +253,18 @@ fn reactions(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, found: &Unknown
     let on_b = if at.known == [0.0, 0.0] {
         text!("force-longitudinal-on-b", pin = b)
     } else {
-        text!("force-longitudinal-on-b-loaded", third = third, pin = b)
+        text!("force-longitudinal-on-b-loaded", third, pin = b)
     };
     let (symbol, at_end, what) = if at.slider {
         let across = scaled(dot(minus(found.r3, scene.third_load), at.line), at.line);
-        ("RG", across, text!("force-longitudinal-guide-on", end = end, third = third))
+        ("RG", across, text!("force-longitudinal-guide-on", end, third))
     } else {
-        let what = text!("force-longitudinal-pin-on", end = end, third = third);
+        let what = text!("force-longitudinal-pin-on", end, third);
         ("RC", minus(rb, scene.third_load), what)
     };
     let steps = [
         ("R1", at.a, found.r1, text!("force-longitudinal-of-crank")),
-        ("R3", at.b, found.r3, text!("force-longitudinal-of-third", third = third)),
+        ("R3", at.b, found.r3, text!("force-longitudinal-of-third", third)),
         ("RA", at.a, ra, text!("force-longitudinal-on-a", pin = a)),
         ("RB", at.b, rb, on_b),
         ("RO", at.o, minus(ra, scene.crank_load), text!("force-longitudinal-on-o", pin = o)),

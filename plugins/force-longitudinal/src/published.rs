@@ -88,7 +88,7 @@ impl Failure {
 fn lines(linkage: &Linkage, layout: &Layout) -> Text {
     let [crank, third] = [layout.crank, layout.third].map(|link| &linkage.mechanism.links[link].name);
     match layout.end {
-        End::Guide(_) => text!("force-longitudinal-lines-guide", crank = crank, third = third),
-        End::Pin(_) => text!("force-longitudinal-lines-rocker", crank = crank, third = third),
+        End::Guide(_) => text!("force-longitudinal-lines-guide", crank, third),
+        End::Pin(_) => text!("force-longitudinal-lines-rocker", crank, third),
     }
 }

@@ -45,7 +45,7 @@ impl ForceAnalyzer for NewtonEuler {
         if equations == unknowns {
             return Ok(());
         }
-        Err(text!("force-newton-euler-unbalanced", equations = equations, unknowns = unknowns))
+        Err(text!("force-newton-euler-unbalanced", equations, unknowns))
     }
 
     fn solve(

@@ -103,10 +103,10 @@ impl Lever<'_> {
                 steps.push(self.image_step(
                     name("k"),
                     self.image(load.link, at),
-                    text!("force-lever-contact", what = what),
+                    text!("force-lever-contact", what),
                 ));
             }
-            let note = text!("force-lever-at", what = what);
+            let note = text!("force-lever-at", what);
             steps.push(force(symbol.clone(), kind, self.image(load.link, at), force_of, note));
         }
         // What is left of the moment of a force about its own point is rounding.
@@ -137,7 +137,7 @@ impl Lever<'_> {
         let told = quantity(format_args!("{moment:.6e}"), "N m");
         let at = |end: Option<&Named<'_>>| end.map_or_else(Text::default, |end| Text::from(end.name));
         let step = |place: [f64; 2], vector, end: Text, symbol: Text| {
-            let note = text!("force-lever-couple", couple = &told, what = what, point = end);
+            let note = text!("force-lever-couple", couple = &told, what, point = end);
             force(symbol, kind, self.image(link, place), vector, note)
         };
         let mut steps = vec![step(at_to, across, at(ends.map(|(_, to)| to)), symbol.clone())];

@@ -15,7 +15,7 @@ use assur_force::{
 };
 use assur_group::Wrench;
 use assur_kinematics::{Linkage, Position};
-use assur_words::{Text, text};
+use assur_words::text;
 
 assur_words::resources!();
 
@@ -51,10 +51,6 @@ fn balancing(
 }
 
 impl ForceAnalyzer for VirtualPower {
-    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
-        Ok(())
-    }
-
     fn solve(
         &self,
         linkage: &Linkage,

@@ -68,9 +68,9 @@ fn derive(
     let (carrier, of) = (sheet.body_name(body), sheet.group_number());
     let units = sheet.units.length;
     sheet.note(if body == 0 {
-        text!("rrp-working-fixed-guide", carrier = carrier, pin = &name)
+        text!("rrp-working-fixed-guide", carrier, pin = &name)
     } else {
-        text!("rrp-working-moving-guide", carrier = carrier, pin = &name)
+        text!("rrp-working-moving-guide", carrier, pin = &name)
     });
     let v = sheet.under(body, through, c, 1);
     let v = sheet.components("V", &of, &v, units[1]);

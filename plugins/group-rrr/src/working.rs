@@ -40,11 +40,11 @@ fn minus_numbers(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 fn place(sheet: &mut Sheet, pins: &Rrr<f64>, outer: &[Point; 2], rods: &[Rod; 2], left: bool) -> [Expr; 2] {
     let name = sheet.place_name(pins.links[0], pins.inner.own);
     let [a, b] = [&outer[0].name, &outer[1].name];
-    sheet.note(text!("rrr-working-circles", a = a, b = b, pin = &name));
+    sheet.note(text!("rrr-working-circles", a, b, pin = &name));
     sheet.note(if left {
-        text!("rrr-working-left", a = a, b = b, pin = &name)
+        text!("rrr-working-left", a, b, pin = &name)
     } else {
-        text!("rrr-working-right", a = a, b = b, pin = &name)
+        text!("rrr-working-right", a, b, pin = &name)
     });
     let d = outer[1].from(&outer[0], 0);
     let (local_d, alpha, beta) = (sheet.local("d"), sheet.local("α"), sheet.local("β"));
@@ -118,7 +118,7 @@ fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(
     let r = [0, 1].map(|i| c.from(&outer[i], 0));
     let forces = pins.links.map(|link| sheet.resultant(link));
     let [a, b] = outer.each_ref().map(|point| &point.name);
-    sheet.note(text!("rrr-working-moments", a = a, b = b, pin = &c.name));
+    sheet.note(text!("rrr-working-moments", a, b, pin = &c.name));
     let m = [0, 1].map(|i| sheet.moment_about(pins.links[i], &outer[i]));
     let d = sheet.recall("D");
     let inner = [0, 1].map(|i| -((&m[1] * &r[0][i] + &m[0] * &r[1][i]) / &d));

@@ -6,7 +6,6 @@
 
 mod march;
 mod panel;
-mod passage;
 
 pub(crate) use march::run;
 

@@ -10,7 +10,6 @@ use assur_words::{Describe, number, text};
 
 mod clock;
 mod march;
-mod panel;
 
 assur_words::resources!();
 

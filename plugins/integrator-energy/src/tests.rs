@@ -293,11 +293,11 @@ proptest! {
         let (mut length, mut factor) = (length, 1.0);
         let panel = loop {
             length *= factor;
-            let panel = panel::Panel::fit(&mut equation, &state, length, None, (energy, energy)).unwrap();
+            let panel = clock::Panel::fit(&mut equation, &state, length, None, (energy, energy)).unwrap();
             if panel.error <= tolerance {
                 break panel;
             }
-            factor = panel::factor(tolerance, panel.error).clamp(0.1, 0.7);
+            factor = clock::factor(tolerance, panel.error).clamp(0.1, 0.7);
         };
         let scale = panel.most_energy();
         for k in 0..=100 {

@@ -53,7 +53,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     };
     drop(line);
     for note in analysis.notes.iter().filter(|note| !note.is_mistake()) {
-        style.tell(text!("cli-note", note = note));
+        style.tell(text!("cli-note", note));
     }
     if form == Form::Parquet && !analysis.trajectory.is_empty() {
         style.tell(text!("cli-parquet-motion"));

@@ -63,7 +63,7 @@ fn working(session: &Session, options: &Options, index: usize, style: Style) -> 
         (None, 0) => working::of_position(&study, index),
         (None, count) => {
             let [sample, last] = [index, count - 1].map(number);
-            let problem = text!("cli-no-sample", sample = sample, last = last);
+            let problem = text!("cli-no-sample", sample, last);
             return Err(Fault::Scene(session.in_file(problem)));
         }
     };

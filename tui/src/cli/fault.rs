@@ -62,7 +62,7 @@ impl Describe for Fault {
             Self::File(error) | Self::Partial(error, _) => error.describe(),
             Self::Stdout(error) => text!("cli-stdout", problem = text_of(error)),
             Self::Scene(faults) => faults.clone(),
-            Self::Other(problem) => text!("cli-error", problem = problem),
+            Self::Other(problem) => text!("cli-error", problem),
             Self::Screen(error) => error.describe(),
         }
     }

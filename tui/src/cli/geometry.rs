@@ -39,7 +39,7 @@ pub(crate) fn run(args: &GeometryArgs, style: Style) -> Result<Status, Fault> {
         None => GROUND,
         Some(name) => linkage.mechanism.link(name).ok_or_else(|| {
             let links = words::list(linkage.mechanism.links.iter().map(|link| (&link.name).into()));
-            Fault::Other(text!("cli-no-such-link", link = words::name(name.clone()), links = links))
+            Fault::Other(text!("cli-no-such-link", link = words::name(name.clone()), links))
         })?,
     };
     let verdict = Verdict::of_positions(&linkage, &session);

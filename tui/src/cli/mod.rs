@@ -50,7 +50,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match usage::parse(&arguments) {
         Ok(cli) => cli,
         Err(Refused::Fault(problem)) => {
-            Style::of(false, asked).tell(text!("cli-error", problem = problem));
+            Style::of(false, asked).tell(text!("cli-error", problem));
             return Status::Bad.into();
         }
         Err(Refused::Parser(error)) => return refused(&error),

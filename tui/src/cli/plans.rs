@@ -44,7 +44,7 @@ pub(crate) fn chosen(
     let dropped = numbers.iter().find(|number| analysis.positions.row_of(**number).is_none());
     if let Some(number) = dropped.filter(|_| !analysis.is_complete()) {
         let (position, kept) = (words::number(*number), words::number(analysis.positions.len()));
-        return Err(Fault::Other(text!("cli-position-not-kept", position = position, kept = kept)));
+        return Err(Fault::Other(text!("cli-position-not-kept", position, kept)));
     }
     Ok(Some(numbers))
 }
@@ -52,7 +52,7 @@ pub(crate) fn chosen(
 /// There is no position of a number.
 fn no_position(option: &'static str, position: usize, count: usize) -> Fault {
     let [position, last] = [position, count - 1].map(words::number);
-    Fault::Other(text!("cli-no-position", option = words::name(option), position = position, last = last))
+    Fault::Other(text!("cli-no-position", option = words::name(option), position, last))
 }
 
 /// Additional results.
@@ -79,7 +79,7 @@ impl PlanArgs {
         let most = mechanism.most_kept().min(10 * MOST_PARTS_KEPT / shares);
         if self.by_cause && count > most {
             let [most, count] = [most, count].map(words::number);
-            return Err(Fault::Other(text!("cli-by-cause-most", most = most, count = count)));
+            return Err(Fault::Other(text!("cli-by-cause-most", most, count)));
         }
         match self.plans.iter().find(|index| **index >= count) {
             Some(index) => Err(no_position("--plans", *index, count)),
@@ -116,7 +116,7 @@ impl PlanArgs {
                 Ok(sheet) => analysis.cycle.plans.push(PositionPlans { index, sheet }),
                 Err(error) => {
                     let problem = error.describe();
-                    style.tell(text!("cli-no-plans", position = words::number(index), problem = problem));
+                    style.tell(text!("cli-no-plans", position = words::number(index), problem));
                     status = Status::Failed;
                 }
             }
@@ -135,7 +135,7 @@ pub(crate) fn text(analysis: &Analysis, style: Style) -> String {
             words::quantity(format_args!("{:.6}", plans.sheet.coordinate), "m")
         };
         let (position, link) = (words::number(plans.index), analysis.input.link.name.clone());
-        let heading = text!("cli-plans-of", position = position, link = link, at = coordinate);
+        let heading = text!("cli-plans-of", position, link, at = coordinate);
         let heading = heading.render(style.language);
         let rule = "-".repeat(heading.chars().count());
         text += &style.text(&format!(

@@ -55,7 +55,7 @@ fn explained(arguments: &[std::ffi::OsString], error: &clap::Error) -> Option<Te
             // The parser adds the name of the value.
             let option = option.split(' ').next().unwrap_or_default().to_owned();
             let (option, value) = (name(option), name(value.clone()));
-            Some(text!("cli-value", option = option, value = value, problem = problem))
+            Some(text!("cli-value", option, value, problem))
         }
         (ErrorKind::UnknownArgument, Some(ContextValue::String(option)))
             if option.starts_with('-')
@@ -72,7 +72,7 @@ fn explained(arguments: &[std::ffi::OsString], error: &clap::Error) -> Option<Te
                 || text!("cli-help-lists"),
                 |command| text!("cli-offer", command = name(command)),
             );
-            Some(text!("cli-unknown-word", word = name((*word).to_owned()), offer = offer))
+            Some(text!("cli-unknown-word", word = name((*word).to_owned()), offer))
         }
         (ErrorKind::MissingRequiredArgument, _) => {
             before.iter().find(is_file).zip(command).map(|(scene, command)| behind(scene, command))
@@ -100,7 +100,7 @@ fn owner(program: &clap::Command, option: &str, command: Option<&str>) -> Option
 /// The fault that a scene precedes the command.
 fn behind(scene: &str, command: &str) -> Text {
     let [scene, command] = [scene, command].map(|word| name(word.to_owned()));
-    text!("cli-scene-first", scene = scene, command = command)
+    text!("cli-scene-first", scene, command)
 }
 
 /// The command whose spelling is near to `word`: at most two letters away.

@@ -30,19 +30,11 @@ pub(crate) struct Lock {
 
 impl Lock {
     /// The lock for writing `target`, in a file at `path`; `None` where the file system has no locks.
-    ///
-    /// # Errors
-    ///
-    /// [`FileError`] that says who writes now, or why there can be no lock.
     pub(crate) fn of(path: &Path, target: &Path) -> Result<Option<Self>, FileError> {
         Self::by(path, target, File::try_lock)
     }
 
     /// As [`Lock::of`], but waits until the other process has ended: for what takes a moment.
-    ///
-    /// # Errors
-    ///
-    /// [`FileError`] that says why there can be no lock.
     pub(super) fn wait(path: &Path, target: &Path) -> Result<Option<Self>, FileError> {
         Self::by(path, target, |file| file.lock().map_err(TryLockError::Error))
     }
@@ -106,7 +98,7 @@ fn told(text: &str, path: &Path) -> Text {
     let writer = text.strip_prefix(MARK).map(|rest| rest.trim_start_matches([',', ' ']));
     let writer = writer.filter(|writer| !writer.is_empty());
     let writer = writer.map_or_else(|| text!("file-another-process"), |writer| name(writer.to_owned()));
-    text!("file-locked", writer = writer, lock = name(path.display().to_string()))
+    text!("file-locked", writer, lock = name(path.display().to_string()))
 }
 
 /// Opens a file of our own beside a target, or creates it: a regular file with one name. What a link points to is

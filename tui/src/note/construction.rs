@@ -39,7 +39,7 @@ pub(super) fn construction(context: &mut Context<'_>, page: &mut Document) -> Re
     }
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [STAGES[0], STAGES[1] * figure.rows() as f64];
-    let caption = text!("note-construction", title = &drawn.title, place = place);
+    let caption = text!("note-construction", title = &drawn.title, place);
     page.figure(Some(figure).filter(|figure| !figure.panels.is_empty()), size, caption);
     page.table(steps(drawn, text!("note-construction-steps", title = &drawn.title)));
     Ok(())

@@ -118,7 +118,7 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let together = context.first(View::Curves, |state| state.picked = moduli);
     page.figure(together, CURVE, text!("note-reactions-drawn"));
     let all = [
-        (most, Part::Overview, text!("note-reaction-curve", of = of)),
+        (most, Part::Overview, text!("note-reaction-curve", of)),
         (balancing, Part::Curves, text!("note-balancing-curve")),
     ];
     for (index, part, caption) in all {

@@ -81,10 +81,6 @@ impl Describe for NoteError {
 errors!(NoteError);
 
 /// The note of a scene whose analysis is done, in a form; `folder` is where the files of figures are, seen from the note.
-///
-/// # Errors
-///
-/// [`NoteError`].
 pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) -> Result<Written, NoteError> {
     let language = Language::find(note.language).unwrap_or(Language::english());
     let scene = state.scene.as_ref().ok_or(NoteError::NoResults)?;

@@ -69,7 +69,7 @@ fn task(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError>
     page.blocks.extend(frames.filter(|frames| !frames.is_empty()).map(|frames| Block::Figure {
         frames,
         size: MECHANISM,
-        caption: text!("note-mechanism-moving", at = at),
+        caption: text!("note-mechanism-moving", at),
     }));
     Ok(())
 }
@@ -101,10 +101,7 @@ fn assembly(context: &Context<'_>) -> Result<Option<Figure>, NoteError> {
     let mut panels = vec![panel(first, &[input])];
     for (index, group) in linkage.structure.groups.iter().enumerate().take(MOST - 1) {
         let kind = name(group.plugin.name.to_uppercase());
-        panels.push(panel(
-            text!("note-with-group", number = number(index + 1), kind = kind),
-            &group.frame.links,
-        ));
+        panels.push(panel(text!("note-with-group", number = number(index + 1), kind), &group.frame.links));
     }
     let columns = COLUMNS.min(panels.len());
     Ok(Some(Figure { panels, columns, ..Figure::default() }))
@@ -232,7 +229,7 @@ fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     if let Some(first) = failures.first() {
         let reason = Text::from(&first.message);
         let all = positions(failures.iter().map(|failure| failure.index).collect());
-        page.paragraph(text!("note-no-forces", positions = all, reason = reason));
+        page.paragraph(text!("note-no-forces", positions = all, reason));
     }
     if let Some(why) = &analysis.no_motion {
         page.paragraph(Text::from(why));

@@ -7,7 +7,8 @@ use assur_number::{Lanes, Real};
 use super::{Family, Rows};
 use crate::Calculation;
 use crate::friction::efficiency;
-use crate::results::{Column, Owner, Quantity};
+use crate::joints::ends;
+use crate::results::{Cells, Column, Owner, Quantity};
 
 /// The frictions of the scene whose pairs are wanted, each with its rubs.
 fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Rub)>)> {
@@ -115,3 +116,60 @@ pub(super) const EFFICIENCY: Family = Family {
         }
     },
 };
+
+/// Forces and moments of the pins and slides.
+pub(super) const REACTIONS: Family = Family {
+    applies: |calculation| {
+        calculation.has_forces() && calculation.analyzer.is_some_and(|method| method.gives_reactions)
+    },
+    columns: |calculation, schema| {
+        let section = schema.section();
+        for &pair in &calculation.plan.wanted.reactions {
+            for link in ends(&calculation.linkage, pair) {
+                schema.add(section, Column::vector(Quantity::Force, Owner::PairOn(pair, link)));
+            }
+            if matches!(pair, PairId::Slide(_)) {
+                schema.add(section, [Column::of(Quantity::Moment, Owner::Pair(pair))]);
+                let offset = schema.section();
+                schema.add(offset, [Column::of(Quantity::Offset, Owner::Pair(pair))]);
+            }
+        }
+    },
+    fill: |rows, cells| {
+        let Some((joints, reactions, determined)) = rows.reactions else { return };
+        for joint in joints.wanted(reactions, rows.position) {
+            joint.forces.iter().flatten().for_each(|force| cells.put(*force, determined));
+            if let Some((moment, offset, has)) = joint.slide {
+                cells.put(moment, determined);
+                cells.put(offset, std::array::from_fn(|lane| determined[lane] && has[lane]));
+            }
+        }
+    },
+};
+
+pub(super) const BALANCING: Family = Family {
+    applies: |calculation| calculation.has_forces(),
+    columns: |_, schema| {
+        let section = schema.section();
+        schema.add(section, [Column::BALANCING]);
+    },
+    fill: |rows, cells| put(cells, rows.balancing),
+};
+
+/// The load that holds the motion at rest or at its speed, and its greatest possible size.
+pub(super) const HOLDING: Family = Family {
+    applies: |_| true,
+    columns: |_, schema| {
+        let section = schema.section();
+        let of = |quantity| Column::of(quantity, Owner::Input);
+        schema.add(section, [Quantity::Holding, Quantity::HoldingBound].map(of));
+    },
+    fill: |rows, cells| {
+        put(cells, rows.instants.map(|instant| Some(instant.holding?.moment)));
+        put(cells, rows.instants.map(|instant| Some(instant.holding?.bound)));
+    },
+};
+
+fn put(cells: &mut Cells<'_>, values: [Option<f64>; Lanes::WIDTH]) {
+    cells.put(Lanes(values.map(Option::unwrap_or_default)), values.map(|value| value.is_some()));
+}

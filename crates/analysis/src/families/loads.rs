@@ -3,11 +3,10 @@
 use assur_force::Cause;
 use assur_group::Wrench;
 use assur_group::plane::{dot, scaled};
-use assur_mechanism::{LinkId, Mechanism};
+use assur_mechanism::LinkId;
 use assur_number::{Lanes, Real};
 
 use super::{Family, Rows};
-use crate::plan::is_heavy;
 use crate::results::{Column, Owner, Quantity, Section};
 
 pub(super) const REDUCED: Family = Family {
@@ -29,13 +28,13 @@ pub(super) const INERTIA_OF_LINKS: Family = Family {
         (REDUCED.applies)(calculation) && calculation.plan.dynamics && calculation.knows_all_loads()
     },
     columns: |calculation, schema| {
-        for link in heavy(&calculation.linkage.mechanism) {
+        for link in calculation.linkage.mechanism.heavy_links() {
             schema.add(Section::ALWAYS, [Column::of(Quantity::ReducedInertia, Owner::Link(link))]);
         }
     },
     fill: |rows, cells| {
         let mechanism = &rows.calculation.linkage.mechanism;
-        for link in heavy(mechanism) {
+        for link in mechanism.heavy_links() {
             let (found, body) = (&mechanism.links[link], &rows.position.bodies[link]);
             let [inertia, _] = own_inertia(rows, link);
             let mass = Lanes::from_f64(found.mass);
@@ -71,13 +70,13 @@ pub(super) const LOADS: Family = Family {
 pub(super) const INERTIA_LOADS: Family = Family {
     applies: |calculation| calculation.has_inertia_loads(),
     columns: |calculation, schema| {
-        for link in heavy(&calculation.linkage.mechanism) {
+        for link in calculation.linkage.mechanism.heavy_links() {
             schema.add(Section::ALWAYS, Column::vector(Quantity::InertiaForce, Owner::Link(link)));
             schema.add(Section::ALWAYS, [Column::of(Quantity::InertiaMoment, Owner::Link(link))]);
         }
     },
     fill: |rows, cells| {
-        for link in heavy(&rows.calculation.linkage.mechanism) {
+        for link in rows.calculation.linkage.mechanism.heavy_links() {
             let (force, moment) = inertia_load(rows, link);
             cells.all(force);
             cells.all([moment]);
@@ -95,7 +94,7 @@ pub(super) const SHAKING: Family = Family {
     fill: |rows, cells| {
         let mechanism = &rows.calculation.linkage.mechanism;
         let mut sum = Wrench::ZERO;
-        for link in heavy(mechanism) {
+        for link in mechanism.heavy_links() {
             let (force, moment) = inertia_load(rows, link);
             let center = mechanism.links[link].center.map(Lanes::from_f64);
             sum.add_at(rows.position.bodies[link].point(center), force, moment);
@@ -103,11 +102,6 @@ pub(super) const SHAKING: Family = Family {
         cells.all([sum.fx, sum.fy, sum.m]);
     },
 };
-
-/// The moving links with mass or moment of inertia.
-fn heavy(mechanism: &Mechanism) -> impl Iterator<Item = LinkId> {
-    (1..mechanism.links.len()).filter(|link| is_heavy(mechanism, *link))
-}
 
 /// Force at the center of mass, and moment: -m a and -I e; of a moment of inertia I(q) less I' phi' w² / 2.
 fn inertia_load(rows: &Rows<'_>, link: LinkId) -> ([Lanes; 2], Lanes) {

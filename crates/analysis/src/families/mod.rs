@@ -3,7 +3,6 @@
 //! A family names its columns, and fills them in the same order for eight solved positions. A further quantity in the
 //! results is a further family in [`POSITIONS`], [`TRANSIENT`] or [`STEADY`]; the writers need a name for it.
 
-mod forces;
 mod friction;
 mod loads;
 mod motion;
@@ -23,7 +22,7 @@ use crate::{Calculation, InputMotion};
 
 pub(crate) use motion::Motions;
 
-use forces::{BALANCING, HOLDING, REACTIONS};
+use friction::{BALANCING, HOLDING, REACTIONS};
 use friction::{EFFICIENCY, FRICTION};
 use loads::{INERTIA_LOADS, INERTIA_OF_LINKS, LOADS, REDUCED, SHAKING};
 use motion::{COORDINATE, LINKS, PLACES, POINTS, RATES, SLIDES, SPEEDS, TIME};

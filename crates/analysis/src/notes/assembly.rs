@@ -67,7 +67,7 @@ impl Calculation {
             other => other.describe(),
         };
         let group = linkage.structure.group_name(&linkage.mechanism, failure.group);
-        let mut note = vec![text!("analysis-barrier", end = self.show(end), group = group, gap = gap)];
+        let mut note = vec![text!("analysis-barrier", end = self.show(end), group, gap)];
         if !back.is_empty() {
             note.push(text!("analysis-turning-back", count = back.count(), numbers = back.words()));
         }
@@ -85,7 +85,7 @@ impl Calculation {
         let places: Vec<Text> = poles
             .map(|(at, group)| {
                 let group = linkage.structure.group_name(&linkage.mechanism, *group);
-                text!("analysis-place", place = self.show(*at), group = group)
+                text!("analysis-place", place = self.show(*at), group)
             })
             .collect();
         (!places.is_empty()).then(|| text!("analysis-poles", places = joined("; ", places)))
@@ -135,9 +135,9 @@ impl Calculation {
         let place = self.show(coordinate);
         let group = linkage.structure.group_name(&linkage.mechanism, groups[0]);
         match groups.len() {
-            1 => text!("analysis-place", place = place, group = group),
+            1 => text!("analysis-place", place, group),
             count => {
-                text!("analysis-place-of-several", place = place, group = group, more = count - 1)
+                text!("analysis-place-of-several", place, group, more = count - 1)
             }
         }
     }

@@ -1,8 +1,10 @@
 //! What is said of dry friction: pairs that never move, positions of no relative speed, several solutions.
 
-use assur_mechanism::Notice;
+use assur_force::{Cause, State};
+use assur_group::Order;
+use assur_mechanism::{Contact, LoadId, Name, Notice};
 use assur_structure::name_of;
-use assur_words::{Text, text};
+use assur_words::{Text, number, text};
 
 use super::Listed;
 use crate::Calculation;
@@ -21,7 +23,7 @@ impl Calculation {
             let named = |link: usize| Text::from(&mechanism.links[link].name);
             let (pair, link, on) = (name_of(mechanism, rub.pair), named(rub.link), named(rub.on));
             if rub.rests() {
-                notes.push(text!("analysis-friction-rests", pair = pair, link = link, on = on).into());
+                notes.push(text!("analysis-friction-rests", pair, link, on).into());
                 continue;
             }
             let turning =
@@ -29,16 +31,7 @@ impl Calculation {
             let turning: Listed = turning.collect();
             if !turning.is_empty() {
                 let positions = turning.words();
-                notes.push(
-                    text!(
-                        "analysis-friction-turns",
-                        pair = pair,
-                        link = link,
-                        on = on,
-                        positions = positions
-                    )
-                    .into(),
-                );
+                notes.push(text!("analysis-friction-turns", pair, link, on, positions).into());
             }
         }
         let mut add = |said: fn(&Several) -> bool, note: fn(Text) -> Text| {
@@ -47,12 +40,70 @@ impl Calculation {
                 notes.push(note(found.words()).into());
             }
         };
-        add(
-            |one| one.solutions.len() > 1,
-            |positions| text!("analysis-friction-several", positions = positions),
-        );
-        add(|one| one.continuum, |positions| text!("analysis-friction-continuum", positions = positions));
-        add(|one| !one.proved, |positions| text!("analysis-friction-not-proved", positions = positions));
+        add(|one| one.solutions.len() > 1, |positions| text!("analysis-friction-several", positions));
+        add(|one| one.continuum, |positions| text!("analysis-friction-continuum", positions));
+        add(|one| !one.proved, |positions| text!("analysis-friction-not-proved", positions));
         notes
+    }
+}
+
+/// Sliding below this part of the terms of which it consists is rounding: the arc rolls.
+const ROLLS: f64 = 1e-12;
+
+impl Calculation {
+    /// Where a friction whose sign is given pushes with the sliding, and where one against the sliding has nothing to oppose.
+    pub(super) fn friction_of_contacts(&self) -> Vec<Text> {
+        let loads = self.linkage.mechanism.loads.iter().enumerate();
+        let rough = loads.filter_map(|(id, load)| {
+            let contact = load.kind.contact().filter(|contact| contact.friction != 0.0)?;
+            self.friction(id, &load.name, contact)
+        });
+        rough.collect()
+    }
+
+    fn friction(&self, id: LoadId, name: &Name, contact: &Contact) -> Option<Text> {
+        let count = self.linkage.mechanism.input.positions;
+        let (mut pushing, mut rolling, mut known) = (Listed::default(), Listed::default(), 0);
+        for index in 0..count {
+            let Some([sliding, friction]) = self.sliding(id, contact, index) else { continue };
+            known += 1;
+            if sliding == 0.0 {
+                rolling.add(index);
+            } else if sliding * friction > 0.0 {
+                pushing.add(index);
+            }
+        }
+        if contact.against_sliding && rolling.count() == known && known > 0 {
+            return Some(text!("analysis-arc-never-slides", contact = name));
+        }
+        if contact.against_sliding {
+            return (!rolling.is_empty())
+                .then(|| text!("analysis-arc-rolls", contact = name, positions = rolling.words()));
+        }
+        (!pushing.is_empty()).then(|| {
+            let found = number(contact.friction.abs());
+            text!("analysis-friction-pushes", contact = name, positions = pushing.words(), friction = found)
+        })
+    }
+
+    /// Sliding of the arc along its line in the direction of motion, and the friction along it, N; `None` where there is no contact.
+    fn sliding(&self, id: LoadId, contact: &Contact, index: usize) -> Option<[f64; 2]> {
+        let (linkage, loads) = (&self.linkage, self.loads.as_ref()?);
+        let mut position = linkage.position();
+        linkage.solve_index(index, Order::First, &mut position).ok()?;
+        let state = State::prescribed(&linkage.mechanism, position.coordinate);
+        let [angle, friction] = loads.contact(id, &state)?;
+        let mut force = None;
+        loads.sizes(&state, &position.bodies, |cause, size| {
+            if cause == Cause::Load(id) {
+                force = Some(size);
+            }
+        });
+        let body = &position.bodies[contact.center.link];
+        let ([sin, cos], center) = ([angle.sin(), angle.cos()], body.first(body.arm(contact.center.at)));
+        let [own, turned] = [center[0] * cos - center[1] * sin, contact.radius * body.w1];
+        let rolls = (own + turned).abs() <= ROLLS * (own.abs() + turned.abs());
+        let sense = if state.speed == 0.0 { linkage.mechanism.input.sign() } else { state.speed.signum() };
+        Some([if rolls { 0.0 } else { sense * (own + turned) }, friction * force?])
     }
 }

@@ -5,8 +5,6 @@
 
 mod needs;
 
-pub(crate) use needs::is_heavy;
-
 use assur_group::Order;
 use assur_mechanism::{LinkId, Mechanism, Output, PairId, Place, PointId, SlideId};
 use assur_structure::Structure;
@@ -97,7 +95,7 @@ impl Plan {
         by_groups: bool,
     ) -> Self {
         let moves = mechanism.motion.is_some();
-        let heavy = (1..mechanism.links.len()).any(|link| needs::is_heavy(mechanism, link));
+        let heavy = mechanism.heavy_links().next().is_some();
         let wanted = needs::wanted(mechanism, structure, output);
         // With `[output]`, forces are requested only where reactions are.
         let asked = output.is_none() || !wanted.reactions.is_empty();

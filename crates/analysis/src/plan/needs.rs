@@ -141,20 +141,16 @@ fn weight(mechanism: &Mechanism, link: LinkId) -> bool {
 
 /// Links whose mass or loads enter J or Q.
 pub(crate) fn reduced_links(mechanism: &Mechanism) -> Vec<LinkId> {
-    let loaded = loaded(mechanism, |link| is_heavy(mechanism, link));
+    let loaded = loaded(mechanism, |link| mechanism.links[link].is_heavy());
     (1..mechanism.links.len()).filter(|link| loaded[*link]).collect()
-}
-
-/// Whether a link has mass or moment of inertia.
-pub(crate) fn is_heavy(mechanism: &Mechanism, link: LinkId) -> bool {
-    mechanism.links[link].is_heavy()
 }
 
 /// By group: whether its reactions can differ from zero. The groups are visited from the last to the first: one carries
 /// a load if its links have one of their own, or if a later group that carries one is attached to them.
 pub(crate) fn groups_carrying(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> {
     let moves = mechanism.motion.is_some();
-    let mut links = loaded(mechanism, |link| weight(mechanism, link) || moves && is_heavy(mechanism, link));
+    let mut links =
+        loaded(mechanism, |link| weight(mechanism, link) || moves && mechanism.links[link].is_heavy());
     match mechanism.balance {
         Some(Balance::Moment(link)) => links[link] = true,
         Some(Balance::Force { at, .. }) => links[at.link] = true,
@@ -181,7 +177,7 @@ pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
 
 /// Whether a link of a group has mass.
 pub(crate) fn heavy_groups(mechanism: &Mechanism, structure: &Structure) -> bool {
-    (1..mechanism.links.len()).any(|link| is_heavy(mechanism, link) && group_of(structure, link).is_some())
+    mechanism.heavy_links().any(|link| group_of(structure, link).is_some())
 }
 
 /// The group of a link; none for the ground and the input link.

@@ -32,10 +32,9 @@ pub use crate::angles::Starts;
 pub use crate::edges::Edges;
 pub use crate::extremes::{Peaks, Turn};
 pub use crate::friction::{FrictionCycle, Load, Several, SolutionReport};
-pub use analysis::{Analysis, Failure, InputReport};
-pub use analysis::{Checks, Residual};
-pub use analysis::{Cycle, PositionPlans};
-pub use analysis::{Energy, Integration};
+pub use analysis::{
+    Analysis, Checks, Cycle, Energy, Failure, InputReport, Integration, PositionPlans, Residual,
+};
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 pub use assur_integrator::{Event, State, Statistics};

@@ -93,7 +93,7 @@ fn note(counted: i64, found: usize) -> Option<Text> {
     if i64::try_from(found) == Ok(counted) {
         return None;
     }
-    Some(text!("analysis-other-mobility", counted = number(counted), found = found))
+    Some(text!("analysis-other-mobility", counted = number(counted), found))
 }
 
 /// All groups, with their modes in the first position.

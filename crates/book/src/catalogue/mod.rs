@@ -11,7 +11,9 @@ pub use path::{KEYS, Step, csv, path};
 pub use unit::{ANGLE, LENGTH, Shown, shown, unit};
 pub use words::{further, kind, owner, short, subject};
 
-use unit::Measure;
+use Owner::{Input, Link, PairOn, Slide};
+use Quantity as Q;
+use unit::Measure as M;
 
 /// What is known of a quantity.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +23,7 @@ struct Row {
     /// Its symbol, to which the axis of a projection is added.
     symbol: &'static str,
     /// What it measures, from which its unit follows.
-    measure: Measure,
+    measure: M,
     /// Its keys in the JSON of a row; empty where it has none. `*` stands for the name of the owner, `+` for the link on which a
     /// force acts.
     json: &'static str,
@@ -31,181 +33,92 @@ struct Row {
     sense: bool,
 }
 
-const fn row(
-    name: &'static str,
-    symbol: &'static str,
-    measure: Measure,
-    json: &'static str,
-    csv: &'static str,
-) -> Row {
-    Row { name, symbol, measure, json, csv, sense: true }
+/// Its sign says in which sense it acts.
+const SENSE: bool = true;
+/// Its sign says where it is, or it can't be negative.
+const PLAIN: bool = false;
+
+/// Makes the function that finds the row of a quantity and its kind of owner: name, symbol, measure, keys in the JSON, name in CSV.
+macro_rules! rows {
+    ($($quantity:pat, $owner:pat => $sense:ident
+        $name:expr, $symbol:literal, $measure:expr, $json:literal, $csv:literal;)*) => {
+        fn of(column: Column) -> Row {
+            match (column.quantity, column.owner) {
+                $(($quantity, $owner) => {
+                    Row { name: $name, symbol: $symbol, measure: $measure, json: $json, csv: $csv, sense: $sense }
+                })*
+                // A quantity that a later family brings has a row of its own here before it is shown.
+                _ => Row { name: "", symbol: "", measure: M::Number, json: "", csv: "", sense: PLAIN },
+            }
+        }
+    };
 }
 
-/// A quantity whose sign says where it is, or which can't be negative.
-const fn without_sense(row: Row) -> Row {
-    Row { sense: false, ..row }
-}
-
-/// The row of a quantity and its kind of owner.
-#[expect(clippy::too_many_lines, reason = "one table, a row for each quantity")]
-fn of(column: Column) -> Row {
-    use Measure as M;
-    use Owner::{Input, Link, PairOn, Slide};
-    use Quantity as Q;
-    match (column.quantity, column.owner) {
-        (Q::Time, _) => without_sense(row("quantity-time", "t", M::Time, "time", "time")),
-        (Q::Transfer(_), Input) => {
-            without_sense(row("quantity-coordinate", "q", M::Place, "coordinate", "coordinate"))
-        }
-        (Q::Velocity, Input) => row("quantity-speed", "w", M::Rate(1), "speed", "speed"),
-        (Q::Acceleration, Input) => {
-            row("quantity-input-acceleration", "e", M::Rate(2), "acceleration", "acceleration")
-        }
-        (Q::DrivingWork, _) => {
-            without_sense(row("quantity-work-driving", "", M::Energy, "work_driving", "work_driving"))
-        }
-        (Q::ResistingWork, _) => {
-            without_sense(row("quantity-work-resisting", "", M::Energy, "work_resisting", "work_resisting"))
-        }
-        (Q::KineticEnergy, Link(_)) => without_sense(row(
-            "quantity-kinetic-energy",
-            "T",
-            M::Energy,
-            "kinetic_energies.*",
-            "*_kinetic_energy",
-        )),
-        (Q::Work, Input) => {
-            without_sense(row("quantity-work-drive", "", M::Energy, "works.drive", "work_drive"))
-        }
-        (Q::Work, Link(_)) => {
-            without_sense(row("quantity-work-weights", "", M::Energy, "works.weights", "work_weights"))
-        }
-        (Q::Work, _) => without_sense(row("quantity-work", "A", M::Energy, "works.loads.*", "work_*")),
-        (Q::ReducedLoad, Input) => {
-            row("quantity-reduced-drive", "", M::OnInput, "reduced_loads.drive", "reduced_drive")
-        }
-        (Q::ReducedLoad, Link(_)) => {
-            row("quantity-reduced-weights", "", M::OnInput, "reduced_loads.weights", "reduced_weights")
-        }
-        (Q::ReducedLoad, _) => {
-            row("quantity-reduced-load", "", M::OnInput, "reduced_loads.loads.*", "reduced_load_*")
-        }
-        (Q::KineticEnergy, _) => {
-            without_sense(row("quantity-kinetic-energy", "T", M::Energy, "kinetic_energy", "kinetic_energy"))
-        }
-        (Q::Transfer(0), Link(_)) => {
-            without_sense(row("quantity-pf0", "", M::Place, "links.*.pf0", "*_angle"))
-        }
-        (Q::Transfer(1), Link(_)) => row("quantity-pf1", "", M::Transfer(1), "links.*.pf1", "*_angle_pf1"),
-        (Q::Transfer(order), Link(_)) => {
-            row("quantity-pf2", "", M::Transfer(order), "links.*.pf2", "*_angle_pf2")
-        }
-        (Q::Transfer(0), Slide(_)) => {
-            without_sense(row("quantity-pf0", "", M::Place, "slides.*.pf0", "*_displacement"))
-        }
-        (Q::Transfer(1), Slide(_)) => {
-            row("quantity-pf1", "", M::Transfer(1), "slides.*.pf1", "*_displacement_pf1")
-        }
-        (Q::Transfer(order), Slide(_)) => {
-            row("quantity-pf2", "", M::Transfer(order), "slides.*.pf2", "*_displacement_pf2")
-        }
-        (Q::Transfer(0), _) => without_sense(row("quantity-pf0", "", M::Place, "points.*.pf0", "*_%")),
-        (Q::Transfer(1), _) => row("quantity-pf1", "", M::Transfer(1), "points.*.pf1", "*_%_pf1"),
-        (Q::Transfer(order), _) => row("quantity-pf2", "", M::Transfer(order), "points.*.pf2", "*_%_pf2"),
-        (Q::Velocity, Link(_)) => row("quantity-velocity", "w", M::Rate(1), "velocities.links.*", "*_w"),
-        (Q::Velocity, Slide(_)) => row("quantity-velocity", "v", M::Rate(1), "velocities.slides.*", "*_v"),
-        (Q::Velocity, _) => row("quantity-velocity", "v", M::Rate(1), "velocities.points.*", "*_v%"),
-        (Q::Acceleration, Link(_)) => {
-            row("quantity-acceleration", "e", M::Rate(2), "accelerations.links.*", "*_e")
-        }
-        (Q::Acceleration, Slide(_)) => {
-            row("quantity-acceleration", "a", M::Rate(2), "accelerations.slides.*", "*_a")
-        }
-        (Q::Acceleration, _) => {
-            row("quantity-acceleration", "a", M::Rate(2), "accelerations.points.*", "*_a%")
-        }
-        (Q::ReducedInertia, Link(_)) => without_sense(row(
-            "quantity-reduced-inertia",
-            "J",
-            M::Inertia,
-            "reduced.inertia_of_links.*",
-            "*_reduced_inertia",
-        )),
-        (Q::ReducedInertia, _) => without_sense(row(
-            "quantity-reduced-inertia",
-            "J",
-            M::Inertia,
-            "reduced.inertia",
-            "reduced_inertia",
-        )),
-        (Q::ReducedInertiaDerivative, _) => row(
-            "quantity-reduced-inertia-derivative",
-            "J'",
-            M::InertiaDerivative,
-            "reduced.inertia_derivative",
-            "reduced_inertia_derivative",
-        ),
-        (Q::ReducedMoment, _) => {
-            row("quantity-reduced-moment", "Q", M::OnInput, "reduced.moment", "reduced_moment")
-        }
-        (Q::Load, _) => row("", "", M::Load, "loads.*", "load_*"),
-        (Q::InertiaForce, _) => {
-            row("quantity-inertia-force", "F", M::Force, "inertia_loads.*.force", "*_inertia_f%")
-        }
-        (Q::InertiaMoment, _) => {
-            row("quantity-inertia-moment", "M", M::Moment, "inertia_loads.*.moment", "*_inertia_moment")
-        }
-        (Q::ShakingForce, _) => row("quantity-shaking-force", "F", M::Force, "shaking.force", "shaking_f%"),
-        (Q::ShakingMoment, _) => {
-            row("quantity-shaking-moment", "M", M::Moment, "shaking.moment", "shaking_moment")
-        }
-        (Q::Force, PairOn(..)) => row("quantity-force", "F", M::Force, "reactions.*.+", "*_+_f%"),
-        (Q::Force, _) => row("quantity-force", "F", M::Force, "", ""),
-        (Q::Moment, _) => row("quantity-moment", "M", M::Moment, "reactions.*.moment", "*_moment"),
-        (Q::Offset, _) => without_sense(row("quantity-offset", "", M::Length, "", "")),
-        (Q::Balancing, _) => row("quantity-balancing", "", M::Balancing, "balancing", "balancing"),
-        (Q::FrictionMoment, PairOn(..)) => {
-            row("quantity-friction-moment", "Mf", M::Moment, "friction.*.moments.+", "*_+_friction_moment")
-        }
-        (Q::FrictionMoment, _) => {
-            row("quantity-friction-moment", "Mf", M::Moment, "friction.*.moment", "*_friction_moment")
-        }
-        (Q::FrictionForce, _) => {
-            row("quantity-friction-force", "Ff", M::Force, "friction.*.force", "*_friction_force")
-        }
-        (Q::FrictionPower, _) => without_sense(row(
-            "quantity-friction-power",
-            "Pf",
-            M::Power,
-            "friction.*.power",
-            "*_friction_power",
-        )),
-        (Q::IdealBalancing, _) => row(
-            "quantity-ideal-balancing",
-            "",
-            M::Balancing,
-            "balancing_without_friction",
-            "balancing_without_friction",
-        ),
-        (Q::Efficiency, _) => {
-            without_sense(row("quantity-efficiency", "", M::Number, "efficiency", "efficiency"))
-        }
-        (Q::FrictionCertificate, _) => without_sense(row(
-            "quantity-friction-certificate",
-            "",
-            M::Number,
-            "friction_certificate.*",
-            "friction_certificate_*",
-        )),
-        (Q::Holding, _) => row("quantity-holding", "", M::OnInput, "holding.moment", ""),
-        (Q::HoldingBound, _) => row("quantity-holding-bound", "", M::OnInput, "holding.bound", ""),
-        (Q::Condition, _) => {
-            without_sense(row("quantity-condition", "", M::Number, "condition.*", "condition_*"))
-        }
-        (Q::Residual(of), _) => without_sense(row(residual(of), "", M::Number, "residuals.*", "residual_*")),
-        // A quantity that a later family brings has a row of its own here before it is shown.
-        _ => without_sense(row("", "", M::Number, "", "")),
-    }
+rows! {
+    Q::Time, _ => PLAIN "quantity-time", "t", M::Time, "time", "time";
+    Q::Transfer(_), Input => PLAIN "quantity-coordinate", "q", M::Place, "coordinate", "coordinate";
+    Q::Velocity, Input => SENSE "quantity-speed", "w", M::Rate(1), "speed", "speed";
+    Q::Acceleration, Input => SENSE "quantity-input-acceleration", "e", M::Rate(2), "acceleration", "acceleration";
+    Q::DrivingWork, _ => PLAIN "quantity-work-driving", "", M::Energy, "work_driving", "work_driving";
+    Q::ResistingWork, _ => PLAIN "quantity-work-resisting", "", M::Energy, "work_resisting", "work_resisting";
+    Q::KineticEnergy, Link(_) => PLAIN "quantity-kinetic-energy", "T", M::Energy,
+        "kinetic_energies.*", "*_kinetic_energy";
+    Q::Work, Input => PLAIN "quantity-work-drive", "", M::Energy, "works.drive", "work_drive";
+    Q::Work, Link(_) => PLAIN "quantity-work-weights", "", M::Energy, "works.weights", "work_weights";
+    Q::Work, _ => PLAIN "quantity-work", "A", M::Energy, "works.loads.*", "work_*";
+    Q::ReducedLoad, Input => SENSE "quantity-reduced-drive", "", M::OnInput, "reduced_loads.drive", "reduced_drive";
+    Q::ReducedLoad, Link(_) => SENSE "quantity-reduced-weights", "", M::OnInput,
+        "reduced_loads.weights", "reduced_weights";
+    Q::ReducedLoad, _ => SENSE "quantity-reduced-load", "", M::OnInput, "reduced_loads.loads.*", "reduced_load_*";
+    Q::KineticEnergy, _ => PLAIN "quantity-kinetic-energy", "T", M::Energy, "kinetic_energy", "kinetic_energy";
+    Q::Transfer(0), Link(_) => PLAIN "quantity-pf0", "", M::Place, "links.*.pf0", "*_angle";
+    Q::Transfer(1), Link(_) => SENSE "quantity-pf1", "", M::Transfer(1), "links.*.pf1", "*_angle_pf1";
+    Q::Transfer(order), Link(_) => SENSE "quantity-pf2", "", M::Transfer(order), "links.*.pf2", "*_angle_pf2";
+    Q::Transfer(0), Slide(_) => PLAIN "quantity-pf0", "", M::Place, "slides.*.pf0", "*_displacement";
+    Q::Transfer(1), Slide(_) => SENSE "quantity-pf1", "", M::Transfer(1), "slides.*.pf1", "*_displacement_pf1";
+    Q::Transfer(order), Slide(_) => SENSE "quantity-pf2", "", M::Transfer(order),
+        "slides.*.pf2", "*_displacement_pf2";
+    Q::Transfer(0), _ => PLAIN "quantity-pf0", "", M::Place, "points.*.pf0", "*_%";
+    Q::Transfer(1), _ => SENSE "quantity-pf1", "", M::Transfer(1), "points.*.pf1", "*_%_pf1";
+    Q::Transfer(order), _ => SENSE "quantity-pf2", "", M::Transfer(order), "points.*.pf2", "*_%_pf2";
+    Q::Velocity, Link(_) => SENSE "quantity-velocity", "w", M::Rate(1), "velocities.links.*", "*_w";
+    Q::Velocity, Slide(_) => SENSE "quantity-velocity", "v", M::Rate(1), "velocities.slides.*", "*_v";
+    Q::Velocity, _ => SENSE "quantity-velocity", "v", M::Rate(1), "velocities.points.*", "*_v%";
+    Q::Acceleration, Link(_) => SENSE "quantity-acceleration", "e", M::Rate(2), "accelerations.links.*", "*_e";
+    Q::Acceleration, Slide(_) => SENSE "quantity-acceleration", "a", M::Rate(2), "accelerations.slides.*", "*_a";
+    Q::Acceleration, _ => SENSE "quantity-acceleration", "a", M::Rate(2), "accelerations.points.*", "*_a%";
+    Q::ReducedInertia, Link(_) => PLAIN "quantity-reduced-inertia", "J", M::Inertia,
+        "reduced.inertia_of_links.*", "*_reduced_inertia";
+    Q::ReducedInertia, _ => PLAIN "quantity-reduced-inertia", "J", M::Inertia, "reduced.inertia", "reduced_inertia";
+    Q::ReducedInertiaDerivative, _ => SENSE "quantity-reduced-inertia-derivative", "J'", M::InertiaDerivative,
+        "reduced.inertia_derivative", "reduced_inertia_derivative";
+    Q::ReducedMoment, _ => SENSE "quantity-reduced-moment", "Q", M::OnInput, "reduced.moment", "reduced_moment";
+    Q::Load, _ => SENSE "", "", M::Load, "loads.*", "load_*";
+    Q::InertiaForce, _ => SENSE "quantity-inertia-force", "F", M::Force, "inertia_loads.*.force", "*_inertia_f%";
+    Q::InertiaMoment, _ => SENSE "quantity-inertia-moment", "M", M::Moment,
+        "inertia_loads.*.moment", "*_inertia_moment";
+    Q::ShakingForce, _ => SENSE "quantity-shaking-force", "F", M::Force, "shaking.force", "shaking_f%";
+    Q::ShakingMoment, _ => SENSE "quantity-shaking-moment", "M", M::Moment, "shaking.moment", "shaking_moment";
+    Q::Force, PairOn(..) => SENSE "quantity-force", "F", M::Force, "reactions.*.+", "*_+_f%";
+    Q::Force, _ => SENSE "quantity-force", "F", M::Force, "", "";
+    Q::Moment, _ => SENSE "quantity-moment", "M", M::Moment, "reactions.*.moment", "*_moment";
+    Q::Offset, _ => PLAIN "quantity-offset", "", M::Length, "", "";
+    Q::Balancing, _ => SENSE "quantity-balancing", "", M::Balancing, "balancing", "balancing";
+    Q::FrictionMoment, PairOn(..) => SENSE "quantity-friction-moment", "Mf", M::Moment,
+        "friction.*.moments.+", "*_+_friction_moment";
+    Q::FrictionMoment, _ => SENSE "quantity-friction-moment", "Mf", M::Moment,
+        "friction.*.moment", "*_friction_moment";
+    Q::FrictionForce, _ => SENSE "quantity-friction-force", "Ff", M::Force, "friction.*.force", "*_friction_force";
+    Q::FrictionPower, _ => PLAIN "quantity-friction-power", "Pf", M::Power, "friction.*.power", "*_friction_power";
+    Q::IdealBalancing, _ => SENSE "quantity-ideal-balancing", "", M::Balancing,
+        "balancing_without_friction", "balancing_without_friction";
+    Q::Efficiency, _ => PLAIN "quantity-efficiency", "", M::Number, "efficiency", "efficiency";
+    Q::FrictionCertificate, _ => PLAIN "quantity-friction-certificate", "", M::Number,
+        "friction_certificate.*", "friction_certificate_*";
+    Q::Holding, _ => SENSE "quantity-holding", "", M::OnInput, "holding.moment", "";
+    Q::HoldingBound, _ => SENSE "quantity-holding-bound", "", M::OnInput, "holding.bound", "";
+    Q::Condition, _ => PLAIN "quantity-condition", "", M::Number, "condition.*", "condition_*";
+    Q::Residual(of), _ => PLAIN residual(of), "", M::Number, "residuals.*", "residual_*";
 }
 
 /// The identity of the name of a residual.

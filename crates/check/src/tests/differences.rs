@@ -1,5 +1,5 @@
-use crate::differences::extrapolated;
-use crate::differences::{SAMPLES, rounding_of};
+use crate::numbers::extrapolated;
+use crate::numbers::{SAMPLES, rounding_of};
 
 fn central(f: impl Fn(f64) -> f64, x: f64, first: f64) -> Vec<(f64, f64)> {
     let step = |k: i32| first * 0.5_f64.powi(k);

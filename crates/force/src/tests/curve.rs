@@ -4,7 +4,7 @@ use assur_mechanism::{Shape, Table};
 use proptest::prelude::*;
 
 use super::near;
-use crate::curve::Curve;
+use crate::law::Curve;
 
 /// Rows of small whole numbers, so that some arguments are equal: jumps.
 fn rows() -> impl Strategy<Value = Vec<[f64; 2]>> {

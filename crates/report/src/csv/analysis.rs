@@ -77,10 +77,6 @@ fn samples(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
 
 impl Sheet {
     /// The header row.
-    ///
-    /// # Errors
-    ///
-    /// [`CsvError`] if the writer fails.
     pub fn header(&self) -> Result<Vec<u8>, CsvError> {
         let index = self.numbered.then_some("index");
         let names = index.into_iter().chain(self.columns.iter().map(|(_, name)| name.as_str()));

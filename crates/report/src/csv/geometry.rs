@@ -6,10 +6,6 @@ use assur_shaking::Shaking;
 use super::{Cell, CsvError, write};
 
 /// Centers of the links, curvature of the paths and force angles in every position, SI.
-///
-/// # Errors
-///
-/// [`CsvError`] for a number that is not finite.
 pub fn geometry(found: &Geometry, ascii: bool) -> Result<String, CsvError> {
     let unit = if found.angular { "rad" } else { "m" };
     let mut header = vec!["position".to_owned(), format!("coordinate_{unit}")];
@@ -52,10 +48,6 @@ fn row(found: &Geometry, at: &AtPosition) -> Vec<Cell<'static>> {
 }
 
 /// Shaking force and moment, input torque, and the force with each set of counterweights, in every position, SI.
-///
-/// # Errors
-///
-/// [`CsvError`] for a number that is not finite.
 pub fn shaking(found: &Shaking, ascii: bool) -> Result<String, CsvError> {
     let (unit, torque) = if found.angular { ("rad", "torque_Nm") } else { ("m", "driving_force_N") };
     let mut header: Vec<String> = vec!["position".to_owned(), format!("coordinate_{unit}")];

@@ -13,8 +13,7 @@ use crate::json::NotFinite;
 use crate::to_ascii;
 
 pub use analysis::{FILES, Sheet, of_positions, of_trajectory};
-pub use geometry::geometry;
-pub use geometry::shaking;
+pub use geometry::{geometry, shaking};
 
 /// A table can't be written as CSV.
 #[derive(Debug)]
@@ -59,10 +58,6 @@ pub enum Cell<'a> {
 
 /// Writes a table; `ascii`: no character beyond ASCII. Columns of one name are distinguished by numbers, and a text
 /// that a spreadsheet would take for a formula (`=`, `+`, `-` or `@` in front) gets an underscore in front.
-///
-/// # Errors
-///
-/// [`CsvError`] for a number that is not finite.
 pub fn write<'a, R>(
     header: &[impl AsRef<str>],
     rows: impl IntoIterator<Item = R>,
@@ -75,10 +70,6 @@ where
 }
 
 /// Writes the rows of a table without its header, as [`write`](fn@write) does.
-///
-/// # Errors
-///
-/// [`CsvError`] for a number that is not finite.
 pub fn rows<'a, R>(
     header: &[impl AsRef<str>],
     rows: impl IntoIterator<Item = R>,
@@ -110,10 +101,6 @@ where
 }
 
 /// What a writer has written.
-///
-/// # Errors
-///
-/// [`CsvError`] if the writer fails.
 pub fn finished(writer: Writer<Vec<u8>>) -> Result<String, CsvError> {
     let bytes = writer.into_inner().map_err(|error| ::csv::Error::from(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
@@ -143,10 +130,6 @@ fn harmless(text: &str, ascii: bool) -> Cow<'_, str> {
 }
 
 /// The header row; columns of one name are distinguished by numbers.
-///
-/// # Errors
-///
-/// [`CsvError`] if the writer fails.
 pub fn header(names: &[impl AsRef<str>], ascii: bool) -> Result<String, CsvError> {
     let mut writer = Writer::from_writer(Vec::new());
     if !names.is_empty() {

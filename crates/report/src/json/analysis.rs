@@ -65,10 +65,6 @@ impl<'a> Tail<'a> {
 }
 
 /// The results, if all their numbers are finite.
-///
-/// # Errors
-///
-/// [`NotFinite`] with the first number that is not.
 pub fn finite(analysis: &Analysis) -> Result<&Analysis, NotFinite> {
     let place = |list: &str, table: &Table, (row, column): (usize, usize)| {
         let schema = table.schema();
@@ -98,10 +94,6 @@ pub struct Around {
 
 impl Around {
     /// Of an analysis; `ascii`: other characters are escaped.
-    ///
-    /// # Errors
-    ///
-    /// [`JsonError`] for a number that is not finite.
     pub fn of(analysis: &Analysis, ascii: bool) -> Result<Self, JsonError> {
         let Analysis { title, input, structure, failures, trajectory, .. } = finite(analysis)?;
         let mut before = vec![b'{'];
@@ -132,10 +124,6 @@ impl Around {
 }
 
 /// Results that keep all positions as one line of JSON; `ascii`: other characters are escaped.
-///
-/// # Errors
-///
-/// [`JsonError`] for a number that is not finite.
 pub fn to_json(analysis: &Analysis, ascii: bool) -> Result<String, JsonError> {
     let Around { rows, before, after } = Around::of(analysis, ascii)?;
     let rows = rows.text(&analysis.positions).concat();

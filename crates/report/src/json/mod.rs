@@ -46,10 +46,6 @@ impl Describe for NotFinite {
 }
 
 /// A result, if all its numbers are finite.
-///
-/// # Errors
-///
-/// [`NotFinite`] with the first number that is not.
 pub fn finite<T: Serialize>(result: &T) -> Result<&T, NotFinite> {
     match finite::place(result) {
         Some(place) => Err(NotFinite { place }),
@@ -93,10 +89,6 @@ fn quoted(text: &str, ascii: bool) -> String {
 }
 
 /// Any result as one line of JSON; `ascii`: other characters are escaped.
-///
-/// # Errors
-///
-/// [`JsonError`] for a number that is not finite.
 pub fn to_json<T: Serialize>(result: &T, ascii: bool) -> Result<String, JsonError> {
     let mut bytes = serialized(finite(result)?, ascii)?;
     bytes.push(b'\n');

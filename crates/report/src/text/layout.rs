@@ -247,7 +247,7 @@ impl Page<'_> {
                 assur_words::joined("; ", cells.collect::<Vec<_>>())
             };
             let (what, value) = (cells(&mut keys.iter()), cells(&mut groups.iter().flatten()));
-            let line = self.style.line(&text!("report-fact", what = what, value = value));
+            let line = self.style.line(&text!("report-fact", what, value));
             self.wrapped(Kind::Row(row), &line, 0, 2);
         }
     }
@@ -269,7 +269,7 @@ impl Page<'_> {
             self.push(Kind::Words, self.style.line(&text!("report-rows-shown", shown = rows, all = height)));
         }
         if shown < all {
-            self.push(Kind::Words, self.style.line(&text!("report-columns-shown", shown = shown, all = all)));
+            self.push(Kind::Words, self.style.line(&text!("report-columns-shown", shown, all)));
         }
     }
 

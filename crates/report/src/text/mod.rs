@@ -12,9 +12,8 @@ use assur_geometry::Geometry;
 use assur_kinematics::Linkage;
 use assur_shaking::Shaking;
 
-use crate::json::NotFinite;
 use crate::json::analysis::finite as finite_analysis;
-use crate::json::finite;
+use crate::json::{NotFinite, finite};
 use crate::topic::{self, Source};
 pub use grid::columns;
 pub use layout::{Kind, Line, Style, lines, wrapped, written};
@@ -28,10 +27,6 @@ pub fn told(style: Style<'_>, topic: impl FnOnce(&mut Document)) -> String {
 
 /// The whole report: first the results that are asked for first, then the tables. `positions`: the numbers of the
 /// positions that the tables show, `None` for all.
-///
-/// # Errors
-///
-/// [`NotFinite`] for a number that is not finite.
 pub fn report(
     analysis: &Analysis,
     linkage: &Linkage,
@@ -43,10 +38,6 @@ pub fn report(
 }
 
 /// What was measured on the motion.
-///
-/// # Errors
-///
-/// [`NotFinite`] for a number that is not finite.
 pub fn geometry(found: &Geometry, style: Style<'_>) -> Result<String, NotFinite> {
     let found = finite(found)?;
     Ok(told(style, |page| topic::geometry(found, page)))
@@ -63,10 +54,6 @@ pub fn structure(found: &StructureStudy, style: Style<'_>) -> Result<String, Not
 }
 
 /// Shaking force and counterweights.
-///
-/// # Errors
-///
-/// [`NotFinite`] for a number that is not finite.
 pub fn shaking(found: &Shaking, style: Style<'_>) -> Result<String, NotFinite> {
     let found = finite(found)?;
     Ok(told(style, |page| topic::shaking(found, page)))

@@ -73,7 +73,7 @@ pub fn not_judged(checks: &[Check]) -> Vec<Text> {
         }
     }
     let sentence = |(count, why, names): (usize, Text, Vec<Text>)| {
-        text!("report-not-judged-in", count = count, checks = list(names), reason = why)
+        text!("report-not-judged-in", count, checks = list(names), reason = why)
     };
     let alone = checks.iter().filter(|check| check.verdict().is_none() && check.left_out == 0);
     let alone = alone.map(|check| {

@@ -36,9 +36,9 @@ pub fn motion_over_time(source: &Source<'_>, page: &mut Document) {
 
 fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
     let case = number(found.case);
-    page.paragraph(text!("report-equation", equation = &found.equation, case = case));
+    page.paragraph(text!("report-equation", equation = &found.equation, case));
     let method = name(found.method.clone());
-    page.paragraph(text!("report-integrator", method = method, reason = &found.reason));
+    page.paragraph(text!("report-integrator", method, reason = &found.reason));
     let cost = &found.statistics;
     page.paragraph(text!(
         "report-integration-cost",
@@ -73,9 +73,9 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
     ));
     let change = number(format_args!("{:.2e}", energy.change));
     page.paragraph(if energy.conservative {
-        text!("report-energy-drift", change = change)
+        text!("report-energy-drift", change)
     } else {
-        text!("report-energy-work", change = change)
+        text!("report-energy-work", change)
     });
 }
 

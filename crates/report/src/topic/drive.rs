@@ -29,7 +29,7 @@ pub fn drive(source: &Source<'_>, page: &mut Document) {
     }
     if let Some(motor) = &found.motor {
         for warning in &motor.warnings {
-            page.paragraph(text!("report-warning", warning = warning));
+            page.paragraph(text!("report-warning", warning));
         }
         runners_up(motor, page);
     }
@@ -198,7 +198,7 @@ fn compared(motors: &[MotorAdvice], page: &mut Document) {
     let mut table = Table::list(text!("report-usual", source = name(USUAL_SOURCE)), heads);
     for usual in &USUAL_UNEVENNESS {
         let [least, most] = usual.range.map(|value| Unit::NONE.number(value));
-        let range: Text = if least == most { least } else { text!("fact-range", least = least, most = most) };
+        let range: Text = if least == most { least } else { text!("fact-range", least, most) };
         table.row([Cell::from(usual.machine.clone()), Cell::from(range)]);
     }
     page.table(table);

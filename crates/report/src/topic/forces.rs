@@ -180,9 +180,9 @@ pub fn balancing_at_positions(source: &Source<'_>, page: &mut Document) {
     };
     let link = link_name(source.mechanism, link);
     let caption = if source.analysis.input.balancing_is_moment {
-        text!("report-balancing-moment-on", link = link)
+        text!("report-balancing-moment-on", link)
     } else {
-        text!("report-balancing-force-on", link = link)
+        text!("report-balancing-force-on", link)
     };
     let column = source.column(name(symbol), unit, Values::BALANCING);
     page.table(Table::over(caption, source.keys(), vec![column]));
@@ -196,7 +196,7 @@ pub fn causes(source: &Source<'_>, page: &mut Document) {
     }
     page.heading(text!("report-causes"));
     page.paragraph(text!("report-causes-text"));
-    let causes = || schema.causes.iter().enumerate().map(|(cause, of)| (Some(cause), name(of.clone())));
+    let causes = || schema.causes.iter().enumerate().map(|(cause, of)| (Some(cause), Text::from(of)));
     let all = || causes().chain([(None, text!("report-whole"))]);
     for (pair, links) in shown(&source.positions) {
         for link in links {

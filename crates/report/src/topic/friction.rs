@@ -81,7 +81,7 @@ fn efficiency(source: &Source<'_>, page: &mut Document) {
     for owner in source.owners(Quantity::FrictionCertificate, |_| true) {
         let values = Values::of(Quantity::FrictionCertificate, owner);
         let group = catalogue::owner(source.positions.schema(), values);
-        columns.push(source.column(text!("head-certificate", group = group), Unit::NONE, values));
+        columns.push(source.column(text!("head-certificate", group), Unit::NONE, values));
     }
     page.table(Table::over(text!("report-efficiency"), source.keys(), columns));
 }

@@ -60,7 +60,7 @@ fn given(mechanism: &Mechanism, load: &LoadKind) -> (Text, Text) {
                 length = LENGTH.show(spring.length),
                 damping = Unit::of("N·s/m", 1.0).show(spring.damping)
             );
-            (text!("given-spring", one = one, other = other), data)
+            (text!("given-spring", one, other), data)
         }
         LoadKind::Contact(contact) => {
             let what = text!(

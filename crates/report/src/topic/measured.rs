@@ -123,15 +123,7 @@ fn force_angles(found: &Geometry, units: &Units, page: &mut Document) {
         let ends = &at.extremes;
         let [least, most] = [ends.min, ends.max].map(|angle| ANGLE.show(angle));
         let [at_least, at_most] = [ends.at_min, ends.at_max].map(|at| units.coordinate.show(at));
-        page.paragraph(text!(
-            "geometry-force-angle",
-            group = group,
-            what = &at.what,
-            least = least,
-            at_least = at_least,
-            most = most,
-            at_most = at_most
-        ));
+        page.paragraph(text!("geometry-force-angle", group, what = &at.what, least, at_least, most, at_most));
     }
 }
 
@@ -169,7 +161,7 @@ fn centers(found: &Geometry, units: &Units, page: &mut Document) {
     page.paragraph(text!("geometry-centers-text", link = against.clone()));
     if !found.rigid.is_empty() {
         let rigid = named(&found.rigid);
-        page.paragraph(text!("geometry-rigid", against = against, links = rigid));
+        page.paragraph(text!("geometry-rigid", against, links = rigid));
     }
     let Some(first) = found.positions.first() else { return };
     let groups = first.links.keys().filter(|name| !found.rigid.contains(name)).map(|link| {

@@ -18,7 +18,7 @@ mod structure;
 mod task;
 mod units;
 
-use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table};
+use assur_analysis::results::{Analysis, Column as Values, Owner, Part, Quantity, Table};
 use assur_book::{Column, Document};
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
@@ -92,8 +92,6 @@ impl<'a> Source<'a> {
         schema.named(owner).map_or_else(|| name(schema.name(owner).into_owned()), Text::from)
     }
 }
-
-use assur_analysis::results::Column as Values;
 
 /// The numbers of a column in all rows.
 fn each(table: &Table, values: Values) -> Vec<Option<f64>> {
@@ -177,6 +175,6 @@ impl Source<'_> {
     /// `position 6, 45 deg`.
     pub fn place(&self, position: usize) -> Text {
         let at = self.units.coordinate.show(self.mechanism.input.coordinate(position));
-        text!("note-place", position = assur_words::number(position), at = at)
+        text!("note-place", position = assur_words::number(position), at)
     }
 }

@@ -16,7 +16,7 @@ pub fn shown_positions(source: &Source<'_>, page: &mut Document) {
     let (shown, all) = (source.positions.len(), source.analysis.survey.rows);
     if shown > 0 && shown != all {
         page.heading(text!("report-shown-positions"));
-        page.paragraph(text!("report-positions-shown", shown = shown, all = all));
+        page.paragraph(text!("report-positions-shown", shown, all));
     }
 }
 

@@ -21,9 +21,9 @@ fn plan(plan: &Plan, page: &mut Document) {
     let title = plan.title.clone();
     let (own, residual) = (unit(plan.unit.clone()), number(format_args!("{:.1e}", plan.residual)));
     page.blocks.push(assur_book::Block::Subheading(if plan.scale > 0.0 {
-        text!("plan-with-scale", title = title, unit = own, scale = number(plan.scale), residual = residual)
+        text!("plan-with-scale", title, unit = own, scale = number(plan.scale), residual)
     } else {
-        text!("plan-without-scale", title = title, unit = own, residual = residual)
+        text!("plan-without-scale", title, unit = own, residual)
     }));
     let ends = plan.items.iter().flat_map(|item| [item.start, item.end]);
     let places = beside(ends.chain(plan.points.iter().map(|point| point.at)).flatten());
@@ -95,7 +95,7 @@ fn causes(split: &Split, page: &mut Document) {
         Column::short(name("R"), FORCE),
     ];
     let residual = number(format_args!("{:.1e}", split.residual));
-    let mut table = Table::list(text!("plan-causes", residual = residual), heads);
+    let mut table = Table::list(text!("plan-causes", residual), heads);
     for share in shares() {
         let cause = || share.cause.clone();
         for JointForce { joint, on, force: [fx, fy], .. } in &share.reactions {

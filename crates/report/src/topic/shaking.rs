@@ -22,8 +22,8 @@ pub fn shaking(found: &Shaking, page: &mut Document) {
 fn balance_name(balance: &Balanced) -> Text {
     let links = list(balance.counterweights.iter().map(|weight| Text::from(&weight.link)));
     match balance.criterion {
-        Criterion::LeastSquares => text!("shaking-least-squares", links = links),
-        Criterion::LeastMaximum => text!("shaking-least-maximum", links = links),
+        Criterion::LeastSquares => text!("shaking-least-squares", links),
+        Criterion::LeastMaximum => text!("shaking-least-maximum", links),
     }
 }
 

@@ -14,7 +14,7 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let (structure, mechanism) = (&source.analysis.structure, source.mechanism);
     let links = list(mechanism.links.iter().skip(1).map(|link| Text::from(&link.name)));
     let input = Text::from(&source.analysis.input.link);
-    page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links = links, input = input));
+    page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links, input));
     counted(structure, page);
 }
 
@@ -26,11 +26,11 @@ fn counted(structure: &StructureReport, page: &mut Document) {
         page.paragraph(text!("report-mobility-by-rank", mobility = number(found)));
     }
     if let Some(note) = &structure.note {
-        page.paragraph(text!("report-note", note = note));
+        page.paragraph(text!("report-note", note));
     }
     let class = name(roman(structure.class));
     page.paragraph(text!("report-formula", formula = &structure.formula));
-    page.paragraph(text!("report-class", class = class));
+    page.paragraph(text!("report-class", class));
 }
 
 /// W = 3 n - 2 p5.

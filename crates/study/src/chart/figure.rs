@@ -112,7 +112,7 @@ pub fn stage_text(
     if let Some(how) = data.reference.get(&stage) {
         let error = data.reference_error.get(&stage).copied().unwrap_or(f64::NAN);
         let error = number(format_args!("{error:.0e}"));
-        let about = style.line(&text!("chart-reference", how = how, error = error));
+        let about = style.line(&text!("chart-reference", how, error));
         text += &(textwrap::fill(&about, usize::from(width)) + "\n");
     }
     let figure = drawn(data, stage, [width, HEIGHT], style);

@@ -8,9 +8,9 @@ use assur_number::{Dd, Real, greater};
 use assur_words::{Describe, Text, text};
 
 use super::data::GIVES;
-use super::entry::{Entry, Field};
-use super::ruler::difference;
+use super::race::{Entry, Field};
 use super::work::Work;
+use super::work::difference;
 use super::{ChartError, Measurement, Reference, Setting, Stage, Value};
 
 /// The positions with their loads, and the reference reactions.

@@ -8,7 +8,7 @@ use assur_kinematics::{Chain, Linkage};
 use assur_words::{Describe, Text, number, text};
 
 use super::data::STEP;
-use super::entry::Field;
+use super::race::Field;
 use super::work::Work;
 use super::{ChartError, Measurement, Options, Setting, Stage};
 
@@ -75,5 +75,5 @@ fn closed<'a, T: Number>(
 fn failure(linkage: &Linkage, q: f64, error: &assur_kinematics::ChainError) -> Text {
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
     let coordinate = number(format_args!("{q:.9}"));
-    text!("chart-group-at", group = group, coordinate = coordinate, problem = error.source.describe())
+    text!("chart-group-at", group, coordinate, problem = error.source.describe())
 }

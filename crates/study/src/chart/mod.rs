@@ -10,24 +10,19 @@
 //!   clock is handed in ([`Clock`]); nothing else here depends on it but how often a run is repeated.
 
 mod data;
-mod entry;
 mod figure;
 mod forces;
 pub(crate) mod kinematics;
 mod motion;
-mod options;
 mod race;
-mod ruler;
 mod run;
 mod steady;
 pub mod units;
 pub(crate) mod work;
 
-pub use data::csv;
-pub use data::{ChartData, Measurement, Reference, Setting, Stage, Value};
-pub use figure::figure;
-pub use figure::{WIDTH, stage_text, text};
-pub use options::{Clock, Options, Progress};
+pub use data::{ChartData, Measurement, Reference, Setting, Stage, Value, csv};
+pub use figure::{WIDTH, figure, stage_text, text};
+pub use race::{Clock, Options, Progress};
 pub use run::{ChartError, chart};
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use assur_integrator::{FixedStep, IntegratorPlugin, Knob, Motion, Request, integ
 use assur_words::{Describe, text};
 
 use super::data::{STEP, TOLERANCE};
-use super::entry::{Entry, Field, Verdict};
+use super::race::{Entry, Field, Verdict};
 use super::{ChartError, Measurement, Options, Setting, Stage};
 
 use reference::References;

@@ -2,10 +2,10 @@
 
 use std::ops::ControlFlow;
 
-use assur_words::{Text, text};
+use assur_number::greater;
+use assur_words::{Text, number, text};
 
-use super::entry::{Entry, Field};
-use super::{Clock, Measurement, Options, Progress, Stage};
+use super::{Measurement, Reference, Stage};
 
 /// Shortest stretch that is timed, s: far above the resolution of a clock.
 const STRETCH: f64 = 2e-4;
@@ -170,4 +170,139 @@ pub(crate) fn median(mut times: Vec<f64>) -> Option<f64> {
         return Some(upper);
     }
     Some(0.5 * (times[middle - 1] + upper))
+}
+
+/// A clock that the caller provides.
+pub trait Clock {
+    /// Time since some fixed instant, s; never goes back.
+    fn seconds(&mut self) -> f64;
+}
+
+/// How thorough the measurement is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Every second setting, few repetitions, at most [`limit`](Self::limit) in all.
+    pub quick: bool,
+    /// Time for repetitions in one stage, s.
+    pub stage_seconds: f64,
+    /// Most repetitions of one row.
+    pub rounds: usize,
+    /// Time after which no further row is begun, s.
+    pub limit: f64,
+    /// Most steps of an integrator; if one needs more, its row has the reason.
+    pub max_steps: usize,
+}
+
+impl Options {
+    /// The thorough chart: tens of seconds.
+    pub const THOROUGH: Self =
+        Self { quick: false, stage_seconds: 12.0, rounds: 31, limit: f64::INFINITY, max_steps: 1_000_000 };
+
+    /// The quick chart: within five seconds.
+    pub const QUICK: Self =
+        Self { quick: true, stage_seconds: 0.6, rounds: 7, limit: 3.0, max_steps: 40_000 };
+
+    /// Decimal exponents from `first` down to `last`; the quick chart takes every second.
+    pub(crate) fn decades(self, first: i32, last: i32) -> impl Iterator<Item = f64> {
+        let step = if self.quick { 2 } else { 1 };
+        (last..=first).rev().step_by(step).map(|exponent| 10.0_f64.powi(exponent))
+    }
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self::THOROUGH
+    }
+}
+
+/// Progress of a chart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// The stage in work.
+    pub stage: super::Stage,
+    /// Pieces of work done in it.
+    pub done: usize,
+    /// Pieces of work in it.
+    pub total: usize,
+}
+
+/// The outcome of a run.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Verdict {
+    /// Evaluations in one unit of work.
+    pub(crate) evaluations: Option<u64>,
+    /// Largest relative deviation; `None` without a result.
+    pub(crate) error: Option<f64>,
+    /// What failed.
+    pub(crate) failure: Option<Text>,
+}
+
+impl Verdict {
+    /// The outcome of a run over positions: the largest of their errors, and the failures.
+    pub(crate) fn of_positions(
+        evaluations: u64,
+        errors: impl ExactSizeIterator<Item = Result<f64, Text>>,
+    ) -> Self {
+        let count = errors.len();
+        let (mut worst, mut failures, mut first) = (None, 0, None);
+        for error in errors {
+            match error {
+                Ok(error) => worst = Some(greater(worst.unwrap_or(0.0), error)),
+                Err(why) => {
+                    failures += 1;
+                    first.get_or_insert(why);
+                }
+            }
+        }
+        let failure = first.map(|first| {
+            if failures == count {
+                return first;
+            }
+            let [failures, count] = [failures, count].map(number);
+            text!("chart-some-positions", failures, count, first)
+        });
+        Self { evaluations: Some(evaluations), error: worst, failure }
+    }
+
+    /// The outcome of a run that gives one number: that number and its evaluations, or why there is none.
+    pub(crate) fn of_number(solved: Result<(f64, usize), Text>, truth: f64) -> Self {
+        match solved {
+            Ok((found, count)) => {
+                let error = ((found - truth) / truth).abs();
+                Self { evaluations: Some(count as u64), error: Some(error), failure: None }
+            }
+            Err(why) => Self { failure: Some(why), ..Self::default() },
+        }
+    }
+}
+
+/// The work of a method at a setting, done once. With `true` it is compared with the reference; with `false` it is
+/// timed, and its return value is ignored.
+type Work<'a> = Box<dyn FnMut(bool) -> Verdict + 'a>;
+
+/// A row that is not measured yet; without work it has its reason already.
+pub(crate) struct Entry<'a> {
+    pub(crate) row: Measurement,
+    /// Units of work in one run.
+    pub(crate) units: f64,
+    pub(crate) work: Option<Work<'a>>,
+}
+
+impl<'a> Entry<'a> {
+    /// A method whose run is one unit of work.
+    pub(crate) fn run(row: Measurement, work: impl FnMut(bool) -> Verdict + 'a) -> Self {
+        Self { row, units: 1.0, work: Some(Box::new(work)) }
+    }
+
+    /// A method that can't be measured.
+    pub(crate) fn refused(mut row: Measurement, why: Text) -> Self {
+        row.reason = Some(why);
+        Self { row, units: 1.0, work: None }
+    }
+}
+
+/// All methods of a stage, and their reference.
+pub(crate) struct Field<'a> {
+    pub(crate) reference: Reference,
+    pub(crate) entries: Vec<Entry<'a>>,
 }

@@ -11,9 +11,9 @@ use assur_mechanism::Motion as Asked;
 use assur_words::{Describe, Text, number, text};
 
 use super::data::TOLERANCE;
-use super::entry::Field;
 use super::forces::{self, Loaded};
 use super::motion::{self, Task};
+use super::race::Field;
 use super::race::Judge;
 use super::steady::{self, Cycle};
 use super::work::Work;
@@ -80,10 +80,6 @@ impl Describe for ChartError {
 ///
 /// `progress` is called before each piece of work; when it breaks, the finished measurements are kept and
 /// [`ChartData::complete`] is false.
-///
-/// # Errors
-///
-/// [`ChartError`] if there is nothing to measure.
 pub fn chart(
     linkage: &Linkage,
     clock: &mut dyn Clock,

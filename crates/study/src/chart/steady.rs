@@ -14,8 +14,8 @@ use assur_mechanism::Motion as Asked;
 use assur_words::{Describe, Text, text};
 
 use super::data::TOLERANCE;
-use super::entry::{Entry, Field, Verdict};
 use super::motion::Task;
+use super::race::{Entry, Field, Verdict};
 use super::{Measurement, Options, Reference, Setting, Stage};
 
 pub(crate) use flywheel::field as flywheel_field;

@@ -6,7 +6,6 @@
 //! result for data that are perturbed by rounding, so its error is at most `C eps / health^k`, where the health is the
 //! dimensionless determinant. A method must keep that bound, or report that it has no result.
 
-mod compare;
 mod exact;
 mod margin;
 mod nearest;

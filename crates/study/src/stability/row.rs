@@ -80,7 +80,7 @@ impl Subject {
             Ok(error) if error.is_infinite() => (None, false, Some(text!("stability-not-finite"))),
             Ok(error) if error > self.bound => {
                 let factor = number(format_args!("{:.1}", error / self.bound));
-                (Some(error), false, Some(text!("stability-times-bound", factor = factor)))
+                (Some(error), false, Some(text!("stability-times-bound", factor)))
             }
             Ok(error) if error > NO_DIGIT => (Some(error), false, Some(text!("stability-no-digit"))),
             Ok(error) => (Some(error), true, None),

@@ -34,8 +34,8 @@ impl Target {
     pub(crate) fn place(&self, linkage: &Linkage, group: usize, more: usize) -> Text {
         let group = linkage.structure.group_name(&linkage.mechanism, group);
         match more {
-            0 => text!("stability-place", group = group, kind = &self.words),
-            more => text!("stability-places", group = group, more = number(more), kind = &self.words),
+            0 => text!("stability-place", group, kind = &self.words),
+            more => text!("stability-places", group, more = number(more), kind = &self.words),
         }
     }
 }

@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 
 use assur_words::{Language, Text, joined, list, name, number, quantity, text};
 
-use super::margin;
 use super::report::Stability;
 use super::row::Comparison;
-use super::walk;
+use super::{margin, walk};
 
 /// Most failed rows that the conclusion lists.
 const MOST_FAILED: usize = 10;
@@ -104,7 +103,7 @@ impl Stability {
             ));
         }
         if let Some(failure) = &self.failure {
-            lines.line(&text!("stability-no-assembly", failure = failure));
+            lines.line(&text!("stability-no-assembly", failure));
         }
     }
 
@@ -136,7 +135,7 @@ impl Stability {
         lines.line(&text!("stability-bound", what = text!(walk::EXPECTED)));
         if self.places_left_out > 0 {
             let [groups, places] = [self.groups.len(), self.places_left_out].map(number);
-            lines.line(&text!("stability-places-left-out", groups = groups, places = places));
+            lines.line(&text!("stability-places-left-out", groups, places));
         }
         for walk in walks_of(&self.rows) {
             lines.line(&walk.line());
@@ -152,7 +151,7 @@ impl Stability {
             && let Some(change) = least.least()
         {
             let change = millimeters(change);
-            lines.line(&text!("stability-critical", length = &least.length, change = change));
+            lines.line(&text!("stability-critical", length = &least.length, change));
         }
         let failed: Vec<&Comparison> = self.rows.iter().filter(|row| !row.ok).collect();
         lines.line(&match self.rows.len() {

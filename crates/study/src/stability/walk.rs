@@ -6,8 +6,8 @@ use assur_kinematics::{Linkage, Position};
 use assur_structure::Group;
 use assur_words::{Describe, Text, name, text};
 
-use super::compare::{ORDERS, reactions, size, transfer};
 use super::exact::{Exact, Reference};
+use super::exact::{ORDERS, reactions, size, transfer};
 use super::row::{Comparison, DISTANCES, FACTOR, REACTIONS, Subject, accept_without_digits};
 use super::target::Target;
 

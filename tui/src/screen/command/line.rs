@@ -61,7 +61,7 @@ fn files(typed: &str) -> Vec<String> {
             .ok()
             .filter(|name| name.starts_with(begun) && !name.starts_with('.'))?;
         let is_folder = entry.path().is_dir();
-        (is_folder || name.ends_with(".toml"))
+        (is_folder || entry.path().extension().is_some_and(|ending| ending == "toml"))
             .then(|| format!("{folder}{name}{}", if is_folder { "/" } else { "" }))
     };
     let mut paths: Vec<String> = entries.filter_map(path).collect();

@@ -45,7 +45,9 @@ pub(crate) fn press(state: &mut State, event: KeyEvent) {
     let (before, count) = (Stop::of(state), state.trail.len());
     pass(state, event);
     let left = before.filter(|before| before.view != state.view && state.trail.len() == count);
-    left.into_iter().for_each(|stop| state.leave(stop));
+    if let Some(stop) = left {
+        state.leave(stop);
+    }
 }
 
 /// Passes a key to what is open: a question, the `:` line, the help, a list, or else the view.

@@ -90,7 +90,7 @@ fn row(state: &State, candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
         motor.designation,
         motor.catalogue,
         told(motor.rated_power / 1e3),
-        format_args!("{:.0}/{:.0}", rpm(motor.synchronous_speed), rpm(motor.rated_speed)),
+        format!("{:.0}/{:.0}", rpm(motor.synchronous_speed), rpm(motor.rated_speed)),
         told(candidate.ratio),
         reserve,
         or_dash(motor.mass),

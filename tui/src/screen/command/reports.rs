@@ -98,7 +98,9 @@ fn open(state: &mut State, scene: Scene) {
     let back = state.going_back.take().filter(|stop| stop.source == scene.session.source);
     if !again {
         let left = Stop::of(state).filter(|_| back.is_none());
-        left.into_iter().for_each(|stop| state.leave(stop));
+        if let Some(stop) = left {
+            state.leave(stop);
+        }
         state.position = scene.first_position();
         state.chosen = Chosen::default();
         state.zoom = Zoom::WHOLE;
@@ -121,5 +123,7 @@ fn open(state: &mut State, scene: Scene) {
     state.fault = None;
     whatif::reloaded(state, &scene, again);
     jobs::exchange(state, scene);
-    back.into_iter().for_each(|stop| stop.restore(state));
+    if let Some(stop) = back {
+        stop.restore(state);
+    }
 }

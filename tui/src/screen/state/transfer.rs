@@ -41,10 +41,10 @@ fn between(linkage: &Linkage, poses: &[Option<Position>]) -> Vec<(usize, f64, Op
     let intervals = poses.len() - usize::from(!matches!(input.range, Range::Cycle(_)));
     let parts = DRAWN.min(PARTS / linkage.mechanism.parts().max(1)).div_ceil(intervals.max(1)).max(1);
     let mut all = Vec::new();
-    for number in 0..poses.len() {
+    for (number, pose) in poses.iter().enumerate() {
         let count = if number < intervals { parts } else { 1 };
         let [from, to] = [number, number + 1].map(|number| input.coordinate(number));
-        for part in usize::from(poses[number].is_some())..count {
+        for part in usize::from(pose.is_some())..count {
             let mut position = linkage.position();
             let at = if part == 0 { from } else { from + (to - from) * part as f64 / parts as f64 };
             let solved = linkage.solve(at, Order::Second, &mut position).is_ok();

@@ -7,7 +7,7 @@ use assur_mechanism::{InputPair, Mechanism};
 use assur_structure::Structure;
 use assur_words::{Text, joined, list, name, text};
 
-use super::words::{Stage, left_out, others, run};
+use crate::topic::explain::{Stage, left_out, others, run};
 
 fn solved(plan: &Plan) -> usize {
     plan.groups_needed.iter().filter(|needed| **needed).count()
@@ -73,7 +73,7 @@ pub(super) fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
 fn coordinate(mechanism: &Mechanism) -> Text {
     let link = link_name(mechanism, mechanism.input.link);
     match mechanism.input.pair {
-        InputPair::Pin(_) => text!("explain-angle-of", link = link),
-        InputPair::Slide(_) => text!("explain-displacement-of", link = link),
+        InputPair::Pin(_) => text!("explain-angle-of", link),
+        InputPair::Slide(_) => text!("explain-displacement-of", link),
     }
 }

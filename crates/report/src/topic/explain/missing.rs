@@ -4,7 +4,7 @@ use assur_mechanism::{GROUND, LinkId, Load, Mechanism, Motion, Torque};
 use assur_words::{list, text};
 
 use super::model::{has_rotor, heavy, used_drive};
-use super::words::{Remark, links, remark};
+use crate::topic::explain::{Remark, links, remark};
 
 /// What is left out, why, and how it can be included.
 pub(super) fn not_modelled(mechanism: &Mechanism) -> Vec<Remark> {

@@ -6,14 +6,14 @@ use assur_mechanism::{
 };
 use assur_words::{Text, list as listed, number, text};
 
-use super::words::{Remark, remark};
+use crate::topic::explain::{Remark, remark};
 
 /// The parts of the model that the scene defines.
 pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
     let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
     let mut list = vec![
         remark(text!("model-links"), text!("model-links-how", count = mechanism.links.len() - 1)),
-        remark(text!("model-pairs"), text!("model-pairs-how", pins = pins, slides = mechanism.slides.len())),
+        remark(text!("model-pairs"), text!("model-pairs-how", pins, slides = mechanism.slides.len())),
     ];
     masses(mechanism, &mut list);
     motion(mechanism, &mut list);
@@ -53,7 +53,7 @@ fn masses(mechanism: &Mechanism, list: &mut Vec<Remark>) {
     list.push(remark(text!("model-masses"), how));
     if let Some(gravity) = mechanism.gravity {
         let gravity = Unit::of("m/s²", 1.0).show_all(&gravity);
-        list.push(remark(text!("missing-weights"), text!("model-weights-how", gravity = gravity)));
+        list.push(remark(text!("missing-weights"), text!("model-weights-how", gravity)));
     }
 }
 
@@ -91,7 +91,7 @@ fn acts(mechanism: &Mechanism, load: &LoadKind) -> Text {
         LoadKind::Spring(spring) => {
             let [one, other] = spring.ends.map(|end| link(end.link));
             let damped = if spring.damping == 0.0 { text!("model-undamped") } else { text!("model-damped") };
-            text!("model-spring", one = one, other = other, damped = damped)
+            text!("model-spring", one, other, damped)
         }
         LoadKind::Contact(contact) => contact_words(contact),
     }
@@ -123,7 +123,7 @@ fn contact_words(contact: &Contact) -> Text {
     } else {
         text!("model-contact-always")
     };
-    text!("model-contact", touches = touches, rubs = rubs)
+    text!("model-contact", touches, rubs)
 }
 
 fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {

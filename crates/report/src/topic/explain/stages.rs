@@ -7,8 +7,8 @@ use assur_mechanism::{Balance, Characteristic, Drive, InputPair, Mechanism, Moti
 use assur_structure::Structure;
 use assur_words::{Text, joined, list, name, text};
 
-use super::words::{Stage, left_out, run};
-use super::{kinematics, words};
+use super::kinematics;
+use crate::topic::explain::{Stage, left_out, run};
 
 pub(super) fn stages(
     mechanism: &Mechanism,
@@ -58,12 +58,11 @@ fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> Text {
     if !plan.inertia_constant {
         return text!("explain-reduced");
     }
-    let is_heavy = |id: &usize| mechanism.links[*id].is_heavy();
-    let heavy: Vec<_> = (1..mechanism.links.len()).filter(is_heavy).collect();
+    let heavy: Vec<_> = mechanism.heavy_links().collect();
     if heavy.is_empty() {
         return text!("explain-reduced-without-mass");
     }
-    text!("explain-reduced-constant", links = words::links(mechanism, &heavy))
+    text!("explain-reduced-constant", links = super::links(mechanism, &heavy))
 }
 
 fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&Text>) -> Stage {
@@ -173,11 +172,11 @@ fn reactions(mechanism: &Mechanism, structure: &Structure, methods: &Methods, pl
 fn idle(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Option<Text> {
     let (carrying, all) = (&plan.groups_carrying, structure.groups.len());
     let idle = carrying.iter().filter(|carrying| !**carrying).count();
-    let names = words::others(mechanism, structure, carrying);
+    let names = super::others(mechanism, structure, carrying);
     match (idle, plan.by_groups) {
         (0, _) => None,
         (_, false) => Some(text!("explain-idle-as-one-system", groups = names)),
-        (idle, true) => Some(text!("explain-idle", idle = idle, all = all, groups = names)),
+        (idle, true) => Some(text!("explain-idle", idle, all, groups = names)),
     }
 }
 

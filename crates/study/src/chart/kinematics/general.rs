@@ -8,7 +8,7 @@ use assur_number::Lanes;
 use assur_words::{Describe, Text};
 
 use super::failure;
-use crate::chart::entry::{Entry, Verdict};
+use crate::chart::race::{Entry, Verdict};
 use crate::chart::work::{Work, solve_generally};
 use crate::chart::{ChartError, Measurement};
 

@@ -45,13 +45,13 @@ impl References {
         };
         let by = |run: &(&'static str, f64, Trajectory)| {
             let tolerance = number(format_args!("{:.0e}", run.1));
-            text!("chart-reference-method", method = name(run.0), tolerance = tolerance)
+            text!("chart-reference-method", method = name(run.0), tolerance)
         };
         let methods = match &runs[..] {
             [one, other] => text!("chart-reference-methods", one = by(one), other = by(other)),
             _ => by(&runs[0]),
         };
-        let how = text!("chart-reference-motion", methods = methods);
+        let how = text!("chart-reference-motion", methods);
         let judges = runs.into_iter().map(|(name, _, found)| (name, Rc::new(found))).collect();
         Ok(Self { judges, how, error: if error.is_nan() { 0.0 } else { error }, sizes, duration })
     }

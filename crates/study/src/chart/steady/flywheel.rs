@@ -9,7 +9,7 @@ use assur_words::{name, number, text};
 
 use super::Cycle;
 use super::settling::stepping;
-use crate::chart::entry::{Entry, Field, Verdict};
+use crate::chart::race::{Entry, Field, Verdict};
 use crate::chart::{Measurement, Reference, Setting, Stage};
 
 /// Samples over the cycle from which the extremes of the speed are read.

@@ -40,7 +40,7 @@ impl Judges {
         let after_one = |speed| method.and_then(|method| Some(turn(method, &task, speed, TIGHT).ok()?.0));
         let by = |id| {
             let method = name(method.map_or("", |method| method.name));
-            text!(id, method = method, tolerance = number(format_args!("{TIGHT:e}")))
+            text!(id, method, tolerance = number(format_args!("{TIGHT:e}")))
         };
         let (in_time, how) = match after_one(shooting) {
             Some(end) if multiplier < NEVER_SETTLES => {

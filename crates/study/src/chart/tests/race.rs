@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use assur_words::Text;
 
 use super::scenes::{Ticks, shipped};
-use crate::chart::entry::{Entry, Field, Verdict};
+use crate::chart::race::{Entry, Field, Verdict};
 use crate::chart::race::{Judge, STOPPED, median};
 use crate::chart::{Clock, Measurement, Options, Progress, Reference, Setting, Stage, chart};
 

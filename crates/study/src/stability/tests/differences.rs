@@ -6,7 +6,7 @@ use assur_number::{Dd, Real};
 
 use super::Law;
 use crate::chart::kinematics::differences::{Differentiator, Stencil};
-use crate::stability::compare::{ORDERS, transfer};
+use crate::stability::exact::{ORDERS, transfer};
 use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject};
 use crate::stability::walk::growth;
 

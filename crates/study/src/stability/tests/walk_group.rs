@@ -9,7 +9,7 @@ use assur_words::{Text, name};
 
 use super::Law;
 use super::isolated::{Isolated, Side};
-use crate::stability::compare::{ORDERS, reactions, size, transfer};
+use crate::stability::exact::{ORDERS, reactions, size, transfer};
 use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject, accept_without_digits};
 
 const LINKS: [usize; 2] = [2, 3];

@@ -6,7 +6,7 @@ use assur_number::{Dd, Real};
 use assur_words::{Describe, name, text};
 
 use super::closed::{KNOWN, Known};
-use crate::stability::compare::{ORDERS, transfer};
+use crate::stability::exact::{ORDERS, transfer};
 use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject};
 use crate::stability::tests::Law;
 
