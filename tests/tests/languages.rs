@@ -100,6 +100,7 @@ fn reasons_for_a_method_and_refusals() {
             moment_on_coordinate: q,
             moment_on_speed: w,
             moment_on_time: t,
+            ..Dependence::default()
         };
         all.push(dependence.describe());
         for method in assur_integrator::integrators().unwrap() {

@@ -14,6 +14,8 @@ pub(crate) struct Acting {
     speed: f64,
     /// Of the drive, of all weights, of each load of the scene in the order of the results.
     pub(crate) each: Vec<f64>,
+    /// Of the dry friction of all pairs.
+    friction: f64,
 }
 
 /// Works of the driving and of the resisting moments, and of each moment, J; or the moments or powers of which they are.
@@ -21,6 +23,8 @@ pub(crate) struct Acting {
 pub(crate) struct Works {
     pub(crate) driving: f64,
     pub(crate) resisting: f64,
+    /// Of the dry friction of all pairs, which is neither.
+    pub(crate) friction: f64,
     /// In the order of [`Acting::each`].
     pub(crate) each: Vec<f64>,
 }
@@ -33,13 +37,13 @@ impl Acting {
     /// The place of the first load.
     pub(crate) const LOADS: usize = 2;
 
-    /// What acts at a state, with this moment of the drive.
+    /// What acts at a state, with these moments of the drive and of the dry friction of all pairs.
     pub(crate) fn of(
         loads: &Loads,
         mechanism: &Mechanism,
         state: &State,
         bodies: &[Body<f64>],
-        torque: f64,
+        [torque, friction]: [f64; 2],
     ) -> Self {
         let mut each = vec![0.0; Self::LOADS + mechanism.loads.len()];
         each[Self::DRIVE] = torque;
@@ -52,13 +56,14 @@ impl Acting {
             each[place] += assur_force::power(&wrench, &bodies[link]);
         });
         let State { time, coordinate, speed, .. } = *state;
-        Self { time, coordinate, speed, each }
+        Self { time, coordinate, speed, each, friction }
     }
 
     /// The moments, and the sums of those that drive a motion in a direction of the coordinate and of those that resist it.
     pub(crate) fn moments(&self, direction: f64) -> Works {
         let sum = |sense: f64| self.each.iter().filter(|moment| **moment * sense > 0.0).sum();
-        Works { driving: sum(direction), resisting: sum(-direction), each: self.each.clone() }
+        let friction = self.friction;
+        Works { driving: sum(direction), resisting: sum(-direction), friction, each: self.each.clone() }
     }
 
     /// The powers of what acts.
@@ -75,7 +80,12 @@ impl Works {
 
     fn scaled(self, factor: f64) -> Self {
         let each = self.each.into_iter().map(|work| factor * work).collect();
-        Self { driving: factor * self.driving, resisting: factor * self.resisting, each }
+        Self {
+            driving: factor * self.driving,
+            resisting: factor * self.resisting,
+            friction: factor * self.friction,
+            each,
+        }
     }
 
     /// A number made of the values of each of them in a row of instants.
@@ -85,13 +95,15 @@ impl Works {
         Self {
             driving: of(&|row| row.driving),
             resisting: of(&|row| row.resisting),
+            friction: of(&|row| row.friction),
             each: (0..count).map(|place| of(&|row| row.each[place])).collect(),
         }
     }
 
     /// A work divided among them in the ratio of their sizes.
     pub(crate) fn shares(&self, work: f64) -> Self {
-        let both = self.driving + self.resisting;
+        // Of two sums that don't change each has a half; friction is not there at all then.
+        let both = self.driving + self.resisting + self.friction;
         let all: f64 = self.each.iter().sum();
         let part = |own: f64, sum: f64, count: usize| {
             if sum > 0.0 { work * own / sum } else { work / count.max(1) as f64 }
@@ -99,6 +111,7 @@ impl Works {
         Self {
             driving: part(self.driving, both, 2),
             resisting: part(self.resisting, both, 2),
+            friction: if both > 0.0 { work * self.friction / both } else { 0.0 },
             each: self.each.iter().map(|own| part(*own, all, self.each.len())).collect(),
         }
     }
@@ -108,6 +121,7 @@ impl AddAssign for Works {
     fn add_assign(&mut self, other: Self) {
         self.driving += other.driving;
         self.resisting += other.resisting;
+        self.friction += other.friction;
         if self.each.is_empty() {
             self.each = other.each;
         } else {

@@ -69,6 +69,7 @@ impl<'a> Blocks<'a> {
             let instants = std::array::from_fn(|lane| Instant {
                 state: self.calculation.state(input.coordinate((first + lane).min(end - 1))),
                 holding: None,
+                friction: 0.0,
             });
             for (index, obstacle) in filler.add(first, &instants, end - first, &mut table) {
                 let at = |error| text!("analysis-at-position", number = index, error);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_check::{Check, Chosen, Coverage, ForceResiduals, InputLoad, Residuals, Subject, methods};
 use assur_dynamics::{InputDrive, Regime, Steady, Transient, section_margin};
-use assur_force::State;
+use assur_force::{Side, State};
 use assur_group::Order;
 use assur_integrator::Sample;
 use assur_kinematics::Linkage;
@@ -71,6 +71,17 @@ impl Calculation {
         let mut position = self.linkage.position();
         let solved = self.linkage.solve(state.coordinate, Order::Place, &mut position);
         solved.is_ok() && !self.linkage.is_at_change_point(&position)
+    }
+
+    /// Whether dry friction holds a motion at rest in a state: it is not determined there, nor are the reactions that depend on it.
+    pub(crate) fn rests_by_friction(&self, state: &State) -> bool {
+        let rests = state.speed == 0.0 && matches!(state.side, Side::Held { .. });
+        rests && !self.linkage.mechanism.frictions.is_empty()
+    }
+
+    /// Whether there may be samples of a motion at [rest](Self::rests_by_friction) by dry friction.
+    pub(crate) fn rests_leave_unknown(&self) -> bool {
+        matches!(self.motion, InputMotion::Transient(_)) && !self.linkage.mechanism.frictions.is_empty()
     }
 
     /// The load on the input by the motion that was found; `None` where it is prescribed.
@@ -196,7 +207,10 @@ impl<'a> Checked<'a> {
     /// A state by its number; `None` for a sample of a transient motion in which forces are not determined.
     fn state(&self, number: usize) -> Option<State> {
         if let Some(all) = &self.trajectory {
-            return all.get(number).copied().filter(|state| self.calculation.is_regular(state));
+            let known = |state: &State| {
+                self.calculation.is_regular(state) && !self.calculation.rests_by_friction(state)
+            };
+            return all.get(number).copied().filter(known);
         }
         let input = &self.calculation.linkage.mechanism.input;
         Some(self.calculation.state(input.coordinate(number)))

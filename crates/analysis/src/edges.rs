@@ -142,5 +142,5 @@ impl Calculation {
 }
 
 pub(crate) fn instant(state: State) -> Instant {
-    Instant { state, holding: None }
+    Instant { state, holding: None, friction: 0.0 }
 }

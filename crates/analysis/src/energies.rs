@@ -3,11 +3,12 @@
 
 use std::sync::Arc;
 
-use assur_dynamics::{Driven, Machine, Steady, Transient, equation, request};
-use assur_force::{Loads, Side, State};
+use assur_dynamics::{Driven, Instant, Machine, Steady, Transient, equation, request};
+use assur_force::{Kinetostatics, Loads, Side, State, tolerance};
 use assur_group::plane::dot;
 use assur_group::{Body, Order};
 use assur_integrator::{Motion as _, Request, Sample, State as Place, Trajectory, Until, solve};
+use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId, Mechanism};
 
 use crate::acting::{Acting, Works, change, over_time, simpson};
@@ -15,10 +16,13 @@ use crate::motion::CYCLE_INTERVALS;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
 use crate::{Calculation, InputMotion};
 
-/// Fewest intervals of the quadrature over a transient motion.
-const FEWEST: usize = 500;
+/// Fewest intervals of the quadrature over a transient motion, without and with dry friction, which jumps where a pair turns and
+/// bends where another face is pressed.
+const FEWEST: [usize; 2] = [500, 20_000];
 /// Intervals of the quadrature over each smooth part of an interval of a cycle.
 const IN_INTERVAL: u32 = 4;
+/// How far inside a part its ends are where there is dry friction, in intervals.
+const INSIDE: f64 = 1e-6;
 
 /// Energies over a motion.
 struct Course {
@@ -46,6 +50,8 @@ impl Calculation {
         let mut schema = Schema::new(mechanism);
         let section = schema.section();
         let all = [Quantity::DrivingWork, Quantity::ResistingWork, Quantity::KineticEnergy];
+        let rubs = !mechanism.frictions.is_empty();
+        let all = all.into_iter().chain(rubs.then_some(Quantity::FrictionWork));
         schema.add(section, all.map(|quantity| Column::of(quantity, Owner::Input)));
         let by_load = by_load(mechanism, schema.loads());
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::Work, *owner)));
@@ -56,11 +62,12 @@ impl Calculation {
         let samples =
             course.works().into_iter().zip(&course.kinetic).zip(course.acting.iter().zip(&course.links));
         for (number, ((works, kinetic), (acting, links))) in samples.enumerate() {
-            let [driving, resisting] = [works.driving, works.resisting];
+            let [driving, resisting, friction] = [works.driving, works.resisting, works.friction];
             let moments = by_load.iter().map(|(_, place)| acting.each[*place]);
             let works = by_load.iter().map(|(_, place)| works.each[*place]);
             let row: Vec<f64> = [driving, resisting, *kinetic]
                 .into_iter()
+                .chain(rubs.then_some(friction))
                 .chain(works)
                 .chain(links.iter().copied())
                 .chain(moments)
@@ -89,15 +96,16 @@ impl Calculation {
     /// Works need the moments between the samples.
     fn transient_course(&self, loads: &Loads, found: &Transient) -> Option<Course> {
         let samples = found.instants.len() - 1;
-        let parts = 4 * FEWEST.div_ceil(4 * samples);
         let mechanism = &self.linkage.mechanism;
+        let fewest = FEWEST[usize::from(!mechanism.frictions.is_empty())];
+        let parts = 4 * fewest.div_ceil(4 * samples);
         let (mut motion, trajectory) = self.solved_again(loads, found, samples * parts)?;
         let mut at = |sample: &Sample, is_before: bool| {
-            let state = motion.instant(sample, is_before).ok()?.state;
+            let Instant { state, friction, .. } = motion.instant(sample, is_before).ok()?;
             let torque = motion.drive().torque(&state);
             let bodies = motion.machine().bodies(state.coordinate).ok()?;
             let links = energies_of_links(mechanism, &state, bodies);
-            Some((Acting::of(loads, mechanism, &state, bodies, torque), links))
+            Some((Acting::of(loads, mechanism, &state, bodies, [torque, friction]), links))
         };
         let last = trajectory.samples.len() - 1;
         let nodes = trajectory.samples.iter().enumerate().map(|(index, sample)| at(sample, index == last));
@@ -129,26 +137,62 @@ impl Calculation {
         let (intervals, kinetic) = (intervals.collect::<Option<_>>()?, kinetic.collect());
         let mut position = self.linkage.position();
         let mechanism = &self.linkage.mechanism;
+        let mut rubs = self.rubs_of_motion(loads);
         let samples = (0..=CYCLE_INTERVALS).map(|i| {
-            self.linkage.solve(at(i), Order::First, &mut position).ok()?;
+            self.linkage.solve(at(i), order(&rubs), &mut position).ok()?;
             let state = State { side: Side::After, ..self.state(at(i)) };
-            let torque = found.regime.state(at(i)).drive;
+            let moments = self.moments_in(found, &state, &position, &mut rubs)?;
             let links = energies_of_links(mechanism, &state, &position.bodies);
-            Some((Acting::of(loads, mechanism, &state, &position.bodies, torque), links))
+            Some((Acting::of(loads, mechanism, &state, &position.bodies, moments), links))
         });
         let (acting, links) = samples.collect::<Option<Vec<_>>>()?.into_iter().unzip();
         Some(Course { intervals, kinetic, acting, links })
+    }
+
+    /// The force analysis of the dry friction in a regime; `None` where all pairs are ideal.
+    fn rubs_of_motion<'a>(&'a self, loads: &'a Loads) -> Option<Kinetostatics<'a>> {
+        loads.frictions()?;
+        let method = assur_force::choose(None, true).ok()?.instance;
+        Some(Kinetostatics::new(&self.linkage, loads, method, &self.plan.groups_carrying))
+    }
+
+    /// Moments of the drive and of the dry friction of all pairs on the input in a regime.
+    fn moments_in(
+        &self,
+        found: &Steady,
+        state: &State,
+        position: &Position,
+        rubs: &mut Option<Kinetostatics<'_>>,
+    ) -> Option<[f64; 2]> {
+        let torque = found.regime.state(state.coordinate).drive;
+        let Some(rubs) = rubs else { return Some([torque, 0.0]) };
+        let behind =
+            state.coordinate - state.speed.signum() * 2.0 * tolerance(state.coordinate, self.period());
+        let acceleration = match state.side {
+            Side::Before => self.state(behind).acceleration,
+            _ => state.acceleration,
+        };
+        rubs.solve(&State { acceleration, ..*state }, position).ok()?;
+        let rubbing = rubs.reactions.rubbing.as_ref()?;
+        let each = rubbing.frictions.rubs.iter().zip(&rubbing.forces);
+        Some([torque, each.map(|(rub, force)| force * rub.relative(&position.bodies)).sum()])
+    }
+
+    fn period(&self) -> Option<f64> {
+        self.linkage.mechanism.input.period()
     }
 
     /// The works in a regime between two coordinates, by Simpson's rule between the jumps of the loads.
     fn over_coordinate(&self, loads: &Loads, found: &Steady, [from, to]: [f64; 2]) -> Option<[Works; 2]> {
         let sense = (to - from).signum();
         let mut position = self.linkage.position();
+        let mut friction = self.rubs_of_motion(loads);
+        let rubs = friction.is_some();
         let mut moments = |coordinate: f64, side| {
-            self.linkage.solve(coordinate, Order::First, &mut position).ok()?;
+            self.linkage.solve(coordinate, order(&friction), &mut position).ok()?;
             let state = State { side, ..self.state(coordinate) };
-            let torque = found.regime.state(coordinate).drive;
-            let acting = Acting::of(loads, &self.linkage.mechanism, &state, &position.bodies, torque);
+            let given = self.moments_in(found, &state, &position, &mut friction)?;
+            let acting = Acting::of(loads, &self.linkage.mechanism, &state, &position.bodies, given);
             Some(acting.moments(sense))
         };
         let mut machine = Machine::new(&self.linkage, loads);
@@ -160,8 +204,14 @@ impl Calculation {
             let end = if (to - bound) * sense > 0.0 && (bound - start) * sense > 0.0 { bound } else { to };
             let step = (end - start) / f64::from(IN_INTERVAL);
             let nodes = (0..=IN_INTERVAL).map(|i| {
-                let side = if i == IN_INTERVAL { Side::Before } else { Side::After };
-                moments(start + step * f64::from(i), side)
+                let (side, inward) = match i {
+                    IN_INTERVAL => (Side::Before, -INSIDE),
+                    0 => (Side::After, INSIDE),
+                    _ => (Side::After, 0.0),
+                };
+                // A load against a motion that rests just there is none, and the friction that it gives would be none.
+                let inward = if rubs { inward } else { 0.0 };
+                moments(start + step * (f64::from(i) + inward), side)
             });
             let nodes = nodes.collect::<Option<Vec<_>>>()?;
             works += Works::over(&nodes, |values| simpson(step, values));
@@ -170,6 +220,11 @@ impl Calculation {
         }
         Some([works, changes])
     }
+}
+
+/// The order of the transfer functions that works need: friction depends on inertia loads.
+fn order(rubs: &Option<Kinetostatics<'_>>) -> Order {
+    if rubs.is_some() { Order::Second } else { Order::First }
 }
 
 /// The drive, the weights and the loads of the scene that have a work, each with its place among what acts.
@@ -200,7 +255,7 @@ impl Course {
         let mut sum = Works::none(self.acting.first().map_or(0, |acting| acting.each.len()));
         let mut all = vec![sum.clone()];
         for (kinetic, [works, changes]) in self.kinetic.windows(2).zip(&self.intervals) {
-            let missed = kinetic[1] - kinetic[0] - works.driving - works.resisting;
+            let missed = kinetic[1] - kinetic[0] - works.driving - works.resisting - works.friction;
             sum += works.clone();
             sum += changes.shares(missed);
             all.push(sum.clone());

@@ -6,6 +6,7 @@ use assur_structure::StructureError;
 use assur_words::{Describe, Text};
 use serde::Serialize;
 
+use crate::modes::GroupModes;
 use crate::results::StructureReport;
 use crate::results::structure::report;
 
@@ -24,6 +25,12 @@ pub struct StructureStudy {
     /// Every possible input, if requested: links in the order of the scene, pinned to the ground or sliding on it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<PossibleInput>,
+    /// Whether the input of the scene is pinned: its coordinate is an angle.
+    #[serde(skip)]
+    pub angular: bool,
+    /// The modes of every group over the cycle, if requested.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub modes: Vec<GroupModes>,
 }
 
 /// A link that could be the input.
@@ -50,18 +57,25 @@ impl StructureStudy {
     pub fn of(linkage: &Linkage) -> Self {
         let structure = Some(report(linkage, true));
         let title = linkage.mechanism.title.clone();
-        Self { format: 1, title, structure, why: None, inputs: Vec::new() }
+        let angular = linkage.angular();
+        Self { format: 1, title, structure, why: None, inputs: Vec::new(), angular, modes: Vec::new() }
     }
 
     /// Of a mechanism whose input gives none.
     pub fn without(mechanism: &Mechanism, error: &StructureError) -> Self {
         let why = Some(error.describe());
-        Self { format: 1, title: mechanism.title.clone(), structure: None, why, inputs: Vec::new() }
+        let (title, angular) = (mechanism.title.clone(), mechanism.input.is_angle());
+        Self { format: 1, title, structure: None, why, inputs: Vec::new(), angular, modes: Vec::new() }
     }
 
     /// Adds every possible input.
     pub fn add_inputs(&mut self, mechanism: &Mechanism) {
         self.inputs = inputs(mechanism);
+    }
+
+    /// Adds the modes of every group over the cycle.
+    pub fn add_modes(&mut self, linkage: &Linkage) {
+        self.modes = crate::modes::of(linkage);
     }
 
     /// The possible inputs that would make the groups simpler.

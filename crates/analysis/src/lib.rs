@@ -18,6 +18,7 @@ mod filler;
 mod friction;
 mod inputs;
 mod joints;
+mod modes;
 mod motion;
 mod notes;
 pub mod plan;
@@ -35,6 +36,7 @@ pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied,
 pub use edges::DRAWN;
 pub use error::AnalysisError;
 pub use inputs::{PossibleInput, StructureStudy};
+pub use modes::{CountFrom, GroupModes, Meeting, ModeCourse, ModeEnd};
 pub use motion::{InputMotion, method_of_motion};
 pub use positions::{MOST_FAILURES, lost_positions};
 pub use progress::{Progress, Stopped, Watch, unwatched};

@@ -10,6 +10,7 @@ use crate::{AnalysisError, Calculation, Coverage, Options, unwatched};
 
 mod energies;
 mod forces;
+mod friction;
 mod jumps;
 mod watched;
 

@@ -63,7 +63,7 @@ impl Calculation {
                     let state = self.state(input.from + cycle * (f64::from(i) / f64::from(CYCLE_INTERVALS)));
                     // The end of the cycle is its start, one cycle later.
                     let time = if i == CYCLE_INTERVALS { end } else { state.time };
-                    Instant { state: State { time, ..state }, holding: None }
+                    Instant { state: State { time, ..state }, holding: None, friction: 0.0 }
                 });
                 each.collect()
             }

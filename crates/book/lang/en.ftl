@@ -13,6 +13,7 @@ quantity-speed = input speed
 quantity-input-acceleration = input acceleration
 quantity-work-driving = work of the driving loads
 quantity-work-resisting = work of the resisting loads
+quantity-work-friction = work of the dry friction in pairs
 quantity-kinetic-energy = kinetic energy
 quantity-work = work
 quantity-work-drive = work of the drive

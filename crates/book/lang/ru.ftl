@@ -13,6 +13,7 @@ quantity-speed = скорость входного звена
 quantity-input-acceleration = ускорение входного звена
 quantity-work-driving = работа движущих нагрузок
 quantity-work-resisting = работа нагрузок сопротивления
+quantity-work-friction = работа сухого трения в парах
 quantity-kinetic-energy = кинетическая энергия
 quantity-pf0 = ПФ0
 quantity-pf1 = ПФ1

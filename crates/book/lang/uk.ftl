@@ -13,6 +13,7 @@ quantity-speed = швидкість вхідної ланки
 quantity-input-acceleration = прискорення вхідної ланки
 quantity-work-driving = робота рушійних навантажень
 quantity-work-resisting = робота навантажень опору
+quantity-work-friction = робота сухого тертя в парах
 quantity-kinetic-energy = кінетична енергія
 quantity-pf0 = ПФ0
 quantity-pf1 = ПФ1

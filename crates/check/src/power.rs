@@ -32,7 +32,8 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let scale = linkage.structure.scale;
     let unit_power = UnitBalance::of(&linkage.mechanism).map_or(1.0, |unit| unit.power(bodies));
     let rubbing = crate::friction::power(case);
-    let balancing = case.reactions.balancing * unit_power + rubbing;
+    let own = case.reactions.balancing * unit_power;
+    let balancing = own + rubbing;
     let [inertia, slope] = kinetics::reduced(&linkage.mechanism, state.coordinate, bodies);
     let terms = [-inertia * state.acceleration, -0.5 * slope * state.speed * state.speed];
     let moves = |body: &Body<f64>| body.x1.hypot(body.y1) + body.w1.abs() * scale;
@@ -67,12 +68,12 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let mut residuals = [of_motion, of_powers];
     if let Some(given) = case.subject.drive.map(|given| given(state)) {
         let total = total.max(given.value.abs());
-        let off = (balancing - given.value).abs() / total;
+        let off = (own - given.value).abs() / total;
         match uncertain(case, given.accuracy, limit * total) {
             Some(uncertain) => {
                 let limit = limit + (given.error + uncertain) / total;
                 drive.offer(one.index, off, limit, || text!("check-input-link"));
-                residuals = [(given.value + moment + terms[0] + terms[1]).abs() / total, off];
+                residuals = [(given.value + rubbing + moment + terms[0] + terms[1]).abs() / total, off];
             }
             None => drive.leave_out(one.index, ON_A_JUMP),
         }

@@ -28,3 +28,6 @@ dynamics-flywheel-less-inertia = the same less other inertia, E eq. 9
 dynamics-flywheel-mertsalov = J = range(A - Jv w²/2)/(w² δ) less constant inertia
 dynamics-flywheel-wittenbauer = tangents of the energy-mass diagram, constant drive
 dynamics-flywheel-exact = periodic solution with the drive
+dynamics-friction-none = with dry friction no acceleration is possible here: the motion can't go on (Painlevé); lower the coefficients of friction
+dynamics-friction-several = with dry friction { $count } accelerations are possible here, from { $least } to { $most }: which one the motion takes is not determined (Painlevé); lower the coefficients of friction
+dynamics-friction-no-method = no linked force analyzer finds the accelerations that dry friction leaves possible

@@ -133,7 +133,27 @@ impl<M: Motion> Driven<M> {
     }
 }
 
+impl<M> Driven<M> {
+    /// Moment and inertia of the drive on the input at a state, by the formulas entered last.
+    #[inline]
+    fn present(&self, state: &State) -> [f64; 2] {
+        let sense = self.drive.sense;
+        [sense * self.drive.moment(self.factor, sense * state.speed).value, self.drive.inertia]
+    }
+}
+
 impl Driven<Machine<'_>> {
+    /// The coefficients without the dry friction of pairs.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if there is no such position.
+    pub(crate) fn ideal(&mut self, state: &State) -> Result<Reduced, MotionError> {
+        let [moment, inertia] = self.present(state);
+        let Reduced { inertia: own, inertia_derivative, moment: loads } = self.machine.ideal(state)?;
+        Ok(Reduced { inertia: own + inertia, inertia_derivative, moment: loads + moment })
+    }
+
     /// Chooses the formulas of loads and drive on the side of a state that lies on no bound of the speed.
     pub(crate) fn enter_side(&mut self, state: &assur_force::State) {
         self.machine.enter_side(state);
@@ -158,12 +178,17 @@ impl<M: Motion> Motion for Driven<M> {
         Ok(piece)
     }
 
+    fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        if !self.machine.dependence().moment_on_acceleration {
+            return Ok(Vec::new());
+        }
+        self.reduced(state)?;
+        self.machine.bends(state)
+    }
+
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
-        let mut reduced = self.machine.reduced(state)?;
-        let sense = self.drive.sense;
-        reduced.inertia += self.drive.inertia;
-        reduced.moment += sense * self.drive.moment(self.factor, sense * state.speed).value;
-        Ok(reduced)
+        let drive = self.present(state);
+        self.machine.driven(state, drive)
     }
 }

@@ -3,8 +3,10 @@
 
 use assur_force::{Side, beside};
 use assur_integrator::{Motion, MotionError, Reduced, Sample, State};
+use assur_number::search::try_bisect;
 use serde::Serialize;
 
+use crate::friction::Found;
 use crate::machine::load_state;
 use crate::{Driven, Machine};
 
@@ -18,6 +20,8 @@ pub struct Instant {
     pub state: assur_force::State,
     /// What holds the motion at its speed, if anything does.
     pub holding: Option<Holding>,
+    /// Moment of the dry friction of all pairs reduced to the input, N m (N); 0 at rest, where it is not determined.
+    pub friction: f64,
 }
 
 /// The load that holds a motion at rest or at a speed, reduced to the input: what dry resistance (or a jump of a table
@@ -43,38 +47,59 @@ impl Driven<Machine<'_>> {
         let side = if is_end { Side::Before } else { Side::After };
         let on_bound = bounds.iter().any(|bound| (bound - speed).abs() <= ROUNDING * speed.abs());
         if speed != 0.0 && !on_bound {
-            let acceleration = self.on_side(&at, side, 0.0)?.acceleration(speed)?;
-            return Ok(Instant::free(&at, acceleration, side));
+            let (free, found) = self.on_side(&at, side, 0.0)?;
+            return Ok(Instant::free(&at, free.acceleration(speed)?, side, found.moment));
         }
-        let above = self.on_side(&at, side, 1.0)?;
-        let below = self.on_side(&at, side, -1.0)?;
+        let (above, over) = self.on_side(&at, side, 1.0)?;
+        let (below, under) = self.on_side(&at, side, -1.0)?;
         let [up, down] = [above.acceleration(speed)?, below.acceleration(speed)?];
         if is_end && sample.acceleration != 0.0 {
             // The motion reached this speed from the other side than the one to which its acceleration leads.
-            let acceleration = if sample.acceleration > 0.0 { down } else { up };
-            return Ok(Instant::free(&at, acceleration, side));
+            let (acceleration, found) = if sample.acceleration > 0.0 { (down, under) } else { (up, over) };
+            return Ok(Instant::free(&at, acceleration, side, found.moment));
         }
         if up > 0.0 || down < 0.0 {
-            return Ok(Instant::free(&at, if up > 0.0 { up } else { down }, Side::After));
+            let (acceleration, found) = if up > 0.0 { (up, over) } else { (down, under) };
+            return Ok(Instant::free(&at, acceleration, Side::After, found.moment));
         }
         let jump = down - up;
-        let upper = if jump > 0.0 { down / jump } else { 0.5 };
+        let mut upper = if jump > 0.0 { down / jump } else { 0.5 };
+        let mut friction = 0.0;
+        if self.machine().rubs() && speed != 0.0 {
+            (upper, friction) = self.held_with_friction(&at)?;
+        }
         let [net_up, net_down] = [up, down].map(|acceleration| above.inertia * acceleration);
         let holding = Holding { moment: -0.5 * (net_up + net_down), bound: 0.5 * (net_down - net_up) };
         let state = assur_force::State { side: Side::Held { upper }, ..load_state(&at) };
-        Ok(Instant { state, holding: (jump > 0.0).then_some(holding) })
+        let known = jump > 0.0 && !(over.jams || under.jams);
+        Ok(Instant { state, holding: known.then_some(holding), friction })
     }
 
     /// Coefficients of the equation by the formulas on a side of a state, above (1), below (-1) or at (0) its speed.
-    fn on_side(&mut self, at: &State, side: Side, of_speed: f64) -> Result<Reduced, MotionError> {
+    fn on_side(&mut self, at: &State, side: Side, of_speed: f64) -> Result<(Reduced, Found), MotionError> {
         let speed = if of_speed == 0.0 { at.speed } else { beside(at.speed, of_speed) };
         self.enter_side(&assur_force::State { side, ..load_state(&State { speed, ..*at }) });
-        self.reduced(at)
+        Ok((self.reduced(at)?, self.machine().friction()))
+    }
+
+    /// The share of the formulas above a speed that holds it with dry friction, which is not linear in the loads, and the moment of
+    /// friction.
+    fn held_with_friction(&mut self, at: &State) -> Result<(f64, f64), MotionError> {
+        let state = |upper: f64| assur_force::State { side: Side::Held { upper }, ..load_state(at) };
+        let mut above = |upper: f64| -> Result<bool, MotionError> {
+            let drive = [self.drive().torque(&state(upper)), self.drive().inertia];
+            Ok(self.machine().acceleration_at(&state(upper), drive)?.is_some_and(|found| found < 0.0))
+        };
+        // More of the formulas above the speed slows down.
+        let [lower, _] = try_bisect(0.0, 1.0, 0.0, |upper| above(upper).map(|slows| !slows))?;
+        let ideal = self.ideal(at)?;
+        let others = self.machine().load_moment(&state(lower))? + self.drive().torque(&state(lower));
+        Ok((lower, 0.5 * ideal.inertia_derivative * at.speed * at.speed - others))
     }
 }
 
 impl Instant {
-    fn free(at: &State, acceleration: f64, side: Side) -> Self {
-        Self { state: assur_force::State { acceleration, side, ..load_state(at) }, holding: None }
+    fn free(at: &State, acceleration: f64, side: Side, friction: f64) -> Self {
+        Self { state: assur_force::State { acceleration, side, ..load_state(at) }, holding: None, friction }
     }
 }

@@ -8,10 +8,12 @@
 
 mod drive;
 mod error;
+mod friction;
 mod instant;
 mod machine;
 mod motor;
 mod point;
+mod rubbing;
 mod scene;
 mod steady;
 #[cfg(test)]

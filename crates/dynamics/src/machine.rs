@@ -1,6 +1,7 @@
 //! The mechanism with its loads, without its drive, as an equation of motion.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use assur_force::{Loads, Phase};
 use assur_group::{Body, Order};
@@ -8,7 +9,10 @@ use assur_integrator::{Dependence, Motion, MotionError, Partials, Piece, Reduced
 use assur_kinematics::{Linkage, Position};
 use assur_words::text;
 
-/// The equation of motion of a compiled mechanism under its loads. Evaluating it allocates nothing.
+use crate::Regime;
+use crate::friction::{Course, Found, Friction, Place};
+
+/// The equation of motion of a compiled mechanism under its loads. Without dry friction in pairs evaluating it allocates nothing.
 #[derive(Debug, Clone)]
 pub struct Machine<'a> {
     linkage: &'a Linkage,
@@ -16,13 +20,90 @@ pub struct Machine<'a> {
     position: Position,
     phase: Phase,
     dependence: Dependence,
+    friction: Option<Friction>,
 }
 
 impl<'a> Machine<'a> {
     /// Takes a compiled mechanism and its compiled loads.
     pub fn new(linkage: &'a Linkage, loads: &'a Loads) -> Self {
         let dependence = loads.dependence();
-        Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence }
+        let friction = Friction::of(linkage, loads);
+        Self { linkage, loads, position: linkage.position(), phase: loads.phase(), dependence, friction }
+    }
+
+    /// Takes the dry friction of a known motion from now on: the moment depends on the coordinate alone then, as far as friction
+    /// goes.
+    pub(crate) fn assume(&mut self, course: Course) {
+        if let Some(friction) = &mut self.friction {
+            friction.assume(Some(course));
+        }
+    }
+
+    /// The machine in a regime that was found, whose dry friction it takes.
+    #[must_use]
+    pub fn in_regime(mut self, regime: &Regime) -> Self {
+        self.assume(Course::Regime(Arc::new(regime.clone())));
+        self
+    }
+
+    /// Ends pieces where the friction of a known motion bends, at these coordinates of a cycle.
+    pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
+        if let Some(friction) = &mut self.friction {
+            friction.bend_at(coordinates, cycle);
+        }
+    }
+
+    /// Finds friction with the acceleration again.
+    pub(crate) fn forget_course(&mut self) {
+        if let Some(friction) = &mut self.friction {
+            friction.assume(None);
+        }
+    }
+
+    /// Whether pairs have dry friction.
+    pub(crate) fn rubs(&self) -> bool {
+        self.friction.is_some()
+    }
+
+    /// The dry friction at the state that was evaluated last.
+    pub(crate) fn friction(&self) -> Found {
+        self.friction.as_ref().map(Friction::found).unwrap_or_default()
+    }
+
+    /// The coefficients without dry friction.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] if there is no such position, or a load has no value.
+    #[inline]
+    pub(crate) fn ideal(&mut self, state: &State) -> Result<Reduced, MotionError> {
+        self.solve(state.coordinate)?;
+        let Self { linkage, loads, position, phase, .. } = self;
+        let reduced = loads.reduced_in_phase(phase, &load_state(state), &position.bodies);
+        if !reduced.moment.is_finite() {
+            loads
+                .finite(&linkage.mechanism, &load_state(state), &position.bodies)
+                .map_err(|error| MotionError::mechanism(&error))?;
+        }
+        Ok(reduced)
+    }
+
+    /// The reduced moment of the loads at a state by the formulas that the state itself selects, without dry friction.
+    pub(crate) fn load_moment(&mut self, state: &assur_force::State) -> Result<f64, MotionError> {
+        self.solve(state.coordinate)?;
+        Ok(self.loads.reduced(state, &self.position.bodies).moment)
+    }
+
+    /// The acceleration with dry friction at a state by the formulas that the state itself selects; `None` where none is possible.
+    pub(crate) fn acceleration_at(
+        &mut self,
+        state: &assur_force::State,
+        drive: [f64; 2],
+    ) -> Result<Option<f64>, MotionError> {
+        self.solve(state.coordinate)?;
+        let Self { linkage, loads, position, phase, friction, .. } = self;
+        let Some(friction) = friction else { return Ok(None) };
+        friction.acceleration_at(&Place { linkage, loads, phase, position }, state, drive)
     }
 
     /// Potential energy of weights and springs at a coordinate, and the sum of the sizes of its terms, J.
@@ -48,7 +129,11 @@ impl<'a> Machine<'a> {
 
     /// Chooses the formulas of the loads on the side of a state, and returns the box in which they are smooth.
     pub(crate) fn enter_side(&mut self, state: &assur_force::State) -> Piece {
-        self.loads.enter(state, &mut self.phase)
+        let mut piece = self.loads.enter(state, &mut self.phase);
+        if let Some(friction) = &mut self.friction {
+            friction.enter(self.loads, state, &mut piece);
+        }
+        piece
     }
 
     #[inline]
@@ -60,8 +145,12 @@ impl<'a> Machine<'a> {
         if coordinate.to_bits() == self.position.coordinate.to_bits() {
             return Ok(());
         }
-        // The second derivatives are for dJ/dq alone.
-        let order = if self.dependence.inertia_constant { Order::First } else { Order::Second };
+        // The second derivatives are for dJ/dq alone, and for the inertia loads on which friction depends.
+        let order = if self.dependence.inertia_constant && self.friction.is_none() {
+            Order::First
+        } else {
+            Order::Second
+        };
         let solved = self.linkage.solve(coordinate, order, &mut self.position);
         solved.map_err(|error| {
             self.position.coordinate = f64::NAN;
@@ -78,7 +167,14 @@ pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_fo
 
 impl Motion for Machine<'_> {
     fn dependence(&self) -> Dependence {
-        self.dependence
+        let Some(friction) = &self.friction else { return self.dependence };
+        let by_motion = friction.is_free();
+        Dependence {
+            moment_on_coordinate: true,
+            moment_on_speed: self.dependence.moment_on_speed || by_motion,
+            moment_on_acceleration: by_motion,
+            ..self.dependence
+        }
     }
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
@@ -87,14 +183,25 @@ impl Motion for Machine<'_> {
 
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
-        self.solve(state.coordinate)?;
-        let Self { linkage, loads, position, phase, .. } = self;
-        let reduced = loads.reduced_in_phase(phase, &load_state(state), &position.bodies);
-        if !reduced.moment.is_finite() {
-            loads
-                .finite(&linkage.mechanism, &load_state(state), &position.bodies)
-                .map_err(|error| MotionError::mechanism(&error))?;
+        self.driven(state, [0.0; 2])
+    }
+
+    /// Of the friction that was found last: at this state, under its drive.
+    fn bends(&mut self, _: &State) -> Result<Vec<f64>, MotionError> {
+        Ok(self.friction.as_ref().map_or_else(Vec::new, |friction| friction.pressing().to_vec()))
+    }
+
+    #[inline]
+    fn driven(&mut self, state: &State, [moment, inertia]: [f64; 2]) -> Result<Reduced, MotionError> {
+        let mut reduced = self.ideal(state)?;
+        if let Some(friction) = &mut self.friction {
+            let Self { linkage, loads, position, phase, .. } = self;
+            let place = Place { linkage, loads, phase, position };
+            let own = friction.moment(&place, &load_state(state), &reduced, [moment, inertia])?;
+            reduced.moment += own;
         }
+        reduced.inertia += inertia;
+        reduced.moment += moment;
         Ok(reduced)
     }
 }
@@ -123,6 +230,10 @@ impl Motion for Watched<'_, '_> {
             return Err(MotionError::Mechanism(text!("dynamics-stopped")));
         }
         self.motion.reduced(state)
+    }
+
+    fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        self.motion.bends(state)
     }
 
     fn partials(&mut self, state: &State) -> Result<Option<Partials>, MotionError> {

@@ -3,11 +3,13 @@
 use std::cell::RefCell;
 
 use assur_force::Loads;
+use assur_integrator::Motion as Equation;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, Motor as Asked, Solve, Torque};
 use assur_motor::{Characteristic, FlywheelSize, Motor, flywheel_sizes};
 use assur_number::search;
 
+use crate::friction::Course;
 use crate::machine::{Watched, Watcher};
 use crate::motor::{DriveMotor, SteadyMotor};
 use crate::steady::{CycleRequest, DriveRequest, Regime, RegimeSolver, TorqueRequest};
@@ -53,8 +55,21 @@ pub(crate) fn steady_of(
     mechanism: &Mechanism,
     watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Steady, DynamicsError> {
+    let mut machine = Machine::new(linkage, loads);
+    if machine.rubs() {
+        return crate::rubbing::regime(machine, mechanism, watcher);
+    }
+    steady_motion(&mut machine, mechanism, watcher)
+}
+
+/// The steady regime of an equation of motion with the motion and the drive of `mechanism`.
+pub(crate) fn steady_motion(
+    motion: &mut dyn Equation,
+    mechanism: &Mechanism,
+    watcher: Option<&mut Watcher<'_>>,
+) -> Result<Steady, DynamicsError> {
     let (request, unevenness) = cycle_request(mechanism)?;
-    let mut motion = Watched { motion: &mut Machine::new(linkage, loads), watcher };
+    let mut motion = Watched { motion, watcher };
     let mut solver = RegimeSolver::new(&mut motion, request)?;
     let given = if let Some(Solve::Given(value)) = unevenness { Some(value) } else { None };
     let (drive, motor) = drive_request(mechanism, &solver, given)?;
@@ -109,12 +124,13 @@ pub(crate) fn chosen_motor(
 ) -> Result<DriveMotor, DynamicsError> {
     let (request, _) = cycle_request(mechanism)?;
     let mut machine = Machine::new(linkage, loads);
+    machine.assume(Course::Uniform(request.mean_speed));
     let solver = RegimeSolver::new(&mut machine, request)?;
     drive_request(mechanism, &solver, None)?.1.ok_or(DynamicsError::NoMotor)
 }
 
 /// The cycle of a scene, and its unevenness.
-fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Option<Solve>), DynamicsError> {
+pub(crate) fn cycle_request(mechanism: &Mechanism) -> Result<(CycleRequest, Option<Solve>), DynamicsError> {
     let Some(Motion::Steady { mean_speed, unevenness }) = mechanism.motion else {
         return Err(DynamicsError::NoMotion("steady"));
     };

@@ -7,6 +7,7 @@ use assur_mechanism::Mechanism;
 
 mod cases;
 mod energy;
+mod friction;
 mod known;
 mod loads;
 mod settled;

@@ -209,7 +209,8 @@ fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
 
 fn is_conservative(mechanism: &Mechanism) -> bool {
     let elastic = |load: &Load| load.kind.spring().is_some_and(|spring| spring.damping == 0.0);
-    mechanism.loads.iter().all(elastic)
+    mechanism.frictions.is_empty()
+        && mechanism.loads.iter().all(elastic)
         && mechanism.drive.as_ref().is_none_or(|drive| drive.torque == Torque::None)
 }
 
@@ -227,7 +228,7 @@ fn balance(
         let (coordinate, speed) = (sample.coordinate, sample.speed);
         let failed = |source| DynamicsError::Equation { coordinate, source };
         let state = State { time: sample.time, coordinate, speed };
-        let reduced = motion.reduced(&state).map_err(failed)?;
+        let reduced = motion.ideal(&state).map_err(failed)?;
         found.kinetic.push(0.5 * reduced.inertia * speed * speed);
         found.by_speed = found.by_speed.max(0.5 * reduced.inertia * speed.abs() * fastest);
         let [potential, terms] = motion.machine().potential_energy(coordinate).map_err(failed)?;

@@ -6,7 +6,7 @@ use assur_number::Lanes;
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Describe, Text, name, number, quantity, text};
 
-use crate::{Acting, Construction, LoadError, Reactions};
+use crate::{Accelerations, Acting, Construction, FreeMotion, LoadError, Reactions};
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
@@ -67,6 +67,22 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         _out: &Reactions,
     ) -> Option<f64> {
         None
+    }
+
+    /// The accelerations that are possible with dry friction in the senses of `out`; `None` for a method that does not find them.
+    /// `position` needs PF2.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`solve`](Self::solve), without [`ForceError::Jammed`]: where none is possible there is none among the solutions.
+    fn accelerations(
+        &self,
+        _linkage: &Linkage,
+        _position: &Position,
+        _motion: &FreeMotion<'_>,
+        _out: &Reactions,
+    ) -> Result<Option<Accelerations>, ForceError> {
+        Ok(None)
     }
 
     /// The factor by which the method magnifies rounding in this position beyond the groups themselves (1 /

@@ -149,7 +149,7 @@ pub(crate) enum Selections {
 
 impl Loads {
     /// Direction of the input, 1 or -1.
-    fn direction(&self) -> f64 {
+    pub(crate) fn direction(&self) -> f64 {
         if self.sense == 0.0 { 1.0 } else { self.sense }
     }
 
@@ -223,6 +223,13 @@ pub(crate) struct LoadPhase {
     pub(crate) touches: bool,
     /// Sign of the friction of a contact that is against its sliding.
     rubs: f64,
+}
+
+impl Phase {
+    /// The sense of the motion along the coordinate, 1 or -1.
+    pub fn sense(&self) -> f64 {
+        self.sense
+    }
 }
 
 impl LoadPhase {

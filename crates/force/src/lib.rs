@@ -43,7 +43,9 @@ pub use choice::Phase;
 pub use construction::Acting;
 pub use construction::{Construction, Drawing, Step, VectorKind};
 pub use error::{LoadError, LoadFault};
-pub use friction::{Block, Doubt, FrictionSolution, Frictions, Rub, Rubbing, Unknown, UnknownKind};
+pub use friction::{
+    Accelerations, Block, Doubt, FreeMotion, FrictionSolution, Frictions, Rub, Rubbing, Unknown, UnknownKind,
+};
 pub use group_by_group::{Unsolved, group_by_group, input_link};
 pub use joints::{Joint, JointReaction, joints};
 pub use kinetostatics::{Kinetostatics, LaneKinetostatics};

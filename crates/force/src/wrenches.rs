@@ -2,12 +2,12 @@
 
 use assur_group::plane::{minus, perp, plus, scaled, vector};
 use assur_group::{Body, Wrench};
-use assur_number::Formula;
+use assur_number::{Formula, Real};
 
-use crate::choice::Live;
+use crate::choice::{Choice, Live};
 use crate::loads::{Cause, Loads, Mass};
 use crate::visit::{Sink, Visit};
-use crate::{LoadError, LoadFault, LoadNumber, State};
+use crate::{LoadError, LoadFault, LoadNumber, Phase, State};
 use assur_mechanism::Mechanism;
 
 /// Adds up loads about the origins of the bodies.
@@ -107,19 +107,20 @@ impl<T: LoadNumber> Sink<T> for Sizes<'_, T> {
 }
 
 /// The wrenches of all loads at some states.
-struct Evaluate<'a, T: LoadNumber> {
+struct Evaluate<'a, T: LoadNumber, C> {
     loads: &'a Loads,
+    choice: &'a C,
     states: &'a T::States,
     bodies: &'a [Body<T>],
     wrenches: &'a mut [Wrench<T>],
 }
 
-impl<T: LoadNumber> Formula for Evaluate<'_, T> {
+impl<T: LoadNumber, C: Choice> Formula for Evaluate<'_, T, C> {
     type Value = ();
 
     #[inline(always)]
     fn evaluate(self) {
-        let Self { loads, states, bodies, wrenches } = self;
+        let Self { loads, choice, states, bodies, wrenches } = self;
         wrenches.fill(Wrench::ZERO);
         let (gravity, rates) = (vector(loads.gravity), Rates::of(states));
         if !rates.rests || loads.has_weights() {
@@ -128,7 +129,7 @@ impl<T: LoadNumber> Formula for Evaluate<'_, T> {
                 wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
             }
         }
-        Visit { loads, choice: &Live, states, bodies }.each(&mut Sum(wrenches));
+        Visit { loads, choice, states, bodies }.each(&mut Sum(wrenches));
     }
 }
 
@@ -144,7 +145,18 @@ impl Loads {
         bodies: &[Body<T>],
         wrenches: &mut [Wrench<T>],
     ) {
-        T::evaluate(Evaluate { loads: self, states, bodies, wrenches });
+        T::evaluate(Evaluate { loads: self, choice: &Live, states, bodies, wrenches });
+    }
+
+    /// As [`evaluate`](Self::evaluate), by the formulas of one phase, continued smoothly beyond its bounds.
+    pub fn evaluate_in_phase(
+        &self,
+        phase: &Phase,
+        state: &State,
+        bodies: &[Body<f64>],
+        wrenches: &mut [Wrench<f64>],
+    ) {
+        f64::evaluate(Evaluate { loads: self, choice: phase, states: state, bodies, wrenches });
     }
 
     /// All loads of a state as [`evaluate`](Self::evaluate) writes them.

@@ -10,8 +10,9 @@ const SAME: f64 = 1e-9;
 /// A sign that is missed by this part of the greatest term is met: the vector is zero.
 const SIGN: f64 = 1e-9;
 
-/// Most vectors of one component whose signs are enumerated, and most of two components.
-const MOST: [usize; 2] = [10, 3];
+/// Most vectors of one component whose signs are enumerated, by the number of those of two components: each adds much to the work
+/// for a choice of signs, from microseconds to milliseconds. Groups of two links have no more.
+const MOST: [usize; 4] = [8, 6, 4, 2];
 
 /// All solutions that were found.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -25,12 +26,12 @@ pub struct Solutions {
 }
 
 impl Moduli {
-    /// All solutions: none, one, or several; for at most ten vectors of one component and three of two.
+    /// All solutions: none, one, or several; for at most three vectors of two components and few of one.
     pub fn solutions(&self) -> Solutions {
         let of = |width: Width| (0..self.count()).filter(|j| self.widths[*j] == width).collect::<Vec<_>>();
         let (lines, planes) = (of(Width::One), of(Width::Two));
         let mut found = Solutions { complete: true, ..Solutions::default() };
-        if lines.len() > MOST[0] || planes.len() > MOST[1] {
+        if MOST.get(planes.len()).is_none_or(|most| lines.len() > *most) {
             found.complete = false;
             return found;
         }

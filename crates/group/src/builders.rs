@@ -50,6 +50,13 @@ impl Builders {
         }
     }
 
+    /// The builders of a kind that iterates from near poses by the same few steps in each lane: several positions are solved at
+    /// once, each with the bits that `f64` gets alone, and its kernel in lanes gives [`GroupError::NoAssembly`] where that would
+    /// not be so; none over intervals.
+    pub const fn near_in_lanes<K: GroupKind>() -> Self {
+        Self { lanes: boxed::<K, Lanes>, ..Self::of::<K>() }
+    }
+
     /// The builders of a kind whose places come from one formula for all numbers, as closed forms do: several positions are
     /// solved at once, each with the bits that `f64` gets alone, and places are enclosed over intervals. A kernel that decides
     /// by its numbers what it calculates, such as an iteration, or the general solution by its choice of pivots, has none.

@@ -45,3 +45,4 @@ integrator-end-at-start = end at coordinate { $end }: the motion is already ther
 integrator-bad-end = end at coordinate { $end }
 integrator-end-near-start = end at coordinate { $end }: nearer to the start at { $start } than is resolved
 integrator-bad-limit = time limit { $limit } s: must be after the start at { $start } s
+integrator-both-directions = with dry friction the motion may start from rest in either direction, with the acceleration { $up } or { $down }: which one it takes is not determined (Painlevé); lower the coefficients of friction

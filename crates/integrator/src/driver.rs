@@ -6,10 +6,11 @@ use assur_words::text;
 
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
-    Attempt, Dense, FixedStep, IntegrationError, Integrator, Motion, MotionError, Node, Pace, Request, Run,
-    Scale, State, Step, Stepper, Trajectory, control,
+    Attempt, Dense, EventKind, FixedStep, IntegrationError, Integrator, Motion, MotionError, Node, Pace,
+    Request, Run, Scale, State, Step, Stepper, Trajectory, control,
 };
 
+mod bends;
 mod events;
 mod sticking;
 
@@ -49,8 +50,10 @@ struct Drive<'a, S> {
     scale: Scale,
     /// Proposed step, s.
     step: f64,
-    /// A step to repeat, and the bound that it is to meet.
-    redo: Option<(f64, Side)>,
+    /// A step to repeat, and the bound that it is to meet; without one it ends where the equation bends.
+    redo: Option<(f64, Option<Side>)>,
+    /// The [bends](crate::Motion::bends) at the present state, and at the end of the step that is judged.
+    bends: [Vec<f64>; 2],
     error_before: f64,
     after_rejection: bool,
     /// Events in a row between which no time passed.
@@ -67,6 +70,8 @@ struct Plan {
     time: Option<f64>,
     /// Meant to meet this bound.
     bound: Option<Side>,
+    /// Meant to end where the equation bends.
+    to_bend: bool,
 }
 
 impl<'a, S: Stepper> Drive<'a, S> {
@@ -81,6 +86,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
             run,
             step: f64::INFINITY,
             redo: None,
+            bends: [Vec::new(), Vec::new()],
             error_before: 1.0,
             after_rejection: false,
             stalls: 0,
@@ -92,13 +98,14 @@ impl<'a, S: Stepper> Drive<'a, S> {
         if !self.run.begin()? {
             return self.stick();
         }
-        self.start_steps();
+        self.start_steps()?;
         self.check_stability()
     }
 
     /// In a new piece, from rest or after sticking, no step size is known.
-    fn start_steps(&mut self) {
+    fn start_steps(&mut self) -> Result<(), IntegrationError> {
         self.update_bounds();
+        self.note_bends()?;
         self.step = match self.pace {
             Pace::Unlimited => f64::INFINITY,
             Pace::Fixed => control::fixed_step(self.run.request, &self.run.node),
@@ -108,6 +115,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
                 control::first_step(&mut self.run.equation, &self.run.node, tolerance, control.order, longest)
             }
         };
+        Ok(())
     }
 
     fn update_bounds(&mut self) {
@@ -157,12 +165,12 @@ impl<'a, S: Stepper> Drive<'a, S> {
 
     fn plan(&mut self) -> Result<Plan, IntegrationError> {
         if let Some((h, side)) = self.redo.take() {
-            return Ok(Plan { h, time: None, bound: Some(side) });
+            return Ok(Plan { h, time: None, bound: side, to_bend: side.is_none() });
         }
         if let (Pace::Fixed, Some(FixedStep::Coordinate(_))) = (self.pace, self.run.request.fixed_step) {
             self.step = control::fixed_step(self.run.request, &self.run.node);
         }
-        let mut plan = Plan { h: self.step, time: None, bound: None };
+        let mut plan = Plan { h: self.step, time: None, bound: None, to_bend: false };
         let margin = if S::PARABOLIC { 1.0 } else { OVERSHOOT };
         for side in SIDES {
             let time = self.bounds.time_to(side, &self.run.node);
@@ -173,7 +181,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         let stop = self.run.piece.time[1].min(self.run.request.latest());
         let left = stop - self.run.node.state.time;
         if plan.h * 1.01 >= left && left.is_finite() {
-            plan = Plan { h: left, time: Some(stop), bound: None };
+            plan = Plan { h: left, time: Some(stop), bound: None, to_bend: false };
         }
         if plan.h.is_finite() {
             Ok(plan)
@@ -204,12 +212,15 @@ impl<'a, S: Stepper> Drive<'a, S> {
     /// Decides what to do with a step that is exact enough: accept it whole or up to an event, or repeat it up to an
     /// event.
     fn judge(&mut self, plan: Plan, error: f64, to: Node) -> Result<(), IntegrationError> {
+        if self.bends_within(&plan, &to)? {
+            return Ok(());
+        }
         if self.bounds.may_leave(&self.run.node, &to) {
             let dense = self.dense(&to)?;
             if let Some((theta, side)) = self.bounds.first_exit(&dense) {
                 if theta < NEAR_END && !S::PARABOLIC {
                     self.run.statistics.rejected += 1;
-                    self.redo = Some((theta * plan.h, side));
+                    self.redo = Some((theta * plan.h, Some(side)));
                     return Ok(());
                 }
                 self.propose(&Plan { bound: Some(side), ..plan }, error);
@@ -247,12 +258,17 @@ impl<'a, S: Stepper> Drive<'a, S> {
         self.stalls = 0;
         self.scale.extend(&to.state);
         self.run.node = to;
+        self.bends.swap(0, 1);
         self.check_stability_at_times()?;
         self.check_creeping()?;
         self.run.check_way(self.run.node.state.coordinate)?;
         match (plan.time, plan.bound) {
             (Some(_), _) => self.meet_time(),
             (None, Some(side)) => self.meet_if_at(side, plan.h),
+            (None, None) if plan.to_bend => {
+                self.run.event(EventKind::Face);
+                Ok(())
+            }
             (None, None) => Ok(()),
         }
     }
@@ -264,7 +280,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         let factor = control.after_accepted(error, self.error_before);
         let factor = if self.after_rejection { factor.min(1.0) } else { factor };
         let next = plan.h * factor;
-        let shortened = plan.time.is_some() || plan.bound.is_some();
+        let shortened = plan.time.is_some() || plan.bound.is_some() || plan.to_bend;
         self.step = if shortened { next.max(self.step) } else { next };
         if !shortened {
             self.error_before = error.max(1e-4);

@@ -33,6 +33,11 @@ impl<'a> Equation<'a> {
         self.motion.dependence().moment_on_time
     }
 
+    /// The moment depends on the acceleration: dry friction through inertia loads.
+    pub fn depends_on_acceleration(&self) -> bool {
+        self.motion.dependence().moment_on_acceleration
+    }
+
     /// Enters the piece just after `state`, see [`Motion::enter`].
     pub fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
         self.pieces += 1;
@@ -57,6 +62,16 @@ impl<'a> Equation<'a> {
         let reduced = self.motion.reduced(state)?;
         reduced.acceleration(state.speed)?;
         Ok((reduced.inertia, reduced.moment))
+    }
+
+    /// The [`Motion::bends`] at a state; counts as one evaluation.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] of the equation.
+    pub(crate) fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        self.evaluations += 1;
+        self.motion.bends(state)
     }
 
     /// Partial derivatives of the acceleration: from the equation, else by forward differences from

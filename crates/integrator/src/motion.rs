@@ -7,7 +7,7 @@ use assur_words::{Describe, Text, list, name, number, text};
 /// A dependence on the *sign* of the speed alone (dry friction, loads against the motion) does not count as a
 /// dependence on the speed: inside a [`Piece`] bounded by w = 0 it is none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "four independent questions that D asks of the equation")]
+#[expect(clippy::struct_excessive_bools, reason = "five independent questions that D asks of the equation")]
 pub struct Dependence {
     /// J does not depend on the coordinate.
     pub inertia_constant: bool,
@@ -17,6 +17,8 @@ pub struct Dependence {
     pub moment_on_speed: bool,
     /// Q depends on time.
     pub moment_on_time: bool,
+    /// Q depends on the acceleration, through the inertia loads on which dry friction depends; with it on coordinate and speed.
+    pub moment_on_acceleration: bool,
 }
 
 impl Dependence {
@@ -44,8 +46,12 @@ impl Dependence {
 /// As `J(q), M(q, w)`.
 impl Describe for Dependence {
     fn describe(&self) -> Text {
-        let variables =
-            [(self.moment_on_coordinate, "q"), (self.moment_on_speed, "w"), (self.moment_on_time, "t")];
+        let variables = [
+            (self.moment_on_coordinate, "q"),
+            (self.moment_on_speed, "w"),
+            (self.moment_on_time, "t"),
+            (self.moment_on_acceleration, "e"),
+        ];
         let variables: Vec<&str> =
             variables.iter().filter_map(|(depends, name)| depends.then_some(*name)).collect();
         let inertia = if self.inertia_constant { text!("integrator-inertia-constant") } else { name("J(q)") };
@@ -176,10 +182,35 @@ pub trait Motion {
     /// J, dJ/dq and Q at `state`.
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError>;
 
+    /// The coefficients at `state` with a drive on the input: its moment, N m (N), along the coordinate, and its moment of inertia,
+    /// kg m² (kg). An equation whose moment depends on the acceleration itself (dry friction through inertia loads) finds it here.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`reduced`](Self::reduced).
+    #[inline]
+    fn driven(&mut self, state: &State, [moment, inertia]: [f64; 2]) -> Result<Reduced, MotionError> {
+        let mut reduced = self.reduced(state)?;
+        reduced.inertia += inertia;
+        reduced.moment += moment;
+        Ok(reduced)
+    }
+
     /// Acceleration e at `state`, rad/s² (m/s²), computed from [`reduced`](Self::reduced).
     #[inline]
     fn acceleration(&mut self, state: &State) -> Result<f64, MotionError> {
         self.reduced(state)?.acceleration(state.speed)
+    }
+
+    /// Numbers whose change of sign bends the equation inside a piece, so that a step should end there: of an equation whose
+    /// moment depends on the acceleration, the forces whose modulus gives friction. None by default.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`reduced`](Self::reduced).
+    fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
+        let _ = state;
+        Ok(Vec::new())
     }
 
     /// Partial derivatives of the acceleration, where the equation knows them; with `None` (the default) an implicit
@@ -207,6 +238,8 @@ pub enum MotionError {
     OutOfRange,
     /// The mechanism behind the equation failed: no assembly, singular position.
     Mechanism(Text),
+    /// Dry friction leaves no acceleration possible, or several.
+    Undetermined(Text),
 }
 
 assur_words::errors!(MotionError);
@@ -223,7 +256,7 @@ impl Describe for MotionError {
                 moment = scientific(*moment)
             ),
             Self::OutOfRange => text!("integrator-coordinate-out-of-range"),
-            Self::Mechanism(error) => error.clone(),
+            Self::Mechanism(error) | Self::Undetermined(error) => error.clone(),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Which smooth piece comes next, and whether the motion continues at all.
 
-use crate::{Equation, IntegrationError, Piece, State};
+use assur_words::{number, text};
+
+use crate::{Equation, IntegrationError, MotionError, Piece, State};
 
 /// Enters the piece after `state`, and returns the acceleration in it; `at_speed_bound` if the speed is on a bound of
 /// the previous piece.
@@ -24,14 +26,28 @@ pub fn enter(
             return Ok(Some((piece, acceleration(equation, state)?)));
         }
     }
-    for side in [1.0, -1.0] {
-        let piece = piece_ahead(equation, state, side)?;
-        let acceleration = acceleration(equation, state)?;
-        if acceleration * side > 0.0 {
-            return Ok(Some((piece, acceleration)));
+    let Some(upward) = leading(equation, state, 1.0)? else { return leading(equation, state, -1.0) };
+    // Other loads never drive away from rest to both sides.
+    if state.speed == 0.0 && equation.depends_on_acceleration() {
+        if let Some((_, downward)) = leading(equation, state, -1.0)? {
+            let shown = |value: f64| number(format_args!("{value:.6e}"));
+            let both = text!("integrator-both-directions", up = shown(upward.1), down = shown(downward));
+            return Err(IntegrationError::equation(state, MotionError::Undetermined(both)));
         }
+        return leading(equation, state, 1.0);
     }
-    Ok(None)
+    Ok(Some(upward))
+}
+
+/// The piece on a side of the speed with its acceleration, if that leads into it.
+fn leading(
+    equation: &mut Equation<'_>,
+    state: &State,
+    side: f64,
+) -> Result<Option<(Piece, f64)>, IntegrationError> {
+    let piece = piece_ahead(equation, state, side)?;
+    let acceleration = acceleration(equation, state)?;
+    Ok((acceleration * side > 0.0).then_some((piece, acceleration)))
 }
 
 fn acceleration(equation: &mut Equation<'_>, state: &State) -> Result<f64, IntegrationError> {

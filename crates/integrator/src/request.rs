@@ -167,6 +167,8 @@ pub enum EventKind {
     Held,
     /// A motion that rested or was held continues.
     Release,
+    /// A force changed its sign on whose modulus dry friction depends: another face is pressed.
+    Face,
 }
 
 /// An event and the state at which it happened.

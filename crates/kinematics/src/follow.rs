@@ -128,18 +128,10 @@ impl Path<'_> {
                 let range = Range { low: self.from, high: self.from + TAU, full: true };
                 let transitions = transitions(&branch, true);
                 let ways = Ways::new(self.from, Some(length), first.clone(), transitions);
-                let poses = self
-                    .follower
-                    .iterated
-                    .iter()
-                    .map(|&link| (link, branch.poses[link].iter().collect::<Vec<_>>()));
-                let guesses = Guesses {
-                    low: self.from,
-                    step: branch.step(),
-                    periodic: true,
-                    poses: poses.filter(|(_, poses)| !poses.is_empty()).collect(),
-                };
-                return (ways, range, [None; 2], (!guesses.poses.is_empty()).then_some(guesses));
+                let poses = self.follower.iterated.iter().map(|link| (link, branch.poses[*link].iter()));
+                let grid = (self.from, branch.step(), true);
+                let guesses = Guesses::new(grid, self.follower.structure.scale, poses);
+                return (ways, range, [None; 2], guesses);
             }
             turns *= 2;
         }
@@ -166,20 +158,16 @@ impl Path<'_> {
         all.extend(transitions(forth, true));
         let range = Range { low: self.from + back.reached, high: self.from + forth.reached, full: false };
         let before = back.samples.saturating_sub(1);
-        let poses = self.follower.iterated.iter().map(|&link| {
-            let [back, forth] = [back, forth].map(|branch| &branch.poses[link]);
+        let poses = self.follower.iterated.iter().map(|link| {
+            let [back, forth] = [back, forth].map(|branch| &branch.poses[*link]);
             // A group may have been followed beyond where a later one ends the branch.
-            (link, back.iter().skip(1).take(before).rev().chain(forth.iter()).collect::<Vec<_>>())
+            (link, back.iter().skip(1).take(before).rev().chain(forth.iter()))
         });
-        let guesses = Guesses {
-            low: self.from - before as f64 * forth.step(),
-            step: forth.step(),
-            periodic: false,
-            poses: poses.filter(|(_, poses)| !poses.is_empty()).collect(),
-        };
+        let grid = (self.from - before as f64 * forth.step(), forth.step(), false);
+        let guesses = Guesses::new(grid, self.follower.structure.scale, poses);
         let period = period.filter(|period| range.high - range.low < *period);
         let ways = Ways::new(range.low, period, back.last(), all);
-        (ways, range, [back.failure, forth.failure], (!guesses.poses.is_empty()).then_some(guesses))
+        (ways, range, [back.failure, forth.failure], guesses)
     }
 }
 

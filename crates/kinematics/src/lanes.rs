@@ -84,7 +84,7 @@ impl Linkage {
             if let Some(guesses) = &self.guesses {
                 for (lane, coordinate) in together.0.into_iter().enumerate() {
                     let poses = guesses.at(self.followed(coordinate));
-                    poses.for_each(|(link, pose)| position.bodies[link].set_lane(lane, pose));
+                    poses.for_each(|(link, pose)| position.bodies[link].set_lane(lane, &pose));
                 }
             }
             let ways = self.ways.at(coordinates.0[first]);

@@ -12,6 +12,7 @@
 
 mod branch;
 mod chain;
+mod courses;
 mod dependence;
 mod enclosures;
 mod error;
@@ -40,6 +41,7 @@ mod wide;
 assur_words::resources!();
 
 pub use chain::{Chain, ChainError, Input};
+pub use courses::{Course, CourseEnd, Courses};
 pub use enclosures::Enclosures;
 pub use error::{CompileError, PositionError};
 pub use interpolant::Interpolation;

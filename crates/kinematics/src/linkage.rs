@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use assur_group::{AssurGroup, Body, Order};
+use assur_group::{AssurGroup, Body, GroupError, Order};
 use assur_mechanism::Mechanism;
 use assur_number::{Lanes, Real};
 use assur_structure::Structure;
@@ -16,6 +16,9 @@ use crate::poses::Guesses;
 use crate::start::refuse_without_start;
 use crate::ways::{END_ROUNDING, Transition, Ways};
 use crate::{Chain, ChainError, CompileError, PositionError, Range};
+
+/// The way to a position from the nearest kept poses is divided into at most two to this power of steps.
+const MOST_HALVINGS: u32 = 8;
 
 /// A mechanism decomposed into groups and compiled, with everything needed to calculate positions. A clone shares what is
 /// compiled.
@@ -170,16 +173,57 @@ impl Linkage {
             }
             guesses.put(self.followed(coordinate), &mut position.bodies);
         }
+        let solved = self.solve_from(coordinate, order, position);
+        let solved = match (solved, &self.guesses) {
+            (Err(failure), Some(guesses)) => self.approach(coordinate, order, (guesses, failure), position),
+            (solved, _) => solved,
+        };
+        solved.map_err(|failure| self.explain(coordinate, failure))
+    }
+
+    /// Solves all links at one coordinate; groups that iterate begin with the poses in `position`.
+    #[inline]
+    fn solve_from(&self, coordinate: f64, order: Order, position: &mut Position) -> Result<(), ChainError> {
         let ways = self.ways.at(coordinate);
         let (bodies, health) = (&mut position.bodies, &mut position.health);
-        let solved = if self.interpolants.cover(coordinate) {
+        if self.interpolants.cover(coordinate) {
             let apply =
                 |group: usize, bodies: &mut [Body<f64>]| self.interpolants.apply(group, coordinate, bodies);
             self.chain.solve_except(coordinate, ways, order, bodies, health, apply)
         } else {
             self.chain.solve(coordinate, ways, order, bodies, health)
+        }
+    }
+
+    /// Solves all links where the poses that were kept are too far away, as beside a place where links run to infinity: in
+    /// ever more steps from there.
+    #[cold]
+    fn approach(
+        &self,
+        coordinate: f64,
+        order: Order,
+        (guesses, failure): (&Guesses, ChainError),
+        position: &mut Position,
+    ) -> Result<(), ChainError> {
+        if !matches!(failure.source, GroupError::NoAssembly { .. }) || !self.reaches(coordinate) {
+            return Err(failure);
+        }
+        let followed = self.followed(coordinate);
+        let near = guesses.coordinate_near(followed);
+        let start = near + (coordinate - followed);
+        let by_steps = |steps: u32, position: &mut Position| {
+            guesses.put(near, &mut position.bodies);
+            (1..=steps).try_for_each(|step| {
+                let part = f64::from(step) / f64::from(steps);
+                let (at, order) = if step < steps {
+                    (start + part * (coordinate - start), Order::Place)
+                } else {
+                    (coordinate, order)
+                };
+                self.solve_from(at, order, position)
+            })
         };
-        solved.map_err(|failure| self.explain(coordinate, failure))
+        (1..=MOST_HALVINGS).find_map(|halvings| by_steps(1 << halvings, position).ok()).ok_or(failure)
     }
 
     /// The coordinate shifted into the interval in which the assembly was followed: if the mechanism does not turn

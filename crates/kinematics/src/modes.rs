@@ -49,7 +49,7 @@ impl Linkage {
 }
 
 /// The modes of a kind that numbers its ways: those that exist.
-fn by_ways(kernel: &dyn AssurGroup<f64>, bodies: &[Body<f64>]) -> Vec<Mode<f64>> {
+pub(crate) fn by_ways(kernel: &dyn AssurGroup<f64>, bodies: &[Body<f64>]) -> Vec<Mode<f64>> {
     let placed = |way: usize| {
         let mut bodies = bodies.to_vec();
         let health = kernel.place(&mut bodies, way).ok()?.abs();

@@ -68,17 +68,24 @@ impl Poses {
     }
 }
 
+/// A sample is interpolated between its neighbors only where these are within this of it, rad or parts of the scale.
+const NEIGHBORS: f64 = 0.1;
+
 /// Poses of the links of iterating groups at equally spaced coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Guesses {
     /// Coordinate of the first sample, rad or m.
-    pub(crate) low: f64,
+    low: f64,
     /// Distance between neighboring samples, rad or m.
-    pub(crate) step: f64,
+    step: f64,
     /// Whether the samples cover a whole period, so that the last one repeats the first.
-    pub(crate) periodic: bool,
-    /// Each link with its pose at every sample.
-    pub(crate) poses: Vec<(usize, Vec<Body<f64>>)>,
+    periodic: bool,
+    /// Number of the last sample that all links have.
+    last: usize,
+    /// Most by which neighbors of a sample that is interpolated differ from it: x, y, c and s.
+    most: [f64; 4],
+    /// Each link with x, y, c and s at every sample.
+    poses: Vec<(usize, Vec<[f64; 4]>)>,
 }
 
 /// Links of the groups whose solution is iterated from a starting pose.
@@ -88,26 +95,61 @@ pub fn iterated(structure: &Structure) -> Vec<usize> {
 }
 
 impl Guesses {
-    /// The links with their poses at the sample closest to a coordinate.
-    pub(crate) fn at(&self, coordinate: f64) -> impl Iterator<Item = (usize, &Body<f64>)> {
+    /// Poses from a first coordinate on, at distances `step`, in a mechanism of this scale; `None` where no link has any.
+    pub(crate) fn new<'a, I: Iterator<Item = Body<f64>>>(
+        (low, step, periodic): (f64, f64, bool),
+        scale: f64,
+        links: impl Iterator<Item = (&'a usize, I)>,
+    ) -> Option<Self> {
+        let numbers = |body: Body<f64>| [body.x, body.y, body.c, body.s];
+        let poses = links.map(|(link, poses)| (*link, poses.map(numbers).collect::<Vec<_>>()));
+        let poses: Vec<_> = poses.filter(|(_, poses)| !poses.is_empty()).collect();
+        // A group may have been followed beyond where a later one ends the range.
+        let last = poses.iter().map(|(_, poses)| poses.len() - 1).min()?;
+        let most = [scale, scale, 1.0, 1.0].map(|unit| NEIGHBORS * unit);
+        Some(Self { low, step, periodic, last, most, poses })
+    }
+
+    /// The sample closest to a coordinate, and how far the coordinate is behind it, in steps.
+    fn nearest(&self, coordinate: f64) -> (usize, f64) {
+        let (place, last) = ((coordinate - self.low) / self.step, self.last as f64);
+        let place = if self.periodic { place.rem_euclid(last) } else { place };
+        let nearest = place.round().clamp(0.0, last);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the samples")]
+        let sample = nearest as usize;
+        (sample, place - nearest)
+    }
+
+    /// The coordinate of the sample closest to one.
+    pub(crate) fn coordinate_near(&self, coordinate: f64) -> f64 {
+        coordinate - self.nearest(coordinate).1 * self.step
+    }
+
+    /// The links with about their poses at a coordinate.
+    pub(crate) fn at(&self, coordinate: f64) -> impl Iterator<Item = (usize, Body<f64>)> {
+        let (sample, behind) = self.nearest(coordinate);
+        let neighbors = match (sample, self.periodic) {
+            (0, true) => [self.last.saturating_sub(1), 1.min(self.last)],
+            (sample, true) if sample == self.last => [sample.saturating_sub(1), 1.min(self.last)],
+            (sample, _) if sample > 0 && sample < self.last => [sample - 1, sample + 1],
+            _ => [sample; 2],
+        };
         self.poses.iter().map(move |(link, poses)| {
-            let last = (poses.len() - 1) as f64;
-            let mut place = (coordinate - self.low) / self.step;
-            if self.periodic {
-                place = place.rem_euclid(last);
+            let [before, here, after] = [neighbors[0], sample, neighbors[1]].map(|sample| &poses[sample]);
+            let (mut pose, mut is_near) = (*here, true);
+            for k in 0..pose.len() {
+                let [back, forth] = [here[k] - before[k], after[k] - here[k]];
+                is_near &= back.abs() <= self.most[k] && forth.abs() <= self.most[k];
+                // The parabola through the three.
+                pose[k] += 0.5 * behind * (back + forth + behind * (forth - back));
             }
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "clamped to the samples"
-            )]
-            let nearest = place.round().clamp(0.0, last) as usize;
-            (*link, &poses[nearest])
+            let [x, y, c, s] = if is_near { pose } else { *here };
+            (*link, Body { x, y, c, s, ..Body::ground() })
         })
     }
 
-    /// Sets the links to their poses at the sample closest to a coordinate.
+    /// Sets the links to about their poses at a coordinate.
     pub(crate) fn put(&self, coordinate: f64, bodies: &mut [Body<f64>]) {
-        self.at(coordinate).for_each(|(link, pose)| bodies[link] = *pose);
+        self.at(coordinate).for_each(|(link, pose)| bodies[link] = pose);
     }
 }

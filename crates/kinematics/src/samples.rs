@@ -128,7 +128,12 @@ impl<'a> Samples<'a> {
         let distance = |bodies: &[Body<f64>]| {
             pose_distance(links.iter().map(|&link| bodies[link]), before.iter().copied(), self.scale)
         };
-        if let Some(tracker) = self.tracker.filter(|_| sample > 0) {
+        // Behind a place where two modes meet, the sample before belongs to the way before: there is nothing to follow from.
+        let is_met = |tracker: &Tracker<'_>| {
+            let last = branch.passages[tracker.group].last();
+            last.is_some_and(|last| last.distance >= branch.distance(branch.at(sample - 1)))
+        };
+        if let Some(tracker) = self.tracker.filter(|tracker| sample > 0 && !is_met(tracker)) {
             let is_lost = matches!(placed, Err(GroupError::NoAssembly { .. }));
             if is_lost || placed.is_ok() && distance(bodies) > LONGEST {
                 let start = (branch.at(sample - 1), before.clone());

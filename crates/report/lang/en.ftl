@@ -42,6 +42,7 @@ fact-resistance-work = net work that the loads take in a cycle
 fact-net-driving-work = net work that the loads do in a cycle
 fact-driving-work = work of driving loads over a cycle
 fact-resisting-work = work of resisting loads over a cycle
+fact-friction-work = work of dry friction over a cycle
 fact-kinetic-energy = kinetic energy with flywheel and rotor
 fact-driving-moment = driving moment
 fact-braking-moment = resisting moment of the drive
@@ -200,6 +201,7 @@ head-remark = Remark
 head-reserve = Reserve
 head-residual = Residual
 head-resisting-work = Resisting work
+head-rubbing-work = Friction work
 head-rests-at = Rests at
 head-result = Result
 head-rim-speed = Rim speed
@@ -459,6 +461,7 @@ event-reversal = reversal
 event-rest = rest
 event-held = speed held
 event-release = release
+event-face = other face
 
 # What is calculated, and how.
 explain-stages = Stages
@@ -685,3 +688,27 @@ report-simpler-inputs = With { $count ->
        *[other] one of the links { $links }
     } as the input the groups would be of a lower class.
 head-structure = Structural formula
+report-modes-of = Modes of group { $group } ({ $kind } { $links }) over the cycle
+report-modes-unlisted = { $group }: its kind can't list them.
+head-from = From
+head-to = To
+head-begins = Begins
+head-ends = Ends
+head-circuit = Circuit
+head-branch = Branch
+report-modes-from = { $count } from { $coordinate }
+report-modes-count = Number of modes: { $counts }.
+report-modes-circuits = { $circuits ->
+        [one] One circuit
+       *[other] { $circuits } circuits
+    } (what is reached without taking the mechanism apart), { $branches ->
+        [one] one branch
+       *[other] { $branches } branches
+    } (what is reached without a singular position).
+report-modes-present = In the first position the mechanism is in mode { $way }.
+report-modes-meeting = { $one } and { $other } at { $coordinate }
+report-modes-meet = Modes that meet and both go on: { $meetings }.
+mode-end-cycle = with the cycle
+mode-end-with = together with { $way }
+mode-end-infinity = links run to infinity
+mode-end-barrier = groups before it have no place

@@ -48,6 +48,7 @@ fact-resistance-work = работа, которую нагрузки отбир�
 fact-net-driving-work = работа, которую нагрузки совершают за цикл
 fact-driving-work = работа движущих сил за цикл
 fact-resisting-work = работа сил сопротивления за цикл
+fact-friction-work = работа сухого трения за цикл
 fact-kinetic-energy = кинетическая энергия с маховиком и ротором
 fact-driving-moment = движущий момент
 fact-braking-moment = момент сопротивления привода
@@ -207,6 +208,7 @@ head-remark = Примечание
 head-reserve = Запас
 head-residual = Невязка
 head-resisting-work = Работа сил сопротивления
+head-rubbing-work = Работа трения
 head-rests-at = Выстой при
 head-result = Вывод
 head-rim-speed = Скорость обода
@@ -463,6 +465,7 @@ event-reversal = реверс
 event-rest = остановка
 event-held = скорость удерживается
 event-release = освобождение
+event-face = другая грань
 
 # Что рассчитывается и как.
 explain-stages = Этапы
@@ -668,3 +671,29 @@ report-simpler-inputs = { $count ->
        *[other] С одним из входных звеньев { $links }
     } группы были бы более низкого класса.
 head-structure = Формула строения
+report-modes-of = Сборки группы { $group } ({ $kind } { $links }) за цикл
+report-modes-unlisted = { $group }: её вид не может их перечислить.
+head-from = От
+head-to = До
+head-begins = Начало
+head-ends = Конец
+head-circuit = Контур движения
+head-branch = Ветвь
+report-modes-from = { $count } от { $coordinate }
+report-modes-count = Число сборок: { $counts }.
+report-modes-circuits = { $circuits ->
+        [one] { $circuits } контур движения
+        [few] { $circuits } контура движения
+       *[other] { $circuits } контуров движения
+    } (достижимое без разборки механизма), { $branches ->
+        [one] { $branches } ветвь
+        [few] { $branches } ветви
+       *[other] { $branches } ветвей
+    } (достижимое без особого положения).
+report-modes-present = В первом положении механизм находится в сборке { $way }.
+report-modes-meeting = { $one } и { $other } при { $coordinate }
+report-modes-meet = Сборки, которые встречаются и обе продолжаются: { $meetings }.
+mode-end-cycle = вместе с циклом
+mode-end-with = вместе со сборкой { $way }
+mode-end-infinity = звенья уходят в бесконечность
+mode-end-barrier = предыдущие группы не собираются

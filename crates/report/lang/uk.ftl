@@ -48,6 +48,7 @@ fact-resistance-work = робота, яку навантаження відби�
 fact-net-driving-work = робота, яку навантаження виконують за цикл
 fact-driving-work = робота рушійних сил за цикл
 fact-resisting-work = робота сил опору за цикл
+fact-friction-work = робота сухого тертя за цикл
 fact-kinetic-energy = кінетична енергія з маховиком і ротором
 fact-driving-moment = рушійний момент
 fact-braking-moment = момент опору привода
@@ -207,6 +208,7 @@ head-remark = Примітка
 head-reserve = Запас
 head-residual = Нев'язка
 head-resisting-work = Робота сил опору
+head-rubbing-work = Робота тертя
 head-rests-at = Вистій при
 head-result = Висновок
 head-rim-speed = Швидкість обода
@@ -463,6 +465,7 @@ event-reversal = реверс
 event-rest = зупинка
 event-held = швидкість утримується
 event-release = звільнення
+event-face = інша грань
 
 # Що розраховується і як.
 explain-stages = Етапи
@@ -668,3 +671,29 @@ report-simpler-inputs = { $count ->
        *[other] З однією з вхідних ланок { $links }
     } групи мали б нижчий клас.
 head-structure = Формула будови
+report-modes-of = Складання групи { $group } ({ $kind } { $links }) за цикл
+report-modes-unlisted = { $group }: її вид не може їх перелічити.
+head-from = Від
+head-to = До
+head-begins = Початок
+head-ends = Кінець
+head-circuit = Контур руху
+head-branch = Гілка
+report-modes-from = { $count } від { $coordinate }
+report-modes-count = Кількість складань: { $counts }.
+report-modes-circuits = { $circuits ->
+        [one] { $circuits } контур руху
+        [few] { $circuits } контури руху
+       *[other] { $circuits } контурів руху
+    } (досяжне без розбирання механізму), { $branches ->
+        [one] { $branches } гілка
+        [few] { $branches } гілки
+       *[other] { $branches } гілок
+    } (досяжне без особливого положення).
+report-modes-present = У першому положенні механізм перебуває в складанні { $way }.
+report-modes-meeting = { $one } і { $other } при { $coordinate }
+report-modes-meet = Складання, що зустрічаються й обидва тривають далі: { $meetings }.
+mode-end-cycle = разом із циклом
+mode-end-with = разом зі складанням { $way }
+mode-end-infinity = ланки віддаляються в нескінченність
+mode-end-barrier = попередні групи не складаються

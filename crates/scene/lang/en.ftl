@@ -289,8 +289,8 @@ scene-friction-against-sliding = friction against the sliding
 
 ## friction in pairs
 scene-a-friction = a friction
-scene-friction-in-free-motion = dry friction in pairs is calculated in a prescribed motion only, not in one that follows from the equation of motion
-scene-friction-prescribed = prescribe the motion (`kind = "prescribed"`), or leave `[[friction]]` out
+scene-friction-in-free-motion = with dry friction in pairs a motion that follows from the equation of motion is driven at the input: it has no other balancing load
+scene-friction-prescribed = leave `[balance]` out, or prescribe the motion (`kind = "prescribed"`)
 scene-friction-twice = the pair { $pair } has its friction already
 scene-friction-of-slides = `{ $key }` belongs to the friction of a slide, this pair is a pin
 scene-friction-of-pins = `{ $key }` belongs to the friction of a pin, this pair is a slide

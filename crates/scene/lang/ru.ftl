@@ -295,8 +295,8 @@ scene-friction-against-sliding = трение против скольжения
 
 ## friction in pairs
 scene-a-friction = трение
-scene-friction-in-free-motion = сухое трение в парах вычисляется только в заданном движении, а не в движении, которое следует из уравнения движения
-scene-friction-prescribed = задайте движение (`kind = "prescribed"`) или уберите `[[friction]]`
+scene-friction-in-free-motion = с сухим трением в парах движение, следующее из уравнения движения, создаёт привод входного звена: другой уравновешивающей нагрузки у него нет
+scene-friction-prescribed = уберите `[balance]` или задайте движение (`kind = "prescribed"`)
 scene-friction-twice = трение пары { $pair } уже задано
 scene-friction-of-slides = `{ $key }` относится к трению поступательной пары, а эта пара вращательная
 scene-friction-of-pins = `{ $key }` относится к трению вращательной пары, а эта пара поступательная

@@ -296,8 +296,8 @@ scene-friction-against-sliding = тертя проти ковзання
 
 ## friction in pairs
 scene-a-friction = тертя
-scene-friction-in-free-motion = сухе тертя в парах обчислюється лише в заданому русі, а не в русі, що випливає з рівняння руху
-scene-friction-prescribed = задайте рух (`kind = "prescribed"`) або вилучіть `[[friction]]`
+scene-friction-in-free-motion = із сухим тертям у парах рух, що випливає з рівняння руху, створює привод вхідної ланки: іншого зрівноважувального навантаження він не має
+scene-friction-prescribed = приберіть `[balance]` або задайте рух (`kind = "prescribed"`)
 scene-friction-twice = тертя пари { $pair } вже задано
 scene-friction-of-slides = `{ $key }` належить до тертя поступальної пари, а ця пара обертальна
 scene-friction-of-pins = `{ $key }` належить до тертя обертальної пари, а ця пара поступальна

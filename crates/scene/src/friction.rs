@@ -22,9 +22,11 @@ const OF_PINS: [&str; 2] = ["radius", "owner"];
 /// Reads all `[[friction]]`.
 pub(crate) fn read(root: &Section<'_>, linkage: &Linkage, motion: Option<&Motion>) -> Vec<Friction> {
     let Some(entry) = root.get("friction") else { return Vec::new() };
-    if let Some(Motion::Transient { .. } | Motion::Steady { .. }) = motion {
-        let fault = Fault::new(entry.key.clone(), text!("scene-friction-in-free-motion"));
-        entry.note(fault.label(text!("scene-friction-prescribed")));
+    if let (Some(Motion::Transient { .. } | Motion::Steady { .. }), Some(balance)) =
+        (motion, root.get("balance"))
+    {
+        let fault = Fault::new(balance.key.clone(), text!("scene-friction-in-free-motion"));
+        balance.note(fault.label(text!("scene-friction-prescribed")));
     }
     let mut all: Vec<Friction> = Vec::new();
     for section in entry.sections(&text!("scene-a-friction"), KEYS) {

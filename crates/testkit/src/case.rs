@@ -101,7 +101,15 @@ impl Case {
         q: T,
         way: usize,
     ) -> Result<Vec<Body<T>>, GroupError> {
-        let mut bodies = self.sample.bodies(q);
+        Self::solved_from(kernel, self.sample.bodies(q), way)
+    }
+
+    /// The same from given starting poses.
+    pub(crate) fn solved_from<T: Number>(
+        kernel: &dyn AssurGroup<T>,
+        mut bodies: Vec<Body<T>>,
+        way: usize,
+    ) -> Result<Vec<Body<T>>, GroupError> {
         kernel.place(&mut bodies, way)?;
         kernel.derive(&mut bodies, Order::Second)?;
         Ok(bodies)

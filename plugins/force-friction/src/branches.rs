@@ -35,6 +35,9 @@ pub(crate) struct Found {
 /// Steps from no friction to all of it where a block is too large for all of its solutions to be found.
 const STEPS: u32 = 64;
 
+/// Most solutions that are followed from block to block, each of which may have several for each of them.
+const MOST: usize = 64;
+
 impl Chain<'_> {
     /// All solutions under these loads with all coefficients times `scale`.
     pub(crate) fn solutions(&self, loads: &[Wrench<f64>], scale: f64) -> Result<Found, ForceError> {
@@ -52,6 +55,10 @@ impl Chain<'_> {
             for branch in before {
                 self.go_on(block, branch, scale, &mut found)?;
             }
+            if found.branches.len() > MOST {
+                found.branches.truncate(MOST);
+                found.proved = false;
+            }
             if found.branches.is_empty() {
                 found.jammed = Some(index);
                 return Ok(found);
@@ -62,6 +69,14 @@ impl Chain<'_> {
 
     /// Adds the solutions of a block that follow from a solution of those after it.
     fn go_on(&self, block: &Block, branch: Branch, scale: f64, found: &mut Found) -> Result<(), ForceError> {
+        if block
+            .unknowns
+            .iter()
+            .any(|&unknown| self.factor(&self.frictions.unknowns[unknown], scale).is_nan())
+        {
+            found.branches.push(self.undetermined(block, branch));
+            return Ok(());
+        }
         let Some(prepared) = self.prepare(block, (&branch.loads, &branch.pairs), scale)? else {
             return Ok(());
         };
@@ -85,6 +100,26 @@ impl Chain<'_> {
         }
         found.branches.extend(all.points.iter().map(|point| branch.clone().with(block, &prepared, point)));
         Ok(())
+    }
+
+    /// A block at rest whose friction is not determined: neither are its reactions, nor what they do to other links.
+    fn undetermined(&self, block: &Block, mut branch: Branch) -> Branch {
+        let unknown = Wrench { fx: f64::NAN, fy: f64::NAN, m: f64::NAN };
+        let stages = block.groups().flat_map(|group| self.linkage.structure.groups[group].frame.pairs());
+        for pair in stages {
+            branch.pairs[pair.id] = unknown;
+            [pair.a, pair.b].into_iter().for_each(|link| branch.loads[link] = unknown);
+        }
+        if block.stages.contains(&0) {
+            (branch.pairs[0], branch.balancing) = (unknown, f64::NAN);
+        }
+        for rub in
+            block.unknowns.iter().map(|&index| &self.frictions.rubs[self.frictions.unknowns[index].rub])
+        {
+            [rub.link, rub.on].into_iter().for_each(|link| branch.loads[link] = unknown);
+        }
+        branch.moduli.extend(block.unknowns.iter().map(|_| f64::NAN));
+        branch
     }
 
     /// The solution of a block to which that without friction leads as the coefficients grow; `None` where it ends before.

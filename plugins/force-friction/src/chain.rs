@@ -1,7 +1,8 @@
 //! The linear part: what the groups of a block answer to loads and to the friction of one modulus after the other.
 
 use assur_force::{
-    Block, ForceError, Frictions, Reactions, UnitBalance, Unknown, UnknownKind, Unsolved, input_link,
+    Block, ForceError, FreeMotion, Frictions, Reactions, UnitBalance, Unknown, UnknownKind, Unsolved,
+    input_link,
 };
 use assur_friction::{Moduli, Width};
 use assur_group::Wrench;
@@ -16,6 +17,8 @@ pub(crate) struct Chain<'a> {
     senses: &'a [f64],
     solved: &'a [bool],
     unit: Option<UnitBalance>,
+    /// What acts in a motion whose acceleration takes the place of the balancing load.
+    free: Option<&'a FreeMotion<'a>>,
 }
 
 /// What some stages answer to loads on their links.
@@ -48,14 +51,20 @@ impl<'a> Chain<'a> {
     pub(crate) fn of(linkage: &'a Linkage, position: &'a Position, out: &'a Reactions) -> Option<Self> {
         let rubbing = out.rubbing.as_ref()?;
         let (frictions, senses) = (rubbing.frictions.as_ref(), &rubbing.senses[..]);
-        Some(Self { linkage, position, frictions, senses, solved: &out.solved, unit: out.unit })
+        Some(Self { linkage, position, frictions, senses, solved: &out.solved, unit: out.unit, free: None })
+    }
+
+    /// The chain in a motion whose acceleration is looked for: the drive balances it.
+    pub(crate) fn moved_by(self, motion: &'a FreeMotion<'a>) -> Self {
+        Self { unit: None, free: Some(motion), ..self }
     }
 
     /// What has to be solved together, in solving order.
     pub(crate) fn blocks(&self) -> &[Block] {
-        match self.unit {
-            None => &self.frictions.blocks,
-            Some(_) => std::slice::from_ref(&self.frictions.whole),
+        if self.unit.is_none() && self.free.is_none() {
+            &self.frictions.blocks
+        } else {
+            std::slice::from_ref(&self.frictions.whole)
         }
     }
 
@@ -127,6 +136,17 @@ impl<'a> Chain<'a> {
             let mut own = nothing;
             own[unit.link] = unit.wrench(&self.position.bodies);
             self.balance(&unit, &self.respond(block, own, no_pairs)?, &mut all)?;
+        }
+        if let Some(motion) = self.free {
+            let mut own = self.respond(block, motion.inertia.to_vec(), vec![Wrench::ZERO; pairs.len()])?;
+            own.drive += motion.drive_inertia;
+            // The base moves under the drive, what friction adds without it.
+            for (index, response) in all.iter_mut().enumerate() {
+                let given = if index == 0 { motion.drive } else { 0.0 };
+                let acceleration = (given - response.drive) / own.drive;
+                response.add(acceleration, &own);
+                response.drive = acceleration;
+            }
         }
         let shift = |unknown: usize| self.frictions.unknowns[unknown].kind == UnknownKind::Shift;
         for (index, &unknown) in block.unknowns.iter().enumerate().filter(|(_, unknown)| shift(**unknown)) {

@@ -9,14 +9,17 @@
 //!   loads --> last block: a, W --> z --> reactions, friction --> ... --> input link --> balancing load
 //! ```
 //!
-//! Where the balancing load acts elsewhere, the whole mechanism is one block, with the drive idle.
+//! Where the balancing load acts elsewhere, the whole mechanism is one block, with the drive idle. In a motion whose acceleration is
+//! looked for it is one block too, with the acceleration in place of the balancing load: the drive is known, and the equation of
+//! the input link gives the acceleration linearly in the moduli, through the inertia loads.
 
 mod branches;
 mod chain;
 mod choice;
 
 use assur_force::{
-    AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FrictionSolution, Reactions, group_by_group,
+    Accelerations, AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FreeMotion, FrictionSolution, Reactions,
+    group_by_group,
 };
 use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
@@ -113,6 +116,20 @@ impl ForceAnalyzer for Friction {
     ) -> Option<f64> {
         let chain = Chain::of(linkage, position, out)?;
         Some(choice::limit(&chain, loads))
+    }
+
+    fn accelerations(
+        &self,
+        linkage: &Linkage,
+        position: &Position,
+        motion: &FreeMotion<'_>,
+        out: &Reactions,
+    ) -> Result<Option<Accelerations>, ForceError> {
+        let Some(chain) = Chain::of(linkage, position, out) else { return Ok(None) };
+        let chain = chain.moved_by(motion);
+        let found = chain.solutions(motion.loads, 1.0)?;
+        let solutions = found.branches.iter().map(|branch| chain.told(branch, false)).collect();
+        Ok(Some(Accelerations { solutions, proved: found.proved }))
     }
 }
 

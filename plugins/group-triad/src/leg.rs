@@ -9,8 +9,8 @@
 //! | R, P | the pin of the base stays on a line of the plate | across the guide, through the pin |
 //! | P, P | the plate keeps its angle to the base | a moment |
 
-use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
-use assur_group::{Body, BuildError, PinJoint, SeenPair, SlideJoint, Wrench};
+use assur_group::plane::{cross, dot, minus, mirrored, perp, plus, scaled, times};
+use assur_group::{Body, BuildError, PinJoint, SeenPair, SlideJoint};
 use assur_number::Real;
 use assur_words::text;
 
@@ -290,97 +290,6 @@ impl<T: Real> Leg<T> {
         let normals = [perp(outer.guide(bodies)), perp(inner.guide(bodies))];
         Crossing { normals, places, apart: minus(places[1], places[0]) }
     }
-
-    /// What the leg passes to the plate of the load on itself, beside the force along its line: force and moment about
-    /// the point of the line.
-    #[inline(always)]
-    pub(crate) fn passed(&self, bodies: &[Body<T>], line: &Line<T>, load: &Wrench<T>) -> Passed<T> {
-        let body = &bodies[self.link];
-        match &self.hold {
-            Hold::Rr { outer, rod, length, .. } => {
-                let moment = load.about(body.arm(outer.own));
-                let force = scaled(moment / (*length * *length), perp(body.arm(*rod)));
-                Passed { force, at: line.at, moment: T::ZERO }
-            }
-            Hold::Pr { .. } => {
-                let t = opposite(perp(line.f));
-                Passed { force: scaled(dot(t, load.force()), t), at: line.at, moment: T::ZERO }
-            }
-            Hold::Rp { outer, .. } => {
-                Passed { force: [T::ZERO; 2], at: line.at, moment: load.about(body.arm(outer.own)) }
-            }
-            Hold::Pp { outer, inner, .. } => {
-                let (t, n) = (outer.guide(bodies), perp(inner.guide(bodies)));
-                let force = scaled(dot(t, load.force()) / dot(t, n), n);
-                Passed { force, at: body.point(inner.own), moment: T::ZERO }
-            }
-        }
-    }
-
-    /// Stores the reaction of the inner pair, on the leg, and returns that of the outer pair: force, and moment about the
-    /// pin or the point on the guide.
-    #[inline(always)]
-    pub(crate) fn store(
-        &self,
-        bodies: &[Body<T>],
-        (line, passed, size): (&Line<T>, &Passed<T>, T),
-        load: &Wrench<T>,
-        reactions: &mut [Wrench<T>],
-    ) -> ([T; 2], T) {
-        let body = &bodies[self.link];
-        let along = scaled(size, line.f);
-        let on_plate = plus(along, passed.force);
-        let outer_force = minus(on_plate, load.force());
-        match &self.hold {
-            Hold::Rr { inner, .. } => {
-                inner.store(opposite(on_plate), reactions);
-                (outer_force, T::ZERO)
-            }
-            Hold::Pr { outer, inner, .. } => {
-                inner.store(opposite(on_plate), reactions);
-                let own = body.arm(outer.own);
-                let arm = minus(body.arm(inner.own), own);
-                // Along the guide nothing is left but rounding.
-                let force = scaled(dot(line.f, outer_force), line.f);
-                (force, cross(arm, on_plate) - load.about(own))
-            }
-            Hold::Rp { outer, inner, .. } => {
-                let arm = minus(body.arm(outer.own), body.arm(inner.own));
-                inner.store(bodies, opposite(along), -(passed.moment + cross(arm, along)), reactions);
-                (outer_force, T::ZERO)
-            }
-            Hold::Pp { outer, inner, .. } => {
-                inner.store(bodies, opposite(passed.force), -size, reactions);
-                let own = body.arm(outer.own);
-                let arm = minus(body.arm(inner.own), own);
-                let n = perp(outer.guide(bodies));
-                (scaled(dot(n, outer_force), n), cross(arm, passed.force) + size - load.about(own))
-            }
-        }
-    }
-
-    /// Stores the reaction of the outer pair, on the leg; with `loads`, its opposite is handed on to the base.
-    #[inline(always)]
-    pub(crate) fn store_outer(
-        &self,
-        bodies: &[Body<T>],
-        (force, moment): ([T; 2], T),
-        loads: Option<&mut [Wrench<T>]>,
-        reactions: &mut [Wrench<T>],
-    ) {
-        match (&self.hold, loads) {
-            (Hold::Rr { outer, .. } | Hold::Rp { outer, .. }, Some(loads)) => {
-                outer.hand_on(bodies, force, loads, reactions);
-            }
-            (Hold::Rr { outer, .. } | Hold::Rp { outer, .. }, None) => outer.store(force, reactions),
-            (Hold::Pr { outer, .. } | Hold::Pp { outer, .. }, Some(loads)) => {
-                outer.hand_on(bodies, force, moment, loads, reactions);
-            }
-            (Hold::Pr { outer, .. } | Hold::Pp { outer, .. }, None) => {
-                outer.store(bodies, force, moment, reactions);
-            }
-        }
-    }
 }
 
 /// A leg of two slides in one position: normals of its guides, its points on them, and from the first point to the second.
@@ -388,22 +297,6 @@ struct Crossing<T> {
     normals: [[T; 2]; 2],
     places: [[T; 2]; 2],
     apart: [T; 2],
-}
-
-/// What a leg passes to the plate of its own load: a force through a point, and a moment.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Passed<T> {
-    pub(crate) force: [T; 2],
-    pub(crate) at: [T; 2],
-    pub(crate) moment: T,
-}
-
-impl<T: Real> Passed<T> {
-    /// As a line of action.
-    #[inline(always)]
-    pub(crate) fn line(&self) -> Line<T> {
-        Line { f: self.force, at: self.at, moment: self.moment, gap: T::ZERO }
-    }
 }
 
 /// The vector with given products with two normals.

@@ -20,12 +20,15 @@
 //! PF1, PF2 and the reactions follow from one system of three equations (of two in class IV) in the freedoms of the ternary
 //! links: each leg acts along one line.
 
+mod forces;
 mod frame;
 mod kernel;
 mod leg;
 mod locus;
 mod matrix;
+mod modes;
 mod mover;
+mod newton;
 mod order;
 mod parts;
 mod trig;
@@ -94,54 +97,54 @@ const PP: LegSort = [Slide, Slide];
 /// Of the kinds of the repository, those with formulas of their own come before the last resort.
 const RANK: u8 = 10;
 
-macro_rules! triad {
-    ($name:literal, $kind:literal, $most:literal, [$one:ident, $two:ident, $three:ident]) => {
+macro_rules! kind {
+    ($name:literal, $kind:literal, $most:literal, $pattern:expr, $of:ty, [$summary:literal, $ways:literal, $singular:literal, $source:literal]) => {
         inventory::submit! {
             GroupPlugin {
                 name: $name,
                 kind: $kind,
                 number: 0,
                 crate_name: env!("CARGO_PKG_NAME"),
-                summary: text!("group-triad"),
-                pattern: Some(Pattern {
-                    links: 4,
-                    inner: &[([1, 0], $one[1]), ([2, 0], $two[1]), ([3, 0], $three[1])],
-                    outer: &[(1, $one[0]), (2, $two[0]), (3, $three[0])],
-                }),
+                summary: text!($summary),
+                pattern: Some($pattern),
                 rank: RANK,
-                ways: Ways { most: $most, varies: true, words: text!("group-triad.ways") },
+                ways: Ways { most: $most, varies: true, words: text!($ways) },
                 iterates: true,
-                singular: text!("group-triad.singular"),
+                singular: text!($singular),
                 force_angle: ForceAngle::DEFAULT,
-                source: text!("group-triad.source"),
-                builders: Builders::of::<TriadKind>(),
+                source: text!($source),
+                builders: Builders::near_in_lanes::<$of>(),
             }
+        }
+    };
+}
+
+macro_rules! triad {
+    ($name:literal, $kind:literal, $most:literal, [$one:ident, $two:ident, $three:ident]) => {
+        kind! {
+            $name, $kind, $most,
+            Pattern {
+                inner: &[([1, 0], $one[1]), ([2, 0], $two[1]), ([3, 0], $three[1])],
+                outer: &[(1, $one[0]), (2, $two[0]), (3, $three[0])],
+                ..TRIAD
+            },
+            TriadKind,
+            ["group-triad", "group-triad.ways", "group-triad.singular", "group-triad.source"]
         }
     };
 }
 
 macro_rules! contour {
     ($name:literal, $kind:literal, $most:literal, $around:ident, [$one:ident, $two:ident]) => {
-        inventory::submit! {
-            GroupPlugin {
-                name: $name,
-                kind: $kind,
-                number: 0,
-                crate_name: env!("CARGO_PKG_NAME"),
-                summary: text!("group-contour"),
-                pattern: Some(Pattern {
-                    links: 4,
-                    inner: &[([2, 0], $one[0]), ([2, 1], $one[1]), ([3, 0], $two[0]), ([3, 1], $two[1])],
-                    outer: &[(0, $around[0]), (1, $around[1])],
-                }),
-                rank: RANK,
-                ways: Ways { most: $most, varies: true, words: text!("group-contour.ways") },
-                iterates: true,
-                singular: text!("group-contour.singular"),
-                force_angle: ForceAngle::DEFAULT,
-                source: text!("group-contour.source"),
-                builders: Builders::of::<ContourKind>(),
-            }
+        kind! {
+            $name, $kind, $most,
+            Pattern {
+                inner: &[([2, 0], $one[0]), ([2, 1], $one[1]), ([3, 0], $two[0]), ([3, 1], $two[1])],
+                outer: &[(0, $around[0]), (1, $around[1])],
+                ..CONTOUR
+            },
+            ContourKind,
+            ["group-contour", "group-contour.ways", "group-contour.singular", "group-contour.source"]
         }
     };
 }

@@ -134,15 +134,15 @@ impl<T: Real> Mover<T> {
         }
     }
 
-    /// Size of a step, in rad or parts of the size of the link.
+    /// Size of a step, the sum of its parts in rad and in the size of the link.
     #[inline(always)]
-    pub(crate) fn size_of(&self, by: [T; 3]) -> f64 {
-        let parts = match self.freedom {
-            Freedom::Free(_) => [by[0] * self.inverse_size, by[1] * self.inverse_size, by[2]],
-            Freedom::Turn(_) => by,
-            Freedom::Shift(_) => [by[0] * self.inverse_size, T::ZERO, T::ZERO],
-        };
-        parts.into_iter().map(|part| part.abs().to_f64()).fold(0.0, f64::max)
+    pub(crate) fn size_of(&self, by: [T; 3]) -> T {
+        let [a, b, c] = by.map(T::abs);
+        match self.freedom {
+            Freedom::Free(_) => (a + b) * self.inverse_size + c,
+            Freedom::Turn(_) => a,
+            Freedom::Shift(_) => a * self.inverse_size,
+        }
     }
 
     /// Sets PF1 for given speeds of the freedoms.

@@ -95,6 +95,7 @@ pub const CONSTANT: Dependence = Dependence {
     moment_on_coordinate: false,
     moment_on_speed: false,
     moment_on_time: false,
+    moment_on_acceleration: false,
 };
 
 /// J constant and M(q).

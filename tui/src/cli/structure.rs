@@ -22,6 +22,9 @@ pub(crate) struct StructureArgs {
     /// Formula and class with each link as the input that is pinned to the ground or slides on it
     #[arg(long)]
     all_inputs: bool,
+    /// All modes of every group over the cycle: where they are born, meet and end, circuits and branches
+    #[arg(long)]
+    modes: bool,
     /// Form of the results
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
@@ -53,7 +56,14 @@ pub(crate) fn run(args: &StructureArgs, style: Style) -> Result<Status, Fault> {
 fn study(args: &StructureArgs, style: Style) -> Result<(StructureStudy, Status), Fault> {
     let mechanism = mechanism_of(&Source::File(args.scene.clone())).map_err(Fault::Scene)?;
     let (mut study, fault) = match scene::open(&args.scene, style) {
-        Ok(session) => (StructureStudy::of(&*scene::linkage(&session)?), None),
+        Ok(session) => {
+            let linkage = scene::linkage(&session)?;
+            let mut study = StructureStudy::of(&linkage);
+            if args.modes {
+                study.add_modes(&linkage);
+            }
+            (study, None)
+        }
         Err(fault) => match decompose(&mechanism) {
             Ok(_) => return Err(fault),
             Err(error) => (StructureStudy::without(&mechanism, &error), Some(fault)),

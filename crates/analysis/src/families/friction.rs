@@ -24,17 +24,23 @@ fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Rub)>)> {
 }
 
 fn applies(calculation: &Calculation) -> bool {
-    calculation.positions_have_forces()
-        && calculation.has_forces()
-        && !calculation.linkage.mechanism.frictions.is_empty()
+    calculation.positions_have_forces() && rubs(calculation)
+}
+
+fn rubs(calculation: &Calculation) -> bool {
+    calculation.has_forces() && !calculation.linkage.mechanism.frictions.is_empty()
 }
 
 /// Moments and forces of friction, and their powers.
 pub(super) const FRICTION: Family = Family {
-    applies,
+    applies: rubs,
     columns: |calculation, schema| {
-        let section = schema.section();
-        for (pair, rubs) in wanted(calculation) {
+        let mut section = schema.section();
+        for (index, (pair, rubs)) in wanted(calculation).into_iter().enumerate() {
+            let apart = calculation.rests_leave_unknown();
+            if index > 0 && apart {
+                section = schema.section();
+            }
             let several = rubs.len() > 1;
             for (_, rub) in rubs {
                 let column = match pair {
@@ -46,7 +52,9 @@ pub(super) const FRICTION: Family = Family {
                 };
                 schema.add(section, [column]);
             }
-            schema.add(section, [Column::of(Quantity::FrictionPower, Owner::Pair(pair))]);
+            // At rest friction has no power, whatever it is.
+            let of_power = if apart { schema.section() } else { section };
+            schema.add(of_power, [Column::of(Quantity::FrictionPower, Owner::Pair(pair))]);
         }
     },
     fill: |rows, cells| {
@@ -55,9 +63,11 @@ pub(super) const FRICTION: Family = Family {
         for (_, rubs) in wanted(rows.calculation) {
             let mut power = Lanes::ZERO;
             for (index, rub) in rubs {
-                cells.put(rubbing.forces[index], determined);
+                cells.put(rubbing.forces[index], rows.known(rubbing.forces[index], determined));
                 power += power_of(rows, rubbing, index, rub);
             }
+            let rests = |lane: usize| rows.rests(lane) && power.0[lane].is_nan();
+            let power = Lanes::of(|lane| if rests(lane) { 0.0 } else { power.0[lane] });
             cells.put(power, determined);
         }
     },
@@ -67,12 +77,13 @@ pub(super) const FRICTION: Family = Family {
 fn power_of(rows: &Rows<'_>, rubbing: &Rubbing<Lanes>, index: usize, rub: &Rub) -> Lanes {
     let power = rubbing.forces[index] * rub.relative(&rows.position.bodies) * speed(rows);
     // Where the relative speed is zero but for rounding its sign is not that of the friction.
-    Lanes::of(|lane| power.0[lane].min(0.0))
+    Lanes::of(|lane| if power.0[lane] > 0.0 { 0.0 } else { power.0[lane] })
 }
 
 /// Speed by which powers are counted.
 fn speed(rows: &Rows<'_>) -> Lanes {
-    let moves = rows.calculation.positions_move();
+    // The rows with friction of a transient motion are its samples.
+    let moves = rows.calculation.positions_move() || !rows.calculation.positions_have_forces();
     let loads = rows.calculation.loads.as_ref();
     Lanes::of(|lane| loads.map_or(0.0, |loads| loads.speed_of_friction(&rows.instants[lane].state, moves)))
 }
@@ -123,8 +134,12 @@ pub(super) const REACTIONS: Family = Family {
         calculation.has_forces() && calculation.analyzer.is_some_and(|method| method.gives_reactions)
     },
     columns: |calculation, schema| {
-        let section = schema.section();
-        for &pair in &calculation.plan.wanted.reactions {
+        let mut section = schema.section();
+        for (index, &pair) in calculation.plan.wanted.reactions.iter().enumerate() {
+            // At rest some depend on dry friction, which is not determined there, and others don't.
+            if index > 0 && calculation.rests_leave_unknown() {
+                section = schema.section();
+            }
             for link in ends(&calculation.linkage, pair) {
                 schema.add(section, Column::vector(Quantity::Force, Owner::PairOn(pair, link)));
             }
@@ -138,10 +153,13 @@ pub(super) const REACTIONS: Family = Family {
     fill: |rows, cells| {
         let Some((joints, reactions, determined)) = rows.reactions else { return };
         for joint in joints.wanted(reactions, rows.position) {
-            joint.forces.iter().flatten().for_each(|force| cells.put(*force, determined));
+            for force in joint.forces.iter().flatten() {
+                cells.put(*force, rows.known(*force, determined));
+            }
             if let Some((moment, offset, has)) = joint.slide {
-                cells.put(moment, determined);
-                cells.put(offset, std::array::from_fn(|lane| determined[lane] && has[lane]));
+                let known = rows.known(moment, determined);
+                cells.put(moment, known);
+                cells.put(offset, std::array::from_fn(|lane| known[lane] && has[lane]));
             }
         }
     },
@@ -153,7 +171,10 @@ pub(super) const BALANCING: Family = Family {
         let section = schema.section();
         schema.add(section, [Column::BALANCING]);
     },
-    fill: |rows, cells| put(cells, rows.balancing),
+    fill: |rows, cells| {
+        let values = Lanes(rows.balancing.map(Option::unwrap_or_default));
+        cells.put(values, rows.known(values, rows.balancing.map(|value| value.is_some())));
+    },
 };
 
 /// The load that holds the motion at rest or at its speed, and its greatest possible size.

@@ -72,6 +72,17 @@ pub(crate) struct Rows<'a> {
 }
 
 impl Rows<'_> {
+    /// In which lanes a number that depends on dry friction is known: not where that holds a motion at rest, unless it does not
+    /// reach the number.
+    fn known(&self, value: Lanes, determined: Mask) -> Mask {
+        std::array::from_fn(|lane| determined[lane] && (value.0[lane].is_finite() || !self.rests(lane)))
+    }
+
+    /// Whether dry friction holds a motion at rest.
+    fn rests(&self, lane: usize) -> bool {
+        self.calculation.rests_by_friction(&self.instants[lane].state)
+    }
+
     /// A number of the state of each lane.
     fn state(&self, number: fn(&State) -> f64) -> Lanes {
         Lanes::of(|lane| number(&self.instants[lane].state))
@@ -92,14 +103,14 @@ const POSITIONS: &[Family] = &[
     INERTIA_LOADS,
     SHAKING,
     Family { applies: |found| found.positions_have_forces() && (REACTIONS.applies)(found), ..REACTIONS },
-    FRICTION,
+    Family { applies: |found| found.positions_have_forces() && (FRICTION.applies)(found), ..FRICTION },
     Family { applies: |found| found.positions_have_forces() && (BALANCING.applies)(found), ..BALANCING },
     EFFICIENCY,
     CONDITION,
 ];
 /// Of the samples of a transient motion.
 const TRANSIENT: &[Family] =
-    &[TIME, COORDINATE, SPEEDS, LINKS, PLACES, SLIDES, RATES, REACTIONS, BALANCING, HOLDING];
+    &[TIME, COORDINATE, SPEEDS, LINKS, PLACES, SLIDES, RATES, REACTIONS, FRICTION, BALANCING, HOLDING];
 /// Of the samples of a steady motion.
 const STEADY: &[Family] = &[TIME, COORDINATE, SPEEDS, LINKS];
 

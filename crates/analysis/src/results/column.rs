@@ -29,6 +29,8 @@ pub enum Quantity {
     /// Work since the first sample of the drive and of all loads whose power is negative; itself negative, so that both works
     /// together are the change of the kinetic energy.
     ResistingWork,
+    /// Work of the dry friction of all pairs since the start of the motion, J; never positive.
+    FrictionWork,
     /// Kinetic energy of the mechanism with flywheel and rotor; or of one link.
     KineticEnergy,
     /// Work since the first sample of one load; of the input: of its drive; of the ground: of all weights.

@@ -61,6 +61,7 @@ rows! {
     Q::Acceleration, Input => SENSE "quantity-input-acceleration", "e", M::Rate(2), "acceleration", "acceleration";
     Q::DrivingWork, _ => PLAIN "quantity-work-driving", "", M::Energy, "work_driving", "work_driving";
     Q::ResistingWork, _ => PLAIN "quantity-work-resisting", "", M::Energy, "work_resisting", "work_resisting";
+    Q::FrictionWork, _ => PLAIN "quantity-work-friction", "", M::Energy, "work_friction", "work_friction";
     Q::KineticEnergy, Link(_) => PLAIN "quantity-kinetic-energy", "T", M::Energy,
         "kinetic_energies.*", "*_kinetic_energy";
     Q::Work, Input => PLAIN "quantity-work-drive", "", M::Energy, "works.drive", "work_drive";

@@ -2,21 +2,26 @@
 //! couples.
 
 mod coupling;
+mod free;
 mod rub;
 mod unknown;
 
 use std::sync::Arc;
 
-use assur_group::Wrench;
+use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
+use assur_mechanism::Rubbing as Rubbed;
 use assur_number::Real;
 
 pub use coupling::Block;
+pub use free::{Accelerations, FreeMotion};
 pub use rub::Rub;
 pub use unknown::{Unknown, UnknownKind};
 
-use crate::breaks::tolerance;
-use crate::{Loads, State};
+use crate::breaks::cut;
+use crate::choice::Selections;
+use crate::state::Selection;
+use crate::{Loads, Piece, Side, State};
 
 /// The dry friction of all pairs of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,28 +100,77 @@ impl<T: Real> Rubbing<T> {
     }
 }
 
+impl Rubbing {
+    /// The forces that press the faces of slides, whose moduli give their friction, from reactions with friction.
+    pub fn pressing(&self, bodies: &[Body<f64>], pairs: &[Wrench<f64>]) -> Vec<f64> {
+        let Frictions { rubs, unknowns, .. } = self.frictions.as_ref();
+        let of = |unknown: &Unknown| unknown.vector(&rubs[unknown.rub], bodies, pairs)[0];
+        let each = unknowns.iter().enumerate().filter_map(|(index, unknown)| match unknown.kind {
+            UnknownKind::Normal => Some(of(unknown)),
+            UnknownKind::End(sign) => {
+                // The reaction has the moment of the friction of both faces, which presses neither end.
+                let other = if sign > 0.0 { index + 1 } else { index - 1 };
+                let normal = of(unknown) + of(&unknowns[other]);
+                let rub = &rubs[unknown.rub];
+                let Rubbed::Faces { length, offset, .. } = rub.rubbing else { return None };
+                let own = -self.senses[unknown.rub] * rub.coefficient * offset * normal;
+                Some(of(unknown) - sign * own / length)
+            }
+            UnknownKind::Force | UnknownKind::Shift => None,
+        });
+        each.collect()
+    }
+}
+
 impl Loads {
     /// The dry friction in pairs; `None` where all are ideal.
     pub fn frictions(&self) -> Option<&Arc<Frictions>> {
         self.frictions.as_ref()
     }
 
-    /// Writes for each rub the sign of its relative speed at a state, 0 where it never moves. At rest it is as if the input
-    /// moved along its direction; where the relative speed is zero, the sign just after the state holds.
+    /// Writes for each rub the sign of its relative speed at a state, 0 where it never moves. At speed 0 of a prescribed motion
+    /// it is as if the input moved along its direction, and a motion that starts has the sense of its acceleration; where the
+    /// relative speed is zero, the sign just after the state holds (just before the end of a motion). Where a motion is held at
+    /// rest, the friction of what else would move is not determined: NaN.
     pub fn senses(&self, state: &State, senses: &mut [f64]) {
         let Some(frictions) = &self.frictions else { return };
-        let direction = if self.sense == 0.0 { 1.0 } else { self.sense };
-        let sense = if state.speed == 0.0 { direction } else { state.speed.signum() };
-        let ahead = state.coordinate + sense * tolerance(state.coordinate, self.period);
+        let side = self.side_of_friction(state);
+        let ahead = side.coordinate(state, self.period);
+        let rests = state.speed == 0.0 && matches!(state.side, Side::Held { .. });
         for (rub, found) in frictions.rubs.iter().zip(senses) {
-            *found = sense * rub.sliding.at(ahead).1;
+            let sign = rub.sliding.at(ahead).1;
+            *found = if rests && !rub.rests() { f64::NAN } else { side.sense * sign };
         }
+    }
+
+    fn side_of_friction(&self, state: &State) -> Selection {
+        let mut side = match self.selections(state) {
+            Selections::One(side) | Selections::Held([_, (_, side)]) => side,
+        };
+        if state.speed == 0.0 && state.side == Side::Prescribed {
+            side.sense = self.direction();
+        }
+        side
+    }
+
+    /// As [`senses`](Self::senses), on the side of a state that moves, and cuts a piece to the states in which they hold.
+    pub fn enter_friction(&self, state: &State, senses: &mut [f64], piece: &mut Piece) {
+        let Some(frictions) = &self.frictions else { return };
+        let side = self.side_of_friction(state);
+        let ahead = side.coordinate(state, self.period);
+        for (rub, found) in frictions.rubs.iter().zip(senses) {
+            let (interval, sign) = rub.sliding.at(ahead);
+            *found = side.sense * sign;
+            cut(&mut piece.coordinate, interval.ends);
+        }
+        let moving = if side.sense < 0.0 { [f64::NEG_INFINITY, 0.0] } else { [0.0, f64::INFINITY] };
+        cut(&mut piece.speed, moving);
     }
 
     /// The speed of the input by which powers of friction are counted: 0 at rest in a motion; without a motion, 1 along the
     /// direction of the input.
     pub fn speed_of_friction(&self, state: &State, moves: bool) -> f64 {
-        let direction = if self.sense == 0.0 { 1.0 } else { self.sense };
+        let direction = self.direction();
         if moves { state.speed } else { direction }
     }
 }

@@ -48,7 +48,13 @@ static STIFF: IntegratorPlugin = method("implicit", 5, true, anything);
 static SPARE: IntegratorPlugin = method("any", 4, false, anything);
 
 fn equation(inertia_constant: bool, [q, w, t]: [bool; 3]) -> Dependence {
-    Dependence { inertia_constant, moment_on_coordinate: q, moment_on_speed: w, moment_on_time: t }
+    Dependence {
+        inertia_constant,
+        moment_on_coordinate: q,
+        moment_on_speed: w,
+        moment_on_time: t,
+        ..Dependence::default()
+    }
 }
 
 #[test]

@@ -110,7 +110,7 @@ impl<S: Stepper> Drive<'_, S> {
     fn enter_next(&mut self, at_speed_bound: bool) -> Result<(), IntegrationError> {
         if self.run.enter_next(at_speed_bound)? {
             self.update_bounds();
-            return Ok(());
+            return self.note_bends();
         }
         self.stick()
     }

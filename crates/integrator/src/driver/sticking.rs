@@ -109,7 +109,7 @@ impl<S: Stepper> Drive<'_, S> {
         if let Some((piece, acceleration)) = released {
             self.run.event(EventKind::Release);
             (self.run.piece, self.run.node.acceleration) = (piece, acceleration);
-            self.start_steps();
+            self.start_steps()?;
         }
         Ok(())
     }

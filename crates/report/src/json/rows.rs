@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::ops::Range;
 
-use assur_analysis::results::{Schema, Several, Table};
+use assur_analysis::results::{Column, Owner, Quantity, Schema, Several, Table};
 use rayon::prelude::*;
 
 use super::{JsonError, finite, quoted, serialized};
@@ -96,7 +96,7 @@ impl Rows {
         let mut out = Vec::with_capacity(rows.len() * columns.len() * USUAL);
         for row in rows {
             let make = |has: &dyn Fn(usize) -> bool| {
-                let columns = columns.iter().copied().filter(|column| has(*column));
+                let columns = columns.iter().map(|column| (*column, has(*column)));
                 template(table.schema(), columns, *form, *ascii)
             };
             let template = templates.of(table, row, make);
@@ -120,12 +120,38 @@ fn number(value: f64, out: &mut Vec<u8>) {
     out.extend_from_slice(zmij::Buffer::new().format_finite(value).as_bytes());
 }
 
-/// The text of a row with numbers in these columns, without its opening brace.
-fn template(schema: &Schema, columns: impl Iterator<Item = usize>, form: Form, ascii: bool) -> Template {
+/// Whether a number that a row lacks is null in it, not left out: what dry friction at rest leaves undetermined in a motion.
+fn is_null(schema: &Schema, column: usize, form: Form) -> bool {
+    let of_friction = |of: Quantity| matches!(of, Quantity::FrictionMoment | Quantity::FrictionForce);
+    let rubs = || schema.columns().iter().any(|column| of_friction(column.quantity));
+    let Column { quantity, owner, .. } = schema.columns()[column];
+    let undetermined = match quantity {
+        Quantity::Force | Quantity::Moment => matches!(owner, Owner::Pair(_) | Owner::PairOn(..)),
+        Quantity::Balancing => true,
+        other => of_friction(other),
+    };
+    !form.numbered && undetermined && rubs()
+}
+
+/// The text of a row, without its opening brace; of each column, whether the row has a number.
+fn template(
+    schema: &Schema,
+    columns: impl Iterator<Item = (usize, bool)>,
+    form: Form,
+    ascii: bool,
+) -> Template {
     let mut writer = Writer { text: String::new(), open: Vec::new(), ascii, any: form.numbered };
     let mut pieces = Vec::new();
-    let paths: Vec<_> =
-        columns.filter_map(|column| Some((column, path(schema, schema.columns()[column])?))).collect();
+    let columns = columns.filter(|(column, has)| *has || is_null(schema, *column, form));
+    let path_of = |(column, has): (usize, bool)| {
+        let mut found = path(schema, schema.columns()[column])?;
+        if !has && matches!(found.last(), Some(Step::Item(_))) {
+            // A vector is null as a whole.
+            (found.pop() == Some(Step::Item(0))).then_some(())?;
+        }
+        Some(((column, has), found))
+    };
+    let paths: Vec<_> = columns.filter_map(path_of).collect();
     let mut paths = paths.into_iter().peekable();
     for key in KEYS.split(' ') {
         let under = |path: &[Step<'_>]| path[0] == Step::Key(key.into());
@@ -133,9 +159,13 @@ fn template(schema: &Schema, columns: impl Iterator<Item = usize>, form: Form, a
             writer.go(vec![Step::Key(key.into())]);
             writer.text += "{}";
         }
-        while let Some((column, path)) = paths.next_if(|(_, path)| under(path)) {
+        while let Some(((column, has), path)) = paths.next_if(|(_, path)| under(path)) {
             writer.go(path);
-            pieces.push((std::mem::take(&mut writer.text), column));
+            if has {
+                pieces.push((std::mem::take(&mut writer.text), column));
+            } else {
+                writer.text += "null";
+            }
         }
     }
     writer.close(0);

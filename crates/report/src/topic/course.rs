@@ -106,6 +106,7 @@ fn samples(source: &Source<'_>, page: &mut Document) {
     for (head, quantity) in [
         (text!("head-driving-work"), Quantity::DrivingWork),
         (text!("head-resisting-work"), Quantity::ResistingWork),
+        (text!("head-rubbing-work"), Quantity::FrictionWork),
         (text!("head-kinetic-energy"), Quantity::KineticEnergy),
     ] {
         if all.schema().find(of(quantity)).is_some() {
@@ -169,6 +170,7 @@ fn words_of(kind: EventKind) -> Text {
         EventKind::Rest => text!("event-rest"),
         EventKind::Held => text!("event-held"),
         EventKind::Release => text!("event-release"),
+        EventKind::Face => text!("event-face"),
         other => name(other.to_string()),
     }
 }

@@ -28,7 +28,8 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
     let motor = found.motor.as_ref().filter(is_motor);
     let speed_min = Fact::number("fact-least-speed", figures.speed_min, rate);
     let speed_max = Fact::number("fact-greatest-speed", figures.speed_max, rate);
-    let [driving, resisting] = [Quantity::DrivingWork, Quantity::ResistingWork].map(|of| last(analysis, of));
+    let [driving, resisting, friction] =
+        [Quantity::DrivingWork, Quantity::ResistingWork, Quantity::FrictionWork].map(|of| last(analysis, of));
     [
         some("fact-mean-speed", Some(figures.mean_speed), rate),
         some("fact-unevenness", Some(figures.unevenness), Unit::NONE),
@@ -41,6 +42,7 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
         one_of(["fact-resistance-work", "fact-net-driving-work"], Some(regime.resistance_work), JOULE),
         some("fact-driving-work", driving, JOULE),
         some("fact-resisting-work", resisting, JOULE),
+        some("fact-friction-work", friction, JOULE),
         energies(analysis).map(|range| Fact::range("fact-kinetic-energy", range, JOULE)),
         one_of(["fact-driving-moment", "fact-braking-moment"], figures.torque, moment),
         one_of(["fact-required-power", "fact-power-taken"], required_power(found, regime), POWER),

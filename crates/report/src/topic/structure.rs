@@ -1,13 +1,13 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{GroupReport, StructureReport};
-use assur_analysis::{PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, Meeting, ModeCourse, ModeEnd, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
 use assur_mechanism::Named;
 use assur_structure::roman;
-use assur_words::{Text, list, name, number, text};
+use assur_words::{Text, joined, list, name, number, text};
 
-use super::Source;
+use super::{Source, Units};
 
 /// Links, mobility, formula of structure and class.
 pub fn mobility(source: &Source<'_>, page: &mut Document) {
@@ -127,6 +127,61 @@ pub fn study(found: &StructureStudy, page: &mut Document) {
     }
     if !found.inputs.is_empty() {
         possible_inputs(found, page);
+    }
+    let unit = Units::of(found.angular).coordinate;
+    found.modes.iter().for_each(|group| modes(group, unit, page));
+}
+
+/// The modes of a group over the cycle.
+fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
+    let named = text!(
+        "report-modes-of",
+        group = number(group.group),
+        kind = name(group.kind.clone()),
+        links = named(&group.links)
+    );
+    let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
+        return page.paragraph(text!("report-modes-unlisted", group = named));
+    };
+    let of = |mode: &ModeCourse| {
+        let [begins, ends] = [mode.begins, mode.ends].map(mode_end);
+        row![number(mode.way), mode.from, mode.to, begins, ends, number(mode.circuit), number(mode.branch)]
+    };
+    let text = |head: Text| Column::of(head);
+    let columns = [
+        text(text!("head-way")),
+        Column::short(text!("head-from"), unit),
+        Column::short(text!("head-to"), unit),
+        text(text!("head-begins")),
+        text(text!("head-ends")),
+        text(text!("head-circuit")),
+        text(text!("head-branch")),
+    ];
+    page.table(Table::list(named, columns).rows(group.modes.iter().map(of)));
+    let counts = group.counts.iter().map(|count| {
+        text!("report-modes-from", count = number(count.modes), coordinate = unit.show(count.from))
+    });
+    page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
+    page.paragraph(text!("report-modes-circuits", circuits = circuits, branches = branches));
+    if let Some(way) = group.way {
+        page.paragraph(text!("report-modes-present", way = number(way)));
+    }
+    let meeting = |meeting: &Meeting| {
+        let [one, other] = meeting.ways.map(number);
+        text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
+    };
+    if !group.meetings.is_empty() {
+        let meetings = joined("; ", group.meetings.iter().map(meeting));
+        page.paragraph(text!("report-modes-meet", meetings = meetings));
+    }
+}
+
+fn mode_end(end: ModeEnd) -> Text {
+    match end {
+        ModeEnd::Cycle => text!("mode-end-cycle"),
+        ModeEnd::With(other) => text!("mode-end-with", way = number(other)),
+        ModeEnd::Infinity => text!("mode-end-infinity"),
+        ModeEnd::Barrier => text!("mode-end-barrier"),
     }
 }
 

@@ -3,7 +3,7 @@
 pub(crate) mod differences;
 mod general;
 
-use assur_group::{Number, Order};
+use assur_group::{Body, Number, Order};
 use assur_kinematics::{Chain, Linkage};
 use assur_words::{Describe, Text, number, text};
 
@@ -62,13 +62,23 @@ fn closed<'a, T: Number>(
 ) -> Result<impl FnMut(usize, bool) -> Result<f64, Text> + 'a, ChartError> {
     let chain = Chain::<T>::compile(&work.linkage.mechanism, &work.linkage.structure)?;
     let (mut bodies, mut health) = (chain.bodies(), vec![T::ZERO; chain.groups.len()]);
+    let kept = kept(work);
     Ok(move |index: usize, judged| {
         let q = work.coordinates[index];
+        if let Some(kept) = &kept {
+            bodies.clone_from_slice(&kept[index]);
+        }
         let ways = work.linkage.ways.at(q);
         let solved = chain.solve(T::from_f64(q), ways, Order::Second, &mut bodies, &mut health);
         solved.map_err(|error| failure(work.linkage, q, &error))?;
         Ok(if judged { work.deviation(index, &bodies) } else { 0.0 })
     })
+}
+
+/// Where groups that iterate begin at each position; `None` where there are none.
+fn kept<T: Number>(work: &Work<'_>) -> Option<Vec<Vec<Body<T>>>> {
+    let iterates = work.linkage.structure.groups.iter().any(|group| group.plugin.iterates);
+    iterates.then(|| work.coordinates.iter().map(|&q| work.linkage.starting_bodies(q)).collect())
 }
 
 /// The error of a chain, with group and coordinate.

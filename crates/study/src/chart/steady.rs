@@ -69,7 +69,7 @@ impl<'a> Cycle<'a> {
     }
 
     fn machine(&self) -> Counted<Machine<'a>> {
-        Counted { motion: Machine::new(self.linkage, self.loads), count: 0 }
+        Counted { motion: Machine::new(self.linkage, self.loads).in_regime(&self.regime), count: 0 }
     }
 }
 

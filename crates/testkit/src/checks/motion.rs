@@ -85,16 +85,34 @@ pub(crate) fn agrees_with_differences(case: &Case, way: usize) -> Result<(), Fau
 /// Coordinates of the lanes.
 const LANES: [f64; Lanes::WIDTH] = [0.0, 0.004, -0.003, 0.007, -0.006, 0.002, -0.001, 0.005];
 
+/// How far from the place a kind that iterates begins, in lanes as in one position, m: as far as kept poses are.
+const BESIDE: f64 = 1e-6;
+
 /// Positions in lanes give the results of each alone, bit for bit.
 pub(crate) fn lanes(case: &Case, way: usize) -> Result<(), Fault> {
-    let alone: Vec<_> = LANES.iter().filter_map(|&q| case.solved(&*case.kernel, q, way).ok()).collect();
-    if alone.len() < LANES.len() {
+    let found: Vec<_> = LANES.iter().filter_map(|&q| case.solved(&*case.kernel, q, way).ok()).collect();
+    if found.len() < LANES.len() {
         return Ok(());
     }
+    let links = &case.sample.frame.links;
+    let begin = |(q, found): (&f64, &Vec<Body<f64>>)| {
+        let mut bodies = case.sample.bodies(*q);
+        for &link in links {
+            let Body { x, y, c, s, .. } = found[link];
+            bodies[link] = Body { x: x + BESIDE, y, c, s, ..bodies[link] };
+        }
+        bodies
+    };
+    let starts: Vec<_> = LANES.iter().zip(&found).map(begin).collect();
+    let mut together = case.sample.bodies(Lanes(LANES));
+    for &link in links {
+        starts.iter().enumerate().for_each(|(lane, start)| together[link].set_lane(lane, &start[link]));
+    }
     let kernel = case.kernel_in::<Lanes>()?;
-    let together = case.called("lanes", case.solved(&*kernel, Lanes(LANES), way))?;
-    for (lane, bodies) in alone.iter().enumerate() {
-        for &i in &case.sample.frame.links {
+    let together = case.called("lanes", Case::solved_from(&*kernel, together, way))?;
+    for (lane, start) in starts.into_iter().enumerate() {
+        let bodies = case.called("lanes", Case::solved_from(&*case.kernel, start, way))?;
+        for &i in links {
             for (one, all) in bodies[i].numbers().into_iter().zip(together[i].numbers()) {
                 let off = if one.to_bits() == all.0[lane].to_bits() { 0.0 } else { one - all.0[lane] };
                 case.within("lanes", "a number", off, 0.0)?;

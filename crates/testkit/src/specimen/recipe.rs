@@ -57,9 +57,24 @@ impl Recipe {
     /// constructions stayed away from singular positions, or if there is no such kind.
     pub fn specimen(&self, seed: u64) -> Option<Specimen> {
         let mut kinds = groups().ok()?;
-        let is_dyad = |kind: &GroupPlugin| kind.pattern.is_some_and(|pattern| pattern.links == 2);
         kinds.retain(|kind| self.only.map_or_else(|| is_dyad(kind), |only| only == kind.name));
-        let attempt = |attempt| self.attempt(seed.wrapping_mul(TRIES).wrapping_add(attempt), &kinds);
+        self.of_kinds(seed, &kinds)
+    }
+
+    /// The same with groups of all kinds that have a pattern; about one in two is a dyad.
+    pub fn mixed(&self, seed: u64) -> Option<Specimen> {
+        let mut kinds = groups().ok()?;
+        kinds.retain(|kind| kind.pattern.is_some());
+        let dyads: Vec<_> = kinds.iter().copied().filter(|kind| is_dyad(kind)).collect();
+        let others = kinds.len() - dyads.len();
+        for _ in 1..others / dyads.len().max(1) {
+            kinds.extend(&dyads);
+        }
+        self.of_kinds(seed, &kinds)
+    }
+
+    fn of_kinds(&self, seed: u64, kinds: &[&'static GroupPlugin]) -> Option<Specimen> {
+        let attempt = |attempt| self.attempt(seed.wrapping_mul(TRIES).wrapping_add(attempt), kinds);
         (0..TRIES).find_map(attempt)
     }
 
@@ -83,6 +98,10 @@ impl Recipe {
         }
         Some(Specimen { mechanism, poses, kinds, health })
     }
+}
+
+fn is_dyad(kind: &GroupPlugin) -> bool {
+    kind.pattern.is_some_and(|pattern| pattern.links == 2)
 }
 
 /// Draws this number of earlier bodies, the ground and the newest ones more often; neighbors in the list differ.

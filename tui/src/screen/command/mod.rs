@@ -6,6 +6,7 @@ mod find;
 mod jobs;
 mod jump;
 mod line;
+mod modes;
 mod motors;
 mod picker;
 mod probe;

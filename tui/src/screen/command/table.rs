@@ -1,6 +1,6 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
-use super::{act, extreme, jump, line, picker, probe, report, whatif, write};
+use super::{act, extreme, jump, line, modes, picker, probe, report, whatif, write};
 use crate::screen::state::{Command, Group, Help, PromptKind, State, View, Wish, Zoom, next_kind};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
@@ -61,6 +61,9 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-next-group", Choose, "Down j", &[Structure], |s| act::choose(s, Structure, 1)),
     command("do-previous-group", Choose, "Up k", &[Structure], |s| act::choose(s, Structure, -1)),
     command("do-nearest", Choose, "Enter", &[Structure], act::nearest),
+    command("do-next-mode", Choose, "]", &[Structure], |s| modes::show(s, 1)),
+    command("do-previous-mode", Choose, "[", &[Structure], |s| modes::show(s, -1)),
+    command("do-take-mode", Change, "A", &[Structure], modes::take),
     command("do-next-reaction", Choose, "Down j", &[Forces], |s| act::choose(s, Forces, 1)),
     command("do-previous-reaction", Choose, "Up k", &[Forces], |s| act::choose(s, Forces, -1)),
     command("do-analyzer", Choose, "f", &[Forces, Plans], act::analyzer),

@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use assur_words::{Text, name, text};
 
-use super::jobs;
 use super::write::home;
+use super::{jobs, modes};
 use crate::screen::state::{
-    Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted, Wish,
+    Assembled, Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State,
+    Wanted, Wish,
 };
 
 /// Shows the list of values, or closes it.
@@ -40,11 +41,33 @@ pub(super) fn put(state: &mut State, index: usize, toml: String) {
     }
 }
 
+/// Takes a mode of a group, by its points, and reads the changed scene; returns whether anything changes.
+pub(super) fn assemble(state: &mut State, points: &[Assembled]) -> bool {
+    let differs = state.what_if.assemble(points);
+    if differs {
+        ask(state);
+    }
+    differs
+}
+
+/// The same as a part of the last change.
+pub(super) fn assemble_too(state: &mut State, points: &[Assembled]) {
+    if state.what_if.assemble(points) {
+        let more = state.what_if.done.pop().unwrap_or_default();
+        if let Some(last) = state.what_if.done.last_mut() {
+            last.extend(more);
+        }
+        ask(state);
+    }
+}
+
 /// Undoes the last change.
 pub(super) fn undo(state: &mut State) {
     match state.what_if.done.pop() {
-        Some((index, before)) => {
-            state.what_if.set(index, before);
+        Some(values) => {
+            for (index, before) in values.into_iter().rev() {
+                state.what_if.set(index, before);
+            }
             ask(state);
         }
         None => state.say(Role::Plain, text!("say-no-change")),
@@ -81,8 +104,14 @@ pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>,
     let late = change.edits != what.wanted;
     match scene {
         Ok(scene) => {
+            let is_of_modes = what.is_of_modes(&change.edits);
             what.shown.clone_from(&change.edits);
+            let before = state.scene.as_ref().filter(|_| !late && !is_of_modes);
+            let before = before.and_then(|scene| Some((scene.poses.first()?.clone()?, modes::counts(scene))));
             show(state, *scene);
+            if let Some((before, counts)) = before {
+                modes::keep(state, &before, &counts);
+            }
         }
         Err(text) if !late => {
             what.reading = Reading::Refused;

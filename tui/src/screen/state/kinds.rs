@@ -198,6 +198,8 @@ pub(crate) struct Chosen {
     /// Index in the scene's transfer functions.
     pub(crate) transfer: usize,
     pub(crate) group: usize,
+    /// A mode of a group in the first position that is looked at: group and index.
+    pub(crate) mode: Option<[usize; 2]>,
     /// Index in the reactions found.
     pub(crate) reaction: usize,
     pub(crate) check: usize,

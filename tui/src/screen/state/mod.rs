@@ -49,7 +49,7 @@ pub(crate) use series::Series;
 pub(crate) use stop::Stop;
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
-pub(crate) use whatif::{Change, Reading, STEPS, WhatIf};
+pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};
 
 /// Greatest number of frames from a position to the next one.
 pub(crate) const FRAMES: u8 = 16;
@@ -275,6 +275,12 @@ impl State {
         let near = (0..=end).min_by(|one, other| distance(one).total_cmp(&distance(other)));
         // The end of a cycle is its first position again.
         near.unwrap_or(0) % self.positions()
+    }
+
+    /// The mode of a group that is looked at, by its index; only in the first position.
+    pub(crate) fn mode_of(&self, group: usize) -> Option<usize> {
+        let of_group = self.chosen.mode.filter(|[of, _]| *of == group && self.at() == 0.0);
+        of_group.map(|[_, index]| index)
     }
 
     /// The first line that is shown of the text of the view.

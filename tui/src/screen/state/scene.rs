@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_analysis::results::Owner;
 use assur_group::{GroupError, Order};
-use assur_kinematics::{Linkage, Position, PositionError};
+use assur_kinematics::{Linkage, Modes, Position, PositionError};
 use assur_mechanism::{MOST_PARTS_DRAWN, Range};
 use assur_words::{Describe, Text, name, number, quantity, text};
 
@@ -106,6 +106,12 @@ impl Scene {
             return solved.ok().map(|()| Cow::Owned(position));
         }
         self.poses.get(index)?.as_ref().map(Cow::Borrowed)
+    }
+
+    /// The modes of a group in the first position; `None` where there are none, or its kind can't list them.
+    pub(crate) fn first_modes(&self, group: usize) -> Option<Modes> {
+        let first = self.poses.first()?.as_ref()?;
+        self.linkage.modes(group, first).ok()?.filter(|modes| !modes.all.is_empty())
     }
 
     /// The first position that exists, or 0.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use assur_scene::edit::{Document, SceneValue, bare, replaced};
+use assur_scene::edit::{Document, SceneValue, bare, decimal, quoted, replaced};
 
 use super::scene::Scene;
 use crate::session::Session;
@@ -41,6 +41,24 @@ pub(crate) enum Reading {
     Refused,
 }
 
+/// A point that is to have a place in `[assembly]`.
+#[derive(Debug, Clone)]
+pub(crate) struct Assembled {
+    pub(crate) name: String,
+    /// Where it is in the first position, m.
+    pub(crate) present: [f64; 2],
+    /// Where it is to be.
+    pub(crate) place: [f64; 2],
+}
+
+impl Assembled {
+    /// Its name as a key of TOML.
+    fn key(&self) -> String {
+        let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+        if self.name.chars().all(is_bare) { self.name.clone() } else { quoted(&self.name) }
+    }
+}
+
 /// The text of the open scene, its numbers, and their present values.
 #[derive(Debug, Default)]
 pub(crate) struct WhatIf {
@@ -55,8 +73,8 @@ pub(crate) struct WhatIf {
     pub(crate) wanted: Edits,
     /// The changes of the scene that is shown.
     pub(crate) shown: Edits,
-    /// For each change, in order, the number of the value and what it was before.
-    pub(crate) done: Vec<(usize, Option<String>)>,
+    /// For each change, in order, the numbers of its values and what they were before.
+    pub(crate) done: Vec<Vec<(usize, Option<String>)>>,
     pub(crate) reading: Reading,
     /// The changes that were last written to a file.
     saved: Edits,
@@ -124,7 +142,8 @@ impl WhatIf {
 
     /// The value that was changed last, of those that are changed.
     pub(crate) fn last(&self) -> Option<usize> {
-        let last = self.done.iter().rev().map(|(index, _)| index).find(|index| self.is_changed(**index));
+        let last =
+            self.done.iter().rev().flatten().map(|(index, _)| index).find(|index| self.is_changed(**index));
         last.or(self.wanted.keys().next()).copied()
     }
 
@@ -166,16 +185,94 @@ impl WhatIf {
 
     /// Changes a value; returns whether it differs from the one before.
     pub(crate) fn put(&mut self, index: usize, toml: String) -> bool {
-        let Some(value) = self.values.get(index) else { return false };
-        let next = Some(toml).filter(|toml| *toml != value.written);
-        let before = self.wanted.get(&index).cloned();
-        if next == before {
-            return false;
+        self.put_all([(index, toml)])
+    }
+
+    /// Changes several values in one step; returns whether any differs from the one before.
+    fn put_all(&mut self, all: impl IntoIterator<Item = (usize, String)>) -> bool {
+        let mut done = Vec::new();
+        for (index, toml) in all {
+            let Some(value) = self.values.get(index) else { continue };
+            let next = Some(toml).filter(|toml| *toml != value.written);
+            let before = self.wanted.get(&index).cloned();
+            if next != before {
+                self.set(index, next);
+                done.push((index, before));
+            }
         }
-        self.set(index, next);
-        self.done.push((index, before));
-        self.warned = false;
-        true
+        let differs = !done.is_empty();
+        if differs {
+            self.done.push(done);
+            self.warned = false;
+        }
+        differs
+    }
+
+    /// Gives points their places in `[assembly]`, m, in one step; returns whether any differs. A point that has none there gets
+    /// its present one in the text first, which changes nothing.
+    pub(crate) fn assemble(&mut self, points: &[Assembled]) -> bool {
+        let missing: Vec<&Assembled> = points.iter().filter(|point| self.found(point).is_none()).collect();
+        if !missing.is_empty() {
+            self.insert(&missing);
+        }
+        let places = points.iter().filter_map(|point| Some((self.found(point)?, point.place)));
+        let places: Vec<_> =
+            places.flat_map(|(at, place)| [0, 1].map(|k| (at + k, decimal(place[k]).to_string()))).collect();
+        self.put_all(places)
+    }
+
+    /// Whether places in `[assembly]` are among what these edits change of the scene that is shown.
+    pub(crate) fn is_of_modes(&self, edits: &Edits) -> bool {
+        let differs = |index: &&usize| edits.get(*index) != self.shown.get(*index);
+        let mut changed = edits.keys().chain(self.shown.keys()).filter(differs);
+        changed.any(|index| self.values.get(*index).is_some_and(|value| value.key.starts_with("assembly.")))
+    }
+
+    /// The number of the first of the two values of a point in `[assembly]`.
+    fn found(&self, point: &Assembled) -> Option<usize> {
+        let key = format!("assembly.{}[0]", point.key());
+        self.values.iter().position(|value| value.key == key)
+    }
+
+    /// Writes points with their present places into the table `[assembly]` of the text.
+    fn insert(&mut self, points: &[&Assembled]) {
+        let line = |point: &&Assembled| {
+            let [x, y] = point.present.map(decimal);
+            format!("{} = [{x}, {y}]\n", point.key())
+        };
+        let lines: String = points.iter().map(line).collect();
+        let header = self.text.lines().scan(0, |start, line| {
+            let from = *start;
+            *start += line.len() + 1;
+            Some((from, line))
+        });
+        let header =
+            header.into_iter().find(|(_, line)| line.trim_end().split('#').next() == Some("[assembly]"));
+        let at = match header {
+            Some((from, line)) => (from + line.len() + 1).min(self.text.len()),
+            None => self.text.len(),
+        };
+        let ends = at == 0 || self.text[..at].ends_with('\n');
+        let start = match (header.is_some(), ends) {
+            (true, true) => "",
+            (true, false) => "\n",
+            (false, true) => "\n[assembly]\n",
+            (false, false) => "\n\n[assembly]\n",
+        };
+        let first = self.values.iter().filter(|value| value.span.start < at).count();
+        let text = format!("{}{start}{lines}{}", &self.text[..at], &self.text[at..]);
+        let values = Document::of(&text).values();
+        if values.len() != self.values.len() + 2 * points.len() {
+            // The table is written in another way, such as in one line.
+            return;
+        }
+        let moved = |index: usize| if index < first { index } else { index + 2 * points.len() };
+        for edits in [&mut self.wanted, &mut self.shown, &mut self.saved] {
+            *edits = std::mem::take(edits).into_iter().map(|(index, toml)| (moved(index), toml)).collect();
+        }
+        self.done.iter_mut().flatten().for_each(|(index, _)| *index = moved(*index));
+        self.chosen = moved(self.chosen);
+        (self.text, self.values) = (text, values);
     }
 
     /// Sets a value to this TOML, or to that of the file.

@@ -284,3 +284,34 @@ fn a_changed_length_compiles_once_and_a_changed_mass_never() {
         assert!(after.iter().all(|other| *other == after[0] && *other != before[0]), "{name}: {length}");
     }
 }
+
+#[test]
+fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
+    let present = |state: &State| {
+        let modes = state.scene.as_ref().and_then(|scene| scene.first_modes(0)).unwrap();
+        (modes.number(modes.present), modes.all.len())
+    };
+    // `[assembly]` stands in the file, and does not.
+    for assembly in [true, false] {
+        let text_of = |scene: &str| {
+            let (before, after) = scene.split_once("[assembly]").unwrap();
+            let (_, after) = after.split_once("[motion]").unwrap();
+            if assembly { scene.to_owned() } else { format!("{before}[motion]{after}") }
+        };
+        let mut state = scene(&text_of(assur_fixtures::scene("triad")));
+        state.view = View::Structure;
+        let (first, count) = present(&state);
+        assert!(count > 1);
+        let before = text(&state, 80, 24);
+        for step in 1..=count {
+            press(&mut state, "]");
+            let frame = text(&state, 80, 40);
+            assert!(frame.contains(&format!("shown: way {}", (first + step) % count)), "{frame}");
+        }
+        press(&mut state, "] A");
+        assert_eq!(present(&state), ((first + 1) % count, count));
+        press(&mut state, "u");
+        assert_eq!(present(&state), (first, count));
+        assert!(!assembly || text(&state, 80, 24) == before);
+    }
+}

@@ -69,6 +69,25 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
     Figure { title, legend, ..Figure::of(plane(scene, items)) }
 }
 
+/// The first position with some links in other places: those of it that are `marked`; what follows from them is `hidden`. The
+/// mechanism as it is stands behind it, faint.
+pub(super) fn another(
+    state: &State,
+    scene: &Scene,
+    (marked, hidden): (&[usize], &[usize]),
+    pose: &Position,
+) -> Figure {
+    let mut items = ghost(state, scene);
+    items.extend(Drawing { hidden, ..drawing(scene, marked) }.items(pose));
+    let mut panel = plane(scene, items);
+    if let Frame::Plane { bounds, .. } = &mut panel.frame {
+        let points = scene.linkage.mechanism.points.iter();
+        let marked = points.flat_map(|point| &point.places).filter(|place| marked.contains(&place.link));
+        marked.for_each(|place| bounds.add(pose.bodies[place.link].point(place.at)));
+    }
+    Figure { title: scene.place(state.position), legend: links(scene).collect(), ..Figure::of(panel) }
+}
+
 /// A mechanism in its first position, for a list of mechanisms.
 pub(super) fn still(scene: &Scene) -> Figure {
     let drawing = drawing(scene, &[]);

@@ -234,7 +234,7 @@ pub(super) fn sampled(analysis: &Analysis, over: Column, quantity: Quantity) -> 
     Course::of(&analysis.trajectory, None, over, Column::of(quantity, Owner::Input))
 }
 
-/// The works of the driving and the resisting loads and the kinetic energy at the samples of the motion; `None` where they are
+/// The works of the driving and the resisting loads and of dry friction, and the kinetic energy at the samples of the motion; `None` where they are
 /// not known.
 pub(super) fn energies(analysis: &Analysis, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
     let all = [
@@ -242,7 +242,9 @@ pub(super) fn energies(analysis: &Analysis, over: Column, x: (Axis, f64), cursor
         ("regime-resisting-work", Quantity::ResistingWork),
         ("regime-kinetic-energy", Quantity::KineticEnergy),
     ];
-    let curves = all.map(|(told, of)| (text!(told), sampled(analysis, over, of)));
+    let mut curves: Vec<_> = all.map(|(told, of)| (text!(told), sampled(analysis, over, of))).into();
     let known = curves.iter().all(|(_, course)| !course.is_empty());
-    known.then(|| plots::curves(text!("regime-energies"), curves.into(), x, Some(cursor.into())))
+    let friction = sampled(analysis, over, Quantity::FrictionWork);
+    curves.extend((!friction.is_empty()).then(|| (text!("regime-friction-work"), friction)));
+    known.then(|| plots::curves(text!("regime-energies"), curves, x, Some(cursor.into())))
 }

@@ -1,6 +1,7 @@
 //! Formula, groups as a tree, and the chosen group marked in the drawing.
 
 use assur_figure::Figure;
+use assur_kinematics::Position;
 use assur_words::{self as words, Text, list, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -65,7 +66,22 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
 pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let group = scene.linkage.structure.groups.get(state.chosen.group);
     let marked = group.map_or(&[][..], |group| &group.frame.links);
-    mechanism::figure(state, scene, marked)
+    let another = state.mode_of(state.chosen.group).and_then(|mode| in_mode(scene, state.chosen.group, mode));
+    match another {
+        Some((pose, hidden)) => mechanism::another(state, scene, (marked, &hidden), &pose),
+        None => mechanism::figure(state, scene, marked),
+    }
+}
+
+/// The first position with a group in another mode, and the links that follow from it.
+fn in_mode(scene: &Scene, group: usize, mode: usize) -> Option<(Position, Vec<usize>)> {
+    let (linkage, modes) = (&scene.linkage, scene.first_modes(group)?);
+    let mut pose = scene.poses.first()?.clone()?;
+    let links = &linkage.structure.groups[group].frame.links;
+    links.iter().zip(&modes.all.get(mode)?.bodies).for_each(|(&link, body)| pose.bodies[link] = *body);
+    let later = group + 1..linkage.structure.groups.len();
+    let later = later.filter(|later| linkage.ancestors(*later).contains(&group));
+    Some((pose, later.flat_map(|later| linkage.structure.groups[later].frame.links.clone()).collect()))
 }
 
 /// The tree; the heading of the chosen group is flagged, and only that group is expanded.
@@ -106,7 +122,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
 }
 
 fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: usize) -> Vec<Text> {
-    let (linkage, mechanism) = (&scene.linkage, &scene.linkage.mechanism);
+    let (linkage, mechanism, position) = (&scene.linkage, &scene.linkage.mechanism, state.position);
     let links = list(group.frame.links.iter().map(|&link| (&mechanism.links[link].name).into()));
     let pairs = |pairs: &[assur_group::Pair]| {
         list(pairs.iter().map(|pair| Text::from(linkage.structure.pair_name(mechanism, pair.id))))
@@ -123,10 +139,18 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
         text!("structure-inner", pairs = pairs(&group.frame.inner)),
         text!("structure-outer", pairs = pairs(&group.frame.outer)),
     ];
-    if let Some(Some(pose)) = scene.poses.get(state.position) {
+    if let Some(Some(pose)) = scene.poses.get(position) {
         if let Ok(Some(modes)) = linkage.modes(index, pose) {
             let (way, count) = (number(modes.number(modes.present)), number(modes.all.len()));
             lines.push(text!("structure-way", way = way, count = count));
+            let shown = state.mode_of(index).and_then(|shown| Some((shown, modes.all.get(shown)?)));
+            if let Some((shown, mode)) = shown {
+                let (way, take) = (number(modes.number(shown)), name(state.keys.first("take-mode")));
+                let determinant = number(plain(mode.health));
+                lines.push(text!("structure-mode", way = way, determinant = determinant, key = take));
+            } else if modes.all.len() > 1 && position == 0 {
+                lines.push(text!("structure-modes", key = name(state.keys.first("next-mode"))));
+            }
         }
         let determinant = number(plain(pose.health[index].abs()));
         lines.push(text!("structure-determinant", determinant = determinant));

@@ -7,7 +7,7 @@ use assur_kinematics::Chain;
 use assur_number::Lanes;
 use assur_words::{Describe, Text};
 
-use super::failure;
+use super::{failure, kept};
 use crate::chart::race::{Entry, Verdict};
 use crate::chart::work::{Work, solve_generally};
 use crate::chart::{ChartError, Measurement};
@@ -33,8 +33,12 @@ pub(super) fn general<'a, T: Number>(
     let chain = Chain::<T>::compile(&work.linkage.mechanism, &work.linkage.structure)?;
     let starts: Vec<_> = work.coordinates.iter().map(|q| start(work, &chain, *q)).collect();
     let mut bodies = chain.bodies();
+    let kept = if places == Places::Closed { kept(work) } else { None };
     Ok(move |index: usize, judged| {
         let q = work.coordinates[index];
+        if let Some(kept) = &kept {
+            bodies.clone_from_slice(&kept[index]);
+        }
         let starts = (places == Places::Newton).then(|| &starts[index][..]);
         let solved = solve_generally(work.linkage, &chain, q, starts, &mut bodies);
         solved.map_err(|error| failure(work.linkage, q, &error))?;

@@ -1,0 +1,113 @@
+//! Motions with dry friction: what is lost, what is not determined at rest, and checks that notice another friction.
+
+use assur_force::Loads;
+
+use crate::results::{Analysis, Column, Owner, Quantity};
+use crate::{Calculation, Coverage, unwatched};
+
+use super::{analyzed, study};
+
+const CRANK: &str = "gravity = 9.81\n[ground]\npoints = { O = [0, 0] }\n\
+    [link.crank]\npoints = { O = 0, A = 0.1 }\nmass = 3\ncenter = \"A\"\ninertia = 0.08\n\
+    [link.rod]\npoints = { A = 0, B = 0.35 }\nmass = 1.2\ncenter = [0.14, 0]\ninertia = 0.012\n\
+    [link.piston]\npoints = { B = [0, 0] }\nmass = 2\n\
+    [[slide]]\nlink = \"piston\"\non = \"ground\"\nthrough = \"O\"\npoint = \"B\"\nname = \"cylinder\"\n\
+    [input]\nlink = \"crank\"\nfrom = \"30 deg\"\npositions = 12\n[assembly]\nB = [0.4, 0]\n";
+
+fn scene(motion: &str, coefficient: f64) -> String {
+    format!(
+        "{CRANK}{motion}[[friction]]\npair = \"A\"\ncoefficient = {coefficient}\nradius = 0.02\n\
+         [[friction]]\npair = \"cylinder\"\ncoefficient = {coefficient}\nlength = 0.08\n"
+    )
+}
+
+const DOWN: &str = "[motion]\nkind = \"transient\"\nspeed = 12\nuntil = \"0.6 s\"\nsamples = 16\n";
+const STEADY: &str = "[motion]\nkind = \"steady\"\nmean_speed = 12\n[drive]\ntorque = \"balance\"\nflywheel = 0.5\n\
+    [[force]]\nlink = \"piston\"\nat = \"B\"\nagainst_motion = true\nvalue = 300\n";
+
+fn energy(found: &Analysis, row: usize, quantity: Quantity) -> f64 {
+    found.trajectory.get(row, Column::of(quantity, Owner::Input)).unwrap()
+}
+
+/// At the start and at each sample the kinetic energy and that of the place of the links give what was lost.
+#[test]
+fn what_friction_takes_is_what_the_energies_lose() {
+    let found = analyzed(&scene(DOWN, 0.1));
+    // The centers of mass of crank and rod; the piston stays on its level.
+    let place = |row: usize| {
+        let height = 0.1 * found.trajectory.get(row, Column::COORDINATE).unwrap().sin();
+        9.81 * height * (3.0 + 1.2 * (1.0 - 0.14 / 0.35))
+    };
+    let start = energy(&found, 0, Quantity::KineticEnergy) + place(0);
+    let mut before = 0.0;
+    for row in 0..found.trajectory.len() {
+        let lost = energy(&found, row, Quantity::FrictionWork);
+        let left = energy(&found, row, Quantity::KineticEnergy) + place(row);
+        assert!((left - start - lost).abs() < 1e-6 * start, "{row}: {lost} {}", left - start);
+        assert!(lost <= before, "{row}: {lost} {before}");
+        before = lost;
+    }
+    assert!(before < -1.0, "{before}");
+}
+
+#[test]
+fn at_rest_friction_and_what_depends_on_it_are_not_known() {
+    let found = analyzed(
+        "gravity = 9.81\n[ground]\npoints = { O = [0, 0] }\n[link.block]\npoints = { P = 0 }\nmass = 2\n\
+         [[slide]]\nlink = \"block\"\non = \"ground\"\nthrough = \"O\"\nname = \"guide\"\n\
+         [input]\nlink = \"block\"\nto = 1\npositions = 2\n\
+         [motion]\nkind = \"transient\"\nspeed = 3\nuntil = \"3 s\"\nsamples = 4\n\
+         [[friction]]\npair = \"guide\"\ncoefficient = 0.3\n",
+    );
+    let table = &found.trajectory;
+    let rows = [1, 4].map(|row| {
+        let of = |quantity| {
+            let owner = table.schema().owners(quantity)[0];
+            table.get(row, Column::of(quantity, owner))
+        };
+        [Quantity::FrictionForce, Quantity::FrictionPower].map(of)
+    });
+    let speed = 3.0 - 0.3 * 9.81 * 0.75;
+    let near = |found: Option<f64>, wanted: f64| (found.unwrap() - wanted).abs() < 1e-12;
+    assert!(near(rows[0][0], -0.6 * 9.81) && near(rows[0][1], -0.6 * 9.81 * speed), "{rows:?}");
+    assert_eq!(rows[1], [None, Some(0.0)]);
+    assert_eq!(table.get(4, Column::BALANCING), None);
+    assert!((energy(&found, 4, Quantity::FrictionWork) + 9.0).abs() < 1e-7);
+    let failed: Vec<_> = found.checks.iter().filter(|check| check.failed()).collect();
+    assert!(failed.is_empty(), "{failed:?}");
+}
+
+#[test]
+fn the_works_of_a_cycle_are_the_losses_of_its_pairs() {
+    let found = analyzed(&scene(STEADY, 0.1));
+    let lost: f64 = found.friction.as_ref().unwrap().friction_work.values().map(|work| work.unwrap()).sum();
+    let last = found.trajectory.len() - 1;
+    let [drives, resists, rubs] = [Quantity::DrivingWork, Quantity::ResistingWork, Quantity::FrictionWork]
+        .map(|quantity| energy(&found, last, quantity));
+    assert!((rubs - lost).abs() < 1e-5 * lost.abs(), "{rubs} {lost}");
+    assert!((drives + resists + rubs).abs() < 1e-9 * drives, "{drives} {resists} {rubs}");
+    // Over four strokes the force takes 300 N, the weights nothing.
+    let torque = found.dynamics.as_ref().unwrap().figures.torque.unwrap();
+    assert!(
+        (torque * std::f64::consts::TAU - 4.0 * 0.1 * 300.0 + lost).abs() < 1e-5 * lost.abs(),
+        "{torque}"
+    );
+}
+
+/// The checks that fail for a motion with the friction of other coefficients.
+fn failing(motion: &str, factor: f64) -> Vec<String> {
+    let mut calculation: Calculation = study(&scene(motion, 0.1)).unwrap();
+    let other = study(&scene(motion, 0.1 * factor)).unwrap();
+    calculation.loads = Some(Loads::compile(&other.linkage).unwrap());
+    let found = calculation.checks(Coverage::All, &mut unwatched).unwrap();
+    found.all.iter().filter(|check| check.failed()).map(|check| check.name.to_string()).collect()
+}
+
+#[test]
+fn a_motion_with_another_friction_is_noticed() {
+    for (motion, name) in [(DOWN, "drive against force analysis"), (STEADY, "cycle in time")] {
+        assert_eq!(failing(motion, 1.0), [""; 0], "{name}");
+        let found = failing(motion, 1.0 + 1e-3);
+        assert!(found.iter().any(|failed| failed == name), "{found:?}");
+    }
+}

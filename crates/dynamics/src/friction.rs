@@ -1,0 +1,263 @@
+//! Dry friction of the pairs in an equation of motion: it depends on the acceleration through the inertia loads, and the
+//! acceleration on it, so that both are found together at every evaluation.
+
+use std::sync::Arc;
+
+use assur_force::{
+    ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, Rub, State, tolerance,
+};
+use assur_group::{Body, Wrench};
+use assur_integrator::{MotionError, Reduced};
+use assur_kinematics::{Linkage, Position};
+use assur_words::{number, text};
+
+use crate::Regime;
+
+/// Accelerations whose difference is below this part of them are one.
+const SAME: f64 = 1e-9;
+
+/// The friction of a mechanism, with its memory.
+#[derive(Debug, Clone)]
+pub(crate) struct Friction {
+    /// `None`: no linked method treats friction.
+    method: Option<&'static dyn ForceAnalyzer>,
+    out: Reactions,
+    wrenches: Vec<Wrench<f64>>,
+    inertia: Vec<Wrench<f64>>,
+    /// The motion is known, and friction is that of its accelerations.
+    course: Option<Course>,
+    /// Where the friction of that motion bends, ascending, and the cycle of these places.
+    bends: (Vec<f64>, f64),
+    /// The interval of the coordinate that was entered last.
+    piece: [f64; 2],
+    /// What was found last.
+    found: Found,
+    /// The forces that pressed the faces of slides then.
+    pressing: Vec<f64>,
+}
+
+/// A motion over the coordinate.
+#[derive(Debug, Clone)]
+pub(crate) enum Course {
+    /// At a constant speed.
+    Uniform(f64),
+    /// A periodic regime.
+    Regime(Arc<Regime>),
+}
+
+/// Friction at a state.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Found {
+    /// Its moment reduced to the input, N m (N).
+    pub(crate) moment: f64,
+    /// At rest no acceleration is possible in this direction, whatever its sign.
+    pub(crate) jams: bool,
+}
+
+/// Where the friction is looked for, and by which formulas of the loads.
+pub(crate) struct Place<'a> {
+    pub(crate) linkage: &'a Linkage,
+    pub(crate) loads: &'a Loads,
+    pub(crate) phase: &'a Phase,
+    pub(crate) position: &'a Position,
+}
+
+impl Course {
+    /// Speed and acceleration at a coordinate.
+    pub(crate) fn at(&self, coordinate: f64) -> [f64; 2] {
+        match self {
+            Self::Uniform(speed) => [*speed, 0.0],
+            Self::Regime(regime) => {
+                let at = regime.state(coordinate);
+                [at.speed, at.acceleration]
+            }
+        }
+    }
+}
+
+impl Friction {
+    /// The friction of the pairs; `None` where all are ideal.
+    pub(crate) fn of(linkage: &Linkage, loads: &Loads) -> Option<Self> {
+        loads.frictions()?;
+        let method = assur_force::choose(None, true).ok().map(|plugin| plugin.instance);
+        let out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
+        let none = vec![Wrench::ZERO; linkage.structure.links];
+        let found = Found::default();
+        Some(Self {
+            method,
+            out,
+            wrenches: none.clone(),
+            inertia: none,
+            course: None,
+            found,
+            pressing: Vec::new(),
+            bends: (Vec::new(), 0.0),
+            piece: [f64::NEG_INFINITY, f64::INFINITY],
+        })
+    }
+
+    /// What was found last.
+    pub(crate) fn found(&self) -> Found {
+        self.found
+    }
+
+    /// The forces whose moduli gave the friction of slides that was found last.
+    pub(crate) fn pressing(&self) -> &[f64] {
+        &self.pressing
+    }
+
+    /// Takes the accelerations of a known motion from now on; without one those that it leaves possible.
+    pub(crate) fn assume(&mut self, course: Option<Course>) {
+        self.course = course;
+        self.bends.0.clear();
+    }
+
+    /// Whether the acceleration is found with it.
+    pub(crate) fn is_free(&self) -> bool {
+        self.course.is_none()
+    }
+
+    /// Ends pieces at these coordinates of a cycle from now on.
+    pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
+        self.bends = (coordinates, cycle);
+    }
+
+    /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.
+    pub(crate) fn enter(&mut self, loads: &Loads, state: &State, piece: &mut Piece) {
+        if let Some(rubbing) = &mut self.out.rubbing {
+            loads.enter_friction(state, &mut rubbing.senses, piece);
+        }
+        self.cut(state, &mut piece.coordinate);
+        self.piece = piece.coordinate;
+    }
+
+    /// Cuts an interval of the coordinate to the bends around the place just ahead of a state.
+    fn cut(&self, state: &State, interval: &mut [f64; 2]) {
+        let (bends, cycle) = &self.bends;
+        let (Some(first), Some(last)) = (bends.first(), bends.last()) else { return };
+        let ahead = state.coordinate + state.speed.signum() * tolerance(state.coordinate, Some(*cycle));
+        let shift = ((ahead - first) / cycle).floor() * cycle;
+        let after = bends.partition_point(|bend| bend + shift <= ahead);
+        let low = after.checked_sub(1).map_or(last - cycle, |before| bends[before]) + shift;
+        let high = bends.get(after).copied().unwrap_or(first + cycle) + shift;
+        *interval = [interval[0].max(low), interval[1].min(high)];
+    }
+
+    /// The reduced moment of friction at a state of a motion with this drive; `ideal`: the coefficients without friction.
+    pub(crate) fn moment(
+        &mut self,
+        place: &Place<'_>,
+        state: &State,
+        ideal: &Reduced,
+        drive: [f64; 2],
+    ) -> Result<f64, MotionError> {
+        self.found = match &self.course {
+            Some(course) => {
+                // At the ends of a piece the acceleration may jump: it is that inside.
+                let [low, high] = self.piece;
+                let near = 2.0 * tolerance(state.coordinate, place.linkage.mechanism.input.period());
+                let inside = state.coordinate.min(high - near).max(low + near);
+                let [speed, acceleration] = course.at(inside);
+                let moment = self.in_known_motion(place, &State { speed, acceleration, ..*state })?;
+                Found { moment, jams: false }
+            }
+            None => {
+                let (phase, bodies) = (place.phase, &place.position.bodies);
+                place.loads.evaluate_in_phase(phase, state, bodies, &mut self.wrenches);
+                let all = self.accelerations(place, drive)?;
+                self.chosen(all, place, state, ideal, drive)?
+            }
+        };
+        Ok(self.found.moment)
+    }
+
+    fn in_known_motion(&mut self, place: &Place<'_>, state: &State) -> Result<f64, MotionError> {
+        let Place { linkage, loads, phase, position } = place;
+        loads.evaluate_in_phase(phase, state, &position.bodies, &mut self.wrenches);
+        let method = self.method.ok_or_else(no_method)?;
+        let solved = method.solve(linkage, position, &mut self.wrenches, &mut self.out);
+        solved.map_err(|error| MotionError::mechanism(&error))?;
+        let Some(rubbing) = &self.out.rubbing else { return Ok(0.0) };
+        self.pressing = rubbing.pressing(&position.bodies, &self.out.pairs);
+        Ok(power(&rubbing.frictions.rubs, &rubbing.forces, &position.bodies))
+    }
+
+    /// The accelerations that are possible under the loads evaluated last.
+    fn accelerations(
+        &mut self,
+        place: &Place<'_>,
+        [drive, drive_inertia]: [f64; 2],
+    ) -> Result<Vec<FrictionSolution>, MotionError> {
+        self.inertia.fill(Wrench::ZERO);
+        let unit = State { coordinate: place.position.coordinate, acceleration: 1.0, ..State::default() };
+        place.loads.inertia(&unit, &place.position.bodies, &mut self.inertia);
+        let motion = FreeMotion { loads: &self.wrenches, inertia: &self.inertia, drive, drive_inertia };
+        let method = self.method.ok_or_else(no_method)?;
+        let found = method.accelerations(place.linkage, place.position, &motion, &self.out);
+        let found = found.map_err(|error| MotionError::mechanism(&error))?;
+        Ok(found.ok_or_else(no_method)?.solutions)
+    }
+
+    /// The acceleration that a motion takes: the only one; at rest, the only one that leads in the direction of the phase.
+    fn chosen(
+        &mut self,
+        mut all: Vec<FrictionSolution>,
+        place: &Place<'_>,
+        state: &State,
+        ideal: &Reduced,
+        [drive, drive_inertia]: [f64; 2],
+    ) -> Result<Found, MotionError> {
+        let (sense, rests) = (place.phase.sense(), state.speed == 0.0);
+        if rests && all.iter().any(|one| one.balancing * sense > 0.0) {
+            all.retain(|one| one.balancing * sense > 0.0);
+        } else if rests {
+            let Some(fastest) =
+                all.into_iter().max_by(|a, b| (a.balancing * sense).total_cmp(&(b.balancing * sense)))
+            else {
+                // Nothing moves: friction holds what acts.
+                return Ok(Found { moment: -(ideal.moment + drive), jams: true });
+            };
+            all = vec![fastest];
+        }
+        let size = (ideal.moment + drive).abs() / (ideal.inertia + drive_inertia);
+        all.sort_by(|a, b| a.balancing.total_cmp(&b.balancing));
+        all.dedup_by(|a, b| (a.balancing - b.balancing).abs() <= SAME * size.max(a.balancing.abs()));
+        let shown = |one: &FrictionSolution| number(format_args!("{:.6e}", one.balancing));
+        match &all[..] {
+            [only] => {
+                if let Some(rubbing) = &self.out.rubbing {
+                    self.pressing = rubbing.pressing(&place.position.bodies, &only.pairs);
+                }
+                let rubs = place.loads.frictions().map_or(&[][..], |frictions| &frictions.rubs[..]);
+                Ok(Found { moment: power(rubs, &only.forces, &place.position.bodies), jams: false })
+            }
+            [] => Err(MotionError::Undetermined(text!("dynamics-friction-none"))),
+            [first, .., last] => Err(MotionError::Undetermined(text!(
+                "dynamics-friction-several",
+                count = all.len(),
+                least = shown(first),
+                most = shown(last)
+            ))),
+        }
+    }
+
+    /// The acceleration at a state whose loads are those that the state itself selects.
+    pub(crate) fn acceleration_at(
+        &mut self,
+        place: &Place<'_>,
+        state: &State,
+        drive: [f64; 2],
+    ) -> Result<Option<f64>, MotionError> {
+        place.loads.evaluate(state, &place.position.bodies, &mut self.wrenches);
+        Ok(self.accelerations(place, drive)?.first().map(|one| one.balancing))
+    }
+}
+
+fn no_method() -> MotionError {
+    MotionError::Mechanism(text!("dynamics-friction-no-method"))
+}
+
+/// Virtual power of the friction of all rubs for dq = 1.
+fn power(rubs: &[Rub], forces: &[f64], bodies: &[Body<f64>]) -> f64 {
+    rubs.iter().zip(forces).map(|(rub, force)| force * rub.relative(bodies)).sum()
+}

@@ -1,0 +1,365 @@
+//! All modes of a group over a cycle: where they are born, meet and end, and which of them belong to one circuit.
+//!
+//! From sample to sample a mode goes to the nearest one of the same way. Where that is doubtful, because the number changes or two
+//! modes that may meet are nearer to each other than they move, the step is halved, down to a length at which nothing but a
+//! meeting, a birth or an end is left.
+
+use std::f64::consts::TAU;
+
+use assur_group::{Body, GroupError, Mode};
+
+use crate::Linkage;
+use crate::modes::by_ways;
+
+/// Steps over the cycle.
+const SAMPLES: u32 = 720;
+
+/// A birth, a meeting or an end is found to this, in units of the coordinate.
+const SHORTEST: f64 = 1e-11;
+
+/// A meeting after which both modes go on is found to this: nearer to it the two can't be told apart.
+const SHORTEST_EQUAL: f64 = 1e-6;
+
+/// A place farther away than this, in parts of the scale, may be on either side of infinity.
+const FAR_AWAY: f64 = 1e3;
+
+/// Farthest way of a mode in a step, see [`Walk::apart`].
+const FARTHEST: f64 = 0.3;
+
+/// Two modes within this of each other on the shortest step are about to meet: their distance grows with its root.
+const TOGETHER: f64 = 1e-3;
+
+/// Where the middle of a step is taken, so that no singular position of round numbers is hit.
+const MIDDLE: f64 = 0.493;
+
+/// How a course begins or ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CourseEnd {
+    /// With the cycle.
+    Cycle,
+    /// Together with another mode, by its number.
+    With(usize),
+    /// Its links run to infinity.
+    Infinity,
+    /// Groups before it have no place beyond.
+    Barrier,
+}
+
+/// A mode as far as it exists without a gap.
+#[derive(Debug, Clone, Copy)]
+pub struct Course {
+    /// The first coordinate, rad or m.
+    pub from: f64,
+    /// The last one.
+    pub to: f64,
+    /// How it begins and ends.
+    pub ends: [CourseEnd; 2],
+    /// The circuit: what can be reached without taking the mechanism apart; from 0.
+    pub circuit: usize,
+    /// The branch: what can be reached without a singular position; from 0.
+    pub branch: usize,
+}
+
+/// All modes of a group over a cycle; the number of a mode is its place in `courses`.
+#[derive(Debug, Clone, Default)]
+pub struct Courses {
+    /// Each mode; first those of the first position in their order.
+    pub courses: Vec<Course>,
+    /// How many modes there are from a coordinate on, rad or m.
+    pub counts: Vec<(f64, usize)>,
+    /// Where two modes meet and both go on: coordinate and numbers.
+    pub meetings: Vec<(f64, [usize; 2])>,
+    /// Number of circuits.
+    pub circuits: usize,
+    /// Number of branches.
+    pub branches: usize,
+}
+
+/// The modes at a coordinate with their numbers; `None` where the groups before can't be placed.
+type Present = Option<Vec<(usize, Mode<f64>)>>;
+
+struct Walk<'a> {
+    linkage: &'a Linkage,
+    group: usize,
+    found: Courses,
+    now: (f64, Present),
+}
+
+impl Linkage {
+    /// All modes of a group over a turn of a pinned input, or over the range of the scene; the groups before it are in their
+    /// present assembly. `None` where its kind can't list them.
+    pub fn courses(&self, group: usize) -> Option<Courses> {
+        let lists = !self.structure.groups[group].plugin.iterates || self.groups()[group].lists_modes();
+        lists.then(|| Walk::over(self, group))
+    }
+
+    /// The modes of a group at a coordinate, in their order.
+    fn modes_at(&self, group: usize, q: f64) -> Option<Vec<Mode<f64>>> {
+        let mut bodies = self.starting_bodies(q);
+        self.chain.set_input(q, &mut bodies);
+        let ways = self.ways.at(q);
+        let mut before = self.ancestors(group);
+        before.pop();
+        for ancestor in before {
+            self.groups()[ancestor].place(&mut bodies, usize::from(ways[ancestor])).ok()?;
+        }
+        let kernel = self.groups()[group].as_ref();
+        if !self.structure.groups[group].plugin.iterates {
+            return Some(by_ways(kernel, &bodies));
+        }
+        match kernel.modes(&bodies) {
+            Ok(all) => all,
+            Err(GroupError::NoAssembly { .. }) => Some(Vec::new()),
+            Err(_) => None,
+        }
+    }
+}
+
+impl<'a> Walk<'a> {
+    fn over(linkage: &'a Linkage, group: usize) -> Courses {
+        let input = &linkage.mechanism.input;
+        let last = input.coordinate(input.positions.saturating_sub(1));
+        let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
+        let mut walk = Self { linkage, group, found: Courses::default(), now: (input.from, None) };
+        let first = linkage.modes_at(group, input.from);
+        walk.now.1 = first.map(|all| {
+            all.into_iter().map(|mode| (walk.begin(input.from, CourseEnd::Cycle), mode)).collect()
+        });
+        walk.count();
+        let start = walk.now.1.clone().unwrap_or_default();
+        for step in 1..=SAMPLES {
+            walk.advance(input.from + length * f64::from(step) / f64::from(SAMPLES));
+        }
+        let end = walk.now.1.take().unwrap_or_default();
+        end.iter().for_each(|(number, _)| walk.end(*number, CourseEnd::Cycle));
+        let is_same =
+            |one: &Mode<f64>, other: &Mode<f64>| walk.apart(one, other) < TOGETHER && one.way == other.way;
+        let closing = |(number, mode): &(usize, Mode<f64>)| {
+            let again = start.iter().find(|(_, first)| linkage.angular() && is_same(mode, first))?;
+            Some([*number, again.0])
+        };
+        let closed: Vec<[usize; 2]> = end.iter().filter_map(closing).collect();
+        walk.found.group(&closed);
+        walk.found
+    }
+
+    /// Begins a course at a coordinate; its number.
+    fn begin(&mut self, from: f64, end: CourseEnd) -> usize {
+        let ends = [end, CourseEnd::Cycle];
+        self.found.courses.push(Course { from, to: from, ends, circuit: 0, branch: 0 });
+        self.found.courses.len() - 1
+    }
+
+    /// Ends a course at the present coordinate.
+    fn end(&mut self, number: usize, end: CourseEnd) {
+        let course = &mut self.found.courses[number];
+        (course.to, course.ends[1]) = (self.now.0, end);
+    }
+
+    fn count(&mut self) {
+        let count = self.now.1.as_ref().map_or(0, Vec::len);
+        if self.found.counts.last().is_none_or(|(_, last)| *last != count) {
+            self.found.counts.push((self.now.0, count));
+        }
+    }
+
+    /// Goes on to a coordinate.
+    fn advance(&mut self, to: f64) {
+        let next = self.linkage.modes_at(self.group, to);
+        let count = |modes: Option<usize>| modes.map_or(-1, |count| i64::try_from(count).unwrap_or(0));
+        let is_equal = count(self.now.1.as_ref().map(Vec::len)) == count(next.as_ref().map(Vec::len));
+        let shortest = if is_equal { SHORTEST_EQUAL } else { SHORTEST };
+        let is_short = (to - self.now.0).abs() <= shortest * self.linkage.coordinate_unit();
+        let continued = match (&self.now.1, &next) {
+            (None, None) => Some(None),
+            (Some(now), Some(next)) => self.continued(now, next).map(Some),
+            _ => None,
+        };
+        let numbers = match continued {
+            Some(numbers) => numbers,
+            None if is_short => self.event(to, next.as_deref()),
+            None => {
+                self.advance(self.now.0 + MIDDLE * (to - self.now.0));
+                return self.advance(to);
+            }
+        };
+        let numbered = |(numbers, next): (Vec<usize>, Vec<_>)| numbers.into_iter().zip(next).collect();
+        self.now = (to, numbers.zip(next).map(numbered));
+        self.count();
+    }
+
+    /// The numbers of the next modes where it is certain which is which.
+    fn continued(&self, now: &[(usize, Mode<f64>)], next: &[Mode<f64>]) -> Option<Vec<usize>> {
+        let is_clear = |one: &Mode<f64>, other: &Mode<f64>, moved: f64| {
+            one.way == other.way || self.apart(one, other) > 2.0 * moved
+        };
+        let mut taken: Vec<(usize, f64)> = Vec::with_capacity(next.len());
+        for mode in next {
+            let (at, moved) = self.nearest(now, mode, |_| true)?;
+            if taken.iter().any(|(other, _)| *other == at) || is_turned(&now[at].1, mode, self.scale()) {
+                return None;
+            }
+            taken.push((at, moved));
+        }
+        let is_certain = taken.len() == now.len()
+            && taken.iter().enumerate().all(|(j, (a, one))| {
+                taken.iter().enumerate().skip(j + 1).all(|(k, (b, other))| {
+                    let moved = one.max(*other);
+                    is_clear(&now[*a].1, &now[*b].1, moved) && is_clear(&next[j], &next[k], moved)
+                })
+            });
+        is_certain.then(|| taken.into_iter().map(|(at, _)| now[at].0).collect())
+    }
+
+    /// The nearest mode of the same way that is left, with its distance; `None` where it is far.
+    fn nearest(
+        &self,
+        now: &[(usize, Mode<f64>)],
+        mode: &Mode<f64>,
+        is_left: impl Fn(usize) -> bool,
+    ) -> Option<(usize, f64)> {
+        let same = now.iter().enumerate().filter(|(at, (_, one))| is_left(*at) && one.way == mode.way);
+        let near = same.map(|(at, (_, one))| (at, self.apart(one, mode)));
+        near.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, moved)| *moved < FARTHEST)
+    }
+
+    /// What happens between the present coordinate and the next one, next to it; the numbers of the next modes.
+    fn event(&mut self, to: f64, next: Option<&[Mode<f64>]>) -> Option<Vec<usize>> {
+        let now = self.now.1.take();
+        let (Some(now), Some(next)) = (&now, next) else {
+            now.iter().flatten().for_each(|(number, _)| self.end(*number, CourseEnd::Barrier));
+            return next.map(|next| next.iter().map(|_| self.begin(to, CourseEnd::Barrier)).collect());
+        };
+        let mut left = vec![true; now.len()];
+        let mut numbers: Vec<Option<usize>> = vec![None; next.len()];
+        let before: Vec<&Mode<f64>> = now.iter().map(|(_, mode)| mode).collect();
+        for [j, k] in self.pairs(&next.iter().collect::<Vec<_>>()) {
+            // Behind a meeting each mode has the opposite sign of its determinant.
+            let near = |way: usize| {
+                let fits =
+                    |at: &usize| before[*at].way == way && self.apart(before[*at], &next[j]) < TOGETHER;
+                (0..now.len()).find(fits)
+            };
+            if let (Some(a), Some(b)) = (near(next[k].way), near(next[j].way)) {
+                (left[a], left[b]) = (false, false);
+                (numbers[j], numbers[k]) = if self.is_passed(to, before[a]) {
+                    self.found.meetings.push((to, [now[a].0, now[b].0]));
+                    (Some(now[a].0), Some(now[b].0))
+                } else {
+                    (Some(now[b].0), Some(now[a].0))
+                };
+            } else {
+                let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
+                for (number, partner) in [(one, other), (other, one)] {
+                    self.found.courses[number].ends[0] = CourseEnd::With(partner);
+                }
+                (numbers[j], numbers[k]) = (Some(one), Some(other));
+            }
+        }
+        for [a, b] in self.pairs(&before) {
+            if left[a] && left[b] {
+                (left[a], left[b]) = (false, false);
+                self.end(now[a].0, CourseEnd::With(now[b].0));
+                self.end(now[b].0, CourseEnd::With(now[a].0));
+            }
+        }
+        for (mode, number) in next.iter().zip(&mut numbers).filter(|(_, number)| number.is_none()) {
+            let found = self.nearest(now, mode, |at| left[at] && !is_turned(before[at], mode, self.scale()));
+            *number = found.map(|(at, _)| {
+                left[at] = false;
+                now[at].0
+            });
+        }
+        for (at, _) in left.iter().enumerate().filter(|(_, left)| **left) {
+            self.end(now[at].0, CourseEnd::Infinity);
+        }
+        Some(
+            numbers
+                .into_iter()
+                .map(|known| known.unwrap_or_else(|| self.begin(to, CourseEnd::Infinity)))
+                .collect(),
+        )
+    }
+
+    /// Whether a mode meets another one before the next coordinate: its determinant, which falls evenly, is zero there.
+    fn is_passed(&self, to: f64, mode: &Mode<f64>) -> bool {
+        let back = self.linkage.modes_at(self.group, self.now.0 - (to - self.now.0)).unwrap_or_default();
+        let back: Vec<(usize, Mode<f64>)> = back.into_iter().enumerate().collect();
+        let earlier = self.nearest(&back, mode, |_| true);
+        earlier.is_some_and(|(at, _)| mode.health < back[at].1.health - mode.health)
+    }
+
+    /// Pairs of modes that are about to meet.
+    fn pairs(&self, all: &[&Mode<f64>]) -> Vec<[usize; 2]> {
+        let mut pairs: Vec<[usize; 2]> = Vec::new();
+        for (j, one) in all.iter().enumerate() {
+            let free = |k: usize| !pairs.iter().flatten().any(|taken| *taken == k);
+            let meets = |k: &usize| all[*k].way != one.way && self.apart(one, all[*k]) < TOGETHER && free(*k);
+            if free(j)
+                && let Some(k) = (j + 1..all.len()).find(meets)
+            {
+                pairs.push([j, k]);
+            }
+        }
+        pairs
+    }
+
+    fn scale(&self) -> f64 {
+        self.linkage.structure.scale
+    }
+
+    /// Distance of two modes; of far places as seen on a sphere, on which infinity is a point.
+    fn apart(&self, one: &Mode<f64>, other: &Mode<f64>) -> f64 {
+        let distance = |(a, b): (&Body<f64>, &Body<f64>)| {
+            let [far, farther] =
+                [a, b].map(|body| (body.x / self.scale()).hypot(body.y / self.scale()).hypot(1.0));
+            let place = (a.x - b.x).hypot(a.y - b.y) / (self.scale() * far * farther);
+            place.max((a.c - b.c).hypot(a.s - b.s))
+        };
+        one.bodies.iter().zip(&other.bodies).map(distance).fold(0.0, f64::max)
+    }
+}
+
+/// Whether a link is far away on opposite sides.
+fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
+    one.bodies.iter().zip(&other.bodies).any(|(a, b)| {
+        let is_far = a.x.hypot(a.y).min(b.x.hypot(b.y)) > FAR_AWAY * scale;
+        is_far && a.x * b.x + a.y * b.y < 0.0
+    })
+}
+
+impl Courses {
+    /// Numbers circuits and branches; `closed`: courses that go on in others at the end of the cycle.
+    fn group(&mut self, closed: &[[usize; 2]]) {
+        let joined = |courses: &[Course], is_circuit: bool, met: &[(f64, [usize; 2])]| {
+            let mut of: Vec<usize> = (0..courses.len()).collect();
+            let mut join = |[a, b]: [usize; 2]| {
+                let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
+                of.iter_mut().filter(|one| **one == high).for_each(|one| *one = low);
+            };
+            closed.iter().copied().for_each(&mut join);
+            if is_circuit {
+                met.iter().for_each(|(_, pair)| join(*pair));
+                for (number, course) in courses.iter().enumerate() {
+                    for end in course.ends {
+                        if let CourseEnd::With(other) = end {
+                            join([number, other]);
+                        }
+                    }
+                }
+            }
+            let mut all = of.clone();
+            all.sort_unstable();
+            all.dedup();
+            let numbers = of.iter().map(|one| all.binary_search(one).unwrap_or(0)).collect();
+            (numbers, all.len())
+        };
+        let (circuits, branches): ((Vec<usize>, usize), (Vec<usize>, usize)) =
+            (joined(&self.courses, true, &self.meetings), joined(&self.courses, false, &self.meetings));
+        (self.circuits, self.branches) = (circuits.1, branches.1);
+        for (course, (circuit, branch)) in self.courses.iter_mut().zip(circuits.0.into_iter().zip(branches.0))
+        {
+            (course.circuit, course.branch) = (circuit, branch);
+        }
+    }
+}

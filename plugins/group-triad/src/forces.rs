@@ -1,0 +1,217 @@
+//! The reactions: what each leg passes of its own load, the forces along their lines, and what the outer pairs hold.
+
+use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
+use assur_group::{Body, GroupError, Wrench};
+use assur_number::{Formula, Real};
+
+use crate::kernel::{Legged, Lines};
+use crate::leg::{Hold, Leg, Line};
+use crate::mover::{Hub, Mover};
+
+/// What a leg passes to the plate of its own load: a force through a point, and a moment.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Passed<T> {
+    pub(crate) force: [T; 2],
+    pub(crate) at: [T; 2],
+    pub(crate) moment: T,
+}
+
+impl<T: Real> Passed<T> {
+    /// As a line of action.
+    #[inline(always)]
+    pub(crate) fn line(&self) -> Line<T> {
+        Line { f: self.force, at: self.at, moment: self.moment, gap: T::ZERO }
+    }
+}
+
+/// The reactions of a placed group, which are handed on to the outer bodies.
+pub(crate) struct Balance<'a, T: Real> {
+    pub(crate) kernel: &'a Legged<T>,
+    pub(crate) bodies: &'a [Body<T>],
+    pub(crate) loads: &'a mut [Wrench<T>],
+    pub(crate) reactions: &'a mut [Wrench<T>],
+}
+
+impl<T: Real> Formula for Balance<'_, T> {
+    type Value = Result<(), GroupError>;
+
+    #[inline(always)]
+    fn evaluate(self) -> Self::Value {
+        let Self { kernel, bodies, loads, reactions } = self;
+        let lines = kernel.lines(bodies);
+        let inverse = kernel.determined(&lines)?;
+        let nothing = Passed { force: [T::ZERO; 2], at: [T::ZERO; 2], moment: T::ZERO };
+        let mut passed = [nothing; 3];
+        let mut right =
+            kernel.plate.share(&lines.plate, bodies[kernel.plate.link].origin(), &loads[kernel.plate.link]);
+        if let (Some(base), Some(hub)) = (&kernel.base, &lines.base) {
+            let own = base.share(hub, bodies[base.link].origin(), &loads[base.link]);
+            right = [own[0], right[0], T::ZERO];
+        }
+        for (k, leg) in kernel.legs.iter().enumerate() {
+            let load = &loads[leg.link];
+            passed[k] = leg.passed(bodies, &lines.each[k], load);
+            let share = kernel.row(&lines.plate, lines.base.as_ref(), &passed[k].line());
+            for (sum, part) in right.iter_mut().zip(share) {
+                *sum += part;
+            }
+            if let (Some(base), Some(hub)) = (&kernel.base, &lines.base) {
+                right[0] += base.share(hub, bodies[leg.link].origin(), load)[0];
+            }
+        }
+        let sizes = inverse.solve_transposed(right.map(|part| -part));
+        kernel.hand_on(bodies, (&lines, &passed, &sizes), loads, reactions);
+        GroupError::if_nan(sizes[0] + sizes[1] + sizes[2])
+    }
+}
+
+impl<T: Real> Legged<T> {
+    /// The load on a ternary link about its hub, with what the legs pass to it.
+    #[inline(always)]
+    fn gathered(
+        mover: &Mover<T>,
+        hub: &Hub<T>,
+        bodies: &[Body<T>],
+        loads: &[Wrench<T>],
+        more: impl Iterator<Item = ([T; 2], [T; 2], T)>,
+    ) -> Wrench<T> {
+        let load = &loads[mover.link];
+        let mut sum = Wrench::ZERO;
+        sum.add_at(minus(bodies[mover.link].origin(), hub.place), load.force(), load.m);
+        for (at, force, moment) in more {
+            sum.add_at(minus(at, hub.place), force, moment);
+        }
+        sum
+    }
+
+    /// Stores all reactions for the forces along the lines, and hands the outer ones on.
+    #[inline(always)]
+    fn hand_on(
+        &self,
+        bodies: &[Body<T>],
+        (lines, passed, sizes): (&Lines<T>, &[Passed<T>; 3], &[T; 3]),
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) {
+        for (k, leg) in self.legs.iter().enumerate() {
+            let load = loads[leg.link];
+            let outer = leg.store(bodies, (&lines.each[k], &passed[k], sizes[k]), &load, reactions);
+            let handed = if self.base.is_some() { None } else { Some(&mut *loads) };
+            leg.store_outer(bodies, outer, handed, reactions);
+        }
+        let (Some(base), Some(hub)) = (&self.base, &lines.base) else { return };
+        let along = |k: usize, sign: T| {
+            let line = &lines.each[k];
+            let size = sign * sizes[k];
+            (line.at, [size * line.f[0], size * line.f[1]], size * line.moment)
+        };
+        let beside = |k: usize, sign: T| {
+            let Passed { force, at, moment } = passed[k];
+            (at, [sign * force[0], sign * force[1]], sign * moment)
+        };
+        let count = self.legs.len();
+        let on_plate = (0..count).flat_map(|k| [along(k, T::ONE), beside(k, T::ONE)]);
+        let plate = Self::gathered(&self.plate, &lines.plate, bodies, loads, on_plate);
+        let own = |k: usize| {
+            let load = &loads[self.legs[k].link];
+            (bodies[self.legs[k].link].origin(), load.force(), load.m)
+        };
+        let on_base = (0..count).flat_map(|k| [along(k, -T::ONE), beside(k, -T::ONE), own(k)]);
+        let based = Self::gathered(base, hub, bodies, loads, on_base);
+        self.plate.hold(bodies, &lines.plate, &plate, loads, reactions);
+        base.hold(bodies, hub, &based, loads, reactions);
+    }
+}
+
+impl<T: Real> Leg<T> {
+    /// What the leg passes to the plate of the load on itself, beside the force along its line: force and moment about
+    /// the point of the line.
+    #[inline(always)]
+    fn passed(&self, bodies: &[Body<T>], line: &Line<T>, load: &Wrench<T>) -> Passed<T> {
+        let body = &bodies[self.link];
+        match &self.hold {
+            Hold::Rr { outer, rod, length, .. } => {
+                let moment = load.about(body.arm(outer.own));
+                let force = scaled(moment / (*length * *length), perp(body.arm(*rod)));
+                Passed { force, at: line.at, moment: T::ZERO }
+            }
+            Hold::Pr { .. } => {
+                let t = opposite(perp(line.f));
+                Passed { force: scaled(dot(t, load.force()), t), at: line.at, moment: T::ZERO }
+            }
+            Hold::Rp { outer, .. } => {
+                Passed { force: [T::ZERO; 2], at: line.at, moment: load.about(body.arm(outer.own)) }
+            }
+            Hold::Pp { outer, inner, .. } => {
+                let (t, n) = (outer.guide(bodies), perp(inner.guide(bodies)));
+                let force = scaled(dot(t, load.force()) / dot(t, n), n);
+                Passed { force, at: body.point(inner.own), moment: T::ZERO }
+            }
+        }
+    }
+
+    /// Stores the reaction of the inner pair, on the leg, and returns that of the outer pair: force, and moment about the
+    /// pin or the point on the guide.
+    #[inline(always)]
+    fn store(
+        &self,
+        bodies: &[Body<T>],
+        (line, passed, size): (&Line<T>, &Passed<T>, T),
+        load: &Wrench<T>,
+        reactions: &mut [Wrench<T>],
+    ) -> ([T; 2], T) {
+        let body = &bodies[self.link];
+        let along = scaled(size, line.f);
+        let on_plate = plus(along, passed.force);
+        let outer_force = minus(on_plate, load.force());
+        match &self.hold {
+            Hold::Rr { inner, .. } => {
+                inner.store(opposite(on_plate), reactions);
+                (outer_force, T::ZERO)
+            }
+            Hold::Pr { outer, inner, .. } => {
+                inner.store(opposite(on_plate), reactions);
+                let own = body.arm(outer.own);
+                let arm = minus(body.arm(inner.own), own);
+                // Along the guide nothing is left but rounding.
+                let force = scaled(dot(line.f, outer_force), line.f);
+                (force, cross(arm, on_plate) - load.about(own))
+            }
+            Hold::Rp { outer, inner, .. } => {
+                let arm = minus(body.arm(outer.own), body.arm(inner.own));
+                inner.store(bodies, opposite(along), -(passed.moment + cross(arm, along)), reactions);
+                (outer_force, T::ZERO)
+            }
+            Hold::Pp { outer, inner, .. } => {
+                inner.store(bodies, opposite(passed.force), -size, reactions);
+                let own = body.arm(outer.own);
+                let arm = minus(body.arm(inner.own), own);
+                let n = perp(outer.guide(bodies));
+                (scaled(dot(n, outer_force), n), cross(arm, passed.force) + size - load.about(own))
+            }
+        }
+    }
+
+    /// Stores the reaction of the outer pair, on the leg; with `loads`, its opposite is handed on to the base.
+    #[inline(always)]
+    fn store_outer(
+        &self,
+        bodies: &[Body<T>],
+        (force, moment): ([T; 2], T),
+        loads: Option<&mut [Wrench<T>]>,
+        reactions: &mut [Wrench<T>],
+    ) {
+        match (&self.hold, loads) {
+            (Hold::Rr { outer, .. } | Hold::Rp { outer, .. }, Some(loads)) => {
+                outer.hand_on(bodies, force, loads, reactions);
+            }
+            (Hold::Rr { outer, .. } | Hold::Rp { outer, .. }, None) => outer.store(force, reactions),
+            (Hold::Pr { outer, .. } | Hold::Pp { outer, .. }, Some(loads)) => {
+                outer.hand_on(bodies, force, moment, loads, reactions);
+            }
+            (Hold::Pr { outer, .. } | Hold::Pp { outer, .. }, None) => {
+                outer.store(bodies, force, moment, reactions);
+            }
+        }
+    }
+}

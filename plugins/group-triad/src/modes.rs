@@ -1,0 +1,155 @@
+//! All modes of a group, and the one of a way that is nearest to a pose.
+
+use assur_group::{Body, GroupError, Mode};
+use assur_number::Real;
+
+use crate::kernel::Legged;
+use crate::mover::{Freedom, Mover};
+use crate::order;
+
+/// A mode farther than this from the pose on entry, rad or parts of the size, is another one.
+const FAR: f64 = 0.5;
+
+/// Most steps towards a place where two modes meet: each halves the distance.
+const MOST_STEPS_TO_MEETING: usize = 60;
+
+/// Most modes that are compared with a pose.
+const MOST_MODES: usize = 12;
+
+/// A pose of base and plate: what decides the others.
+pub(crate) type Core<T> = [Body<T>; 2];
+
+/// Poses of base and plate, with their determinants.
+pub(crate) struct Cores<T> {
+    all: [Core<T>; MOST_MODES],
+    health: [f64; MOST_MODES],
+    count: usize,
+}
+
+impl<T: Real> Cores<T> {
+    fn each(&self) -> impl ExactSizeIterator<Item = (&Core<T>, f64)> {
+        self.all[..self.count].iter().zip(self.health)
+    }
+}
+
+impl<T: Real> Legged<T> {
+    #[inline(always)]
+    pub(crate) fn core(&self, bodies: &[Body<T>]) -> Core<T> {
+        let base = self.base.as_ref().map_or_else(Body::ground, |base| bodies[base.link]);
+        [base, bodies[self.plate.link]]
+    }
+
+    pub(crate) fn put_core(&self, core: &Core<T>, bodies: &mut [Body<T>]) {
+        if let Some(base) = &self.base {
+            bodies[base.link] = core[0];
+        }
+        bodies[self.plate.link] = core[1];
+    }
+
+    /// Distance of two poses, rad or parts of the size.
+    fn apart(&self, one: &Core<T>, other: &Core<T>) -> f64 {
+        let size = |a: T, b: T| a.to_f64().hypot(b.to_f64());
+        let movers = [self.base.as_ref(), Some(&self.plate)];
+        let distance = |(k, mover): (usize, Option<&Mover<T>>)| {
+            let Some(mover) = mover else { return 0.0 };
+            let (a, b) = (&one[k], &other[k]);
+            let [ha, hb] = [a, b].map(|body| match &mover.freedom {
+                Freedom::Free(anchor) => body.point(*anchor),
+                Freedom::Turn(pin) => body.point(pin.own),
+                Freedom::Shift(slide) => body.point(slide.own),
+            });
+            let way = size(ha[0] - hb[0], ha[1] - hb[1]) * mover.inverse_size.to_f64();
+            way.max(size(a.c - b.c, a.s - b.s))
+        };
+        movers.into_iter().enumerate().map(distance).fold(0.0, f64::max)
+    }
+
+    /// All poses of base and plate in which the group can be assembled; the bodies are changed.
+    fn cores(&self, bodies: &mut [Body<T>]) -> Result<Cores<T>, GroupError> {
+        let loci = self.loci(bodies);
+        let Some(poses) = loci.poses() else { return Err(GroupError::Singular { health: 0.0 }) };
+        let mut found = Cores { all: [[Body::ground(); 2]; MOST_MODES], health: [0.0; MOST_MODES], count: 0 };
+        for pose in poses.each() {
+            self.put_pose(pose, bodies);
+            let raw = self.core(bodies);
+            let polished = self.polish(bodies);
+            if !polished.converged || polished.way > FAR || self.lines(bodies).open() > self.rounding {
+                // Where two modes meet, Newton's method converges slowly, if at all.
+                self.put_core(&raw, bodies);
+                if !self.approach(bodies) {
+                    continue;
+                }
+            }
+            let lines = self.lines(bodies);
+            let health = self.measure(&lines).to_f64();
+            let core = self.core(bodies);
+            let limit = (1e-4 * health.abs()).max(64.0 * T::EPSILON);
+            let is_new = found.each().all(|(other, _)| self.apart(other, &core) > limit);
+            if is_new && found.count < MOST_MODES {
+                (found.all[found.count], found.health[found.count]) = (core, health);
+                found.count += 1;
+            }
+        }
+        if found.count == 0 {
+            return Err(GroupError::NoAssembly { gap_m: loci.gap() });
+        }
+        Ok(found)
+    }
+
+    /// Goes to the pose with the least violations on the way of Newton's method; whether that closes the group. So it finds
+    /// the place where two modes meet, to half of the digits.
+    fn approach(&self, bodies: &mut [Body<T>]) -> bool {
+        self.settle(bodies);
+        let start = self.core(bodies);
+        let mut best = (self.lines(bodies).open(), start);
+        for _ in 0..MOST_STEPS_TO_MEETING {
+            if self.step(bodies).to_f64().is_nan() || self.apart(&start, &self.core(bodies)) > FAR {
+                break;
+            }
+            let gap = self.lines(bodies).open();
+            if gap < best.0 {
+                best = (gap, self.core(bodies));
+            }
+        }
+        self.put_core(&best.1, bodies);
+        best.0 <= self.rounding
+    }
+
+    /// Places base and plate in the mode whose determinant has the sign of the way and which is nearest to their poses.
+    pub(crate) fn place_far(
+        &self,
+        bodies: &mut [Body<T>],
+        start: &Core<T>,
+        way: usize,
+    ) -> Result<(), GroupError> {
+        let found = self.cores(bodies)?;
+        let resolution = (256.0 * T::EPSILON).sqrt();
+        let fits = |health: f64| health.abs() <= resolution || (health > 0.0) == (way == 0);
+        let nearest = found.each().filter(|(_, health)| fits(*health));
+        let nearest =
+            nearest.map(|(core, _)| (self.apart(core, start), core)).min_by(|a, b| a.0.total_cmp(&b.0));
+        match nearest {
+            Some((distance, core)) if distance <= FAR => {
+                self.put_core(core, bodies);
+                Ok(())
+            }
+            _ => Err(GroupError::NoAssembly { gap_m: self.loci(bodies).gap() }),
+        }
+    }
+
+    /// All modes in their order.
+    pub(crate) fn listed(&self, bodies: &[Body<T>]) -> Result<Vec<Mode<T>>, GroupError> {
+        let mut bodies = bodies.to_vec();
+        let found = self.cores(&mut bodies)?;
+        let mut modes = Vec::new();
+        for (core, health) in found.each() {
+            self.put_core(core, &mut bodies);
+            self.finish(&mut bodies);
+            let own = self.frame.links.iter().map(|&link| bodies[link]).collect();
+            let way = usize::from(health <= 0.0);
+            modes.push((order::key(self, &bodies), Mode { bodies: own, way, health: health.abs() }));
+        }
+        order::sort(&mut modes);
+        Ok(modes.into_iter().map(|(_, mode)| mode).collect())
+    }
+}

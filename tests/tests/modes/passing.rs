@@ -1,0 +1,200 @@
+//! Modes over a range: through meetings, to their ends, and from both sides of one mechanism.
+
+use assur_analysis::{Calculation, Options, unwatched};
+use assur_group::Order;
+use assur_kinematics::{CourseEnd, Linkage, Position};
+
+use super::linkage_of;
+
+/// A coupler that two slides keep parallel, on two rods: it moves as a deltoid with the sides 0.3, 0.3, 0.2 and 0.2 does, whose
+/// ways meet at 0 and at 180 degrees.
+const PARALLEL: &str = r#"
+[ground]
+points = { O = [0, 0], C = [1, 0] }
+[link.crank]
+points = { O = 0, A = 0.3 }
+[link.rod]
+points = { A = 0, D = 0.3 }
+[link.coupler]
+points = { D = [-0.7, 0.1], B = [0.5, 0.1], P = [0.4, 0.5] }
+[link.rocker]
+points = { C = 0, B = 0.2 }
+[link.cross]
+points = { X = 0 }
+[[slide]]
+link = "cross"
+on = "ground"
+[[slide]]
+link = "coupler"
+on = "cross"
+point = "P"
+angle = "90 deg"
+tilt = "-90 deg"
+[input]
+link = "crank"
+from = 0.5
+positions = 24
+[assembly]
+B = [1.1648, 0.1133]
+"#;
+
+/// The deltoid itself.
+const DELTOID: &str = r#"
+[ground]
+points = { O = [1.2, 0], C = [1, 0] }
+[link.crank]
+points = { O = 0, A = 0.3 }
+[link.rod]
+points = { A = 0, B = 0.3 }
+[link.rocker]
+points = { C = 0, B = 0.2 }
+[input]
+link = "crank"
+from = 0.5
+positions = 24
+[assembly]
+B = [1.1648, 0.1133]
+"#;
+
+/// Place of a point in a position.
+fn place_of(linkage: &Linkage, position: &Position, name: &str) -> [f64; 2] {
+    let point = linkage.mechanism.points.iter().find(|point| point.name.as_str() == name).unwrap();
+    position.bodies[point.places[0].link].point(point.places[0].at)
+}
+
+#[test]
+fn a_triad_passes_meetings_of_its_modes_as_the_dyad_that_moves_alike() {
+    let [triad, dyad] = [PARALLEL, DELTOID].map(|text| linkage_of(assur_scene::read("scene", text).unwrap()));
+    let mut positions = [triad.position(), dyad.position()];
+    for index in 0..24 {
+        let mut places = [&triad, &dyad].into_iter().zip(&mut positions).map(|(linkage, position)| {
+            linkage.solve_index(index, Order::Second, position).unwrap();
+            place_of(linkage, position, "B")
+        });
+        let [[x, y], [u, v]] = [places.next().unwrap(), places.next().unwrap()];
+        assert!((x - u).hypot(y - v) < 1e-10, "position {index}: {x} {y} {u} {v}");
+    }
+    assert_eq!(triad.change_points().count(), 2);
+    for linkage in [&triad, &dyad] {
+        let found = linkage.courses(0).unwrap();
+        assert_eq!((found.circuits, found.branches, found.courses.len()), (1, 2, 2));
+        assert_eq!(found.counts.len(), 1, "{:?}", found.counts);
+        let mut at: Vec<f64> = found.meetings.iter().map(|(at, _)| at.to_degrees()).collect();
+        at.sort_by(f64::total_cmp);
+        assert!(at.len() == 2 && (at[0] - 180.0).abs() < 1e-4 && (at[1] - 360.0).abs() < 1e-4, "{at:?}");
+    }
+}
+
+#[test]
+fn modes_over_a_cycle_are_born_and_end_in_pairs_at_the_ends_of_ranges() {
+    let longer = ("A = \"50 mm\", D = [\"-10 mm\", \"60 mm\"]", "A = 0.1, D = [-0.02, 0.12]");
+    let text = assur_fixtures::scene("triad").replace(longer.0, longer.1);
+    let linkage = linkage_of(assur_scene::read("triad", &text).unwrap());
+    let range = linkage.range.unwrap();
+    let found = linkage.courses(0).unwrap();
+    let mut position = linkage.position();
+    linkage.solve_index(0, Order::Place, &mut position).unwrap();
+    let modes = linkage.modes(0, &position).unwrap().unwrap();
+    assert_eq!(found.counts[0].1, modes.all.len());
+    // The present mode ends where the range does, together with another one.
+    let course = &found.courses[modes.number(modes.present)];
+    let CourseEnd::With(other) = course.ends[1] else { panic!("{course:?}") };
+    assert!((course.to - range.high).abs() < 1e-9, "{} {}", course.to, range.high);
+    assert_eq!(found.courses[other].circuit, course.circuit);
+    assert_ne!(found.courses[other].branch, course.branch);
+    // The number changes by two at each birth and end; over a turn it comes back.
+    let steps = found.counts.windows(2).map(|two| two[1].1.abs_diff(two[0].1));
+    assert!(steps.eq(std::iter::repeat_n(2, found.counts.len() - 1)), "{:?}", found.counts);
+    assert_eq!(found.counts.first().unwrap().1, found.counts.last().unwrap().1);
+}
+
+/// A four-bar with a coupler point that moves a dyad; driven at `LINK`, its balancing moment on the crank.
+const STEPHENSON_3: &str = r#"
+gravity = "9.81 m/s^2"
+[ground]
+points = { O = [0, 0], C = [0.5, 0.05], G = [0.35, -0.3] }
+[link.crank]
+points = { O = 0, A = 0.12 }
+mass = 3
+center = [0.05, 0.01]
+[link.coupler]
+points = { A = 0, B = 0.45, E = [0.2, 0.15] }
+mass = 4
+center = [0.22, 0.05]
+[link.rocker]
+points = { C = 0, B = 0.35 }
+mass = 3
+center = 0.17
+[link.rod]
+points = { E = 0, F = 0.38 }
+mass = 1.5
+center = 0.19
+[link.swing]
+points = { G = 0, F = 0.3, T = [0.1, 0.1] }
+mass = 2
+center = "T"
+[input]
+link = "LINK"
+from = FROM
+positions = COUNT
+[balance]
+link = "crank"
+[[force]]
+link = "swing"
+at = "T"
+angle = "-60 deg"
+frame = "link"
+value = 300
+[assembly]
+PLACES
+"#;
+
+fn results(text: &str) -> serde_json::Value {
+    let mechanism = assur_scene::read("scene", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let found = Calculation::of(mechanism, &Options::default(), &mut unwatched)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let analysis = found.analyze(&mut unwatched).unwrap_or_else(|error| panic!("{error}"));
+    serde_json::from_str(&assur_report::json::analysis::to_json(&analysis, true).unwrap()).unwrap()
+}
+
+/// The greatest difference of the numbers of two values, in which nothing else may differ.
+fn difference(one: &serde_json::Value, other: &serde_json::Value) -> f64 {
+    use serde_json::Value::{Array, Object};
+    match (one, other) {
+        (Array(a), Array(b)) => a.iter().zip(b).map(|(a, b)| difference(a, b)).fold(0.0, f64::max),
+        (Object(a), Object(b)) => {
+            assert!(a.keys().eq(b.keys()));
+            a.values().zip(b.values()).map(|(a, b)| difference(a, b)).fold(0.0, f64::max)
+        }
+        _ => (one.as_f64().unwrap() - other.as_f64().unwrap()).abs(),
+    }
+}
+
+#[test]
+fn stephenson_3_has_the_same_places_and_reactions_driven_from_either_side() {
+    let scene = |link: &str, from: f64, count: usize, places: &str| {
+        let text = STEPHENSON_3.replace("LINK", link).replace("FROM", &format!("{from:?}"));
+        results(&text.replace("COUNT", &count.to_string()).replace("PLACES", places))
+    };
+    let easy = scene("crank", 0.4, 12, "B = [0.43, 0.39]\nF = [0.55, -0.1]");
+    assert_eq!(easy["structure"]["class"], 2);
+    for at in easy["positions"].as_array().unwrap() {
+        let place = |name: &str| {
+            let [x, y] = [0, 1].map(|k| at["points"][name]["pf0"][k].as_f64().unwrap());
+            format!("{name} = [{x:.4}, {y:.4}]\n")
+        };
+        let places: String = ["A", "B", "E"].map(place).concat();
+        let hard = scene("swing", at["links"]["swing"]["pf0"].as_f64().unwrap(), 1, &places);
+        assert_eq!(hard["structure"]["class"], 3);
+        let there = &hard["positions"][0];
+        for name in ["A", "B", "E", "F", "T"] {
+            let off = difference(&at["points"][name]["pf0"], &there["points"][name]["pf0"]);
+            assert!(off < 1e-10, "{name}: {off:e}");
+        }
+        // Sizes of some hundred newtons.
+        let off = difference(&at["reactions"], &there["reactions"]) / 300.0;
+        assert!(off < 1e-8, "reactions: {off:e}");
+        let off = difference(&at["balancing"], &there["balancing"]);
+        assert!(off < 1e-7, "balancing: {off:e}");
+    }
+}

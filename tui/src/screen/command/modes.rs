@@ -1,0 +1,103 @@
+//! Commands on the modes of a group: one after the other is shown in the first position, and one is taken.
+
+use assur_group::{Body, Mode};
+use assur_kinematics::Position;
+use assur_mechanism::Point;
+use assur_words::{number, text};
+
+use super::whatif;
+use crate::screen::state::{Assembled, Role, Scene, State, round};
+
+/// A mode that is farther than this from the nearest one of the changed mechanism has vanished, rad or parts of the scale.
+const VANISHED: f64 = 0.5;
+
+/// Shows the next (1) or previous (-1) mode of the chosen group, in the first position.
+pub(super) fn show(state: &mut State, by: isize) {
+    let group = state.chosen.group;
+    let Some(modes) = state.scene.as_ref().and_then(|scene| scene.first_modes(group)) else {
+        return state.say(Role::Plain, text!("say-no-modes"));
+    };
+    state.go_to(0);
+    let shown = state.mode_of(group).unwrap_or(modes.present);
+    state.chosen.mode = Some([group, round(shown, by, modes.all.len())]);
+}
+
+/// Takes the mode that is shown: its places are written under `[assembly]`, as a changed value is.
+pub(super) fn take(state: &mut State) {
+    let group = state.chosen.group;
+    let Some((index, scene)) = state.mode_of(group).zip(state.scene.as_ref()) else {
+        return state.say(Role::Plain, text!("say-no-mode-shown"));
+    };
+    let Some(points) = points(scene, group, index).filter(|points| !points.is_empty()) else {
+        return state.say(Role::Bad, text!("say-mode-without-points"));
+    };
+    let way = scene.first_modes(group).map_or(index, |modes| modes.number(index));
+    if whatif::assemble(state, &points) {
+        state.say(Role::Good, text!("say-mode-taken", way = number(way)));
+    } else {
+        state.say(Role::Plain, text!("say-mode-is-taken", way = number(way)));
+    }
+    state.chosen.mode = None;
+}
+
+/// After a change: the mode that each group had is taken where it still exists; otherwise that is said.
+pub(super) fn keep(state: &mut State, before: &Position, counts: &[usize]) {
+    let Some(scene) = &state.scene else { return };
+    let is_same_place = scene.poses.first().is_some_and(|pose| {
+        pose.as_ref().is_some_and(|pose| pose.coordinate.to_bits() == before.coordinate.to_bits())
+    });
+    if !is_same_place {
+        return;
+    }
+    let scale = scene.linkage.structure.scale;
+    for (group, found) in scene.linkage.structure.groups.iter().enumerate() {
+        let Some(modes) = scene.first_modes(group) else { continue };
+        let apart = |mode: &Mode<f64>| {
+            let bodies =
+                found.frame.links.iter().filter_map(|&link| before.bodies.get(link)).zip(&mode.bodies);
+            let distance = |(a, b): (&Body<f64>, &Body<f64>)| {
+                ((a.x - b.x).hypot(a.y - b.y) / scale).max((a.c - b.c).hypot(a.s - b.s))
+            };
+            bodies.map(distance).fold(0.0, f64::max)
+        };
+        let near = modes.all.iter().map(apart).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((nearest, distance)) = near else { continue };
+        if distance > VANISHED && counts.get(group).is_some_and(|count| modes.all.len() < *count) {
+            let name = scene.linkage.structure.group_name(&scene.linkage.mechanism, group);
+            let way = number(modes.number(modes.present));
+            return state.say(Role::Bad, text!("say-mode-vanished", group = name, way = way));
+        }
+        if nearest != modes.present && distance <= VANISHED {
+            let points = points(scene, group, nearest).unwrap_or_default();
+            return whatif::assemble_too(state, &points);
+        }
+    }
+}
+
+/// The number of modes of each group in the first position.
+pub(super) fn counts(scene: &Scene) -> Vec<usize> {
+    let groups = 0..scene.linkage.structure.groups.len();
+    groups.map(|group| scene.first_modes(group).map_or(0, |modes| modes.all.len())).collect()
+}
+
+/// The points that tell a mode: the inner pins of the group, or all its points where it has none, and those that have a place in
+/// `[assembly]` already.
+fn points(scene: &Scene, group: usize, index: usize) -> Option<Vec<Assembled>> {
+    let linkage = &scene.linkage;
+    let (mechanism, frame) = (&linkage.mechanism, &linkage.structure.groups[group].frame);
+    let first = scene.poses.first()?.as_ref()?;
+    let modes = scene.first_modes(group)?;
+    let mode = modes.all.get(index)?;
+    let is_own = |point: &Point| point.places.iter().all(|place| frame.column(place.link).is_some());
+    let has_pins = mechanism.points.iter().any(|point| point.is_pin() && is_own(point));
+    let is_told = |(id, point): &(usize, &Point)| {
+        let stands = mechanism.assembly.iter().any(|(told, _)| told == id);
+        is_own(point) && (point.is_pin() || !has_pins || stands)
+    };
+    let told = mechanism.points.iter().enumerate().filter(is_told).filter_map(|(_, point)| {
+        let of = point.places.first()?;
+        let place = mode.bodies[frame.column(of.link)?].point(of.at);
+        Some(Assembled { name: point.name.to_string(), present: first.bodies[of.link].point(of.at), place })
+    });
+    Some(told.collect())
+}
