@@ -196,7 +196,7 @@ fn stage_8(linkage: &Linkage, loads: &Loads, found: &Steady) -> Done<f64> {
 
 /// Force analysis group by group, and the balancing moment.
 fn stage_9(linkage: &Linkage, loads: &Loads, found: &Steady) -> Done<Vec<f64>> {
-    let analyzer = choose(None, false)?.instance;
+    let analyzer = choose(None, false, false)?.instance;
     let carrying = vec![true; linkage.structure.groups.len()];
     let mut statics = Kinetostatics::new(linkage, loads, analyzer, &carrying);
     let (mut position, mut balancing) = (linkage.position(), Vec::new());

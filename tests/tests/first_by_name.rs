@@ -36,6 +36,7 @@ const fn plugin(name: &'static str, gives_reactions: bool) -> AnalyzerPlugin {
         summary: TEST,
         source: TEST,
         instance: &Wrong,
+        further: &[],
         gives_reactions,
         treats_friction: false,
         by_groups: gives_reactions,

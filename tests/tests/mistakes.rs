@@ -75,6 +75,69 @@ fn each_mistake_is_told_once_at_its_key() {
             "cutting",
         ),
         ("value = 0", "value = \"1 kN\"", "force[0]", "analysis-load-idle", "cutting"),
+        ("gravity = 9810\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "9810 m/s^2"),
+        ("gravity = \"9.81 mm/s^2\"\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "0.00981 m/s^2"),
+        ("mass = 2000", "mass = \"2 kg\"", "link.rod.mass", "scene-far-heavier", "2000 kg"),
+        ("inertia = 3", "inertia = \"0.03 kg*m^2\"", "link.rod.inertia", "scene-great-inertia", "1.225 m"),
+        (
+            "inertia = 3e-7",
+            "inertia = \"0.03 kg*m^2\"",
+            "link.rod.inertia",
+            "scene-small-inertia",
+            "0.0003873 m",
+        ),
+        ("speed = \"600000 rpm\"", "speed = \"60 rpm\"", "motion.speed", "scene-fast", "25130 m/s"),
+        (
+            "against_motion = true\nvalue = \"-1 kN\"",
+            "angle = \"180 deg\"\nvalue = \"1 kN\"",
+            "force.cutting.value",
+            "scene-negative-against",
+            "minus",
+        ),
+        (
+            "value = { formula = \"1000*sin(90)*cos(q)\" }",
+            "value = \"1 kN\"",
+            "force.cutting.value.formula",
+            "scene-degrees-in-formula",
+            "`sin`",
+        ),
+        (
+            "value = { formula = \"1000*cos(q*180/pi)\" }",
+            "value = \"1 kN\"",
+            "force.cutting.value.formula",
+            "scene-degrees-in-formula",
+            "`cos`",
+        ),
+        ("value = 1e9", "value = \"1 kN\"", "force[0].value", "scene-strong", "1000000000 N"),
+        (
+            "value = { over = \"time\", table = [[0, 0], [500, 1000]] }",
+            "value = \"1 kN\"",
+            "force[0].value.table",
+            "scene-long-time",
+            "500 s",
+        ),
+        (
+            "[[spring]]\nbetween = [\"O\", \"B\"]\nstiffness = 100\nlength = 300\n[[force]]",
+            "[[force]]",
+            "spring[0].length",
+            "scene-long-spring",
+            "300 m",
+        ),
+        (
+            "[[friction]]\npair = \"A\"\ncoefficient = 10\nradius = 0.015\n[[force]]",
+            "[[force]]",
+            "friction[0].coefficient",
+            "scene-rough",
+            "10",
+        ),
+        (
+            "[[friction]]\npair = \"A\"\ncoefficient = 0.1\nradius = 15\n[[force]]",
+            "[[force]]",
+            "friction[0].radius",
+            "scene-great-journal",
+            "15 m",
+        ),
+        ("[output]\n[motion]", "[motion]", "output", "scene-empty-output", "names nothing"),
     ];
     assert_eq!(mistakes(SCENE), []);
     for (wrong, right, key, id, part) in table {
@@ -109,6 +172,21 @@ fn what_is_right_is_not_doubted() {
         ("angle = \"180 deg\"", "angle = 3.141592653589793"),
         ("speed = \"60 rpm\"", "speed = 600"),
         ("B = [\"500 mm\", 0]", "B = [\"480 mm\", \"10 mm\"]"),
+        // Unusual, but right: on the moon, without weight, a heavy flywheel on the crank, a press, an engine.
+        ("[ground]", "gravity = \"1.62 m/s^2\"\n[ground]"),
+        ("[ground]", "gravity = 0\n[ground]"),
+        ("mass = \"4 kg\"", "mass = \"200 kg\""),
+        ("inertia = \"0.04 kg*m^2\"", "inertia = \"2 kg*m^2\""),
+        ("mass = \"2 kg\"\ncenter = [\"150 mm\", 0]\ninertia = \"0.03 kg*m^2\"\n", ""),
+        ("value = \"1 kN\"", "value = { formula = \"1000*(2 + sin(2*q + 3))\" }"),
+        ("value = \"1 kN\"", "value = { formula = \"1000*cos(q - 30*pi/180)\" }"),
+        ("value = \"1 kN\"", "value = { formula = \"1000*sin(12*q)\" }"),
+        ("value = \"1 kN\"", "value = \"5 MN\""),
+        ("value = \"1 kN\"", "value = { over = \"time\", table = [[0, 0], [5, 1000]] }"),
+        ("speed = \"60 rpm\"", "speed = \"9000 rpm\""),
+        ("[[force]]", "[[friction]]\npair = \"A\"\ncoefficient = 0.8\nradius = \"5 mm\"\n[[force]]"),
+        ("[[force]]", "[[spring]]\nbetween = [\"O\", \"B\"]\nstiffness = 100\nlength = 1\n[[force]]"),
+        ("points = { O = [0, 0] }", "points = { O = [0, 0], Far = [3, 0] }"),
     ] {
         assert!(SCENE.contains(right), "{right}");
         assert_eq!(mistakes(&SCENE.replacen(right, also, 1)), [], "{also}");
@@ -127,6 +205,58 @@ fn names_that_look_the_same_are_told() {
     let mechanism = assur_scene::read("test.toml", &small).unwrap();
     let error = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap_err().to_string();
     assert!(error.contains("`b` and `B`"), "{error}");
+}
+
+/// What the reader refuses, and what it answers.
+#[test]
+fn what_newcomers_write_is_answered_with_what_to_write() {
+    for (wrong, right, part) in [
+        ("\u{201c}100 mm\u{201d}", "\"100 mm\"", "quotes of a word processor"),
+        ("\u{2018}crank\u{2019}\nfrom", "\"crank\"\nfrom", "quotes of a word processor"),
+        ("A = 100 mm }", "A = \"100 mm\" }", "stands in quotes: \"100 mm\""),
+        ("from = 10\u{b0}", "from = \"10 deg\"", "stands in quotes: \"10\u{b0}\""),
+        ("center = [0,15, 0]", "center = [\"150 mm\", 0]", "is a comma meant as the decimal sign?"),
+        ("J = 0.04", "inertia = \"0.04 kg*m^2\"", "did you mean `inertia`?"),
+        ("omega = 6.28", "speed = \"60 rpm\"", "did you mean `speed`?"),
+        ("length = 0.4", "points = { A = 0, B = \"400 mm\" }", "did you mean `points`?"),
+        ("start = \"10 deg\"", "from = \"10 deg\"", "did you mean `from`?"),
+        ("direction = \"180 deg\"", "angle = \"180 deg\"", "did you mean `angle`?"),
+        ("magnitude = \"1 kN\"", "value = \"1 kN\"", "did you mean `value`?"),
+        ("positions = 12\nspeed = 6", "positions = 12", "it belongs in [motion]"),
+        ("on = \"ground\"\nmass = 5", "on = \"ground\"", "it belongs in [link.NAME]"),
+        ("kind = \"transient\"\nuntil = \"1 zz\"", "speed = \"60 rpm\"", "\"rest\" or \"turn\""),
+        (
+            "value = { over = \"time\", table = [[0, 0]], repeat = true }",
+            "value = \"1 kN\"",
+            "another sort: angle",
+        ),
+    ] {
+        assert!(SCENE.contains(right), "{right}");
+        let errors =
+            assur_scene::read("test.toml", &SCENE.replacen(right, wrong, 1)).unwrap_err().to_string();
+        assert!(errors.contains(part), "{wrong}: {errors}");
+    }
+}
+
+#[test]
+fn a_guide_through_the_origin_and_pins_of_one_link_are_named() {
+    let refused = |scene: &str| {
+        let mechanism = assur_scene::read("test.toml", scene).unwrap();
+        match Calculation::of(mechanism, &Options::default(), &mut unwatched) {
+            Err(error) => error.to_string(),
+            Ok(study) => study.analyze(&mut unwatched).unwrap().failures[0].message.to_string(),
+        }
+    };
+    let away =
+        SCENE.replacen("O = [0, 0]", "O = [\"600 mm\", 0]", 1).replacen("angle = 0", "angle = \"90 deg\"", 1);
+    let error = refused(&away);
+    assert!(error.contains("`ram/ground` goes through the origin of `ground`"), "{error}");
+    let loose = refused(&SCENE.replacen("B = \"400 mm\"", "Q = \"400 mm\"", 1).replacen(
+        "[assembly]\nB",
+        "[assembly]\nQ",
+        1,
+    ));
+    assert!(loose.contains("in one link only stand rod: Q, ram: B"), "{loose}");
 }
 
 #[test]

@@ -656,6 +656,10 @@ cli-strict =
     error: --strict takes notes on the scene for errors; nothing is calculated or written
 work-of-drive = drive
 work-of-weights = weights
+regime-against = { $load }, against the motion
+regime-excess-area = A* = { $work }
+reduction-mechanism = the mechanism
+reduction-model = disc: M = { $moment }, J = { $inertia }
 structure-mode = shown: way { $way }, determinant { $determinant } ({ $key } takes it)
 structure-modes = { $key }: shows the others
 say-no-modes = The kind of this group can't list its modes.
@@ -664,3 +668,28 @@ say-mode-without-points = No point of the group has a name: none can stand under
 say-mode-taken = Way { $way } is taken: its places stand under [assembly].
 say-mode-is-taken = Way { $way } is taken already.
 say-mode-vanished = The mode of { $group } has vanished; way { $way } is taken.
+
+## reference of the keys, other numbers of a scene
+cli-keys-near = did you mean `{ $near }`?
+cli-no-key = no key and no description contains `{ $word }`; without a word all keys are listed. { $offer }
+cli-key-needed = needed
+cli-key-needed-of = needed, of: { $sorts }
+cli-key-of = of: { $sorts }
+cli-key-default = default { $value }
+cli-key-default-of = default { $value }, of: { $sorts }
+cli-key = key
+cli-key-value = value
+cli-key-meaning = meaning
+cli-key-example = example
+cli-keys-page = # Keys of a scene
+
+    A scene is one TOML file. A bare number is SI: m, kg, s, rad, N, N·m; a text is a number, a space and a unit: `"120 mm"`. Angles grow
+    counter-clockwise, y points up. `assur keys WORD` searches this page, in the language of `--language`.
+
+    Written by `assur keys --format markdown`; a test compares it.
+cli-set = { $value }: { $problem }
+cli-write-set = write it as KEY=VALUE, such as "link.crank.mass=2 kg"
+cli-row-number = --row { $row }: write the number of the row, a whole number from 0, and the file
+cli-no-row = it has no row { $row }; the first is 0
+cli-no-sweep = it is no result of a sweep: parameters stand before the column `status`
+cli-sweep-size = note: { $rows } rows of { $columns } columns, up to { $megabytes } MB of CSV; `--measure` names what is needed, Parquet takes less.

@@ -649,6 +649,10 @@ cli-strict =
     ошибка: с --strict примечания к сцене считаются ошибками; ничего не вычислено и не записано
 work-of-drive = привод
 work-of-weights = веса
+regime-against = { $load }, против движения
+regime-excess-area = A* = { $work }
+reduction-mechanism = механизм
+reduction-model = диск: M = { $moment }, J = { $inertia }
 structure-mode = показан способ { $way }, определитель { $determinant } ({ $key } берёт его)
 structure-modes = { $key }: показывает другие
 say-no-modes = Вид этой группы не может перечислить её сборки.
@@ -657,3 +661,28 @@ say-mode-without-points = Ни одна точка группы не имеет 
 say-mode-taken = Взят способ { $way }: его точки стоят в [assembly].
 say-mode-is-taken = Способ { $way } уже взят.
 say-mode-vanished = Сборка группы { $group } исчезла; взят способ { $way }.
+
+## reference of the keys, other numbers of a scene
+cli-keys-near = возможно, `{ $near }`?
+cli-no-key = ни один ключ и ни одно описание не содержит `{ $word }`; без слова показаны все ключи. { $offer }
+cli-key-needed = обязателен
+cli-key-needed-of = обязателен, для: { $sorts }
+cli-key-of = для: { $sorts }
+cli-key-default = по умолчанию { $value }
+cli-key-default-of = по умолчанию { $value }, для: { $sorts }
+cli-key = ключ
+cli-key-value = значение
+cli-key-meaning = смысл
+cli-key-example = пример
+cli-keys-page = # Ключи сцены
+
+    Сцена есть один файл TOML. Число без единицы дано в SI: м, кг, с, рад, Н, Н·м; текст есть число, пробел и единица: `"120 mm"`. Углы растут
+    против часовой стрелки, ось y направлена вверх. `assur keys WORD` ищет на этой странице, на языке `--language`.
+
+    Записано командой `assur keys --format markdown`; тест сравнивает.
+cli-set = { $value }: { $problem }
+cli-write-set = запишите как KEY=VALUE, например "link.crank.mass=2 kg"
+cli-row-number = --row { $row }: запишите номер строки, целое число от 0, и файл
+cli-no-row = в нем нет строки { $row }; первая имеет номер 0
+cli-no-sweep = это не результат варьирования: параметры стоят перед столбцом `status`
+cli-sweep-size = примечание: строк { $rows }, столбцов { $columns }, до { $megabytes } МБ в CSV; `--measure` называет нужное, Parquet занимает меньше.

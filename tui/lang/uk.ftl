@@ -646,6 +646,10 @@ cli-strict =
     помилка: з --strict примітки до сцени є помилками; нічого не обчислено й не записано
 work-of-drive = привід
 work-of-weights = ваги
+regime-against = { $load }, проти руху
+regime-excess-area = A* = { $work }
+reduction-mechanism = механізм
+reduction-model = диск: M = { $moment }, J = { $inertia }
 structure-mode = показано: спосіб { $way }, визначник { $determinant } ({ $key } бере його)
 structure-modes = { $key }: показує інші
 say-no-modes = Вид цієї групи не може перелічити її складань.
@@ -654,3 +658,28 @@ say-mode-without-points = Жодна точка групи не має назв�
 say-mode-taken = Узято спосіб { $way }: його точки стоять у [assembly].
 say-mode-is-taken = Спосіб { $way } уже взято.
 say-mode-vanished = Складання групи { $group } зникло; узято спосіб { $way }.
+
+## reference of the keys, other numbers of a scene
+cli-keys-near = можливо, `{ $near }`?
+cli-no-key = жоден ключ і жоден опис не містить `{ $word }`; без слова показано всі ключі. { $offer }
+cli-key-needed = обов'язковий
+cli-key-needed-of = обов'язковий, для: { $sorts }
+cli-key-of = для: { $sorts }
+cli-key-default = типово { $value }
+cli-key-default-of = типово { $value }, для: { $sorts }
+cli-key = ключ
+cli-key-value = значення
+cli-key-meaning = зміст
+cli-key-example = приклад
+cli-keys-page = # Ключі сцени
+
+    Сцена є одним файлом TOML. Число без одиниці дано в SI: м, кг, с, рад, Н, Н·м; текст є числом, пробілом і одиницею: `"120 mm"`. Кути зростають
+    проти годинникової стрілки, вісь y спрямована вгору. `assur keys WORD` шукає на цій сторінці, мовою `--language`.
+
+    Записано командою `assur keys --format markdown`; тест порівнює.
+cli-set = { $value }: { $problem }
+cli-write-set = запишіть як KEY=VALUE, наприклад "link.crank.mass=2 kg"
+cli-row-number = --row { $row }: запишіть номер рядка, ціле число від 0, і файл
+cli-no-row = у ньому немає рядка { $row }; перший має номер 0
+cli-no-sweep = це не результат варіювання: параметри стоять перед стовпцем `status`
+cli-sweep-size = примітка: рядків { $rows }, стовпців { $columns }, до { $megabytes } МБ у CSV; `--measure` називає потрібне, Parquet займає менше.

@@ -3,10 +3,11 @@
 
 use std::collections::BTreeSet;
 
-use assur_analysis::results::{Analysis, Check, Failure};
-use assur_analysis::{Calculation, lost_positions};
+use assur_analysis::results::{Analysis, Check, Failure, PassiveReport, passive};
+use assur_analysis::{Calculation, StructureStudy, lost_positions};
 use assur_kinematics::Linkage;
 use assur_report::json::analysis::finite;
+use assur_report::topic;
 use assur_words::{Describe, Text, list, name, number, text};
 
 use crate::session::Session;
@@ -34,6 +35,7 @@ impl Verdict {
     pub(crate) fn of(analysis: &Analysis, calculation: &Calculation, session: Option<&Session>) -> Self {
         let mut losses = failures(&analysis.failures, analysis.survey.failures, session);
         losses.extend(no_motion(calculation, session));
+        losses.extend(misfits(&analysis.structure.passive, calculation.linkage.angular()));
         let not_finite = finite(analysis).err();
         let writable = not_finite.is_none();
         losses.extend(not_finite.map(|problem| text!("cli-error", problem = problem.describe())));
@@ -54,7 +56,15 @@ impl Verdict {
     /// Of the positions of a mechanism, for a command that needs neither loads nor motion.
     pub(crate) fn of_positions(linkage: &Linkage, session: &Session) -> Self {
         let (lost, count) = lost_positions(linkage);
-        Self::of_losses(failures(&lost, count, Some(session)))
+        let mut losses = failures(&lost, count, Some(session));
+        losses.extend(misfits(&passive(linkage), linkage.angular()));
+        Self::of_losses(losses)
+    }
+
+    /// Of the structure of a mechanism.
+    pub(crate) fn of_structure(found: &StructureStudy) -> Self {
+        let passive = found.structure.iter().flat_map(|structure| &structure.passive);
+        Self::of_losses(misfits(passive, found.angular))
     }
 
     fn of_losses(losses: Vec<Text>) -> Self {
@@ -98,6 +108,12 @@ fn failures(failures: &[Failure], count: usize, session: Option<&Session>) -> Ve
         ));
     }
     told
+}
+
+/// Passive parts that don't fit.
+fn misfits<'a>(passive: impl IntoIterator<Item = &'a PassiveReport>, angular: bool) -> Vec<Text> {
+    let wrong = passive.into_iter().filter(|passive| !passive.fits());
+    wrong.map(|passive| text!("cli-error", problem = topic::passive_part(passive, angular))).collect()
 }
 
 /// Why the requested motion is not found.

@@ -1,7 +1,8 @@
 //! The working of a position or of a sample of a motion.
 
 use assur_analysis::Calculation;
-use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity};
+use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity, Table};
+use assur_figure::extent;
 use assur_mechanism::{Mechanism, Motion, Torque};
 use assur_words::text;
 use assur_working::{Cycle, Done, Drive, Ending, EnergyForm, Place, Task, Working, WorkingError};
@@ -71,7 +72,22 @@ fn energy_form<'a>(analysis: &Analysis, mechanism: &'a Mechanism) -> Option<Ener
         _ => None,
     });
     let (ends, works, links) = ([ending(0)?, ending(last)?], works?, links.collect());
-    Some(EnergyForm { mechanism, ends, works, links, cycle })
+    let inertia = constant_inertia(table);
+    Some(EnergyForm { mechanism, ends, works, links, inertia, cycle })
+}
+
+/// The reduced inertia of all samples that move, where it is one number but for rounding.
+fn constant_inertia(table: &Table) -> Option<f64> {
+    /// Slower samples than this part of the fastest have an energy that is only rounding.
+    const SLOW: f64 = 1e-3;
+    const ROUNDING: f64 = 1e-12;
+    let of = |row, quantity| table.get(row, Column::of(quantity, Owner::Input));
+    let speed = |row| of(row, Quantity::Velocity);
+    let fastest = (0..table.len()).filter_map(speed).fold(0.0_f64, |most, speed| most.max(speed.abs()));
+    let moving = (0..table.len()).filter(|row| speed(*row).is_some_and(|speed| speed.abs() > SLOW * fastest));
+    let inertia = |row| Some(2.0 * of(row, Quantity::KineticEnergy)? / speed(row)?.powi(2));
+    let [least, most] = extent(moving.filter_map(inertia))?;
+    (most - least <= ROUNDING * most).then_some(most)
 }
 
 /// The figures of a regime that the energy form needs.

@@ -293,3 +293,33 @@ fn a_load_without_a_value_is_the_message_of_its_point() {
     let rows = str::from_utf8(&output.stdout).unwrap();
     assert!(rows.contains("load `z`") && !rows.contains("NaN") && !rows.contains("determinant"), "{rows}");
 }
+
+#[test]
+fn a_row_becomes_a_scene_with_its_comments() {
+    let folder = folder();
+    let commented = SLIDER.replace("\"100 mm\" }\n", "\"100 mm\" } # the crank\n");
+    fs::write(folder.path().join("a.toml"), &commented).unwrap();
+    for result in ["b.csv", "b.parquet"] {
+        let tie = ["--tie", "link.rod.points.B=link.crank.points.A*3"];
+        let all = [&["--vary", LENGTHS, "-o", result][..], &tie].concat();
+        assert_eq!(end(&sweep(folder.path(), &all)), (0, ""));
+        let mut set = Command::new(env!("CARGO_BIN_EXE_assur"));
+        set.args(["set", "a.toml", "--row", "1", result, "link.piston.mass=3 kg", "-o", "-"]);
+        let set = set.current_dir(folder.path()).env("LC_ALL", "C.UTF-8").output().unwrap();
+        let wanted =
+            commented.replace("100 mm", "150 mm").replace("B = 0.3", "B = 0.45").replace("2 kg", "3 kg");
+        assert_eq!((end(&set), str::from_utf8(&set.stdout).unwrap()), ((0, ""), wanted.as_str()), "{result}");
+    }
+    for (arguments, problem) in [
+        (&["link.crank.mas=2"][..], "link.crank.mas=2: `link.crank` has no `mas`"),
+        (&["link.piston.mass=2 mm"], "`mass` wants a mass"),
+        (&["--row", "9", "b.csv"], "it has no row 9"),
+        (&["link.piston.mass"], "write it as KEY=VALUE"),
+    ] {
+        let mut set = Command::new(env!("CARGO_BIN_EXE_assur"));
+        set.args(["set", "a.toml", "-o", "c.toml"]).args(arguments);
+        let set = set.current_dir(folder.path()).env("LC_ALL", "C.UTF-8").output().unwrap();
+        assert!(end(&set).0 == 2 && end(&set).1.contains(problem), "{:?}", end(&set));
+        assert!(!folder.path().join("c.toml").exists());
+    }
+}

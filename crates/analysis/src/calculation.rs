@@ -25,6 +25,8 @@ pub struct Options {
     pub integrator: Option<String>,
     /// All results, whatever the scene requests.
     pub whole: bool,
+    /// Reactions that passive parts leave undetermined are given as those of least norm.
+    pub least_norm: bool,
 }
 
 /// A scene ready to be calculated.
@@ -42,6 +44,8 @@ pub struct Calculation {
     pub motion: InputMotion,
     /// Why the requested motion is not found; results that do not depend on it are calculated nevertheless.
     pub no_motion: Option<AnalysisError>,
+    /// Whether undetermined reactions are given as those of least norm.
+    pub least_norm: bool,
     /// Parts of the request that have no use in this scene.
     pub(crate) unused: Vec<Text>,
     /// The numbers of the positions, and of the samples of the motion, in which rounding is greatest, once all are calculated.
@@ -116,7 +120,9 @@ impl Calculation {
             Err(error) => return Err(error),
         };
         let unused = crate::notes::unused(&linkage.mechanism, options);
-        Ok(Self { linkage, plan, loads, analyzer, motion, no_motion, unused, notable: OnceLock::new() })
+        let least_norm = options.least_norm;
+        let notable = OnceLock::new();
+        Ok(Self { linkage, plan, loads, analyzer, motion, no_motion, least_norm, unused, notable })
     }
 
     /// Whether forces belong to the positions: not where the motion is transient, or not found.
@@ -183,13 +189,13 @@ pub struct Methods {
 }
 
 /// The methods that a calculation of this mechanism uses.
-pub fn methods(mechanism: &Mechanism, options: &Options) -> Methods {
+pub fn methods(mechanism: &Mechanism, structure: &Structure, options: &Options) -> Methods {
     let own = match &mechanism.motion {
         Some(Motion::Transient { integrator, .. }) => integrator.as_str(),
         _ => DEFAULT_INTEGRATOR,
     };
     let (named, friction) = (options.analyzer.as_deref(), !mechanism.frictions.is_empty());
-    let chosen = assur_force::choose(named, friction);
+    let chosen = assur_force::choose(named, friction, !structure.passive.is_empty());
     Methods {
         // A name that is not registered is an error only where the method is needed.
         analyzer: chosen.as_ref().map_or(named.unwrap_or_default(), |plugin| plugin.name).to_owned(),
@@ -202,11 +208,15 @@ pub fn methods(mechanism: &Mechanism, options: &Options) -> Methods {
 /// What a calculation of this mechanism does.
 pub fn plan(mechanism: &Mechanism, structure: &Structure, options: &Options) -> Plan {
     let output = mechanism.output.as_ref().filter(|_| !options.whole);
-    Plan::of(mechanism, structure, output, methods(mechanism, options).by_groups)
+    Plan::of(mechanism, structure, output, methods(mechanism, structure, options).by_groups)
 }
 
 fn analyzer(linkage: &Linkage, options: &Options) -> Result<&'static AnalyzerPlugin, AnalysisError> {
-    let plugin = assur_force::choose(options.analyzer.as_deref(), !linkage.mechanism.frictions.is_empty())?;
+    let plugin = assur_force::choose(
+        options.analyzer.as_deref(),
+        !linkage.mechanism.frictions.is_empty(),
+        !linkage.structure.passive.is_empty(),
+    )?;
     match plugin.supports(linkage) {
         Ok(()) => Ok(plugin),
         Err(reason) => Err(AnalysisError::Unfit { analyzer: plugin.name, reason }),

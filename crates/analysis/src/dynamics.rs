@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use assur_dynamics::{Advice, DynamicsError, ReductionPoint, Regime, Steady, SteadyMotor, Transient, advise};
-use assur_mechanism::{Motion, Solve};
+use assur_dynamics::{Advice, DynamicsError, Regime, Steady, SteadyMotor, Transient, advise};
+use assur_mechanism::{Motion, ReductionPoint, Solve};
 use assur_words::Describe;
 
 use crate::results::{
@@ -55,7 +55,8 @@ impl Calculation {
         Ok((found.iter().map(advised).collect(), count))
     }
 
-    fn reduction_point(&self) -> Option<PointReport> {
+    /// The point of the input link to which all loads and links are reduced.
+    pub fn reduction_point(&self) -> Option<PointReport> {
         let mechanism = &self.linkage.mechanism;
         let found = ReductionPoint::farthest(mechanism)?;
         Some(PointReport { name: mechanism.named_point(found.point), radius: found.radius })

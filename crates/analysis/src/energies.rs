@@ -139,7 +139,7 @@ impl Calculation {
         let mechanism = &self.linkage.mechanism;
         let mut rubs = self.rubs_of_motion(loads);
         let samples = (0..=CYCLE_INTERVALS).map(|i| {
-            self.linkage.solve(at(i), order(&rubs), &mut position).ok()?;
+            self.linkage.solve(at(i), order(rubs.is_some()), &mut position).ok()?;
             let state = State { side: Side::After, ..self.state(at(i)) };
             let moments = self.moments_in(found, &state, &position, &mut rubs)?;
             let links = energies_of_links(mechanism, &state, &position.bodies);
@@ -152,7 +152,8 @@ impl Calculation {
     /// The force analysis of the dry friction in a regime; `None` where all pairs are ideal.
     fn rubs_of_motion<'a>(&'a self, loads: &'a Loads) -> Option<Kinetostatics<'a>> {
         loads.frictions()?;
-        let method = assur_force::choose(None, true).ok()?.instance;
+        let method =
+            assur_force::choose(None, true, !self.linkage.structure.passive.is_empty()).ok()?.instance;
         Some(Kinetostatics::new(&self.linkage, loads, method, &self.plan.groups_carrying))
     }
 
@@ -189,7 +190,7 @@ impl Calculation {
         let mut friction = self.rubs_of_motion(loads);
         let rubs = friction.is_some();
         let mut moments = |coordinate: f64, side| {
-            self.linkage.solve(coordinate, order(&friction), &mut position).ok()?;
+            self.linkage.solve(coordinate, order(rubs), &mut position).ok()?;
             let state = State { side, ..self.state(coordinate) };
             let given = self.moments_in(found, &state, &position, &mut friction)?;
             let acting = Acting::of(loads, &self.linkage.mechanism, &state, &position.bodies, given);
@@ -223,12 +224,12 @@ impl Calculation {
 }
 
 /// The order of the transfer functions that works need: friction depends on inertia loads.
-fn order(rubs: &Option<Kinetostatics<'_>>) -> Order {
-    if rubs.is_some() { Order::Second } else { Order::First }
+fn order(rubs: bool) -> Order {
+    if rubs { Order::Second } else { Order::First }
 }
 
 /// The drive, the weights and the loads of the scene that have a work, each with its place among what acts.
-fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
+pub(crate) fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)> {
     let drive = mechanism.drive.is_some().then_some((Owner::Input, Acting::DRIVE));
     let weights = mechanism.gravity.is_some() && mechanism.links.iter().skip(1).any(|link| link.mass > 0.0);
     // The ground carries the weights.

@@ -1,14 +1,17 @@
 //! The links that could drive a mechanism, and what its structure would be with each.
 
-use assur_kinematics::{Linkage, decompose};
-use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, Named, PairId};
+use std::f64::consts::TAU;
+
+use assur_group::Order;
+use assur_kinematics::{Linkage, Position, decompose};
+use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, Named, PairId, Point, Range};
 use assur_structure::StructureError;
 use assur_words::{Describe, Text};
 use serde::Serialize;
 
 use crate::modes::GroupModes;
 use crate::results::StructureReport;
-use crate::results::structure::report;
+use crate::results::structure::{part, report};
 
 /// Structure of a mechanism, and of the same links driven by another one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -46,6 +49,9 @@ pub struct PossibleInput {
     pub class: Option<u8>,
     /// `I(ground,crank) -> II3(stone2,rocker)`.
     pub formula: Option<Name>,
+    /// What would be passive: `link rod3`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub passive: Vec<Text>,
     /// Why it gives none.
     pub why: Option<Text>,
     /// Whether its groups are of a lower class than those of the present input.
@@ -69,8 +75,22 @@ impl StructureStudy {
     }
 
     /// Adds every possible input.
-    pub fn add_inputs(&mut self, mechanism: &Mechanism) {
-        self.inputs = inputs(mechanism);
+    pub fn add_inputs(&mut self, mechanism: &Mechanism, linkage: Option<&Linkage>) {
+        let mut posed = mechanism.clone();
+        let position = linkage.and_then(|linkage| {
+            let mut position = linkage.position();
+            linkage.solve_index(0, Order::Place, &mut position).ok().map(|()| position)
+        });
+        // Every input begins where the mechanism is in its first position.
+        if let Some(position) = &position {
+            let place = |point: &Point| {
+                let place = point.places.first()?;
+                Some(position.bodies[place.link].point(place.at))
+            };
+            let places = mechanism.points.iter().enumerate();
+            posed.assembly = places.filter_map(|(id, point)| Some((id, place(point)?))).collect();
+        }
+        self.inputs = inputs(mechanism, &posed, position.as_ref());
     }
 
     /// Adds the modes of every group over the cycle.
@@ -85,9 +105,12 @@ impl StructureStudy {
 }
 
 /// Every possible input of a mechanism, links in the order of the scene.
-fn inputs(mechanism: &Mechanism) -> Vec<PossibleInput> {
-    let mut found: Vec<PossibleInput> =
-        possible(mechanism).into_iter().map(|(link, pair)| one(mechanism, link, pair)).collect();
+fn inputs(mechanism: &Mechanism, posed: &Mechanism, position: Option<&Position>) -> Vec<PossibleInput> {
+    let of = |input: (LinkId, InputPair)| {
+        let present = input == (mechanism.input.link, mechanism.input.pair);
+        one(if present { mechanism } else { posed }, input, present, position)
+    };
+    let mut found: Vec<PossibleInput> = possible(mechanism).into_iter().map(of).collect();
     let present = found.iter().find(|input| input.present).and_then(|input| input.class);
     for input in &mut found {
         input.simpler = input.class.zip(present).is_some_and(|(class, present)| class < present);
@@ -112,10 +135,34 @@ fn possible(mechanism: &Mechanism) -> Vec<(LinkId, InputPair)> {
     found
 }
 
-fn one(mechanism: &Mechanism, link: LinkId, pair: InputPair) -> PossibleInput {
-    let present = (link, pair) == (mechanism.input.link, mechanism.input.pair);
+/// Coordinate of an input in a position, and a cycle of it.
+fn begin(mechanism: &Mechanism, (link, pair): (LinkId, InputPair), position: &Position) -> (f64, Range) {
+    let bodies = &position.bodies;
+    match pair {
+        InputPair::Pin(_) => (bodies[link].s.atan2(bodies[link].c), Range::Cycle(TAU)),
+        InputPair::Slide(slide) => {
+            let slide = &mechanism.slides[slide];
+            let along = bodies[slide.on].turned([slide.angle.cos(), slide.angle.sin()]);
+            let [point, line] =
+                [bodies[slide.link].point(slide.point), bodies[slide.on].point(slide.through)];
+            let from = along[0] * (point[0] - line[0]) + along[1] * (point[1] - line[1]);
+            let far = bodies.iter().map(|body| body.x.hypot(body.y)).fold(1e-3, f64::max);
+            (from, Range::Cycle(far))
+        }
+    }
+}
+
+fn one(
+    mechanism: &Mechanism,
+    (link, pair): (LinkId, InputPair),
+    present: bool,
+    position: Option<&Position>,
+) -> PossibleInput {
     let mut driven = mechanism.clone();
     (driven.input.link, driven.input.pair) = (link, pair);
+    if let Some(position) = position.filter(|_| !present) {
+        (driven.input.from, driven.input.range) = begin(mechanism, (link, pair), position);
+    }
     let found = decompose(&driven);
     let of = match pair {
         InputPair::Pin(point) => PairId::Pin(point),
@@ -127,6 +174,11 @@ fn one(mechanism: &Mechanism, link: LinkId, pair: InputPair) -> PossibleInput {
         present,
         class: found.as_ref().ok().map(assur_structure::Structure::class),
         formula: found.as_ref().ok().map(|structure| structure.formula.clone()),
+        passive: found
+            .iter()
+            .flat_map(|structure| &structure.passive)
+            .map(|one| part(mechanism, one.part))
+            .collect(),
         why: found.err().map(|error| error.describe()),
         simpler: false,
     }

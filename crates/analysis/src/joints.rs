@@ -39,6 +39,8 @@ pub(crate) struct JointForces<'a> {
     /// Of a slide: moment on the sliding link about its point, N m; its [offset](crate::results::Quantity::Offset), m, and
     /// the lanes that have one.
     pub(crate) slide: Option<(Lanes, Lanes, Mask)>,
+    /// By link, then for the moment of a slide: 1 where it is not determined; empty where all are.
+    pub(crate) open: &'a [Lanes],
 }
 
 /// The links that a pin or slide joins, in the order of the results.
@@ -102,7 +104,7 @@ impl Joints {
                 let has = std::array::from_fn(|lane| normal.0[lane].abs() > LEAST_FORCE * greatest[lane]);
                 (moment, moment / normal, has)
             });
-            JointForces { forces, slide }
+            JointForces { forces, slide, open: shown.joint.open(&reactions.open) }
         })
     }
 }

@@ -27,6 +27,7 @@ mod positions;
 mod progress;
 mod proof;
 pub mod results;
+mod stops;
 mod trajectory;
 
 assur_words::resources!();

@@ -2,6 +2,7 @@
 
 mod assembly;
 mod doubts;
+mod driving;
 mod friction;
 mod loads;
 
@@ -25,12 +26,22 @@ impl Calculation {
         notes.extend(self.poles());
         notes.extend(self.barriers());
         notes.extend(self.regime_notes());
+        notes.extend(self.driving_loads());
         notes.extend(self.springs_without_direction());
         notes.extend(self.positions_out_of_time());
         notes.extend(self.listed_against_the_motion());
         notes.extend(self.friction_of_contacts());
         if let InputMotion::Transient(found) = &self.motion {
             notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why)));
+        }
+        if !self.linkage.structure.passive.is_empty()
+            && self.analyzer.is_some_and(|method| method.gives_reactions)
+        {
+            notes.push(if self.least_norm {
+                text!("analysis-least-norm")
+            } else {
+                text!("analysis-open-reactions", option = name("--indeterminate least-norm"))
+            });
         }
         if !positions.is_empty() {
             notes.push(text!("analysis-no-reactions", positions = positions.words()));

@@ -59,7 +59,7 @@ impl Calculation {
     fn reaction_analyzer(&self) -> Result<&'static AnalyzerPlugin, DiagramError> {
         match self.analyzer.filter(|analyzer| analyzer.gives_reactions) {
             Some(analyzer) => Ok(analyzer),
-            None => Ok(assur_force::choose(None, false)?),
+            None => Ok(assur_force::choose(None, false, !self.linkage.structure.passive.is_empty())?),
         }
     }
 

@@ -39,10 +39,16 @@ impl Closure {
         let gaps: Vec<Gap> = linkage.structure.pairs.iter().map(|named| gap(&named.pair, bodies)).collect();
         let sizes = [0, 1, 2].map(|order| gaps.iter().map(|gap: &Gap| gap[order].1).fold(0.0, f64::max));
         let lost = [0, 1, 2].map(|order| subject.lost_by_interpolation(one, order));
+        // What is passive is not solved for: it need only fit.
+        let passive = linkage.structure.passive.iter().flat_map(|passive| passive.frame.pairs());
+        let first_passive = passive.map(|pair| pair.id).min().unwrap_or(usize::MAX);
+        let fits =
+            linkage.misfits.iter().map(|misfit| misfit.limit).fold(0.0, f64::max) / linkage.structure.scale;
         for (id, gap) in gaps.iter().enumerate() {
             for (order, (open, _)) in gap.iter().enumerate() {
                 let size = sizes[order];
-                let limit = ROUNDINGS * f64::EPSILON * size * lost[order];
+                let rounding = ROUNDINGS * f64::EPSILON * lost[order];
+                let limit = size * if id < first_passive { rounding } else { rounding.max(fits) };
                 let unit = subject.unit(order, true);
                 self.collectors[order].offer_of(one.index, open / unit, limit / unit, size / unit, || {
                     let pair = linkage.structure.pair_name(&linkage.mechanism, id);

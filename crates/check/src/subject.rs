@@ -53,7 +53,8 @@ pub(crate) struct Solved {
 /// The registered methods that can treat the linkage: the one called `first` (`None`: the preferred one), then all others
 /// by name.
 pub fn methods(linkage: &Linkage, first: Option<&str>) -> Vec<AnalyzerPlugin> {
-    let first = choose(first, !linkage.mechanism.frictions.is_empty()).map_or("", |plugin| plugin.name);
+    let first = choose(first, !linkage.mechanism.frictions.is_empty(), !linkage.structure.passive.is_empty())
+        .map_or("", |plugin| plugin.name);
     let mut all: Vec<_> = applicable(linkage).into_iter().cloned().collect();
     all.sort_by_key(|method| method.name != first);
     all

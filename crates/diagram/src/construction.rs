@@ -37,8 +37,8 @@ fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Pl
             name: step.name.clone(),
             image: String::new(),
             kind: step.kind,
-            start: step.start,
-            end: plus(step.start, scaled(factor, step.vector)),
+            start: plus(step.start, scaled(per_newton, step.after)),
+            end: plus(plus(step.start, scaled(per_newton, step.after)), scaled(factor, step.vector)),
             size: length(step.vector),
             unit: step.unit.to_owned(),
             note: step.note.clone(),
@@ -58,7 +58,7 @@ pub fn construction_picture(construction: &Construction, lever: bool) -> Vec<(us
     let ends = |step: &Step| {
         let start = match step.drawing {
             Drawing::Polygon => plus(construction.corner, scaled(scale, step.start)),
-            _ => step.start,
+            _ => plus(step.start, scaled(scale, step.after)),
         };
         [start, plus(start, scaled(if is_force(step) { scale } else { 1.0 }, step.vector))]
     };

@@ -79,7 +79,9 @@ impl Friction {
     /// The friction of the pairs; `None` where all are ideal.
     pub(crate) fn of(linkage: &Linkage, loads: &Loads) -> Option<Self> {
         loads.frictions()?;
-        let method = assur_force::choose(None, true).ok().map(|plugin| plugin.instance);
+        let method = assur_force::choose(None, true, !linkage.structure.passive.is_empty())
+            .ok()
+            .map(|plugin| plugin.instance);
         let out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
         let none = vec![Wrench::ZERO; linkage.structure.links];
         let found = Found::default();
@@ -151,22 +153,18 @@ impl Friction {
         ideal: &Reduced,
         drive: [f64; 2],
     ) -> Result<f64, MotionError> {
-        self.found = match &self.course {
-            Some(course) => {
-                // At the ends of a piece the acceleration may jump: it is that inside.
-                let [low, high] = self.piece;
-                let near = 2.0 * tolerance(state.coordinate, place.linkage.mechanism.input.period());
-                let inside = state.coordinate.min(high - near).max(low + near);
-                let [speed, acceleration] = course.at(inside);
-                let moment = self.in_known_motion(place, &State { speed, acceleration, ..*state })?;
-                Found { moment, jams: false }
-            }
-            None => {
-                let (phase, bodies) = (place.phase, &place.position.bodies);
-                place.loads.evaluate_in_phase(phase, state, bodies, &mut self.wrenches);
-                let all = self.accelerations(place, drive)?;
-                self.chosen(all, place, state, ideal, drive)?
-            }
+        self.found = if let Some(course) = &self.course {
+            // At the ends of a piece the acceleration may jump: it is that inside.
+            let [low, high] = self.piece;
+            let near = 2.0 * tolerance(state.coordinate, place.linkage.mechanism.input.period());
+            let inside = state.coordinate.min(high - near).max(low + near);
+            let [speed, acceleration] = course.at(inside);
+            let moment = self.in_known_motion(place, &State { speed, acceleration, ..*state })?;
+            Found { moment, jams: false }
+        } else {
+            place.loads.evaluate_in_phase(place.phase, state, &place.position.bodies, &mut self.wrenches);
+            let all = self.accelerations(place, drive)?;
+            self.chosen(all, place, state, ideal, drive)?
         };
         Ok(self.found.moment)
     }

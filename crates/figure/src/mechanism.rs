@@ -1,5 +1,6 @@
 //! The items of a linkage in one position: links as bars and bodies, sliders on their guides, pins, ground, springs.
 
+mod brake;
 mod gap;
 #[cfg(test)]
 mod tests;
@@ -8,6 +9,8 @@ use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, LinkId, Slide};
 use assur_words::name;
+
+pub use brake::brakes;
 
 use crate::model::{Ink, Item, Point, Sign, Stroke};
 
@@ -70,6 +73,7 @@ impl Drawing<'_> {
         links.sort_by_key(|link| self.marked.contains(link));
         let mut items = self.guides(bodies);
         items.extend(self.arcs(bodies));
+        items.extend(brakes(&self.linkage.mechanism));
         let mut numbers = Vec::new();
         for link in links {
             let outline: Vec<Point> =

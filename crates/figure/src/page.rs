@@ -8,7 +8,7 @@ mod plane;
 
 pub(crate) use element::Element;
 
-use assur_words::Language;
+use assur_words::{Language, Text};
 
 use crate::model::{Figure, Frame, Ink, Panel, Point, Sign, Stroke};
 use crate::trace::{Mark, block, shifted};
@@ -46,9 +46,8 @@ pub(crate) fn elements(figure: &Figure, [width, height]: [f64; 2], language: &La
     let mut room =
         Room { left: BORDER, top: BORDER, width: width - 2.0 * BORDER, height: height - 2.0 * BORDER };
     let mut elements = Vec::new();
-    if !figure.title.is_empty() {
-        let title = names::fitted(&figure.title.render(language), room.width);
-        elements.push(text([room.left, room.top + EM], &title, Ink::Title, "start"));
+    for line in names::wrapped(&plain(&figure.title, language), room.width) {
+        elements.push(text([room.left, room.top + EM], &line, Ink::Title, "start"));
         room.top += LINE;
         room.height -= LINE;
     }
@@ -92,11 +91,16 @@ fn cell(figure: &Figure, index: usize, room: Room) -> Room {
     }
 }
 
+/// A heading without the quotes by which names of the scene are told apart in running text.
+fn plain(title: &Text, language: &Language) -> String {
+    title.render(language).replace('`', "")
+}
+
 /// The heading of a panel.
 fn heading(panel: &Panel, room: Room, language: &Language) -> Option<Element> {
     let title = panel.heading();
     (!title.is_empty()).then(|| {
-        let title = names::fitted(&title.render(language), room.width);
+        let title = names::fitted(&plain(&title, language), room.width);
         text([room.left, room.top + EM], &title, Ink::Title, "start")
     })
 }
@@ -116,7 +120,7 @@ fn drawn(marks: &[Mark], room: Room, language: &Language) -> Vec<Element> {
             match sign {
                 Sign::Hatch => names.avoid(&[*at, shifted(*at, *along, 0.4 * EM)]),
                 Sign::Block => names.keep(*at, 0.5 * EM),
-                Sign::Bearing => names.keep(shifted(*at, [0.0, 1.0], 0.75 * EM), 0.75 * EM),
+                Sign::Bearing => names.keep_bearing(*at),
                 _ => names.keep(*at, 0.2 * EM),
             }
             elements.extend(sign_elements(*at, *along, *sign, *ink));

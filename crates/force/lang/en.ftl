@@ -43,3 +43,4 @@ vector-relative = relative
 vector-normal = normal part
 vector-tangential = tangential part
 vector-coriolis = Coriolis part
+force-without-passive = it does not treat passive links

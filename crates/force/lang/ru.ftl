@@ -43,3 +43,4 @@ vector-relative = относительная
 vector-normal = нормальная составляющая
 vector-tangential = тангенциальная составляющая
 vector-coriolis = составляющая Кориолиса
+force-without-passive = он не учитывает пассивные звенья

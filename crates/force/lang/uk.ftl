@@ -43,3 +43,4 @@ vector-relative = відносна
 vector-normal = нормальна складова
 vector-tangential = тангенціальна складова
 vector-coriolis = складова Коріоліса
+force-without-passive = він не враховує пасивних ланок

@@ -10,6 +10,12 @@ use crate::{Accelerations, Acting, Construction, FreeMotion, LoadError, Reaction
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
+    /// Whether the method treats passive parts, whose reactions the equilibrium leaves undetermined: it gives those of least norm and
+    /// marks what is [open](Reactions::open).
+    fn treats_passive(&self) -> bool {
+        false
+    }
+
     /// Whether the method can treat this mechanism.
     ///
     /// # Errors
@@ -164,6 +170,9 @@ impl AnalyzerPlugin {
         if !linkage.mechanism.frictions.is_empty() && !self.treats_friction {
             return Err(text!("force-without-friction"));
         }
+        if !linkage.structure.passive.is_empty() && !self.instance.treats_passive() {
+            return Err(text!("force-without-passive"));
+        }
         self.instance.supports(linkage)
     }
 }
@@ -218,6 +227,8 @@ pub struct AnalyzerPlugin {
     pub source: Text,
     /// The method.
     pub instance: &'static dyn ForceAnalyzer,
+    /// Names of further forces that it finds, N: [`Reactions::further`](crate::Reactions::further).
+    pub further: &'static [&'static str],
     /// Whether it finds reactions; otherwise the balancing load alone.
     pub gives_reactions: bool,
     /// Whether it finds the dry friction of pairs ([`Reactions::rubbing`](crate::Reactions::rubbing)).
@@ -249,13 +260,18 @@ pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
 }
 
 /// The method of this name; without a name the preferred one of those that give reactions, and treat the friction of pairs
-/// where there is any.
-pub fn choose(name: Option<&str>, friction: bool) -> Result<&'static AnalyzerPlugin, RegistryError> {
+/// and passive parts where there are any.
+pub fn choose(
+    name: Option<&str>,
+    friction: bool,
+    passive: bool,
+) -> Result<&'static AnalyzerPlugin, RegistryError> {
     if let Some(name) = name {
         return find(name);
     }
     let all = analyzers()?
         .into_iter()
-        .filter(|plugin| plugin.gives_reactions && plugin.treats_friction >= friction);
+        .filter(|plugin| plugin.gives_reactions && plugin.treats_friction >= friction)
+        .filter(|plugin| plugin.instance.treats_passive() >= passive);
     all.min_by_key(|plugin| plugin.rank).ok_or(RegistryError::Empty(AnalyzerPlugin::WHAT))
 }

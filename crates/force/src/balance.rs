@@ -116,8 +116,13 @@ pub struct Reactions<T = f64> {
     /// group that carries no load, or is not placed. Respected by methods that solve [by
     /// groups](crate::AnalyzerPlugin::by_groups).
     pub solved: Vec<bool>,
+    /// For each end of each joint in the order of [`joints`](crate::joints()), and then for the moment of a slide: 1 where passive
+    /// parts leave that reaction undetermined, else 0. Empty where nothing is passive.
+    pub open: Vec<T>,
     /// Dry friction in pairs; `None` where all are ideal, and where it is to be left out.
     pub rubbing: Option<Rubbing<T>>,
+    /// The further forces of the method, N, in the order of [`AnalyzerPlugin::further`](crate::AnalyzerPlugin::further).
+    pub further: Vec<T>,
     /// Scratch of a method: one wrench for each pair.
     pub scratch_pairs: Vec<Wrench<T>>,
     /// Scratch of a method: one wrench for each body.
@@ -133,7 +138,9 @@ impl<T: Real> Reactions<T> {
             balancing: T::from_f64(f64::NAN),
             unit: UnitBalance::of(&linkage.mechanism),
             solved: groups.map(|group| linkage.chain.is_needed(group)).collect(),
+            open: Vec::new(),
             rubbing: None,
+            further: Vec::new(),
             scratch_pairs: pairs.clone(),
             pairs,
             scratch_bodies: vec![Wrench::ZERO; linkage.structure.links],

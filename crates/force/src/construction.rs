@@ -91,6 +91,8 @@ pub struct Step {
     pub drawing: Drawing,
     /// Where it begins, in the unit of its drawing.
     pub start: [f64; 2],
+    /// Forces laid off from the start up to where the step begins, N.
+    pub after: [f64; 2],
     /// From start to end, in `unit`.
     pub vector: [f64; 2],
     /// Unit of the vector: `N`, `m`, `m/rad`.

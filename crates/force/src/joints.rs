@@ -16,6 +16,8 @@ pub struct Joint {
     pub links: Vec<LinkId>,
     /// For each of the links, its pairs: index, and 1 where the link is body `a` of the pair, else -1.
     pairs: Vec<Vec<(usize, f64)>>,
+    /// Where its marks begin in [`Reactions::open`](crate::Reactions::open).
+    marks: usize,
 }
 
 /// The reactions of one pin or slide.
@@ -42,6 +44,11 @@ pub fn joints(mechanism: &Mechanism, structure: &Structure) -> Vec<Joint> {
     let pins = joints.len();
     let slides = mechanism.slides.iter().enumerate();
     joints.extend(slides.map(|(id, slide)| Joint::new(PairId::Slide(id), vec![slide.link, slide.on])));
+    let mut marks = 0;
+    for joint in &mut joints {
+        joint.marks = marks;
+        marks += joint.count_of_marks();
+    }
     for (index, named) in structure.pairs.iter().enumerate() {
         let joint = match named.source {
             PairId::Pin(point) => of_point[point],
@@ -57,7 +64,17 @@ pub fn joints(mechanism: &Mechanism, structure: &Structure) -> Vec<Joint> {
 impl Joint {
     fn new(id: PairId, links: Vec<LinkId>) -> Self {
         let pairs = vec![Vec::new(); links.len()];
-        Self { id, links, pairs }
+        Self { id, links, pairs, marks: 0 }
+    }
+
+    fn count_of_marks(&self) -> usize {
+        self.links.len() + usize::from(matches!(self.id, PairId::Slide(_)))
+    }
+
+    /// Its marks among those of all [reactions](crate::Reactions::open): by link, then for the moment of a slide; none where all
+    /// reactions are determined.
+    pub fn open<'a, T>(&self, all: &'a [T]) -> &'a [T] {
+        all.get(self.marks..self.marks + self.count_of_marks()).unwrap_or_default()
     }
 
     fn add(&mut self, index: usize, pair: &Pair) {

@@ -2,7 +2,7 @@
 
 use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
-use assur_number::Lanes;
+use assur_number::{Lanes, Real};
 
 use crate::{ForceAnalyzer, ForceError, Loads, Reactions, State, applicable};
 
@@ -33,7 +33,9 @@ impl<'a> Kinetostatics<'a> {
     /// Finds the reactions and the balancing load of a state; the position is solved up to PF2.
     #[inline]
     pub fn solve(&mut self, state: &State, position: &Position) -> Result<(), ForceError> {
-        if self.linkage.is_at_change_point(position) {
+        let at_change_point = self.linkage.is_at_change_point(position);
+        // A passive part may hold the mechanism where the ways of a group meet.
+        if at_change_point && self.linkage.structure.passive.is_empty() {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
@@ -43,6 +45,9 @@ impl<'a> Kinetostatics<'a> {
         let found = self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions);
         if found.is_ok() && self.reactions.balancing.is_finite() {
             return found;
+        }
+        if at_change_point && matches!(found, Err(ForceError::Singular { .. })) {
+            return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.explained(found, state, position)
     }
@@ -168,9 +173,15 @@ impl Reactions<Lanes> {
     /// Puts the reactions of one position into a lane.
     fn put(&mut self, lane: usize, one: &Reactions) {
         self.balancing.0[lane] = one.balancing;
+        self.further.resize(one.further.len(), Lanes([0.0; Lanes::WIDTH]));
+        for (all, one) in self.further.iter_mut().zip(&one.further) {
+            all.0[lane] = *one;
+        }
         for (all, one) in self.pairs.iter_mut().zip(&one.pairs) {
             (all.fx.0[lane], all.fy.0[lane], all.m.0[lane]) = (one.fx, one.fy, one.m);
         }
+        self.open.resize(one.open.len(), Lanes::ZERO);
+        self.open.iter_mut().zip(&one.open).for_each(|(all, one)| all.0[lane] = *one);
         if let (Some(all), Some(one)) = (&mut self.rubbing, &one.rubbing) {
             let put = |all: &mut [Lanes], one: &[f64]| {
                 all.iter_mut().zip(one).for_each(|(all, one)| all.0[lane] = *one);

@@ -151,6 +151,36 @@ impl Formula {
         &self.switches
     }
 
+    /// The name of a function of an angle whose argument looks like degrees: a number that a turn in radians does not reach, or the
+    /// input coordinate times 180/pi.
+    pub fn takes_degrees(&self) -> Option<&'static str> {
+        let mut stack: Vec<(f64, f64)> = Vec::new();
+        for operation in &*self.operations {
+            let operands = stack.split_off(stack.len().saturating_sub(operation.operands()));
+            // Value at the coordinate 0 and slope, where the operation keeps them linear; NaN elsewhere.
+            let linear = match (*operation, &operands[..]) {
+                (Operation::Number(number), _) => (number, 0.0),
+                (Operation::Variable(Variable::Coordinate), _) => (0.0, 1.0),
+                (Operation::Negate, [(a, s)]) => (-a, -s),
+                (Operation::Add, [(a, s), (b, t)]) => (a + b, s + t),
+                (Operation::Subtract, [(a, s), (b, t)]) => (a - b, s - t),
+                (Operation::Multiply, [(a, s), (b, t)]) if *s == 0.0 || *t == 0.0 => (a * b, a * t + b * s),
+                (Operation::Divide, [(a, s), (b, t)]) if *t == 0.0 => (a / b, s / b),
+                (Operation::Call(function), [(a, s)]) => {
+                    let whole = a.fract() == 0.0 && a.abs() > std::f64::consts::TAU;
+                    let in_degrees = (s.abs() - 180.0 / std::f64::consts::PI).abs() < 0.01;
+                    if let Some(name) = function.of_an_angle().filter(|_| whole || in_degrees) {
+                        return Some(name);
+                    }
+                    (f64::NAN, f64::NAN)
+                }
+                _ => (f64::NAN, f64::NAN),
+            };
+            stack.push(linear);
+        }
+        None
+    }
+
     /// Its value: on a switch that of mathematics, so that `sign(0)` is 0 and `step(0)` is 1.
     pub fn value(&self, at: &Variables) -> f64 {
         self.value_on(at, Branches::default())

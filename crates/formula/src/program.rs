@@ -29,6 +29,18 @@ pub(crate) enum Function {
     Ln,
 }
 
+impl Function {
+    /// Its name, if its argument is an angle.
+    pub(crate) fn of_an_angle(self) -> Option<&'static str> {
+        match self {
+            Self::Sin => Some("sin"),
+            Self::Cos => Some("cos"),
+            Self::Tan => Some("tan"),
+            _ => None,
+        }
+    }
+}
+
 /// A function that is smooth on either side of a switch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {

@@ -37,6 +37,17 @@ pub struct Geometry {
     pub positions: Vec<AtPosition>,
 }
 
+/// Some links, slides and points over the cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Courses {
+    /// The links.
+    pub links: Vec<LinkCourse>,
+    /// The slides.
+    pub slides: Vec<SlideCourse>,
+    /// The points.
+    pub points: Vec<PointCourse>,
+}
+
 /// A link over the cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LinkCourse {

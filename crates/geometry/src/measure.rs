@@ -9,7 +9,7 @@ use assur_words::{Describe, Text, text};
 
 use crate::course::Cycle;
 use crate::course::{Course, Motion, Rest};
-use crate::data::{AtPosition, Each, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
+use crate::data::{AtPosition, Courses, Each, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 use crate::rigid::RigidParts;
 use crate::{Centers, Curvature, Stroke, centers_of};
 
@@ -123,6 +123,26 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
         }
     }
     Ok(found)
+}
+
+/// The motion of some parts over the cycle.
+///
+/// # Errors
+///
+/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
+pub fn courses(
+    linkage: &Linkage,
+    links: impl Iterator<Item = LinkId>,
+    slides: impl Iterator<Item = SlideId>,
+    points: impl Iterator<Item = PointId>,
+) -> Result<Courses, GeometryError> {
+    let cycle = Cycle::of(linkage)?;
+    let parts = RigidParts::of(&cycle);
+    Ok(Courses {
+        links: links.map(|id| link(&cycle, id, &parts)).collect::<Result<_, _>>()?,
+        slides: slides.map(|id| slide(&cycle, id)).collect::<Result<_, _>>()?,
+        points: points.map(|id| point(&cycle, id)).collect::<Result<_, _>>()?,
+    })
 }
 
 fn coordinates(rests: &[Rest]) -> Vec<f64> {

@@ -11,3 +11,4 @@ group-pin-not-slide = pair { $pair } is a pin, not a slide
 group-other-pattern = links and pairs of the group are not those of the kind
 group-single-numbers = the formulas of this kind decide by single numbers
 group-working-sort = working of group
+group-no-assembly-found = no assembly was found

@@ -11,3 +11,4 @@ group-pin-not-slide = пара { $pair } вращательная, а не по�
 group-other-pattern = звенья и пары группы не те, что у вида
 group-single-numbers = формулы этого вида различают случаи по отдельным числам
 group-working-sort = расчёт группы
+group-no-assembly-found = сборка не найдена

@@ -11,3 +11,4 @@ group-pin-not-slide = пара { $pair } обертальна, а не пост�
 group-other-pattern = ланки й пари групи не ті, що у виду
 group-single-numbers = формули цього виду розрізняють випадки за окремими числами
 group-working-sort = розв’язок групи
+group-no-assembly-found = складання не знайдено

@@ -9,7 +9,7 @@ use assur_words::{Describe, Text, number, quantity, text};
 pub enum GroupError {
     /// The links are too short, or too unequal, to meet.
     NoAssembly {
-        /// Smallest change of one length that would close the group, m. Positive.
+        /// Smallest change of one length that would close the group, m; 0 where that is not known, since the kind iterates.
         gap_m: f64,
     },
     /// The links can be placed, but derivatives or reactions are not determined there.
@@ -36,6 +36,7 @@ assur_words::errors!(GroupError, BuildError);
 impl Describe for GroupError {
     fn describe(&self) -> Text {
         match *self {
+            Self::NoAssembly { gap_m: 0.0 } => text!("group-no-assembly-found"),
             Self::NoAssembly { gap_m } => {
                 text!("group-no-assembly", gap = quantity(format_args!("{:.6}", gap_m * 1e3), "mm"))
             }

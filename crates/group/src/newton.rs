@@ -205,7 +205,8 @@ fn newton_sized<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T>
             size = residual(frame, bodies, phi.as_mut());
         }
     }
-    Err(GroupError::NoAssembly { gap_m: before * frame.scale })
+    // What is left of the violations is where the iteration gave up, and says nothing of a length.
+    Err(GroupError::NoAssembly { gap_m: 0.0 })
 }
 
 /// Subtracts a part of a step from the poses of all links.

@@ -6,6 +6,7 @@ use assur_number::{Formula, Real};
 use assur_structure::Structure;
 
 use crate::CompileError;
+use crate::passive::hang::Hanging;
 
 /// The input link in one number type.
 #[derive(Debug, Clone, Copy)]
@@ -60,6 +61,8 @@ pub struct Chain<T: Number> {
     /// Whether each group is solved; all are, unless [`limit_to`](Self::limit_to) leaves some out.
     pub(crate) needed: Vec<bool>,
     bodies: usize,
+    /// Passive links, placed after the groups.
+    hanging: Vec<Hanging<T>>,
 }
 
 fn vector<T: Real>(at: [f64; 2]) -> [T; 2] {
@@ -82,7 +85,8 @@ impl<T: Number> Chain<T> {
             groups.push(kernel);
         }
         let needed = vec![true; groups.len()];
-        Ok(Self { input: input_of(mechanism), groups, needed, bodies: structure.links })
+        let hanging = structure.passive.iter().filter_map(|passive| Hanging::of(&passive.frame)).collect();
+        Ok(Self { input: input_of(mechanism), groups, needed, bodies: structure.links, hanging })
     }
 
     /// Leaves out the groups that are not needed; no needed group may depend on them.
@@ -151,6 +155,7 @@ impl<T: Number> Chain<T> {
                 Err(source) => return Err(ChainError { group, source }),
             }
         }
+        self.hanging.iter().for_each(|link| link.solve(bodies, order));
         Ok(())
     }
 }

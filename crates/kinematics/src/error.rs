@@ -1,6 +1,7 @@
 //! Errors in compiling a mechanism and in calculating a position.
 
 use assur_group::{BuildError, GroupError};
+use assur_mechanism::Name;
 use assur_structure::StructureError;
 use assur_words::{Describe, Text, joined, list, name, quantity, text};
 
@@ -57,6 +58,9 @@ pub struct PositionError {
     /// The range around the first position in which the mechanism can be assembled, rad or m, in increasing order;
     /// `None` if it can't be assembled in the first position.
     pub range: Option<[f64; 2]>,
+    /// A slide of the group whose guide goes through the origin of its link, which is so where a scene does not say through what:
+    /// the slide and that link.
+    pub by_default: Option<Box<[Name; 2]>>,
 }
 
 /// Gaps above this suggest a length written without its unit, m.
@@ -112,6 +116,8 @@ impl Describe for PositionError {
             }
             None => text!("kinematics-no-range", units = self.unit_hint()),
         };
-        joined("; ", [place, range])
+        let guide = self.by_default.as_ref().filter(|_| self.range.is_none());
+        let guide = guide.map(|guide| text!("kinematics-through-origin", slide = &guide[0], on = &guide[1]));
+        joined("; ", [place, range].into_iter().chain(guide))
     }
 }

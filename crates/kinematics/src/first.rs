@@ -31,7 +31,7 @@ pub(crate) fn first_ways(
     (chain, extended): (&Chain<f64>, &Extended<'_>),
     from: f64,
 ) -> Result<First, (Vec<u8>, ChainError)> {
-    let wanted = wanted(mechanism);
+    let wanted = wanted(mechanism, structure);
     let mut bodies = chain.bodies();
     let mut placed = vec![false; mechanism.links.len()];
     (placed[GROUND], placed[chain.input.link()]) = (true, true);
@@ -194,10 +194,10 @@ struct Wanted {
     place: [f64; 2],
 }
 
-/// The wanted places by link.
-fn wanted(mechanism: &Mechanism) -> Vec<Vec<Wanted>> {
+/// The wanted places by link: those of the scene, then those that passive parts need.
+fn wanted(mechanism: &Mechanism, structure: &Structure) -> Vec<Vec<Wanted>> {
     let mut wanted: Vec<Vec<Wanted>> = mechanism.links.iter().map(|_| Vec::new()).collect();
-    for &(point, place) in &mechanism.assembly {
+    for &(point, place) in mechanism.assembly.iter().chain(&structure.placed) {
         for of in &mechanism.points[point].places {
             wanted[of.link].push(Wanted { point, own: of.at, place });
         }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
-use assur_mechanism::Mechanism;
+use assur_mechanism::{GROUND, Mechanism, Slide};
 use assur_number::{Lanes, Real};
 use assur_structure::Structure;
 
@@ -11,7 +11,7 @@ use crate::dependence::Dependence;
 use crate::follow::{coordinate_unit, follow};
 use crate::interpolant::Interpolation;
 use crate::interpolants::Interpolants;
-use crate::passive::decompose;
+use crate::passive::{Misfit, decompose, misfits};
 use crate::poses::Guesses;
 use crate::start::refuse_without_start;
 use crate::ways::{END_ROUNDING, Transition, Ways};
@@ -43,6 +43,8 @@ pub struct Linkage {
     pub(crate) interpolants: Interpolants,
     /// Starting poses for the groups that iterate.
     pub(crate) guesses: Option<Guesses>,
+    /// How much each passive part misses over the cycle; empty without any.
+    pub misfits: Vec<Misfit>,
 }
 
 /// Pose and derivatives of all links at one coordinate: the scratch of [`Linkage::solve`].
@@ -94,7 +96,7 @@ impl Linkage {
         let mut lane_chain = Chain::compile(&mechanism, &structure)?;
         lane_chain.limit_to(needed);
         let followed = follow(&mechanism, &structure, (&chain, &lane_chain));
-        Ok(Self {
+        let mut linkage = Self {
             mechanism,
             structure,
             chain: Arc::new(chain),
@@ -105,7 +107,10 @@ impl Linkage {
             ends: followed.ends,
             interpolants: followed.interpolants,
             guesses: followed.guesses,
-        })
+            misfits: Vec::new(),
+        };
+        linkage.misfits = misfits(&linkage);
+        Ok(linkage)
     }
 
     /// The linkage of a mechanism that differs in numbers only, with some groups needed as in
@@ -327,6 +332,15 @@ impl Linkage {
     #[cold]
     fn explain(&self, coordinate: f64, failure: ChainError) -> PositionError {
         let failure = self.first_failure.filter(|_| self.range.is_none()).unwrap_or(failure);
+        let (mechanism, links) = (&self.mechanism, &self.structure.groups[failure.group].frame.links);
+        let of_ground = |slide: &&Slide| {
+            slide.on == GROUND
+                && slide.through.iter().all(|part| part.abs() <= 0.0)
+                && links.contains(&slide.link)
+        };
+        let by_default = mechanism.slides.iter().find(of_ground);
+        let by_default =
+            by_default.map(|slide| Box::new([slide.name.clone(), mechanism.links[GROUND].name.clone()]));
         PositionError {
             group: failure.group,
             group_name: Box::new(self.structure.group_name(&self.mechanism, failure.group)),
@@ -335,6 +349,7 @@ impl Linkage {
             angular: self.angular(),
             source: failure.source,
             range: self.range.map(|range| [range.low, range.high]),
+            by_default,
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The poses of one link at the samples of a branch, eight side by side as the lanes that calculated them.
 
+use std::array;
+
 use assur_group::Body;
 use assur_number::{Lanes, Real};
 use assur_structure::Structure;
@@ -136,15 +138,18 @@ impl Guesses {
         };
         self.poses.iter().map(move |(link, poses)| {
             let [before, here, after] = [neighbors[0], sample, neighbors[1]].map(|sample| &poses[sample]);
-            let (mut pose, mut is_near) = (*here, true);
-            for k in 0..pose.len() {
-                let [back, forth] = [here[k] - before[k], after[k] - here[k]];
-                is_near &= back.abs() <= self.most[k] && forth.abs() <= self.most[k];
-                // The parabola through the three.
-                pose[k] += 0.5 * behind * (back + forth + behind * (forth - back));
-            }
-            let [x, y, c, s] = if is_near { pose } else { *here };
-            (*link, Body { x, y, c, s, ..Body::ground() })
+            let steps: [[f64; 2]; 4] = array::from_fn(|k| [here[k] - before[k], after[k] - here[k]]);
+            let is_near = |(steps, most): (&[f64; 2], &f64)| steps.iter().all(|step| step.abs() <= *most);
+            // The parabola through the three.
+            let on_parabola = |k: usize| {
+                let [back, forth] = steps[k];
+                here[k] + 0.5 * behind * (back + forth + behind * (forth - back))
+            };
+            let are_near = steps.iter().zip(&self.most).all(is_near);
+            let [x, y, c, s] = if are_near { array::from_fn(on_parabola) } else { *here };
+            // Steps of Newton's method begin with a unit vector.
+            let length = (c * c + s * s).sqrt();
+            (*link, Body { x, y, c: c / length, s: s / length, ..Body::ground() })
         })
     }
 

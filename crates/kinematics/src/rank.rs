@@ -27,6 +27,9 @@ pub fn mobility_in(linkage: &Linkage, position: &Position) -> usize {
         let pairs: Vec<_> = group.frame.pairs().copied().collect();
         motions.extend(&group.frame.links, &pairs);
     }
+    for passive in &structure.passive {
+        motions.extend(&passive.frame.links, &passive.frame.outer);
+    }
     motions.count
 }
 
@@ -57,7 +60,8 @@ impl Motions<'_> {
             matrix.column_mut(k).scale_mut(*scale);
         }
         let decomposed = matrix.svd(false, true);
-        let limit = RANK_LIMIT * decomposed.singular_values.max();
+        // New links have columns of 1; without any, what is left of the motions may be rounding alone.
+        let limit = RANK_LIMIT * decomposed.singular_values.max().max(1.0);
         let Some(vectors) = decomposed.v_t else { return };
         let null = decomposed.singular_values.iter().enumerate().filter(|(_, value)| **value <= limit);
         let null: Vec<Vec<f64>> = null.map(|(i, _)| vectors.row(i).iter().copied().collect()).collect();

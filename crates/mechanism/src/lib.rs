@@ -11,6 +11,7 @@ mod load;
 mod name;
 mod notice;
 mod numbers;
+mod point;
 mod size;
 
 pub use alike::{appearance, likeness};
@@ -27,6 +28,7 @@ pub use name::Name;
 pub use name::Named;
 pub use notice::{Notice, NoticeKind};
 pub use numbers::links_of_length_zero;
+pub use point::ReductionPoint;
 pub use size::{
     LONGEST_NAME, MOST_KEPT, MOST_LINKS, MOST_LOADS, MOST_PARTS_DRAWN, MOST_PARTS_KEPT, MOST_PARTS_SAMPLED,
     MOST_PLACES, MOST_SAMPLES, MOST_SLIDES, MOST_STEPS_KEPT,

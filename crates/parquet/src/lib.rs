@@ -2,7 +2,7 @@
 //!
 //! Numbers are split into streams of bytes and compressed by zstd, which suits numbers that change smoothly; the columns of
 //! a group of rows are compressed by all threads. What the metadata says of each column of each group is kept in memory
-//! until the file ends, and is as little as readers need: no statistics, no index of pages. A crate of its own, for which
+//! until the file ends, and is as little as readers need: no index of pages, and statistics of sweeps alone, whose rows are searched. A crate of its own, for which
 //! nothing but the program has to wait in a build.
 
 mod positions;
@@ -155,6 +155,24 @@ pub struct File<W: Write + Send> {
 impl<W: Write + Send> File<W> {
     /// Begins a file with these columns; `data`: keys and values of its own.
     pub fn new(columns: &[Column], data: Vec<(&str, String)>, out: W) -> Result<Self, ParquetError> {
+        Self::with_statistics(columns, data, out, EnabledStatistics::None)
+    }
+
+    /// Begins a file whose groups tell the extremes of their columns, so that readers leave groups out.
+    ///
+    /// # Errors
+    ///
+    /// [`ParquetError`] if the writer fails.
+    pub fn searchable(columns: &[Column], data: Vec<(&str, String)>, out: W) -> Result<Self, ParquetError> {
+        Self::with_statistics(columns, data, out, EnabledStatistics::Chunk)
+    }
+
+    fn with_statistics(
+        columns: &[Column],
+        data: Vec<(&str, String)>,
+        out: W,
+        statistics: EnabledStatistics,
+    ) -> Result<Self, ParquetError> {
         let data = data.into_iter().map(|(key, value)| KeyValue::new(key.to_owned(), value));
         let data: Vec<KeyValue> = data.collect();
         let mut properties = WriterProperties::builder()
@@ -164,7 +182,7 @@ impl<W: Write + Send> File<W> {
             .set_dictionary_enabled(false)
             .set_encoding(Encoding::BYTE_STREAM_SPLIT)
             .set_offset_index_disabled(true)
-            .set_statistics_enabled(EnabledStatistics::None);
+            .set_statistics_enabled(statistics);
         // The same texts occur in many rows, so they are stored once, in a dictionary.
         for column in columns.iter().filter(|column| matches!(column.values, Values::Texts(_))) {
             let path = ColumnPath::new(vec![column.name.clone()]);

@@ -25,8 +25,8 @@ impl<W: Write + Send> Writer<W> {
     /// Begins a file with the columns that CSV has, under the same names.
     pub fn new(analysis: &Analysis, out: W) -> Result<Self, ParquetError> {
         let schema = analysis.positions.schema();
-        let all =
-            (0..schema.columns().len()).filter(|column| analysis.survey.has(schema.section_of(*column)));
+        let all = (0..schema.columns().len())
+            .filter(|column| analysis.survey.has(schema.section_of(*column)) || schema.is_nullable(*column));
         let named =
             all.filter_map(|column| Some((column, catalogue::csv(schema, schema.columns()[column])?)));
         let (sources, names): (Vec<usize>, Vec<String>) = named.unzip();

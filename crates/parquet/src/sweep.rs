@@ -8,6 +8,7 @@ use std::io::Write;
 
 use ::parquet::file::reader::FileReader;
 use ::parquet::file::serialized_reader::SerializedFileReader;
+use ::parquet::record::Field;
 use assur_sweep::{Columns, Rows, Sweep, Tally};
 
 use crate::{Column, File as Written, ParquetError, schema};
@@ -15,6 +16,9 @@ use crate::{Column, File as Written, ParquetError, schema};
 /// Keys of a part's own data.
 const TALLY: &str = "assur.tally";
 const LAST: &str = "assur.last";
+
+/// Key of the text of the scene.
+const SCENE: &str = "assur.scene";
 
 /// Rows as a whole file with one group. It keeps what [`Part`] reads back.
 pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
@@ -25,7 +29,7 @@ pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
     for (index, column) in all.iter_mut().enumerate() {
         (0..rows.len()).for_each(|row| column.push(rows.cell(row, index)));
     }
-    let mut file = Written::new(&all, data, Vec::new())?;
+    let mut file = Written::searchable(&all, data, Vec::new())?;
     file.write_group(&mut all)?;
     file.finish()
 }
@@ -74,11 +78,19 @@ pub fn join(
     parts: impl IntoIterator<Item = std::io::Result<File>>,
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let mut file = Written::new(&columns(sweep.columns()), Vec::new(), out)?;
+    let mut file = Written::searchable(&columns(sweep.columns()), origin(sweep), out)?;
     for part in parts {
         file.append(&part?)?;
     }
     file.finish().map(drop)
+}
+
+/// What the rows were made of: the scene, the ranges, the seed of a sample.
+fn origin(sweep: &Sweep) -> Vec<(&'static str, String)> {
+    let ranges = sweep.ranges().collect::<Vec<_>>().join("\n");
+    let seed = sweep.seed().map(|seed| ("assur.seed", seed.to_string()));
+    let all = [("assur.version", env!("CARGO_PKG_VERSION").to_owned()), ("assur.vary", ranges)];
+    all.into_iter().chain(seed).chain([(SCENE, sweep.scene().to_owned())]).collect()
 }
 
 /// The columns of the file, without rows.
@@ -91,4 +103,20 @@ fn columns(columns: &Columns) -> Vec<Column> {
         }
     };
     columns.names().iter().enumerate().map(of).collect()
+}
+
+/// The parameters of a row of a file with rows of a sweep: the columns before `status`. `None` without such a row or column.
+///
+/// # Errors
+///
+/// [`ParquetError`] if the file can't be read.
+pub fn parameters(file: File, row: usize) -> Result<Option<Vec<(String, f64)>>, ParquetError> {
+    let reader = SerializedFileReader::new(file)?;
+    let Some(row) = reader.get_row_iter(None)?.nth(row).transpose()? else { return Ok(None) };
+    let columns = row.get_column_iter().map(|(name, field)| (name.clone(), field));
+    let before = columns.take_while(|(name, _)| name != "status");
+    let number = |(name, field): (String, &Field)| {
+        if let Field::Double(number) = field { Some((name, *number)) } else { None }
+    };
+    Ok(before.map(number).collect())
 }

@@ -7,7 +7,7 @@ use assur_all as _;
 use assur_report::csv::Cell;
 use assur_sweep::{Points, Request, Rows, Sweep, SweepError, Vary};
 
-use crate::sweep::part;
+use crate::sweep::{join, parameters, part};
 
 /// A slider-crank, of which some points have no solution, and all have a text.
 const SLIDER: &str = r#"[ground]
@@ -29,10 +29,14 @@ positions = 12
 B = [0.4, 0]
 "#;
 
-fn run(threads: usize) -> Result<Rows, SweepError> {
+fn grid() -> Result<Sweep, SweepError> {
     let vary = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
     let vary = vary.iter().map(|vary| Vary::parse(vary, Points::Grid)).collect::<Result<Vec<_>, _>>()?;
-    let sweep = Sweep::of("a.toml", SLIDER, &vary, Request::default())?;
+    Sweep::of("a.toml", SLIDER, &vary, Request::default())
+}
+
+fn run(threads: usize) -> Result<Rows, SweepError> {
+    let sweep = grid()?;
     let mut all: Option<Rows> = None;
     let accept = |rows: Rows| {
         match &mut all {
@@ -71,4 +75,35 @@ fn parquet_reads_back_as_the_same_cells() {
             }
         }
     }
+}
+
+#[test]
+fn a_file_tells_its_scene_its_ranges_and_the_extremes_of_its_columns() {
+    let file = |bytes: &[u8]| {
+        let mut file = tempfile::tempfile().unwrap();
+        file.write_all(bytes).unwrap();
+        file
+    };
+    let (sweep, table) = (grid().unwrap(), run(1).unwrap());
+    let mut joined = tempfile::tempfile().unwrap();
+    join(&sweep, [Ok(file(&part(&table).unwrap()))], &mut joined).unwrap();
+    let reader = SerializedFileReader::new(joined.try_clone().unwrap()).unwrap();
+    let metadata = reader.metadata().file_metadata();
+    let value = |key: &str| {
+        let all = metadata.key_value_metadata().unwrap();
+        all.iter().find(|one| one.key == key).and_then(|one| one.value.clone()).unwrap()
+    };
+    assert_eq!(value("assur.scene"), SLIDER);
+    assert_eq!(
+        value("assur.vary"),
+        "link.crank.points.A=100 mm..400 mm:7\nlink.rod.points.B=200 mm..400 mm:5"
+    );
+    let statistics = reader.metadata().row_group(0).column(0).statistics().unwrap();
+    let ends = [statistics.min_bytes_opt(), statistics.max_bytes_opt()];
+    let ends = ends.map(|bytes| f64::from_le_bytes(bytes.unwrap().try_into().unwrap()));
+    assert_eq!(ends, [0.1, 0.4]);
+    // The last parameter changes fastest.
+    let row = parameters(joined.try_clone().unwrap(), 6).unwrap().unwrap();
+    assert_eq!(row, [("link.crank.points.A_m".to_owned(), 0.15), ("link.rod.points.B_m".to_owned(), 0.25)]);
+    assert_eq!(parameters(joined, 35).unwrap(), None);
 }

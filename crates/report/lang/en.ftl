@@ -688,6 +688,10 @@ report-simpler-inputs = With { $count ->
        *[other] one of the links { $links }
     } as the input the groups would be of a lower class.
 head-structure = Structural formula
+report-passive = Passive: { $what } repeats what others say and is left out of the motion
+report-misfit = { $what } is passive by count, but misses by { $misfit } mm at { $place } (limit { $limit } mm){ $closes }
+report-closes = ; it closes with { $key } = { $value } (SI)
+report-formula-without = { $formula }; passive: { $parts }
 report-modes-of = Modes of group { $group } ({ $kind } { $links }) over the cycle
 report-modes-unlisted = { $group }: its kind can't list them.
 head-from = From

@@ -671,6 +671,10 @@ report-simpler-inputs = { $count ->
        *[other] С одним из входных звеньев { $links }
     } группы были бы более низкого класса.
 head-structure = Формула строения
+report-passive = Пассивное: { $what } повторяет то, что уже задано, и в движении не учитывается
+report-misfit = { $what }: по подсчёту пассивно, но расходится на { $misfit } мм при { $place } (предел { $limit } мм){ $closes }
+report-closes = ; замыкается, если { $key } = { $value } (СИ)
+report-formula-without = { $formula }; пассивное: { $parts }
 report-modes-of = Сборки группы { $group } ({ $kind } { $links }) за цикл
 report-modes-unlisted = { $group }: её вид не может их перечислить.
 head-from = От

@@ -671,6 +671,10 @@ report-simpler-inputs = { $count ->
        *[other] З однією з вхідних ланок { $links }
     } групи мали б нижчий клас.
 head-structure = Формула будови
+report-passive = Пасивне: { $what } повторює те, що вже задано, і в русі не враховується
+report-misfit = { $what }: за підрахунком пасивне, але розходиться на { $misfit } мм при { $place } (межа { $limit } мм){ $closes }
+report-closes = ; замикається, якщо { $key } = { $value } (SI)
+report-formula-without = { $formula }; пасивне: { $parts }
 report-modes-of = Складання групи { $group } ({ $kind } { $links }) за цикл
 report-modes-unlisted = { $group }: її вид не може їх перелічити.
 head-from = Від

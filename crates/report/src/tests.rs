@@ -62,6 +62,7 @@ fn analysis(angle: f64) -> Analysis {
         structure: StructureReport {
             mobility: 1,
             mobility_by_rank: None,
+            passive: Vec::new(),
             note: None,
             class: 2,
             formula: "".into(),

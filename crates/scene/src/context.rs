@@ -9,6 +9,7 @@ use crate::error::Fault;
 use crate::input::coordinate_of;
 use crate::limits;
 use crate::linkage::Linkage;
+use crate::reference::Table;
 use crate::text::shown;
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
@@ -61,11 +62,8 @@ impl Context<'_> {
 
 /// A sort of loads: a list of tables in the scene.
 pub(crate) struct Sort {
-    /// Name of the list.
-    pub(crate) key: &'static str,
-    /// The identity of one of them, for messages: `a force`.
-    pub(crate) what: &'static str,
-    pub(crate) keys: &'static [&'static str],
+    /// Its table in the reference.
+    pub(crate) table: &'static Table,
     /// The name of one that has none of its own, by its number from 1 and the first link on which it acts.
     pub(crate) unnamed: fn(usize, &Name) -> Text,
     /// Reads one from its section.
@@ -80,7 +78,7 @@ impl Sort {
         context: &Context<'_>,
         names: &mut BTreeSet<String>,
     ) -> Vec<Load> {
-        let sections = root.get(self.key).map(|entry| entry.sections(&text!(self.what), self.keys));
+        let sections = root.get(self.table.name()).map(|entry| entry.sections(self.table));
         let mut loads = Vec::new();
         for (index, section) in sections.iter().flatten().enumerate() {
             let kind = (self.one)(section, context);

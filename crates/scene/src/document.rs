@@ -12,6 +12,7 @@ pub use crate::walk::{Entry, Section};
 use crate::SceneErrors;
 use crate::error::Faults;
 use crate::text::shown;
+use crate::walk::Known;
 
 /// The greatest file that is read, in bytes: a scene has some kilobytes, a table of a hundred thousand rows some
 /// megabytes.
@@ -50,6 +51,17 @@ pub fn read<T>(
     text: &str,
     what: Text,
     known: &'static [&'static str],
+    make: impl FnOnce(&Section<'_>) -> T,
+) -> Result<T, SceneErrors> {
+    read_known(file_name, text, what, known.into(), make)
+}
+
+/// Reads a TOML file whose keys stand in a table of the reference, or in a list.
+pub(crate) fn read_known<T>(
+    file_name: &str,
+    text: &str,
+    what: Text,
+    known: Known,
     make: impl FnOnce(&Section<'_>) -> T,
 ) -> Result<T, SceneErrors> {
     let faults = Faults::default();
@@ -124,9 +136,22 @@ fn unclosed(text: &str, at: usize, message: &str) -> Option<usize> {
     }
 }
 
+/// The quotes that a word processor writes.
+const TYPOGRAPHIC: [char; 9] =
+    ['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}', '\u{201a}', '\u{ab}', '\u{bb}', '\u{2033}'];
+
 /// The parser's message, with the duplicate key that it does not name.
 fn syntax_words(message: &str, piece: Option<&str>) -> Text {
     let said = name(message.to_owned());
+    let value = piece.filter(|_| message.starts_with("string values must be quoted")).map(str::trim_start);
+    if value.is_some_and(|value| value.starts_with(TYPOGRAPHIC)) {
+        return text!("scene-typographic-quotes");
+    }
+    if let Some(value) =
+        value.filter(|value| value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)))
+    {
+        return text!("scene-unquoted-quantity", value = shown(value.trim_end()));
+    }
     match piece.filter(|piece| message == "duplicate key" && !piece.is_empty()) {
         Some(key) => text!("scene-duplicate-key", key = shown(key)),
         None if message.starts_with("invalid unquoted key") => text!("scene-unquoted-key", message = said),

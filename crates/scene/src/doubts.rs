@@ -1,12 +1,14 @@
 //! What a scene says that is hardly meant, as far as its numbers and names tell by themselves.
 
+mod task;
+
 use std::collections::HashMap;
 
-use assur_mechanism::{GROUND, LinkId, Mechanism, Notice, appearance};
+use assur_mechanism::{GROUND, LinkId, Mechanism, Notice, Place, appearance};
 use assur_words::{name, quantity, text};
 
 use crate::edit::key_of_steps;
-use crate::text::{brief, shown};
+use crate::text::{rounded, shown};
 
 /// A link so many times as long as the middle one of the others has a wrong unit: mm for m gives a thousand times, and lengths that
 /// are meant differ by less than a hundred.
@@ -17,9 +19,17 @@ const LONGEST: f64 = 20.0;
 /// belongs to no link; flywheels and counterweights are smaller.
 const MOST_TIMES_THE_SIZE: f64 = 10.0;
 
+/// A link that turns about no fixed pin can't carry a rotor or a flywheel: its mass lies within its mechanism.
+const MOST_OF_A_COUPLER: f64 = 1.5;
+/// A radius of gyration of less than this part of the length of its link is that of a needle: g*mm^2 for kg*mm^2.
+const LEAST_OF_THE_LENGTH: f64 = 2e-3;
+/// A link so many times as heavy as the middle one of the others has a wrong unit: g for kg gives a thousand times.
+const MOST_TIMES_HEAVIER: f64 = 300.0;
+
 /// Everything that is hardly meant.
 pub(crate) fn of(mechanism: &Mechanism) -> Vec<Notice> {
     let mut notices = names(mechanism);
+    notices.extend(masses(mechanism));
     let extents: Vec<f64> = (0..mechanism.links.len()).map(|link| extent(mechanism, link)).collect();
     for link in 0..mechanism.links.len() {
         notices.extend(length(mechanism, link, &extents));
@@ -27,8 +37,9 @@ pub(crate) fn of(mechanism: &Mechanism) -> Vec<Notice> {
     notices.extend(all_lengths(mechanism, &extents));
     let size = extents.iter().copied().fold(0.0, f64::max);
     if notices.is_empty() && size > 0.0 {
-        for link in GROUND + 1..mechanism.links.len() {
-            notices.extend(inertia(mechanism, link, size));
+        notices.extend(task::of(mechanism, size));
+        for (link, length) in extents.iter().enumerate().skip(GROUND + 1) {
+            notices.extend(inertia(mechanism, link, size, *length));
             notices.extend(center(mechanism, link, size));
         }
     }
@@ -92,7 +103,7 @@ fn middle(lengths: impl Iterator<Item = f64>) -> Option<f64> {
 fn all_lengths(mechanism: &Mechanism, extents: &[f64]) -> Option<Notice> {
     let middle = middle(extents.iter().skip(1).copied()).filter(|middle| *middle > LONGEST)?;
     let link = (1..extents.len()).find(|link| extents[*link] >= middle)?;
-    let text = text!("scene-long-links", length = quantity(brief(middle), "m"));
+    let text = text!("scene-long-links", length = quantity(rounded(middle), "m"));
     Some(Notice::mistake(key(mechanism, link, &["points"]), text))
 }
 
@@ -101,7 +112,7 @@ fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice
     let others = extents.iter().enumerate().filter(|(other, _)| *other != link).map(|(_, extent)| *extent);
     let middle = middle(others)?;
     (extents[link] > MOST_TIMES_LONGER * middle).then(|| {
-        let [own, middle] = [extents[link], middle].map(|length| quantity(brief(length), "m"));
+        let [own, middle] = [extents[link], middle].map(|length| quantity(rounded(length), "m"));
         let link_name = shown(&mechanism.links[link].name);
         let text = text!("scene-far-longer", link = link_name, length = own, others = middle);
         Notice::mistake(key(mechanism, link, &["points"]), text)
@@ -109,14 +120,46 @@ fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice
 }
 
 /// A moment of inertia that belongs to a far greater body.
-fn inertia(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
+fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Option<Notice> {
     let body = &mechanism.links[link];
     let radius = (body.inertia.constant() / body.mass).sqrt();
-    (radius.is_finite() && radius > MOST_TIMES_THE_SIZE * size).then(|| {
-        let [radius, size] = [radius, size].map(|length| quantity(brief(length), "m"));
-        let text = text!("scene-great-inertia", link = shown(&body.name), radius = radius, size = size);
-        Notice::mistake(key(mechanism, link, &["inertia"]), text)
-    })
+    let mut points = mechanism.points.iter().map(|point| &point.places);
+    let is_on = |places: &Vec<Place>, link: LinkId| places.iter().any(|place| place.link == link);
+    let is_pinned = points.any(|places| is_on(places, GROUND) && is_on(places, link));
+    let most = if is_pinned { MOST_TIMES_THE_SIZE } else { MOST_OF_A_COUPLER };
+    if !radius.is_finite() || radius <= 0.0 {
+        return None;
+    }
+    let id = if radius > most * size {
+        "scene-great-inertia"
+    } else if radius < LEAST_OF_THE_LENGTH * length {
+        "scene-small-inertia"
+    } else {
+        return None;
+    };
+    let [radius, size] =
+        [radius, if radius > size { size } else { length }].map(|length| quantity(rounded(length), "m"));
+    let text = text!(id, link = shown(&body.name), radius = radius, size = size);
+    Some(Notice::mistake(key(mechanism, link, &["inertia"]), text))
+}
+
+/// Links that are far heavier than the others.
+fn masses(mechanism: &Mechanism) -> Vec<Notice> {
+    let heavy = |link: LinkId| {
+        let others =
+            mechanism.links.iter().enumerate().filter(|(other, body)| *other != link && body.mass > 0.0);
+        let masses: Vec<f64> = others.map(|(_, body)| body.mass).collect();
+        // Of one other link it is not known which of both is wrong.
+        let middle = middle(masses.iter().copied()).filter(|_| masses.len() > 1)?;
+        let mass = mechanism.links[link].mass;
+        (mass > MOST_TIMES_HEAVIER * middle).then(|| {
+            let [own, others] = [mass, middle].map(|mass| quantity(rounded(mass), "kg"));
+            let link_name = shown(&mechanism.links[link].name);
+            let text = text!("scene-far-heavier", link = link_name, mass = own, others = others);
+            Notice::mistake(key(mechanism, link, &["mass"]), text)
+        })
+    };
+    (GROUND + 1..mechanism.links.len()).filter_map(heavy).collect()
 }
 
 /// A center of mass far outside of its link.
@@ -126,7 +169,7 @@ fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
     let away = places.map(|place| (place.at[0] - body.center[0]).hypot(place.at[1] - body.center[1]));
     let away = away.fold(f64::INFINITY, f64::min);
     (body.mass > 0.0 && away.is_finite() && away > MOST_TIMES_THE_SIZE * size).then(|| {
-        let [away, size] = [away, size].map(|length| quantity(brief(length), "m"));
+        let [away, size] = [away, size].map(|length| quantity(rounded(length), "m"));
         let text = text!("scene-far-center", link = shown(&body.name), distance = away, size = size);
         Notice::mistake(key(mechanism, link, &["center"]), text)
     })

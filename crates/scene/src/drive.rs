@@ -8,22 +8,11 @@ use crate::context::Context;
 use crate::error::Fault;
 use crate::loads::exclude;
 use crate::numbers::{Bound, in_quotes};
+use crate::reference;
 use crate::text::{brief, did_you_mean, nearest, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
-const KEYS: &[&str] = &[
-    "motor",
-    "catalogue",
-    "max_motor_speed",
-    "characteristic",
-    "ratio",
-    "efficiency",
-    "torque",
-    "flywheel",
-    "flywheel_on",
-];
-const MOTOR_KEYS: &[&str] = &["power", "synchronous_speed", "rated_speed", "max_torque_ratio", "inertia"];
 /// Keys that have a meaning only with a motor.
 const OF_THE_MOTOR: [&str; 5] = ["catalogue", "max_motor_speed", "characteristic", "ratio", "efficiency"];
 const CHARACTERISTICS: &[(&str, Characteristic)] =
@@ -32,7 +21,8 @@ const PLACES: &[(&str, FlywheelPlace)] = &[("crank", FlywheelPlace::Crank), ("mo
 
 /// Reads the drive; `motion` is the motion of the scene, if it could be read.
 pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) -> Option<Drive> {
-    let section = root.get("drive").and_then(|entry| entry.section(text!("scene-the-drive"), KEYS));
+    let section =
+        root.get("drive").and_then(|entry| entry.section(text!("scene-the-drive"), &reference::DRIVE));
     check_unevenness(root, section.as_ref(), motion);
     let section = section?;
     check_motion(&section, motion, context);
@@ -205,7 +195,7 @@ fn motor(entry: &Entry<'_>) -> Option<Motor> {
 }
 
 fn rated(entry: &Entry<'_>) -> Option<RatedMotor> {
-    let section = entry.section(text!("scene-a-motor"), MOTOR_KEYS)?;
+    let section = entry.section(text!("scene-a-motor"), &reference::MOTOR)?;
     let need = |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::Positive));
     let power = need("power", Dimension::Power);
     let synchronous = need("synchronous_speed", Dimension::AngularSpeed);

@@ -6,18 +6,14 @@ use assur_words::text;
 use crate::error::Fault;
 use crate::linkage::Linkage;
 use crate::numbers::Bound;
+use crate::reference;
 use crate::text::{row, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 use crate::wishes;
 
-const KEYS: &[&str] = &["pair", "coefficient", "radius", "owner", "length", "middle", "offset"];
-
 /// The shortest length of contact, m: below it the moment of the guide is a couple of forces whose digits are lost.
 const LEAST_CONTACT: f64 = 1e-6;
-/// Keys of a slide alone, and of a pin alone.
-const OF_SLIDES: [&str; 3] = ["length", "middle", "offset"];
-const OF_PINS: [&str; 2] = ["radius", "owner"];
 
 /// Reads all `[[friction]]`.
 pub(crate) fn read(root: &Section<'_>, linkage: &Linkage, motion: Option<&Motion>) -> Vec<Friction> {
@@ -29,7 +25,7 @@ pub(crate) fn read(root: &Section<'_>, linkage: &Linkage, motion: Option<&Motion
         balance.note(fault.label(text!("scene-friction-prescribed")));
     }
     let mut all: Vec<Friction> = Vec::new();
-    for section in entry.sections(&text!("scene-a-friction"), KEYS) {
+    for section in entry.sections(&reference::FRICTION) {
         let Some(friction) = one(&section, linkage) else { continue };
         if all.iter().any(|known| known.pair == friction.pair)
             && let Some(entry) = section.get("pair")
@@ -47,7 +43,7 @@ fn one(section: &Section<'_>, linkage: &Linkage) -> Option<Friction> {
     let coefficient = coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative));
     let rubbing = match pair? {
         PairId::Pin(point) => {
-            refuse(section, &OF_SLIDES, "scene-friction-of-slides");
+            refuse(section, "pin", "scene-friction-of-slides");
             let radius = section.need("radius");
             let radius = radius.and_then(|entry| entry.bounded(Dimension::Length, Bound::NotNegative));
             let links = || linkage.points[point].places.iter().map(|place| place.link);
@@ -58,7 +54,7 @@ fn one(section: &Section<'_>, linkage: &Linkage) -> Option<Friction> {
             Rubbing::Journal { radius: radius?, owner: owner.unwrap_or(GROUND) }
         }
         PairId::Slide(_) => {
-            refuse(section, &OF_PINS, "scene-friction-of-pins");
+            refuse(section, "slide", "scene-friction-of-pins");
             slide(section)?
         }
     };
@@ -66,8 +62,10 @@ fn one(section: &Section<'_>, linkage: &Linkage) -> Option<Friction> {
 }
 
 /// Notes keys that have no meaning for this sort of pair.
-fn refuse(section: &Section<'_>, keys: &[&str], message: &'static str) {
-    for entry in keys.iter().filter_map(|key| section.get(key)) {
+fn refuse(section: &Section<'_>, sort: &str, message: &'static str) {
+    let own: Vec<_> = reference::FRICTION.names(Some(sort)).collect();
+    let others = reference::FRICTION.names(None).filter(|key| !own.contains(key));
+    for entry in others.filter_map(|key| section.get(key)) {
         entry.fault(text!(message, key = shown(&entry.name)), text!("scene-leave-it-out"));
     }
 }

@@ -7,9 +7,10 @@ use assur_words::{Text, name, text};
 use crate::error::Fault;
 use crate::linkage::Linkage;
 use crate::numbers::Bound;
+use crate::reference;
 use crate::text::{brief, shown};
 use crate::units::Dimension;
-use crate::value::{FORMULA_OF_COORDINATE, formula_with_unit, within_text};
+use crate::value::{formula_with_unit, within_text};
 use crate::walk::Section;
 
 /// Reads the moment of inertia of a link, whose points are known.
@@ -23,7 +24,7 @@ pub(crate) fn read(linkage: &Linkage, id: LinkId, section: &Section<'_>) -> Iner
 }
 
 fn formula(linkage: &Linkage, id: LinkId, entry: &crate::walk::Entry<'_>) -> Option<Inertia> {
-    let section = entry.section(text!("scene-a-formula"), FORMULA_OF_COORDINATE)?;
+    let section = entry.section(text!("scene-a-formula"), &reference::INERTIA)?;
     if section.get("formula").is_none() {
         section.missing("formula", Text::default());
     }

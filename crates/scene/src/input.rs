@@ -10,11 +10,11 @@ use crate::linkage::Linkage;
 use crate::links::on_ground;
 use crate::loads::exclude;
 use crate::numbers::Bound;
+use crate::reference;
 use crate::text::{row, shown};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
-const KEYS: &[&str] = &["link", "from", "positions", "cycle", "direction", "to"];
 /// Positions take no memory, but time and a place on a disk: more would fill terabytes.
 const MOST: usize = 1_000_000_000;
 
@@ -24,7 +24,7 @@ pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {
         root.missing("input", text!("scene-add-input"));
         return None;
     };
-    let section = entry.section(text!("scene-the-input"), KEYS)?;
+    let section = entry.section(text!("scene-the-input"), &reference::INPUT)?;
     let link = section
         .need("link")
         .and_then(|entry| Some((linkage.moving(&entry, text!("scene-link-joined-to-ground"))?, entry)));

@@ -7,6 +7,7 @@ use assur_words::{name, text};
 use crate::context::{Context, Sort};
 use crate::linkage::{Linkage, pair};
 use crate::numbers::Bound;
+use crate::reference;
 use crate::text::{row, shown};
 use crate::units::Dimension;
 use crate::value;
@@ -14,9 +15,7 @@ use crate::walk::{Entry, Section, quoted};
 
 /// Reads a `[[spring]]`.
 pub(crate) const SPRINGS: Sort = Sort {
-    key: "spring",
-    what: "scene-a-spring",
-    keys: &["name", "between", "stiffness", "length", "damping"],
+    table: &reference::SPRING,
     unnamed: |number, _| text!("scene-unnamed-spring", number = number),
     one: spring,
 };
@@ -81,9 +80,7 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 
 /// Reads a `[[contact]]`.
 pub(crate) const CONTACTS: Sort = Sort {
-    key: "contact",
-    what: "scene-a-contact",
-    keys: &["name", "link", "center", "radius", "angle", "force", "scale", "friction", "during"],
+    table: &reference::CONTACT,
     unnamed: |number, link| text!("scene-unnamed-contact", number = number, link = link),
     one: contact,
 };
@@ -118,7 +115,8 @@ fn friction(section: &Section<'_>) -> (f64, bool) {
     let Some(entry) = table else {
         return (section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0), false);
     };
-    let Some(section) = entry.section(text!("scene-friction-against-sliding"), &["against_sliding"]) else {
+    let Some(section) = entry.section(text!("scene-friction-against-sliding"), &reference::CONTACT_FRICTION)
+    else {
         return (0.0, true);
     };
     let coefficient = section.need("against_sliding");

@@ -19,6 +19,7 @@ mod links;
 mod loads;
 mod motion;
 mod numbers;
+pub mod reference;
 mod render;
 #[cfg(test)]
 mod tests;
@@ -46,11 +47,6 @@ assur_words::resources!();
 /// A commented, complete scene as a start for a new one.
 pub const STARTER: &str = include_str!("starter.toml");
 
-const KEYS: &[&str] = &[
-    "title", "gravity", "ground", "link", "slide", "input", "assembly", "force", "moment", "spring",
-    "contact", "friction", "brake", "balance", "motion", "drive", "output", "note",
-];
-
 /// Reads a scene. `file_name` appears only in errors.
 ///
 /// # Errors
@@ -77,7 +73,7 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
 ///
 /// Those of [`read`].
 pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
-    document::read(file_name, text, text!("scene-a-scene"), KEYS, scene)
+    document::read_known(file_name, text, text!("scene-a-scene"), (&reference::SCENE).into(), scene)
 }
 
 /// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an

@@ -8,19 +8,18 @@ use crate::inertia;
 use crate::limits;
 use crate::linkage::{Linkage, coordinates};
 use crate::numbers::Bound;
+use crate::reference;
 use crate::text::{is_unprintable, row, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
-
-const GROUND_KEYS: &[&str] = &["points"];
-const LINK_KEYS: &[&str] = &["points", "mass", "center", "inertia"];
 
 /// Reads the ground and the links; returns the first point of each link as well.
 pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
     let mut linkage = Linkage::default();
     linkage.add_link(massless(Name::ground()));
     let mut firsts = vec![[0.0; 2]];
-    let ground = root.get("ground").and_then(|entry| entry.section(text!("scene-the-ground"), GROUND_KEYS));
+    let ground =
+        root.get("ground").and_then(|entry| entry.section(text!("scene-the-ground"), &reference::GROUND));
     if let Some(points) = ground.and_then(|ground| ground.get("points")) {
         firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
     }
@@ -72,7 +71,7 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
     }
     let id = linkage.add_link(massless(entry.name.as_str().into()));
     firsts.push([0.0; 2]);
-    let section = entry.section(text!("scene-a-link"), LINK_KEYS)?;
+    let section = entry.section(text!("scene-a-link"), &reference::LINK)?;
     if let Some(points) = section.need("points") {
         firsts[id] = add_points(linkage, &points, id);
     }
@@ -124,11 +123,9 @@ fn default_center(section: &Section<'_>, first: [f64; 2], heavy: bool) -> Option
     None
 }
 
-const KEYS: &[&str] = &["link", "on", "through", "angle", "point", "tilt", "name"];
-
 /// Reads the slides into the linkage.
 pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) {
-    for section in root.get("slide").iter().flat_map(|entry| entry.sections(&text!("scene-a-slide"), KEYS)) {
+    for section in root.get("slide").iter().flat_map(|entry| entry.sections(&reference::SLIDE)) {
         if let Some(slide) = one(&section, linkage, firsts) {
             linkage.slides.push(slide);
         }

@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment};
+use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment, Value};
 use assur_words::{Text, name, text};
 
 use crate::context::{Context, Sort};
 use crate::joints::{CONTACTS, SPRINGS};
 use crate::linkage::pair;
 use crate::numbers::Bound;
+use crate::reference;
 use crate::text::shown;
 use crate::units::Dimension;
 use crate::value;
@@ -40,9 +41,7 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
 }
 
 const FORCES: Sort = Sort {
-    key: "force",
-    what: "scene-a-force",
-    keys: &["name", "link", "at", "angle", "frame", "value", "scale", "against_motion"],
+    table: &reference::FORCE,
     unnamed: |number, link| text!("scene-unnamed-force", number = number, link = link),
     one: force,
 };
@@ -50,6 +49,12 @@ const FORCES: Sort = Sort {
 fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let direction = direction(section, context);
     let value = value::sized(section, "value", Dimension::Force, true, context);
+    if let (Some(Direction::AgainstMotion), Some(Value::Constant(size)), Some(entry)) =
+        (&direction, &value, section.get("value"))
+        && *size < 0.0
+    {
+        entry.faults.mistake(entry.span.clone(), text!("scene-negative-against"));
+    }
     let weight = text!("scene-ground-carries");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
     let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
@@ -77,9 +82,7 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
 }
 
 const MOMENTS: Sort = Sort {
-    key: "moment",
-    what: "scene-a-moment",
-    keys: &["name", "link", "value", "scale"],
+    table: &reference::MOMENT,
     unnamed: |number, link| text!("scene-unnamed-moment", number = number, link = link),
     one: moment,
 };
@@ -92,9 +95,7 @@ fn moment(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
 }
 
 const BRAKES: Sort = Sort {
-    key: "brake",
-    what: "scene-a-brake",
-    keys: &["name", "link", "radius", "force", "lever", "scale", "friction"],
+    table: &reference::BRAKE,
     unnamed: |number, link| text!("scene-unnamed-brake", number = number, link = link),
     one: brake,
 };

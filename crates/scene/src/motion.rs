@@ -2,30 +2,18 @@
 
 use assur_mechanism::{MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Motion, Solve, StepLength, Until};
 
-use assur_words::{Text, name as words, number, text};
+use assur_words::{Describe, Text, name as words, number, text};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::numbers::Bound;
-use crate::text::{brief, shown, such_as};
+use crate::numbers::{Bound, in_quotes};
+use crate::reference::MOTION;
+use crate::text::{brief, did_you_mean, nearest, shown, such_as};
 use crate::units::{Dimension, UnitError, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
 
 /// Steps of a motion that a scene may allow: hours of work.
 const MOST_STEPS: usize = 1_000_000_000;
-const ALL_KEYS: &[&str] = &[
-    "kind",
-    "speed",
-    "acceleration",
-    "until",
-    "samples",
-    "integrator",
-    "tolerance",
-    "step",
-    "max_steps",
-    "mean_speed",
-    "unevenness",
-];
 const KINDS: &[(&str, Kind)] =
     &[("prescribed", Kind::Prescribed), ("transient", Kind::Transient), ("steady", Kind::Steady)];
 
@@ -37,14 +25,8 @@ enum Kind {
 }
 
 impl Kind {
-    fn keys(self) -> &'static [&'static str] {
-        match self {
-            Self::Prescribed => &["kind", "speed", "acceleration"],
-            Self::Transient => {
-                &["kind", "speed", "until", "samples", "integrator", "tolerance", "step", "max_steps"]
-            }
-            Self::Steady => &["kind", "mean_speed", "unevenness"],
-        }
+    fn keys(self) -> Vec<&'static str> {
+        MOTION.names(Some(self.name())).collect()
     }
 
     fn name(self) -> &'static str {
@@ -54,7 +36,7 @@ impl Kind {
 
 /// Reads the motion.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
-    let section = root.get("motion")?.section(text!("scene-the-motion"), ALL_KEYS)?;
+    let section = root.get("motion")?.section(text!("scene-the-motion"), &MOTION)?;
     let kind = match section.get("kind") {
         Some(entry) => entry.choice(KINDS)?,
         None => Kind::Prescribed,
@@ -71,13 +53,13 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> 
 fn refuse_other_kinds(section: &Section<'_>, kind: Kind) {
     for entry in section.entries() {
         let name = entry.name.as_str();
-        if !ALL_KEYS.contains(&name) || kind.keys().contains(&name) {
+        if kind.keys().contains(&name) {
             continue;
         }
-        let owner = KINDS.iter().find(|other| other.1.keys().contains(&name)).map_or("", |other| other.0);
+        let Some((owner, _)) = KINDS.iter().find(|other| other.1.keys().contains(&name)) else { continue };
         let own = words(kind.name());
         let message =
-            text!("scene-other-motion", key = shown(name), owner = words(owner), kind = own.clone());
+            text!("scene-other-motion", key = shown(name), owner = words(*owner), kind = own.clone());
         let keys = words(kind.keys().join(", "));
         let help = text!("scene-motion-knows", kind = own, keys = keys);
         section.faults.push(Fault::new(entry.key, message).help(help));
@@ -156,6 +138,11 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, wanted: &'static str) -
             entry.wants(wanted, measures(&unit, found), Text::default());
             None
         }
+        Err(UnitError::UnknownUnit { unit, near, .. }) => {
+            let got = text!("scene-got-unknown-unit", unit = shown(&unit));
+            entry.wants(wanted, got, did_you_mean(near.as_deref()));
+            None
+        }
         Err(UnitError::NotANumber { .. }) => {
             entry.wants(wanted, entry.written(), Text::default());
             None
@@ -172,6 +159,12 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let unevenness = section.get("unevenness").and_then(|entry| {
         if entry.value.as_str() == Some("motor") {
             return Some(Solve::Wanted);
+        }
+        if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
+            let quantity = Dimension::Number.describe();
+            let wanted = text!("scene-word-or", word = words("motor"), quantity = quantity);
+            entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["motor"])));
+            return None;
         }
         let value = entry.bounded(Dimension::Number, Bound::Positive)?;
         if value >= 2.0 {

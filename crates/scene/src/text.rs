@@ -22,6 +22,11 @@ pub(crate) fn brief(value: f64) -> Text {
     number(if plain.len() <= 12 { plain } else { format!("{value:.4e}") })
 }
 
+/// A number that was calculated, to four digits.
+pub(crate) fn rounded(value: f64) -> Text {
+    brief(format!("{value:.3e}").parse().unwrap_or(value))
+}
+
 /// A piece of the scene as a message quotes it: one line, without control characters, of limited length.
 pub(crate) fn shown(piece: &str) -> Text {
     name(cut(piece))

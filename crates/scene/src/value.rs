@@ -10,7 +10,8 @@ use assur_words::{Describe, Text, joined, number, text, unit};
 use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::{Bound, in_quotes};
-use crate::text::{brief, such_as};
+use crate::reference::VALUE;
+use crate::text::{brief, shown, such_as};
 use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Section};
 
@@ -21,13 +22,6 @@ const OVER: &[(&str, Kind)] = &[
     ("stroke", Kind::Stroke),
 ];
 const SHAPES: &[(&str, Shape)] = &[("linear", Shape::Linear), ("step", Shape::Step)];
-const ALL_KEYS: &[&str] = &["over", "table", "shape", "repeat", "axis", "forward", "back", "formula", "unit"];
-const ANGLE_KEYS: &[&str] = &["over", "table", "shape", "repeat"];
-const TABLE_KEYS: &[&str] = &["over", "table", "shape"];
-/// Keys of a formula over the coordinate alone.
-pub(crate) const FORMULA_OF_COORDINATE: &[&str] = &["formula", "unit"];
-const FORMULA_KEYS: &[&str] = &["formula", "unit", "axis"];
-const STROKE_KEYS: &[&str] = &["over", "axis", "forward", "back", "shape"];
 
 /// More rows than any measurement needs.
 const MOST_ROWS: usize = 100_000;
@@ -49,15 +43,21 @@ pub(crate) fn read(
         return if refused_formula(entry) { None } else { entry.quantity(dimension).map(Value::Constant) };
     }
     if entry.named(text!("scene-a-table"), Text::default()).iter().any(|key| key.name == "formula") {
-        return formula(&entry.section(text!("scene-a-formula"), FORMULA_KEYS)?, dimension, stroke, context);
+        return formula(
+            &entry.section(text!("scene-a-formula"), (&VALUE, "formula"))?,
+            dimension,
+            stroke,
+            context,
+        );
     }
     let kind = kind(entry)?;
-    let (what, keys) = match kind {
-        Kind::Plain(Over::Coordinate) => ("scene-table-over-angle", ANGLE_KEYS),
-        Kind::Plain(_) => ("scene-table-over-time-or-speed", TABLE_KEYS),
-        Kind::Stroke => ("scene-table-over-stroke", STROKE_KEYS),
+    let what = match kind {
+        Kind::Plain(Over::Coordinate) => "scene-table-over-angle",
+        Kind::Plain(_) => "scene-table-over-time-or-speed",
+        Kind::Stroke => "scene-table-over-stroke",
     };
-    let section = entry.section(text!(what), keys)?;
+    let over = OVER.iter().find(|over| over.1 == kind).map_or("", |over| over.0);
+    let section = entry.section(text!(what), (&VALUE, over))?;
     let shape = section.get("shape").and_then(|shape| shape.choice(SHAPES)).unwrap_or(Shape::Linear);
     match kind {
         Kind::Plain(over) => plain(&section, over, shape, dimension, context),
@@ -108,7 +108,7 @@ fn kind(entry: &Entry<'_>) -> Option<Kind> {
     if let Some(over) = over.next() {
         return over.choice(OVER);
     }
-    let section = entry.section(text!("scene-table-of-a-load"), ALL_KEYS)?;
+    let section = entry.section(text!("scene-table-of-a-load"), &VALUE)?;
     section.missing("over", text!("scene-all-arguments"));
     None
 }
@@ -163,6 +163,11 @@ pub(crate) fn formula_with_unit<'a>(
         }
     };
     let formula = Formula::read(text).map_err(|error| misread(&entry, text, &error)).ok()?;
+    if let Some(function) = formula.takes_degrees() {
+        entry
+            .faults
+            .mistake(entry.span.clone(), text!("scene-degrees-in-formula", function = shown(function)));
+    }
     Some((entry, formula, factor))
 }
 

@@ -11,6 +11,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{Fault, Faults};
+use crate::reference::Table;
 use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
 
 /// A table of the file with a known set of keys.
@@ -21,8 +22,59 @@ pub struct Section<'a> {
     pub(crate) what: Text,
     /// Its header; for an inline table the whole table.
     pub(crate) span: Range<usize>,
-    known: &'static [&'static str],
+    known: Known,
     pub(crate) faults: &'a Faults,
+}
+
+/// The keys that a table may have.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Known {
+    /// Those of a file that is no scene.
+    Names(&'static [&'static str]),
+    /// Those of a table of the reference, of one of its sorts where the second is given.
+    Table(&'static Table, Option<&'static str>),
+}
+
+impl Known {
+    fn names(self) -> Vec<&'static str> {
+        match self {
+            Self::Names(names) => names.to_vec(),
+            Self::Table(table, sort) => table.names(sort).collect(),
+        }
+    }
+
+    /// What is meant by a key that the table does not have: the known one, or the tables that have it.
+    fn meant(self, word: &str, known: &[&'static str]) -> Text {
+        let Self::Table(table, _) = self else { return did_you_mean(nearest(word, known.iter().copied())) };
+        if let Some(sorts) = table.sorts(word) {
+            return text!("scene-key-of-sorts", sorts = name(sorts.join(", ")));
+        }
+        let (also, elsewhere) = (table.meant(word).filter(|key| known.contains(key)), Table::elsewhere(word));
+        match also.or_else(|| nearest(word, known.iter().copied())) {
+            None if !elsewhere.is_empty() => {
+                text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
+            }
+            near => did_you_mean(near),
+        }
+    }
+}
+
+impl From<&'static Table> for Known {
+    fn from(table: &'static Table) -> Self {
+        Self::Table(table, None)
+    }
+}
+
+impl From<(&'static Table, &'static str)> for Known {
+    fn from((table, sort): (&'static Table, &'static str)) -> Self {
+        Self::Table(table, Some(sort))
+    }
+}
+
+impl From<&'static [&'static str]> for Known {
+    fn from(names: &'static [&'static str]) -> Self {
+        Self::Names(names)
+    }
 }
 
 /// A value of the file.
@@ -40,12 +92,7 @@ pub struct Entry<'a> {
 
 impl<'a> Section<'a> {
     /// The whole file.
-    pub(crate) fn root(
-        table: &'a DeTable<'a>,
-        what: Text,
-        known: &'static [&'static str],
-        faults: &'a Faults,
-    ) -> Self {
+    pub(crate) fn root(table: &'a DeTable<'a>, what: Text, known: Known, faults: &'a Faults) -> Self {
         let section = Self { table, what, span: 0..0, known, faults };
         section.refuse_unknown();
         section
@@ -57,15 +104,21 @@ impl<'a> Section<'a> {
     }
 
     fn refuse_unknown(&self) {
+        let known = self.known.names();
         for entry in self.entries() {
-            if !self.known.contains(&entry.name.as_str()) {
-                entry.unknown(text!("scene-key"), self.known.iter().copied(), || self.knows());
+            if !known.contains(&entry.name.as_str()) {
+                entry.faults.note(|| {
+                    let message =
+                        text!("scene-unknown", what = text!("scene-key"), name = shown(&entry.name));
+                    let label = self.known.meant(&entry.name, &known);
+                    Fault::new(entry.key.clone(), message).label(label).help(self.knows())
+                });
             }
         }
     }
 
     fn knows(&self) -> Text {
-        text!("scene-knows", what = &self.what, keys = name(self.known.join(", ")))
+        text!("scene-knows", what = &self.what, keys = name(self.known.names().join(", ")))
     }
 
     /// The value of a key, if it is present.
@@ -165,26 +218,27 @@ impl<'a> Entry<'a> {
     }
 
     /// A table with these keys.
-    pub(crate) fn section(&self, what: Text, known: &'static [&'static str]) -> Option<Section<'a>> {
+    pub(crate) fn section(&self, what: Text, known: impl Into<Known>) -> Option<Section<'a>> {
         let DeValue::Table(table) = self.value else {
             let hint = text!("scene-write-once", key = shown(&self.name));
             let hint = if self.value.is_array() { hint } else { Text::default() };
             self.wrong(text!("scene-one-table"), hint);
             return None;
         };
-        let section = Section { table, what, span: self.span.clone(), known, faults: self.faults };
+        let (span, known) = (self.span.clone(), known.into());
+        let section = Section { table, what, span, known, faults: self.faults };
         section.refuse_unknown();
         Some(section)
     }
 
     /// A list of tables, `[[name]]`, each with these keys.
-    pub(crate) fn sections(&self, what: &Text, known: &'static [&'static str]) -> Vec<Section<'a>> {
+    pub(crate) fn sections(&self, table: &'static Table) -> Vec<Section<'a>> {
         if self.value.is_table() {
             self.wrong(text!("scene-list-of-tables"), text!("scene-write-list", key = shown(&self.name)));
             return Vec::new();
         }
         let items = self.list(text!("scene-list-of-tables"));
-        items.iter().filter_map(|item| item.section(what.clone(), known)).collect()
+        items.iter().filter_map(|item| item.section(text!(table.what), table)).collect()
     }
 
     /// The elements of a list; messages name each by the list.
@@ -204,7 +258,9 @@ impl<'a> Entry<'a> {
         if pair.is_err() {
             let many = text!("scene-list-of-so-many", count = count);
             let got = if self.value.is_array() { many } else { kind(self.value) };
-            self.wants(wanted.clone(), got, Text::default());
+            // 0,15 is two numbers.
+            let label = if count > 2 { text!("scene-decimal-comma") } else { Text::default() };
+            self.wants(wanted.clone(), got, label);
         }
         pair.ok()
     }

@@ -6,12 +6,10 @@ use assur_words::{name, text};
 
 use crate::linkage::{Linkage, pair};
 use crate::numbers::Bound;
+use crate::reference;
 use crate::text::{row, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
-
-const BALANCE_KEYS: &[&str] = &["link", "at", "angle"];
-const OUTPUT_KEYS: &[&str] = &["points", "links", "slides", "reactions"];
 
 /// Reads `[assembly]`: rough positions of points.
 pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [f64; 2])> {
@@ -45,7 +43,7 @@ fn hinted(hint: &Entry<'_>, linkage: &Linkage) -> Option<PointId> {
 
 /// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
 pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> {
-    let section = root.get("balance")?.section(text!("scene-the-balance"), BALANCE_KEYS)?;
+    let section = root.get("balance")?.section(text!("scene-the-balance"), &reference::BALANCE)?;
     let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-ground-carries")));
     match (section.get("at"), section.get("angle")) {
         (None, None) => Some(Balance::Moment(link?)),
@@ -63,7 +61,7 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> 
 
 /// Reads `[output]`: the wanted results.
 pub(crate) fn output(root: &Section<'_>, linkage: &Linkage) -> Option<Output> {
-    let section = root.get("output")?.section(text!("scene-the-output"), OUTPUT_KEYS)?;
+    let section = root.get("output")?.section(text!("scene-the-output"), &reference::OUTPUT)?;
     Some(Output {
         points: each(&section, "points", |entry| linkage.point(entry)),
         links: each(&section, "links", |entry| link(entry, linkage)),
@@ -112,8 +110,6 @@ pub(crate) fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
     }
 }
 
-const KEYS: &[&str] = &["author", "group", "variant", "language", "positions"];
-
 /// Languages of the note: the word in the scene.
 const LANGUAGES: [(&str, &str); 3] = [("en", "en"), ("uk", "uk"), ("ru", "ru")];
 
@@ -138,7 +134,8 @@ pub struct Note {
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
     let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new() };
-    let Some(section) = root.get("note").and_then(|entry| entry.section(text!("scene-the-note"), KEYS))
+    let Some(section) =
+        root.get("note").and_then(|entry| entry.section(text!("scene-the-note"), &reference::NOTE))
     else {
         return note;
     };

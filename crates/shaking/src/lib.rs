@@ -23,4 +23,4 @@ assur_words::resources!();
 pub use data::{
     AtPosition, Balanced, Counterweight, Criterion, Harmonic, Proof, Shaking, ShakingError, Size,
 };
-pub use study::shaking;
+pub use study::{shaking, shaking_size};

@@ -2,7 +2,7 @@
 
 use assur_force::{Loads, State};
 use assur_kinematics::{Linkage, PositionError};
-use assur_mechanism::{Motion, Range};
+use assur_mechanism::{Mechanism, Motion, Range};
 
 use crate::ShakingError;
 use crate::balance::Fit;
@@ -20,13 +20,7 @@ const SAMPLES: usize = 720;
 pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shaking, ShakingError> {
     let mechanism = &linkage.mechanism;
     let input = &mechanism.input;
-    let Range::Cycle(period) = input.range else { return Err(ShakingError::NoCycle) };
-    if !matches!(mechanism.motion, Some(Motion::Prescribed { .. } | Motion::Steady { .. })) {
-        return Err(ShakingError::NoMotion);
-    }
-    if mechanism.heavy_links().next().is_none() {
-        return Err(ShakingError::NoMass);
-    }
+    let period = period(mechanism)?;
     let loads = Loads::compile(linkage)?;
     let mut sampler = Sampler::new(linkage, &loads, state);
     let coordinate = |i: usize| input.from + input.sign() * period * i as f64 / SAMPLES as f64;
@@ -49,6 +43,35 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
         balances: balances.into_iter().map(|(balanced, _)| balanced).collect(),
         positions,
     })
+}
+
+/// How large shaking force and moment are over the cycle, without counterweights; `state` is the motion at a coordinate.
+///
+/// # Errors
+///
+/// Those of [`shaking`].
+pub fn shaking_size(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Size, ShakingError> {
+    let input = &linkage.mechanism.input;
+    let step = input.sign() * period(&linkage.mechanism)? / SAMPLES as f64;
+    let loads = Loads::compile(linkage)?;
+    let mut sampler = Sampler::new(linkage, &loads, state);
+    let samples = (0..=SAMPLES).map(|i| sampler.at(input.from + step * i as f64));
+    let mut samples = samples.collect::<Result<Vec<_>, _>>()?;
+    let mut course = Course::of(&mut sampler, &samples)?;
+    samples.pop();
+    Ok(size(&samples, &mut course, &[])?)
+}
+
+/// The cycle over which masses shake, rad or m.
+fn period(mechanism: &Mechanism) -> Result<f64, ShakingError> {
+    let Range::Cycle(period) = mechanism.input.range else { return Err(ShakingError::NoCycle) };
+    if !matches!(mechanism.motion, Some(Motion::Prescribed { .. } | Motion::Steady { .. })) {
+        return Err(ShakingError::NoMotion);
+    }
+    if mechanism.heavy_links().next().is_none() {
+        return Err(ShakingError::NoMass);
+    }
+    Ok(period)
 }
 
 /// What is found with counterweights, and their mass times radius, kg m, in the frames of the links.

@@ -16,8 +16,11 @@ structure-loose-also = {" "}(while the pairs { $pairs } have one constraint too 
 structure-surplus = mobility { $mobility } ({ $formula }), must be 1: { $pairs } { $count ->
         [one] gives
        *[other] give
-    } one constraint too many on { $links }; take one pair or one link away there (a passive link that only repeats a motion must be left out of the scene)
+    } one constraint too many on { $links }; take one pair or one link away there{ $cause }
 structure-no-plugin = { $links } form a group of class { $class }, order { $order } ({ $pattern }); no plugin is registered for it (see `assur plugins`; another input link may give other groups)
 structure-pattern = inner { $inner }; outer { $outer }
 structure-what-joins = a point name that stands in two links makes a pin there
 structure-alike = the points `{ $one }` and `{ $other }` stand in one link each and look alike: one name in both links makes a pin there
+structure-misses = ; it repeats no motion: what could be left out as passive misses by { $misfit } over the cycle
+structure-too-many = ; { $surplus } surplus constraints are more than the { $most } among which passive ones are searched for
+structure-alone = a point name that stands in two links makes a pin there; in one link only stand { $points }

@@ -6,15 +6,30 @@ use assur_group::{GroupFrame, Pair, plugin_for};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, PairId, Point, likeness};
 use assur_words::{Text, joined, name, text};
 
-use crate::frame::{Incidence, frame_of, input_pair, typical_length};
+use crate::excess::LeftOut;
+use crate::frame::{Incidence, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
-use crate::{Counted, Group, Mobility, NamedPair, Structure, StructureError, name_of, roman};
+use crate::{
+    Counted, Group, Mobility, NamedPair, Part, Passive, Structure, StructureError, SurplusCause, name_of,
+    roman,
+};
 
 impl Structure {
     /// Decomposes a mechanism into Assur groups.
     pub fn of(mechanism: &Mechanism) -> Result<Self, StructureError> {
+        Self::without(mechanism, &[])
+    }
+
+    /// Decomposes a mechanism without some parts, which are passive: its groups don't depend on them. The mobility is that of
+    /// the whole mechanism as counted.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`of`](Self::of), for what remains.
+    pub fn without(mechanism: &Mechanism, parts: &[Part]) -> Result<Self, StructureError> {
         let mobility = count(mechanism);
-        let graph = counted_system(mechanism);
+        let left_out = LeftOut::of(mechanism, parts);
+        let graph = counted_system(mechanism, &left_out);
         refuse_other_mobility(mechanism, &mobility, &graph)?;
         let incidence = Incidence::of(mechanism);
         let scale = typical_length(mechanism);
@@ -24,7 +39,7 @@ impl Structure {
         let mut groups = Vec::new();
         for part in graph.parts() {
             let links = links_of(&graph, &part);
-            let frame = frame_of(mechanism, &incidence, links, &rank, scale, &mut pairs);
+            let frame = frame_of((mechanism, &incidence, &left_out), links, &rank, scale, &mut pairs);
             if frame.links.is_empty() {
                 continue;
             }
@@ -33,8 +48,22 @@ impl Structure {
             }
             groups.push(group_of(mechanism, frame, &pairs)?);
         }
+        let mut passive = Vec::with_capacity(parts.len());
+        for (index, &part) in parts.iter().rev().enumerate() {
+            let frame = match part {
+                Part::Link(link) => {
+                    let from = (mechanism, &incidence, &left_out);
+                    let frame = frame_of(from, vec![link], &rank, scale, &mut pairs);
+                    rank[link] = groups.len() + 2 + index;
+                    frame
+                }
+                Part::Pair(pair, link) => pair_alone(mechanism, (pair, link), &rank, scale, &mut pairs),
+            };
+            passive.push(Passive { part, frame });
+        }
         let formula = formula(mechanism, &groups);
-        Ok(Self { mobility, pairs, groups, links: mechanism.links.len(), scale, formula })
+        let (placed, links) = (Vec::new(), mechanism.links.len());
+        Ok(Self { mobility, pairs, groups, passive, placed, links, scale, formula })
     }
 }
 
@@ -48,11 +77,17 @@ fn count(mechanism: &Mechanism) -> Mobility {
 }
 
 /// Builds the unknowns (links and pins) and the equations between them; ground and input link are known.
-fn counted_system(mechanism: &Mechanism) -> Graph {
+pub(crate) fn counted_system(mechanism: &Mechanism, left_out: &LeftOut) -> Graph {
     let known = |link: LinkId| link == GROUND || link == mechanism.input.link;
-    let mut nodes: Vec<Node> =
-        (1..mechanism.links.len()).filter(|&link| !known(link)).map(Node::Link).collect();
-    let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
+    let mut nodes: Vec<Node> = (1..mechanism.links.len())
+        .filter(|&link| !known(link) && !left_out.link(link))
+        .map(Node::Link)
+        .collect();
+    // A pin of which every link is left out has no place.
+    let is_held = |(id, point): &(usize, &Point)| {
+        point.is_pin() && point.places.iter().any(|place| !left_out.pair(PairId::Pin(*id), place.link))
+    };
+    let pins = mechanism.points.iter().enumerate().filter(is_held);
     nodes.extend(pins.map(|(id, _)| Node::Pin(id)));
     let (mut links, mut points) = (vec![None; mechanism.links.len()], vec![None; mechanism.points.len()]);
     for (index, node) in nodes.iter().enumerate() {
@@ -63,7 +98,7 @@ fn counted_system(mechanism: &Mechanism) -> Graph {
     }
     let mut blocks = Vec::new();
     for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
-        for place in &point.places {
+        for place in point.places.iter().filter(|place| !left_out.pair(PairId::Pin(id), place.link)) {
             // The input coordinate replaces the input's own pair with the ground.
             if place.link == mechanism.input.link && mechanism.input.pair == InputPair::Pin(id) {
                 continue;
@@ -73,7 +108,10 @@ fn counted_system(mechanism: &Mechanism) -> Graph {
         }
     }
     for (id, slide) in mechanism.slides.iter().enumerate() {
-        if mechanism.input.pair == InputPair::Slide(id) {
+        if mechanism.input.pair == InputPair::Slide(id)
+            || left_out.pair(PairId::Slide(id), slide.link)
+            || left_out.link(slide.on)
+        {
             continue;
         }
         let ends = [links[slide.link], links[slide.on]];
@@ -101,6 +139,7 @@ fn refuse_other_mobility(
         let pairs: Vec<String> = names.filter(|name| seen.insert(*name)).map(ToString::to_string).collect();
         (pairs, link_names(&nodes))
     });
+    let loose_links = links_of(graph, &graph.loose());
     let loose = link_names(&graph.loose());
     match (surplus, loose.is_empty()) {
         (None, true) => Ok(()),
@@ -109,11 +148,17 @@ fn refuse_other_mobility(
                 // Both ends of the surplus pair are known (ground and input link).
                 links.push(mechanism.links[mechanism.input.link].name.to_string());
             }
-            Err(StructureError::Surplus { counted, pairs, links })
+            Err(StructureError::Surplus { counted, pairs, links, cause: SurplusCause::None })
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);
-            Err(StructureError::Loose { counted, links: loose, surplus, alike: alike(mechanism) })
+            Err(StructureError::Loose {
+                counted,
+                links: loose,
+                surplus,
+                alike: alike(mechanism),
+                alone: alone(mechanism, &loose_links),
+            })
         }
     }
 }
@@ -128,6 +173,17 @@ fn alike(mechanism: &Mechanism) -> Option<Box<[String; 2]>> {
         }
     }
     None
+}
+
+/// The points of some links that stand in one link only, each with it: pins that were meant may be among them.
+fn alone(mechanism: &Mechanism, links: &[LinkId]) -> Vec<String> {
+    let of_link = |link: &LinkId| {
+        let alone = |point: &&Point| point.places.len() == 1 && point.places[0].link == *link;
+        let points = mechanism.points.iter().filter(alone).map(|point| point.name.to_string());
+        let points = points.collect::<Vec<_>>().join(", ");
+        (!points.is_empty()).then(|| format!("{}: {points}", mechanism.links[*link].name))
+    };
+    links.iter().chain([&GROUND]).filter_map(of_link).collect()
 }
 
 /// The links of one part in the order of the scene; a part that is a single pin has none.

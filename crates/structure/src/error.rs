@@ -1,7 +1,7 @@
 //! Errors in decomposing a mechanism.
 
 use assur_group::{BuildError, RegistryError};
-use assur_words::{Describe, Text, joined, list, name, number, text};
+use assur_words::{Describe, Text, joined, list, name, number, quantity, text};
 
 /// The mobility count that an error shows.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -10,6 +10,23 @@ pub struct Counted {
     pub mobility: i64,
     /// The calculation of W: `3*5 - 2*7`.
     pub formula: String,
+}
+
+/// Why surplus constraints don't just repeat what others say.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum SurplusCause {
+    /// No part was found that could be left out.
+    #[default]
+    None,
+    /// The best choice of parts to leave out misses by this much over the cycle, m.
+    Misses(f64),
+    /// There are more of them than are searched.
+    TooMany {
+        /// How many there are.
+        surplus: usize,
+        /// How many may be.
+        most: usize,
+    },
 }
 
 /// Why a mechanism can't be decomposed into groups.
@@ -26,6 +43,8 @@ pub enum StructureError {
         surplus: Vec<String>,
         /// Two points of different links that stand in one link each, but have nearly the same name.
         alike: Option<Box<[String; 2]>>,
+        /// Points of these links, and of the ground, that stand in no other link, by link.
+        alone: Vec<String>,
     },
     /// Some pairs constrain what is already fixed.
     Surplus {
@@ -35,6 +54,8 @@ pub enum StructureError {
         pairs: Vec<String>,
         /// Links that they lock.
         links: Vec<String>,
+        /// Why no part of it is passive.
+        cause: SurplusCause,
     },
     /// No plugin solves a group.
     NoPlugin {
@@ -92,7 +113,7 @@ assur_words::errors!(StructureError; Registry(RegistryError));
 impl Describe for StructureError {
     fn describe(&self) -> Text {
         match self {
-            Self::Loose { counted, links, surplus, alike } => text!(
+            Self::Loose { counted, links, surplus, alike, alone } => text!(
                 "structure-loose",
                 mobility = number(counted.mobility),
                 formula = name(counted.formula.clone()),
@@ -104,20 +125,30 @@ impl Describe for StructureError {
                     text!("structure-loose-also", pairs = some(surplus, ""))
                 },
                 hint = match alike {
-                    None => text!("structure-what-joins"),
+                    None if alone.is_empty() => text!("structure-what-joins"),
+                    None => text!("structure-alone", points = some(alone, "")),
                     Some(both) => {
                         let [one, other] = (**both).clone().map(name);
                         text!("structure-alike", one, other)
                     }
                 }
             ),
-            Self::Surplus { counted, pairs, links } => text!(
+            Self::Surplus { counted, pairs, links, cause } => text!(
                 "structure-surplus",
                 mobility = number(counted.mobility),
                 formula = name(counted.formula.clone()),
                 pairs = text!("structure-pairs", count = pairs.len(), pairs = some(pairs, "`")),
                 count = pairs.len(),
-                links = links_named(links)
+                links = links_named(links),
+                cause = match cause {
+                    SurplusCause::None => Text::default(),
+                    SurplusCause::Misses(misfit) => text!(
+                        "structure-misses",
+                        misfit = quantity(format_args!("{:.3}", misfit * 1e3), "mm")
+                    ),
+                    SurplusCause::TooMany { surplus, most } =>
+                        text!("structure-too-many", surplus = *surplus, most = *most),
+                }
             ),
             Self::NoPlugin { links, class, order, pattern } => text!(
                 "structure-no-plugin",

@@ -3,6 +3,7 @@
 use assur_group::{GroupFrame, Pair, PairGeometry};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place, PointId, Slide, SlideId};
 
+use crate::excess::LeftOut;
 use crate::{NamedPair, Structure};
 
 /// Points and slides of each link, in the order of the scene.
@@ -120,8 +121,8 @@ impl Structure {
         for NamedPair { pair, source } in &mut self.pairs {
             pair.geometry = geometry(mechanism, *source, pair.a, pair.b);
         }
-        for group in &mut self.groups {
-            let frame = &mut group.frame;
+        let passive = self.passive.iter_mut().map(|passive| &mut passive.frame);
+        for frame in self.groups.iter_mut().map(|group| &mut group.frame).chain(passive) {
             frame.scale = self.scale;
             for pair in frame.inner.iter_mut().chain(&mut frame.outer) {
                 *pair = self.pairs[pair.id].pair;
@@ -132,17 +133,22 @@ impl Structure {
 
 /// The pairs of these links with each other and with solved links; they are appended to `pairs`.
 pub(crate) fn frame_of(
-    mechanism: &Mechanism,
-    incidence: &Incidence,
+    (mechanism, incidence, left_out): (&Mechanism, &Incidence, &LeftOut),
     links: Vec<LinkId>,
     rank: &[usize],
     scale: f64,
     pairs: &mut Vec<NamedPair>,
 ) -> GroupFrame {
     let mut frame = GroupFrame { links, inner: Vec::new(), outer: Vec::new(), scale };
-    let mut found =
-        pins_of(mechanism, &common(&incidence.points, &frame.links), &frame.links, rank, pairs.len());
-    for id in common(&incidence.slides, &frame.links) {
+    let mut found = pins_of(
+        (mechanism, left_out),
+        &common(&incidence.points, &frame.links),
+        &frame.links,
+        rank,
+        pairs.len(),
+    );
+    let slides = common(&incidence.slides, &frame.links).into_iter();
+    for id in slides.filter(|id| !left_out.is_alone(PairId::Slide(*id), mechanism.slides[*id].link)) {
         let slide = &mechanism.slides[id];
         let within = |link: LinkId| frame.links.contains(&link);
         let solved = |link: LinkId| rank[link] != usize::MAX;
@@ -160,9 +166,29 @@ pub(crate) fn frame_of(
     frame
 }
 
+/// A pair that is left out alone; of a pin, with the body that is solved first.
+pub(crate) fn pair_alone(
+    mechanism: &Mechanism,
+    (pair, link): (PairId, LinkId),
+    rank: &[usize],
+    scale: f64,
+    pairs: &mut Vec<NamedPair>,
+) -> GroupFrame {
+    let found = match pair {
+        PairId::Slide(slide) => slide_pair(mechanism, slide, pairs.len()),
+        PairId::Pin(point) => {
+            let others = mechanism.points[point].places.iter().filter(|place| place.link != link);
+            let anchor = others.min_by_key(|place| rank[place.link]).map_or(GROUND, |place| place.link);
+            named(mechanism, pair, pairs.len(), link, anchor)
+        }
+    };
+    pairs.push(found);
+    GroupFrame { links: Vec::new(), inner: Vec::new(), outer: vec![found.pair], scale }
+}
+
 /// Pairs of the pins, between links of a group and between the group and solved links.
 fn pins_of(
-    mechanism: &Mechanism,
+    (mechanism, left_out): (&Mechanism, &LeftOut),
     points: &[PointId],
     links: &[LinkId],
     rank: &[usize],
@@ -171,8 +197,9 @@ fn pins_of(
     let mut found = Vec::new();
     let points = points.iter().map(|&id| (id, &mechanism.points[id]));
     for (id, point) in points.filter(|(_, point)| point.is_pin()) {
-        let members: Vec<_> = point.places.iter().filter(|place| links.contains(&place.link)).collect();
-        let solved = point.places.iter().filter(|place| rank[place.link] != usize::MAX);
+        let held = || point.places.iter().filter(|place| !left_out.is_alone(PairId::Pin(id), place.link));
+        let members: Vec<_> = held().filter(|place| links.contains(&place.link)).collect();
+        let solved = held().filter(|place| rank[place.link] != usize::MAX);
         // All links of a pin are joined to one body: the first that is solved, otherwise the first link of the group.
         let anchor = solved.min_by_key(|place| rank[place.link]);
         let (anchor, hung) = match (anchor, &members[..]) {

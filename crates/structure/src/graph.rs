@@ -144,6 +144,16 @@ impl Graph {
         Some((blocks, nodes))
     }
 
+    /// Number of equations that determine nothing.
+    pub(crate) fn unmatched(&self) -> usize {
+        self.matched.iter().filter(|matched| matched.is_none()).count()
+    }
+
+    /// Whether an unknown is left undetermined.
+    pub(crate) fn is_loose(&self) -> bool {
+        (0..self.nodes.len()).any(|node| self.is_free(node))
+    }
+
     /// Nodes that the equations leave undetermined.
     pub(crate) fn loose(&self) -> Vec<usize> {
         let mut dependents = vec![Vec::new(); self.nodes.len()];

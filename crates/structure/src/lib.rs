@@ -7,14 +7,16 @@
 
 mod compose;
 mod error;
+mod excess;
 mod frame;
 mod graph;
 mod taken_apart;
 
 assur_words::resources!();
 
-pub use error::{Counted, StructureError};
-pub use taken_apart::{Group, Mobility, NamedPair, Structure, name_of, roman};
+pub use error::{Counted, StructureError, SurplusCause};
+pub use excess::Excess;
+pub use taken_apart::{Group, Mobility, NamedPair, Part, Passive, Structure, name_of, roman};
 
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,7 @@
 //! A mechanism decomposed into its pairs and groups.
 
 use assur_group::{GroupFrame, GroupPlugin, Pair, SeenPair};
-use assur_mechanism::{Mechanism, Name, PairId};
+use assur_mechanism::{LinkId, Mechanism, Name, PairId, PointId};
 use assur_words::{Text, list, name, text};
 
 /// A mechanism decomposed into its pairs and groups.
@@ -13,6 +13,11 @@ pub struct Structure {
     pub pairs: Vec<NamedPair>,
     /// The groups in solving order.
     pub groups: Vec<Group>,
+    /// What repeats what others say and is left out of the groups, in the order in which its links are placed.
+    pub passive: Vec<Passive>,
+    /// Where the passive parts need points in the first position, m: those of groups that `[assembly]` leaves free. Empty where the
+    /// first way of each group is theirs.
+    pub placed: Vec<(PointId, [f64; 2])>,
     /// Number of links, the ground included.
     pub links: usize,
     /// A typical length of the mechanism, m.
@@ -54,7 +59,30 @@ pub struct Group {
     pub order: u8,
 }
 
+/// A link, or a pair of a link, that may be left out of a mechanism.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// A link with all its pairs.
+    Link(LinkId),
+    /// The pair that holds this link: of a slide the sliding link.
+    Pair(PairId, LinkId),
+}
+
+/// A part that is left out of the groups.
+#[derive(Debug, Clone)]
+pub struct Passive {
+    /// The part.
+    pub part: Part,
+    /// Its pairs (and the link, where it is one) in the compiled chain; all are outer ones.
+    pub frame: GroupFrame,
+}
+
 impl Structure {
+    /// Whether a link is passive: no group has it, and it is placed after all groups.
+    pub fn is_passive(&self, link: LinkId) -> bool {
+        self.passive.iter().any(|passive| passive.part == Part::Link(link))
+    }
+
     /// Class of the mechanism: the highest among its groups; 1 without groups.
     pub fn class(&self) -> u8 {
         self.groups.iter().map(|group| group.class).max().unwrap_or(1)

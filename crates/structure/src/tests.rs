@@ -78,7 +78,7 @@ fn a_loose_link_is_named() {
         error.to_string(),
         "mobility 2 (3*4 - 2*5), but one input moves the mechanism: link `flap` can still move while the input is fixed; \
          join it to another link by one more pair, or leave out what hangs there \
-         (a point name that stands in two links makes a pin there)"
+         (a point name that stands in two links makes a pin there; in one link only stand flap: Z)"
     );
 }
 
@@ -89,7 +89,7 @@ fn a_surplus_pair_is_named() {
         .replace("C = [0.5, 0]", "C = [0.5, 0], D = [0.2, 0.1]")
         .replace("[input]", "[link.third]\npoints = { D = 0, E = 0.1 }\n[input]");
     let error = structure(&text).unwrap_err();
-    let StructureError::Surplus { counted, pairs, links } = &error else { panic!("{error}") };
+    let StructureError::Surplus { counted, pairs, links, .. } = &error else { panic!("{error}") };
     assert_eq!((counted.mobility, counted.formula.as_str()), (0, "3*4 - 2*6"));
     assert!(pairs.contains(&"D".to_owned()) && pairs.contains(&"E".to_owned()), "{pairs:?}");
     assert_eq!(links, &["coupler", "rocker", "third"]);

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
-use assur_scene::edit::{Document, Place, replaced, split};
+use assur_scene::edit::{Document, Place, decimal, replaced, split};
 use assur_scene::{Dimension, Unit, quantity};
 use assur_words::{Describe, Text, name, text};
 use strum::VariantArray;
 
-use crate::{SweepError, Vary};
+use crate::vary::Range as Ends;
+use crate::{SweepError, Tie, Vary};
 
 /// A parameter that was found in the scene.
 #[derive(Debug, Clone)]
@@ -24,6 +25,8 @@ pub(crate) struct Axis {
     pub(crate) to: f64,
     /// How many values a grid has.
     pub(crate) count: usize,
+    /// The parameter that this one follows, by its number, and the factor; `None` for one of its own.
+    pub(crate) follows: Option<(usize, f64)>,
     /// The unit of the values; empty for SI.
     name: String,
     /// That unit; `None` for a count.
@@ -63,9 +66,31 @@ impl Axis {
             from: from.number,
             to: to.number,
             count,
+            follows: None,
             name: from.unit,
             unit,
         })
+    }
+
+    /// Finds a key that follows one of the parameters; its ends are theirs, times the factor.
+    pub(crate) fn tied(
+        tie: &Tie,
+        parameters: &[Self],
+        document: &Document<'_>,
+        file: &str,
+        scene: &str,
+    ) -> Result<Self, SweepError> {
+        let follows = tie.follows.to_string();
+        let leader = parameters.iter().position(|axis| axis.key == follows);
+        let leader = leader.ok_or_else(|| {
+            SweepError::vary(tie.key.to_string(), text!("sweep-tie-not-varied", key = name(follows)))
+        })?;
+        let end = |number: f64| {
+            End { number: decimal(number * tie.factor), unit: parameters[leader].name.clone() }.text()
+        };
+        let range = Ends { from: end(parameters[leader].from), to: end(parameters[leader].to), count: 1 };
+        let axis = Self::of(&Vary { key: tie.key.clone(), range }, document, file, scene)?;
+        Ok(Self { follows: Some((leader, tie.factor)), ..axis })
     }
 
     /// Whether both set a number of the scene.
@@ -172,6 +197,14 @@ fn in_one_unit(from: End, to: End, dimension: Option<Dimension>) -> Result<(End,
 /// The unit as the end of a column's name, `kgm2`, `m_per_s`; empty for a plain number.
 pub(crate) fn suffix(dimension: Dimension) -> String {
     dimension.si().replace('/', "_per_").replace(['*', '^'], "")
+}
+
+/// Every kind of quantity with the end of the names of its columns, the longest first.
+pub fn suffixes() -> Vec<(Dimension, String)> {
+    let mut all: Vec<_> = Dimension::VARIANTS.iter().map(|kind| (*kind, suffix(*kind))).collect();
+    all.retain(|(_, suffix)| !suffix.is_empty());
+    all.sort_by_key(|(_, suffix)| std::cmp::Reverse(suffix.len()));
+    all
 }
 
 /// The possible values of a key, as determined by the reader of scenes.

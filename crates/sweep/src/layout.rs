@@ -2,8 +2,9 @@
 
 use assur_analysis::{Options, plan};
 use assur_force::{Joint, joints};
+use assur_kinematics::decompose;
 use assur_mechanism::{LinkId, Mechanism, Motion, PointId, SlideId, Torque};
-use assur_structure::{Structure, name_of};
+use assur_structure::name_of;
 
 /// What of a mechanism is measured; the same at every point of a sweep.
 #[derive(Debug, Clone)]
@@ -66,12 +67,16 @@ impl Layout {
             motion: sought(mechanism),
             units: Units { coordinate, speed, balancing },
         };
-        let Ok(structure) = Structure::of(mechanism) else { return layout };
+        let Ok(structure) = decompose(mechanism) else { return layout };
         let plan = plan(mechanism, &structure, options);
         let wanted = plan.wanted;
         layout.groups = plan.groups_needed.contains(&true);
         layout.balancing = plan.forces && layout.motion != Some(Sought::Transient);
-        let analyzer = assur_force::choose(options.analyzer.as_deref(), !mechanism.frictions.is_empty());
+        let analyzer = assur_force::choose(
+            options.analyzer.as_deref(),
+            !mechanism.frictions.is_empty(),
+            !structure.passive.is_empty(),
+        );
         if layout.balancing && analyzer.is_ok_and(|plugin| plugin.gives_reactions) {
             let joints = joints(mechanism, &structure).into_iter();
             let joints = joints.filter(|joint| wanted.reactions.contains(&joint.id));

@@ -15,7 +15,7 @@
 //! (the first failure in words), `failed_positions`; the columns of the measures; `motor`. They are in SI, angles in rad, and
 //! the unit is part of the name. A cell is empty where something does not apply, and all values are where a
 //! position fails: extremes over a part are none. Extremes are over the positions of the scene; of equal ones the first
-//! counts.
+//! counts. Strokes, time ratios, transfer functions, speeds and the shaking force, where asked for, are those between positions.
 //!
 //! # How a point is calculated
 //!
@@ -25,6 +25,7 @@
 
 mod angles;
 mod axis;
+mod between;
 mod error;
 mod layout;
 mod measure;
@@ -37,12 +38,13 @@ mod sweep;
 mod variants;
 mod vary;
 
+pub use axis::suffixes;
 pub use error::{Refusal, SweepError};
 pub use measure::{MEASURES, Measure};
 pub use points::Points;
 pub use rows::{Columns, Rows, Status, Tally};
 pub use sweep::{MOST_POINTS, Request, Sweep};
-pub use vary::Vary;
+pub use vary::{Tie, Vary};
 
 assur_words::resources!();
 

@@ -1,10 +1,13 @@
 //! The families of columns, from what was found at a point.
 
 use assur_dynamics::{Instant, Steady};
-use assur_mechanism::{Input, PairId, Range};
+use assur_geometry::Courses;
+use assur_mechanism::{Input, PairId};
+use assur_shaking::Size;
 use assur_words::{Describe, Text, text};
 
 use crate::SweepError;
+use crate::between::{acceleration, shaking, speed, stroke, time_ratio, transfer};
 use crate::layout::{Layout, Sought};
 use crate::statistics::Statistics;
 
@@ -21,6 +24,10 @@ pub struct Measure {
     pub(crate) angles: bool,
     /// Whether it needs the transmission angles of the groups.
     pub(crate) transmission: bool,
+    /// Whether it needs the motion between positions.
+    pub(crate) courses: bool,
+    /// Whether it needs the shaking force.
+    pub(crate) shaking: bool,
     put: fn(&Layout, &Measured, &mut Sink<'_>),
 }
 
@@ -40,12 +47,20 @@ pub const MEASURES: &[Measure] = &[
     Measure::new("reactions", "sweep-measure-reactions", reactions),
     Measure { by_default: false, ..Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms) },
     Measure { angles: true, ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
-    Measure { by_default: false, angles: true, ..Measure::new("stroke", "sweep-measure-stroke", stroke) },
+    Measure { by_default: false, courses: true, ..Measure::new("stroke", "sweep-measure-stroke", stroke) },
     Measure {
         by_default: false,
-        angles: true,
+        courses: true,
         ..Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio)
     },
+    Measure { by_default: false, courses: true, ..Measure::new("pf", "sweep-measure-pf", transfer) },
+    Measure { by_default: false, courses: true, ..Measure::new("speed", "sweep-measure-speed", speed) },
+    Measure {
+        by_default: false,
+        courses: true,
+        ..Measure::new("acceleration", "sweep-measure-acceleration", acceleration)
+    },
+    Measure { by_default: false, shaking: true, ..Measure::new("shaking", "sweep-measure-shaking", shaking) },
     Measure::new("regime", "sweep-measure-regime", regime),
     Measure::new("end", "sweep-measure-end", end),
 ];
@@ -73,6 +88,12 @@ pub(crate) struct Measured {
     /// The last state of a transient motion.
     pub(crate) last: Option<Instant>,
     pub(crate) steady: Option<Box<Steady>>,
+    /// The motion between positions; `None` where it was not asked for, or the cycle has a part without a solution.
+    pub(crate) courses: Option<Courses>,
+    /// The speed of an input whose speed is prescribed and constant, rad/s or m/s.
+    pub(crate) speed: Option<f64>,
+    /// The shaking force; `None` where it was not asked for, or there is none.
+    pub(crate) shaking: Option<Size>,
 }
 
 impl Measured {
@@ -103,13 +124,16 @@ impl Measured {
             input: None,
             last: None,
             steady: None,
+            courses: None,
+            speed: None,
+            shaking: None,
         }
     }
 
     /// Forgets what belongs to the positions whatever the loads.
     pub(crate) fn clear_positions(&mut self) {
-        let Self { health, transmission, points, slides, links, input, .. } = self;
-        (*health, *transmission, *input) = (Statistics::NONE, Statistics::NONE, None);
+        let Self { health, transmission, points, slides, links, input, courses, .. } = self;
+        (*health, *transmission, *input, *courses) = (Statistics::NONE, Statistics::NONE, None, None);
         points.fill([Statistics::NONE; 2]);
         slides.fill(Statistics::NONE);
         links.fill(Statistics::NONE);
@@ -117,11 +141,11 @@ impl Measured {
 
     /// Forgets what belongs to loads and motion.
     pub(crate) fn clear_forces(&mut self) {
-        let Self { balancing, load, forces, moments, last, steady, .. } = self;
+        let Self { balancing, load, forces, moments, last, steady, shaking, .. } = self;
         (*balancing, *load) = (Statistics::NONE, Statistics::NONE);
         forces.fill(Statistics::NONE);
         moments.fill(Statistics::NONE);
-        (*last, *steady) = (None, None);
+        (*last, *steady, *shaking) = (None, None, None);
     }
 }
 
@@ -138,7 +162,16 @@ impl Measure {
         summary: &'static str,
         put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
-        Self { name, summary, by_default: true, angles: false, transmission: false, put }
+        Self {
+            name,
+            summary,
+            by_default: true,
+            angles: false,
+            transmission: false,
+            courses: false,
+            shaking: false,
+            put,
+        }
     }
 
     /// The measures that are written where none are named.
@@ -179,7 +212,7 @@ pub(crate) enum Sink<'a> {
 }
 
 impl Sink<'_> {
-    fn put(&mut self, value: Option<f64>, name: impl FnOnce() -> String) {
+    pub(crate) fn put(&mut self, value: Option<f64>, name: impl FnOnce() -> String) {
         match self {
             Self::Names(names) => names.push(name()),
             Self::Values(values, wrong) => {
@@ -268,34 +301,6 @@ fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     for (link, angle) in layout.links.iter().zip(&found.links) {
         sink.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
         sink.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
-    }
-}
-
-fn stroke(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sink.of(displacement, Statistics::range, || format!("{}_stroke_m", slide.name));
-    }
-    for (link, angle) in layout.links.iter().zip(&found.links) {
-        sink.of(angle, Statistics::range, || format!("{}_stroke_rad", link.name));
-    }
-}
-
-fn time_ratio(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    let ratio = |of: &Statistics| {
-        let Range::Cycle(_) = found.input.as_ref()?.range else { return None };
-        let positions = found.input.as_ref()?.positions as f64;
-        let there = ((of.at_greatest() - of.at_least()) / positions).rem_euclid(1.0);
-        if !of.is_known() || of.range() <= 0.0 {
-            return None;
-        }
-        Some(there.max(1.0 - there) / there.min(1.0 - there))
-    };
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
-        sink.put(ratio(displacement), || format!("{}_time_ratio", slide.name));
-    }
-    for (link, angle) in layout.links.iter().zip(&found.links) {
-        let swings = angle.range() < std::f64::consts::PI;
-        sink.put(ratio(angle).filter(|_| swings), || format!("{}_time_ratio", link.name));
     }
 }
 

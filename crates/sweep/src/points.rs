@@ -1,5 +1,6 @@
 //! The points of a sweep, by their number.
 
+use assur_scene::edit::decimal;
 use sobol_burley::parts::{hash, owen_scramble_rev, sobol_rev};
 
 use crate::axis::Axis;
@@ -36,15 +37,23 @@ impl Points {
         match self {
             Self::Grid => {
                 let mut rest = index;
-                for (axis, out) in axes.iter().zip(out).rev() {
+                for (axis, out) in axes.iter().zip(&mut *out).rev().filter(|(axis, _)| axis.follows.is_none())
+                {
                     *out = between(axis.from, axis.to, rest % axis.count, axis.count);
                     rest /= axis.count;
                 }
             }
             Self::Sample { seed, .. } => {
-                for ((axis, out), dimension) in axes.iter().zip(out).zip(0..) {
+                for ((axis, out), dimension) in
+                    axes.iter().zip(&mut *out).filter(|(axis, _)| axis.follows.is_none()).zip(0..)
+                {
                     *out = axis.from + (axis.to - axis.from) * fraction(index, dimension, seed);
                 }
+            }
+        }
+        for (index, axis) in axes.iter().enumerate() {
+            if let Some((leader, factor)) = axis.follows {
+                out[index] = decimal(factor * out[leader]);
             }
         }
     }

@@ -2,12 +2,14 @@
 
 use assur_analysis::Calculation;
 use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics};
+use assur_geometry::courses;
 use assur_group::plane::{dot, minus, vector};
 use assur_group::{Body, GroupError, Wrench};
 use assur_kinematics::{LanePosition, Position, PositionError};
-use assur_mechanism::Slide;
+use assur_mechanism::{Motion, Slide};
 use assur_number::{Lanes, Real};
-use assur_words::{Describe, Text, number, text};
+use assur_shaking::shaking_size;
+use assur_words::{Describe, Text, number, quantity, text};
 
 use crate::Status;
 use crate::measure::Measure;
@@ -74,6 +76,7 @@ impl<'a, 'w> Positions<'a, 'w> {
             self.worker.found.input = Some(linkage.mechanism.input.clone());
         }
         self.worker.found.clear_forces();
+        self.between(!holds_all);
         let count = positions.div_ceil(Lanes::WIDTH);
         let kept = if count <= MOST_KEPT { count } else { 1 };
         blocks.resize_with(kept, || linkage.lane_position());
@@ -103,6 +106,12 @@ impl<'a, 'w> Positions<'a, 'w> {
             (Some((status, message)), _) => Err(Failure { status, message, failed: Some(self.failed) }),
             (None, Some(error)) => {
                 Err(Failure { status: Status::NoSolution, message: error.describe(), failed: Some(0) })
+            }
+            (None, None) if linkage.misfits.iter().any(|misfit| !misfit.fits()) => {
+                let worst = linkage.misfits.iter().map(|misfit| misfit.misfit).fold(0.0, f64::max);
+                let misfit = quantity(format_args!("{:.6}", worst * 1e3), "mm");
+                let message = text!("sweep-misfit", misfit = misfit);
+                Err(Failure { status: Status::NoAssembly, message, failed: Some(0) })
             }
             (None, None) => {
                 Ok(Outcome { status: Status::Ok, message: String::new(), failed: Some(0), motor: None })
@@ -136,6 +145,25 @@ impl<'a, 'w> Positions<'a, 'w> {
 
     fn wants(&self, what: fn(&Measure) -> bool) -> bool {
         self.worker.sweep.measures.iter().any(what)
+    }
+
+    /// What is found between positions; the motion, where it is not that of the point before.
+    fn between(&mut self, moved: bool) {
+        let (linkage, layout) = (&self.calculation.linkage, &self.worker.sweep.layout);
+        if moved && self.wants(|measure| measure.courses) {
+            let (links, slides) =
+                (layout.links.iter().map(|link| link.id), layout.slides.iter().map(|slide| slide.id));
+            let points = layout.points.iter().map(|point| point.id.0);
+            self.worker.found.courses = courses(linkage, links, slides, points).ok();
+        }
+        self.worker.found.speed = match linkage.mechanism.motion {
+            Some(Motion::Prescribed { speed, acceleration: 0.0 }) => Some(speed),
+            _ => None,
+        };
+        if self.wants(|measure| measure.shaking) {
+            let state = |coordinate| self.calculation.state(coordinate);
+            self.worker.found.shaking = shaking_size(linkage, &state).ok();
+        }
     }
 
     fn health(&mut self, block: &Block, position: &LanePosition) {
@@ -200,6 +228,9 @@ impl<'a, 'w> Positions<'a, 'w> {
         found.load.add(valid, numbers, reactions.balancing.abs());
         let joints = self.worker.sweep.layout.joints.iter().map(|joint| &joint.id);
         for ((joint, force), moment) in joints.zip(&mut found.forces).zip(&mut found.moments) {
+            // Beside passive parts what is not determined has no greatest value.
+            let open = joint.open(&reactions.open).iter().fold(Lanes::ZERO, |all, open| all + *open);
+            let valid = std::array::from_fn(|lane| valid[lane] && open.0[lane] == 0.0);
             force.add(valid, numbers, greatest_square(joint, &reactions.pairs));
             if let Some(size) = joint.moment(&reactions.pairs) {
                 moment.add(valid, numbers, size.abs());

@@ -16,7 +16,7 @@ use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
 use crate::rows::{Columns, Rows};
 use crate::variants::Variants;
-use crate::{Points, Refusal, SweepError, Vary};
+use crate::{Points, Refusal, SweepError, Tie, Vary};
 
 /// Most points of a sweep: at a million points a second they would take eleven days.
 pub const MOST_POINTS: usize = 1_000_000_000_000;
@@ -45,6 +45,8 @@ const PART_NUMBERS: usize = 1 << 23;
 pub struct Request {
     /// The points.
     pub points: Points,
+    /// Keys that follow parameters.
+    pub ties: Vec<Tie>,
     /// The families of columns.
     pub measures: Vec<Measure>,
     /// The methods.
@@ -53,7 +55,12 @@ pub struct Request {
 
 impl Default for Request {
     fn default() -> Self {
-        Self { points: Points::Grid, measures: Measure::defaults(), options: Options::default() }
+        Self {
+            points: Points::Grid,
+            ties: Vec::new(),
+            measures: Measure::defaults(),
+            options: Options::default(),
+        }
     }
 }
 
@@ -81,11 +88,14 @@ impl Sweep {
         if vary.is_empty() {
             return Err(SweepError::Nothing);
         }
-        let Request { points, measures, options } = request;
+        let Request { points, ties, measures, options } = request;
         let count = count(points, vary)?;
         let document = Document::of(scene);
         let axis = |vary| Axis::of(vary, &document, file_name, scene);
-        let axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
+        let mut axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
+        for tie in &ties {
+            axes.push(Axis::tied(tie, &axes[..vary.len()], &document, file_name, scene)?);
+        }
         for (index, axis) in axes.iter().enumerate() {
             if let Some(same) = axes[..index].iter().find(|other| other.shares(axis)) {
                 return Err(SweepError::Twice { first: same.key.clone(), second: axis.key.clone() });
@@ -106,6 +116,28 @@ impl Sweep {
     /// The columns of its rows.
     pub fn columns(&self) -> &Columns {
         &self.columns
+    }
+
+    /// The text of the scene.
+    pub fn scene(&self) -> &str {
+        self.variants.scene()
+    }
+
+    /// The parameters with their ranges, one text each, as they are given: `link.crank.mass=1 kg..5 kg:9`.
+    pub fn ranges(&self) -> impl Iterator<Item = String> + '_ {
+        self.axes.iter().map(|axis| {
+            let count =
+                if matches!(self.points, Points::Grid) { format!(":{}", axis.count) } else { String::new() };
+            match axis.follows {
+                Some((leader, factor)) => format!("{}={}*{factor}", axis.key, self.axes[leader].key),
+                None => format!("{}={}..{}{count}", axis.key, axis.shown(axis.from), axis.shown(axis.to)),
+            }
+        })
+    }
+
+    /// The seed of a sample; `None` for a grid.
+    pub fn seed(&self) -> Option<u32> {
+        if let Points::Sample { seed, .. } = self.points { Some(seed) } else { None }
     }
 
     /// How many points there are.

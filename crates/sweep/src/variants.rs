@@ -99,6 +99,11 @@ impl Variants {
         tried.iter().find_map(|numbers| self.read(axes, numbers).ok())
     }
 
+    /// The text of the scene.
+    pub(crate) fn scene(&self) -> &str {
+        &self.scene
+    }
+
     /// Whether the mechanisms are made by setting numbers.
     pub(crate) fn sets_numbers(&self) -> bool {
         self.places.is_some()

@@ -45,6 +45,50 @@ impl Vary {
     }
 }
 
+/// A key that follows a parameter: its value is the parameter's, times a factor.
+///
+/// # Examples
+///
+/// ```
+/// use assur_sweep::Tie;
+///
+/// assert!(Tie::parse("link.lower.points.B=link.upper.points.A").is_ok());
+/// assert!(Tie::parse("link.lower.points.B=link.upper.points.A*1.5").is_ok());
+/// let error = Tie::parse("link.lower.points.B").unwrap_err();
+/// assert_eq!(error.to_string(), "`link.lower.points.B`: write it as KEY=KEY or KEY=KEY*FACTOR; the second key is varied");
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tie {
+    pub(crate) key: Key,
+    pub(crate) follows: Key,
+    pub(crate) factor: f64,
+}
+
+impl Tie {
+    /// Reads `KEY=KEY` or `KEY=KEY*FACTOR`; the second key is that of the parameter.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Vary`] where it is written otherwise.
+    pub fn parse(text: &str) -> Result<Self, SweepError> {
+        let fault = |problem: Text| SweepError::vary(text, problem);
+        let (key, follows) = text.split_once('=').ok_or_else(|| fault(text!("sweep-write-tie")))?;
+        // A `*` in brackets stands for all elements of a list.
+        let (follows, factor) = match follows.rsplit_once('*').filter(|(_, factor)| !factor.contains(']')) {
+            Some((follows, factor)) => {
+                (follows, factor.trim().parse().ok().filter(|factor: &f64| factor.is_finite()))
+            }
+            None => (follows, Some(1.0)),
+        };
+        let factor = factor.ok_or_else(|| fault(text!("sweep-write-tie")))?;
+        Ok(Self {
+            key: Key::parse(key).map_err(fault)?,
+            follows: Key::parse(follows).map_err(fault)?,
+            factor,
+        })
+    }
+}
+
 /// The values of a parameter as they are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Range {

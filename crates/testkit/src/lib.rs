@@ -1,21 +1,29 @@
-//! Support for tests and benches: the conformance suite that every registered kind of group must pass, random mechanisms,
-//! and formulas written by hand as yardsticks.
+//! Support for tests and benches: the conformance suites that every registered plugin must pass (kinds of groups, force analyzers,
+//! integrators, catalogues), random mechanisms, and formulas written by hand as yardsticks.
 //!
 //! The test of a plugin is one line, `assur_testkit::conformance("rrr")`. The suite constructs random groups of the
 //! pattern that the plugin declares, of any class: it draws the poses of all bodies first and fits the pairs to them,
 //! so the correct poses are known. The suite contains no formula of a kind: it checks the constraints of the pairs,
 //! equilibrium, virtual power, and differences in 32 digits.
 
+mod analyzers;
 mod arrangement;
 mod case;
+mod catalogues;
 mod checks;
+mod integrators;
 mod pattern;
+#[cfg(test)]
+mod planted;
 mod rng;
 mod sample;
 pub mod specimen;
 pub mod yardstick;
 
+pub use analyzers::{judge_analyzer, judge_forces};
 pub use case::Fault;
+pub use catalogues::{judge_catalogue, judge_table};
+pub use integrators::{judge_integrator, judge_method};
 pub use rng::Rng;
 
 use assur_group::{
@@ -40,6 +48,33 @@ pub fn conformance(name: &str) {
     if let Err(fault) = judge(name) {
         panic!("group `{name}` does not conform: {fault}");
     }
+}
+
+/// Tests a registered force analyzer with the whole suite.
+///
+/// # Panics
+///
+/// If it fails, with the check, the seed and the numbers; the suite is for tests.
+pub fn analyzer_conformance(name: &str) {
+    judge_analyzer(name).unwrap_or_else(|fault| panic!("force analyzer `{name}` does not conform: {fault}"));
+}
+
+/// Tests a registered integrator with the whole suite.
+///
+/// # Panics
+///
+/// If it fails, with the check and the numbers; the suite is for tests.
+pub fn integrator_conformance(name: &str) {
+    judge_integrator(name).unwrap_or_else(|fault| panic!("integrator `{name}` does not conform: {fault}"));
+}
+
+/// Tests a registered motor catalogue with the whole suite.
+///
+/// # Panics
+///
+/// If it fails, with the check and the motor; the suite is for tests.
+pub fn catalogue_conformance(name: &str) {
+    judge_catalogue(name).unwrap_or_else(|fault| panic!("catalogue `{name}` does not conform: {fault}"));
 }
 
 /// Tests a registered kind of group with the whole suite, and returns a failure as a value.

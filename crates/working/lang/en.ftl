@@ -140,3 +140,10 @@ working-energy-between = Between both places the moments do this work:
 working-energy-flywheel = Flywheel
 working-energy-neglects = This neglects the inertia of the links beside that of the flywheel; the results give the exact flywheel.
 working-energy-artobolevsky = Coefficient of dynamic unevenness
+working-to-point = (E eqs. 4-6) The same reduced to the point { $point } of the input link, whose velocity is r ω: one force along it with the power of Q, and one mass there with the energy of J.
+working-energy-uniform = Uniformly accelerated motion (D eqs. 3.12, 3.13)
+working-energy-speed-at-start = speed at the start
+working-energy-speed-at-end = speed at the end
+working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, from which the time:
+working-energy-way-by-time = (3.13) The way in this time, from the start on:
+working-energy-balance-resists = Constant moment of the resistance

@@ -140,3 +140,10 @@ working-energy-between = Между обоими положениями моме
 working-energy-flywheel = Маховик
 working-energy-neglects = Здесь пренебрегают инерцией звеньев рядом с инерцией маховика; точный маховик дан в результатах.
 working-energy-artobolevsky = Коэффициент динамической неравномерности
+working-to-point = (E, уравнения 4–6) То же, приведённое к точке { $point } входного звена, скорость которой r ω: одна сила вдоль неё с мощностью Q и одна масса в ней с энергией J.
+working-energy-uniform = Равноускоренное движение (D, уравнения 3.12, 3.13)
+working-energy-speed-at-start = скорость в начале
+working-energy-speed-at-end = скорость в конце
+working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, откуда время:
+working-energy-way-by-time = (3.13) Путь за это время, от начала:
+working-energy-balance-resists = Постоянный момент сопротивления

@@ -140,3 +140,10 @@ working-energy-between = Між обома положеннями моменти
 working-energy-flywheel = Маховик
 working-energy-neglects = Тут знехтувано інерцією ланок поруч з інерцією маховика; точний маховик подано в результатах.
 working-energy-artobolevsky = Коефіцієнт динамічної нерівномірності
+working-to-point = (E, рівняння 4–6) Те саме, зведене до точки { $point } вхідної ланки, швидкість якої r ω: одна сила вздовж неї з потужністю Q і одна маса в ній з енергією J.
+working-energy-uniform = Рівноприскорений рух (D, рівняння 3.12, 3.13)
+working-energy-speed-at-start = швидкість на початку
+working-energy-speed-at-end = швидкість у кінці
+working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, звідки час:
+working-energy-way-by-time = (3.13) Шлях за цей час, від початку:
+working-energy-balance-resists = Сталий момент опору

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use assur_mechanism::{LinkId, LoadId, LoadKind, Mechanism, Over, Table, Value};
+use assur_mechanism::{Brake, LinkId, LoadId, LoadKind, Mechanism, Over, Table, Value};
 use assur_words::{self as words, Text, joined, text, unit};
 use assur_worksheet::{Expr, Names, Section, Sheet, Symbol};
 
@@ -53,6 +53,8 @@ pub struct EnergyForm<'a> {
     pub works: Vec<Done>,
     /// Kinetic energies of the links at the end, J.
     pub links: Vec<(LinkId, f64)>,
+    /// Inertia reduced to the input, kg m² (kg), where it is the same all the time.
+    pub inertia: Option<f64>,
     /// A cycle of a regime; else a motion from an initial state.
     pub cycle: Option<Cycle>,
 }
@@ -88,7 +90,10 @@ impl EnergyForm<'_> {
         let way = work.way();
         let [driving, resisting] = work.works();
         match &self.cycle {
-            None => work.speed(&(driving - resisting)),
+            None => {
+                work.speed(&(driving - resisting));
+                work.uniform();
+            }
             Some(cycle) => work.flywheel(cycle, &way, &(driving - resisting)),
         }
         work.sheet.sections
@@ -109,8 +114,12 @@ impl Work<'_> {
                 let pi = Expr::number((value / PI * part).abs().round()) * Expr::pi() / Expr::number(*part);
                 if value < 0.0 { -pi } else { pi }
             }
-            None if value < 0.0 => -Expr::number(-value),
-            None => Expr::number(value),
+            None => {
+                // What an integration left of a whole number is its rounding.
+                let whole = value.round();
+                let value = if (value - whole).abs() <= 1e-12 * value.abs() { whole } else { value };
+                if value < 0.0 { -Expr::number(-value) } else { Expr::number(value) }
+            }
         }
     }
 
@@ -153,14 +162,61 @@ impl Work<'_> {
             }
         }
         self.sheet.note(text!("working-energy-sums"));
+        let balances = self.form.cycle.as_ref().is_some_and(|cycle| cycle.balance.is_some());
         let [driving, resisting] = sums;
-        ["working-of-drive", "working-of-resistance"]
-            .into_iter()
-            .zip([driving, resisting])
-            .map(|(below, sum)| self.sheet.work(Symbol::from("A").of(text!(below)), &sum, "J"))
-            .collect::<Vec<_>>()
-            .try_into()
-            .unwrap_or_else(|_| [Expr::zero(), Expr::zero()])
+        [("working-of-drive", driving), ("working-of-resistance", resisting)].map(|(below, sum)| {
+            // The drive that balances the loads does a work, too, which is still to be found.
+            let open = balances && sum.is_zero();
+            let symbol = Symbol::from("A").of(text!(below));
+            if open { sum } else { self.sheet.work(symbol, &sum, "J") }
+        })
+    }
+
+    /// Speed and way of a motion under constant moments, by time (D eqs. 3.12, 3.13); nothing for another motion.
+    fn uniform(&mut self) {
+        let EnergyForm { ends: [start, end], inertia, works, mechanism, .. } = self.form;
+        let places = [start.coordinate, end.coordinate];
+        let constant = |done: &Done| {
+            let area = area_under(mechanism, done.load?, places)?;
+            let first = area.first()?[0][1];
+            area.iter().flatten().all(|node| node[1].to_bits() == first.to_bits()).then_some(first)
+        };
+        let moments: Option<Vec<f64>> = works.iter().map(constant).collect();
+        let (Some(inertia), Some(moments)) = (*inertia, moments) else { return };
+        let [moment, inertia_unit] = [self.units[2], self.units[3]];
+        if moments.iter().sum::<f64>() == 0.0 {
+            return;
+        }
+        self.sheet.section(text!("working-energy-uniform"));
+        let known = works
+            .iter()
+            .zip(moments)
+            .map(|(done, moment)| Expr::symbol(Symbol::from("M").of(&done.name).of(1), moment));
+        let sum = known.fold(Expr::zero(), |sum, moment| sum + moment);
+        let sum = self.sheet.work("M", &sum, moment);
+        let inertia = self.sheet.given("J", inertia, inertia_unit, text!("working-energy-inertia"));
+        let acceleration = self.sheet.work(
+            "ε",
+            &(sum / inertia),
+            if mechanism.input.is_angle() { "rad/s²" } else { "m/s²" },
+        );
+        let first = self.sheet.given(
+            Symbol::from("ω").of(0),
+            start.speed,
+            self.units[1],
+            text!("working-energy-speed-at-start"),
+        );
+        let last = self.sheet.given(
+            Symbol::from("ω").of(1),
+            end.speed,
+            self.units[1],
+            text!("working-energy-speed-at-end"),
+        );
+        self.sheet.note(text!("working-energy-by-time"));
+        let time = self.sheet.work("t", &((last - &first) / &acceleration), "s");
+        self.sheet.note(text!("working-energy-way-by-time"));
+        let way = acceleration * time.squared() / Expr::number(2.0) + first * time;
+        self.sheet.work("φ", &way, self.units[0]);
     }
 
     /// The area under straight lines: the sum of trapezoids between their nodes.
@@ -228,12 +284,7 @@ impl Work<'_> {
     fn flywheel(&mut self, cycle: &Cycle, way: &Expr, excess: &Expr) {
         let mut balance = Expr::zero();
         if let Some(moment) = cycle.balance {
-            self.sheet.section(text!("working-energy-balance"));
-            self.sheet.note(text!("working-energy-equal-works"));
-            let letter = if self.form.mechanism.input.is_angle() { "M" } else { "F" };
-            let symbol = Symbol::from(letter).of(text!("working-of-drive"));
-            balance = self.sheet.work(symbol, &-(excess / way), self.units[2]);
-            debug_assert!((balance.value() - moment).abs() <= 1e-6 * (1.0 + moment.abs()));
+            balance = self.balance(moment, way, excess);
         }
         self.sheet.section(text!("working-energy-extremes"));
         self.sheet.note(text!("working-energy-where"));
@@ -264,6 +315,27 @@ impl Work<'_> {
         self.sheet.work("χ", &(two * uneven / between), "");
     }
 
+    /// The constant moment of the drive that makes the work of the cycle zero, along the motion. One that resists has the symbol and
+    /// the sign of a resistance (E example 2).
+    fn balance(&mut self, moment: f64, way: &Expr, excess: &Expr) -> Expr {
+        let resists = moment * way.value() < 0.0;
+        let letter = if self.form.mechanism.input.is_angle() { "M" } else { "F" };
+        let (title, below) = if resists {
+            ("working-energy-balance-resists", "working-of-resistance")
+        } else {
+            ("working-energy-balance", "working-of-drive")
+        };
+        self.sheet.section(text!(title));
+        self.sheet.note(text!("working-energy-equal-works"));
+        let sum = excess / way;
+        let size = if resists { sum } else { -sum };
+        let size = self.sheet.work(Symbol::from(letter).of(text!(below)), &size, self.units[2]);
+        self.sheet.work(Symbol::from("A").of(text!(below)), &(&size * way), "J");
+        let balance = if resists { -size } else { size };
+        debug_assert!((balance.value() - moment).abs() <= 1e-6 * (1.0 + moment.abs()));
+        balance
+    }
+
     /// The work of everything between the places of least and greatest speed, if all of it can be followed by hand.
     fn excess_between(&mut self, cycle: &Cycle, balance: &Expr, between: &Expr) -> Option<Expr> {
         let mechanism = self.form.mechanism;
@@ -286,10 +358,14 @@ pub(crate) type Area = Vec<[[f64; 2]; 2]>;
 /// More lines than these nobody adds up by hand.
 const MOST: usize = 12;
 
-/// The lines of a moment of the scene between two coordinates; `None` where it is no constant and no table over the coordinate, does
+/// The lines of a moment of the scene between two coordinates; `None` where it is no constant, no brake and no table over the coordinate, does
 /// not act on the input link as a moment, or has very many lines.
 pub(crate) fn area_under(mechanism: &Mechanism, load: LoadId, [from, to]: [f64; 2]) -> Option<Area> {
-    let LoadKind::Moment(found) = &mechanism.loads.get(load)?.kind else { return None };
+    let found = match &mechanism.loads.get(load)?.kind {
+        LoadKind::Moment(found) => found,
+        LoadKind::Brake(brake) => return braking(mechanism, brake, [from, to]),
+        _ => return None,
+    };
     if found.link != mechanism.input.link || !mechanism.input.is_angle() {
         return None;
     }
@@ -301,6 +377,16 @@ pub(crate) fn area_under(mechanism: &Mechanism, load: LoadId, [from, to]: [f64; 
         }
         _ => None,
     }
+}
+
+/// The constant moment of a brake, against the motion.
+fn braking(mechanism: &Mechanism, brake: &Brake, [from, to]: [f64; 2]) -> Option<Area> {
+    let Value::Constant(force) = &brake.force else { return None };
+    if brake.link != mechanism.input.link || !mechanism.input.is_angle() {
+        return None;
+    }
+    let moment = -brake.moment_of_unit_force() * force * (to - from).signum();
+    Some(vec![[[from, moment], [to, moment]]])
 }
 
 fn lines(table: &Table, period: Option<f64>, [from, to]: [f64; 2]) -> Option<Area> {

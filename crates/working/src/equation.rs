@@ -1,9 +1,10 @@
 //! Reduction to the input link, and the equation of motion term by term (E eqs. 4-6; D 3.10).
 
+use assur_mechanism::ReductionPoint;
 use assur_words::text;
 use assur_worksheet::{Expr, Symbol};
 
-use crate::{Drive, Work, balancing};
+use crate::{Work, balancing};
 
 /// Units of inertia, of its derivative, of a moment, and of speed and acceleration of the input.
 struct Units {
@@ -18,8 +19,8 @@ const ANGULAR: Units =
 const LINEAR: Units = Units { inertia: "kg", slope: "kg/m", moment: "N", acceleration: "m/s²" };
 
 impl Work<'_> {
-    /// Writes J, J', Q and the acceleration that follows from them, after the applied loads.
-    pub(crate) fn equation_of_motion(&mut self, drive: Drive) {
+    /// Writes J, J' and Q, after the applied loads, and with a drive the acceleration that follows from them.
+    pub(crate) fn equation_of_motion(&mut self) {
         let units = if self.linkage.angular() { ANGULAR } else { LINEAR };
         self.sheet.section(text!("working-reduction"));
         self.sheet.note(text!("working-reduced-inertia"));
@@ -29,6 +30,8 @@ impl Work<'_> {
             (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
         let sum = powers.into_iter().fold(Expr::zero(), |sum, power| sum + power);
         let moment = self.sheet.work("Q", &sum, units.moment);
+        self.to_point(&inertia, &moment);
+        let Some(drive) = self.drive else { return };
         self.sheet.section(text!("working-equation"));
         let what = text!("working-driving-moment");
         let driving = self.sheet.given(of_drive("M"), drive.moment, units.moment, what);
@@ -40,6 +43,25 @@ impl Work<'_> {
         self.sheet.equation((&inertia + &own) * unknown + &kinetic, &moment + &driving);
         let net = moment + driving - kinetic;
         self.sheet.work("ε", &(net / (inertia + own)), units.acceleration);
+    }
+
+    /// The force and the mass that stand for them at a point of the input link (E eqs. 4-6).
+    fn to_point(&mut self, inertia: &Expr, moment: &Expr) {
+        let mechanism = &self.linkage.mechanism;
+        let link = mechanism.input.link;
+        let Some(place) = ReductionPoint::farthest(mechanism)
+            .filter(|_| self.linkage.angular())
+            .and_then(|found| mechanism.place_in(found.point, link))
+        else {
+            return;
+        };
+        let at = self.sheet.point(link, place);
+        self.sheet.note(text!("working-to-point", point = &at.name));
+        let [x, y] = &at.pf[1];
+        let of = |letter: &'static str| Symbol::from(letter).of(&at.name);
+        let radius = self.sheet.work(of("r"), &(x.squared() + y.squared()).sqrt(), "m");
+        self.sheet.work(of("F"), &(moment / &radius), "N");
+        self.sheet.work(of("m"), &(inertia / radius.squared()), "kg");
     }
 
     /// The sums of J and J' over the links.

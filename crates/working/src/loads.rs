@@ -32,13 +32,13 @@ impl Work<'_> {
             }
         }
         let mechanism = &self.linkage.mechanism;
-        let mut drive = self.drive;
+        let mut reduced = false;
         for (cause, link, wrench) in each {
-            if let (Cause::Inertia(_), Some(found)) = (cause, drive) {
+            if matches!(cause, Cause::Inertia(_)) && !reduced {
                 // Inertia loads come last and need the acceleration.
-                self.equation_of_motion(found);
+                self.equation_of_motion();
                 self.sheet.section(text!("working-inertia-loads"));
-                drive = None;
+                reduced = true;
             }
             let name = Text::from(cause.name(mechanism));
             self.sheet.note(text!("working-load-of", load = &name));
@@ -56,8 +56,8 @@ impl Work<'_> {
             }
         }
         // Massless links have no inertia loads.
-        if let Some(found) = drive {
-            self.equation_of_motion(found);
+        if !reduced {
+            self.equation_of_motion();
         }
     }
 

@@ -108,7 +108,9 @@ impl Chain<'_> {
         let stages = block.groups().flat_map(|group| self.linkage.structure.groups[group].frame.pairs());
         for pair in stages {
             branch.pairs[pair.id] = unknown;
-            [pair.a, pair.b].into_iter().for_each(|link| branch.loads[link] = unknown);
+            for link in [pair.a, pair.b] {
+                branch.loads[link] = unknown;
+            }
         }
         if block.stages.contains(&0) {
             (branch.pairs[0], branch.balancing) = (unknown, f64::NAN);
@@ -116,7 +118,9 @@ impl Chain<'_> {
         for rub in
             block.unknowns.iter().map(|&index| &self.frictions.rubs[self.frictions.unknowns[index].rub])
         {
-            [rub.link, rub.on].into_iter().for_each(|link| branch.loads[link] = unknown);
+            for link in [rub.link, rub.on] {
+                branch.loads[link] = unknown;
+            }
         }
         branch.moduli.extend(block.unknowns.iter().map(|_| f64::NAN));
         branch

@@ -38,6 +38,7 @@ assur_force::inventory::submit! {
         summary: text!("force-friction"),
         source: text!("force-friction.source"),
         instance: &Friction,
+        further: &[],
         gives_reactions: true,
         treats_friction: true,
         by_groups: true,

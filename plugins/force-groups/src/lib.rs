@@ -24,6 +24,7 @@ assur_force::inventory::submit! {
         summary: text!("force-groups"),
         source: text!("force-groups.source"),
         instance: &Groups,
+        further: &[],
         gives_reactions: true,
         treats_friction: false,
         by_groups: true,

@@ -55,3 +55,14 @@ force-longitudinal-working-parallel = The crank is across the guide: the pole is
 force-longitudinal-working-without-pole = Without a pole: the reaction of the third link from moments about A, the rest from the components of the force at A.
 force-longitudinal-working-reactions = (12) Whole reactions; then the forces of the pairs in the axes of the ground.
 force-longitudinal-working-of = long
+force-longitudinal-across-crank = across OP
+force-longitudinal-along-crank = along OP
+force-longitudinal-along-moved = along KA
+force-longitudinal-along-pole = along KP
+force-longitudinal-lever = from K to the pole; KP is the velocity analog of K, turned by a right angle: KP over AP is the velocity of K over that of { $point }, { $ratio }, so that APK is the lever of Zhukovsky
+force-longitudinal-parallelogram = oblique axes: through the end of F a parallel to { $line }, up to { $other }
+force-longitudinal-part-along = the part of F along KA
+force-longitudinal-upright = the normal to OP at { $point }
+force-longitudinal-parallel-to-crank = through the end of FA the parallel to OP, up to the normal: there it cuts off the balancing force
+force-longitudinal-working-closed = (8), (9) in closed form, with r_{"{"}2{"}"} = AN, b = AB, R the radius of the arc, a its angle at K, ψ the angle of the rod:
+force-longitudinal-working-closed-same = They are the distances found above.

@@ -55,3 +55,14 @@ force-longitudinal-working-parallel = Кривошип стоит поперёк
 force-longitudinal-working-without-pole = Без полюса: реакция третьего звена из моментов относительно A, остальное — составляющие силы в точке A.
 force-longitudinal-working-reactions = (12) Полные реакции; затем силы в парах в осях стойки.
 force-longitudinal-working-of = прод
+force-longitudinal-across-crank = поперёк OP
+force-longitudinal-along-crank = вдоль OP
+force-longitudinal-along-moved = вдоль KA
+force-longitudinal-along-pole = вдоль KP
+force-longitudinal-lever = от K до полюса; KP — аналог скорости точки K, повёрнутый на прямой угол: KP к AP — как скорость K к скорости { $point }, { $ratio }, так что APK есть рычаг Жуковского
+force-longitudinal-parallelogram = косоугольные оси: через конец F прямая, параллельная { $line }, до { $other }
+force-longitudinal-part-along = составляющая F вдоль KA
+force-longitudinal-upright = перпендикуляр к OP в точке { $point }
+force-longitudinal-parallel-to-crank = через конец FA прямая, параллельная OP, до перпендикуляра: на нём она отсекает уравновешивающую силу
+force-longitudinal-working-closed = (8), (9) в замкнутой форме, где r_{"{"}2{"}"} = AN, b = AB, R — радиус дуги, a — её угол в K, ψ — угол шатуна:
+force-longitudinal-working-closed-same = Это найденные выше расстояния.

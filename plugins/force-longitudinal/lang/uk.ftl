@@ -55,3 +55,14 @@ force-longitudinal-working-parallel = Кривошип стоїть упопер
 force-longitudinal-working-without-pole = Без полюса: реакція третьої ланки з моментів відносно A, решта — складові сили в точці A.
 force-longitudinal-working-reactions = (12) Повні реакції; далі сили в парах в осях стояка.
 force-longitudinal-working-of = позд
+force-longitudinal-across-crank = упоперек OP
+force-longitudinal-along-crank = уздовж OP
+force-longitudinal-along-moved = уздовж KA
+force-longitudinal-along-pole = уздовж KP
+force-longitudinal-lever = від K до полюса; KP — аналог швидкості точки K, повернутий на прямий кут: KP до AP — як швидкість K до швидкості { $point }, { $ratio }, отже APK є важелем Жуковського
+force-longitudinal-parallelogram = косокутні осі: через кінець F пряма, паралельна { $line }, до { $other }
+force-longitudinal-part-along = складова F уздовж KA
+force-longitudinal-upright = перпендикуляр до OP у точці { $point }
+force-longitudinal-parallel-to-crank = через кінець FA пряма, паралельна OP, до перпендикуляра: на ньому вона відтинає зрівноважувальну силу
+force-longitudinal-working-closed = (8), (9) у замкненій формі, де r_{"{"}2{"}"} = AN, b = AB, R — радіус дуги, a — її кут у K, ψ — кут шатуна:
+force-longitudinal-working-closed-same = Це знайдені вище відстані.

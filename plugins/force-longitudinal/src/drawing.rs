@@ -4,7 +4,7 @@ use assur_force::{Acting, Construction, Drawing, Step, VectorKind};
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
-use assur_words::{Text, joined, name, quantity, text};
+use assur_words::{Text, joined, name, number, quantity, text};
 
 use crate::deliver::{at_a, at_b};
 use crate::layout::{End, Layout};
@@ -98,10 +98,23 @@ fn push<const N: usize>(
         kind,
         drawing,
         start,
+        after: [0.0; 2],
         vector,
         unit,
         note,
     }));
+}
+
+/// Adds a line from the end of a force that begins at a point, as long as another force is drawn.
+fn push_line(
+    draft: &mut Vec<Step>,
+    symbol: &'static str,
+    start: [f64; 2],
+    [after, vector]: [[f64; 2]; 2],
+    note: Text,
+) {
+    let (kind, drawing) = (VectorKind::Line, Drawing::Mechanism);
+    draft.push(Step { name: lettered(symbol), kind, drawing, start, after, vector, unit: "N", note });
 }
 
 /// The symbol of a step; some have letters of their own in each language.
@@ -109,6 +122,10 @@ fn lettered(symbol: &'static str) -> Text {
     match symbol {
         "Fb" => text!("force-longitudinal-fb"),
         "FA across" => text!("force-longitudinal-across"),
+        "across OP" => text!("force-longitudinal-across-crank"),
+        "along OP" => text!("force-longitudinal-along-crank"),
+        "along KA" => text!("force-longitudinal-along-moved"),
+        "along KP" => text!("force-longitudinal-along-pole"),
         _ => name(symbol),
     }
 }
@@ -205,23 +222,40 @@ fn resolution(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, found: &Unknow
         part_p = minus(at.force, part_a);
         let unit = scaled(to_a[0].hypot(to_a[1]) / to_p[0].hypot(to_p[1]), to_p);
         let line = pole.place(at).map_or(unit, |place| minus(place, k));
+        let to_pole = match pole.place(at) {
+            Some(place) => {
+                let [kp, ap] = [k, at.a].map(|from| minus(place, from)).map(|way| way[0].hypot(way[1]));
+                let ratio = number(format_args!("{:.6}", kp / ap));
+                text!("force-longitudinal-lever", ratio = ratio, point = &scene.a)
+            }
+            None => text!("force-longitudinal-to-pole"),
+        };
         let lines = [
             ("KA", k, to_a, text!("force-longitudinal-to-point", point = &scene.a)),
-            ("KP", k, line, text!("force-longitudinal-to-pole")),
+            ("KP", k, line, to_pole),
         ];
         push(draft, (Drawing::Mechanism, VectorKind::Line), lines);
+        let side = text!("force-longitudinal-parallelogram", line = name("KP"), other = name("KA"));
+        push_line(draft, "along KP", k, [at.force, scaled(-1.0, part_p)], side);
+        let side = text!("force-longitudinal-parallelogram", line = name("KA"), other = name("KP"));
+        push_line(draft, "along KA", k, [at.force, scaled(-1.0, part_a)], side);
     }
     let (along, _) = at.crank();
     let across = scaled(dot(part_a, perp(along)), perp(along));
     let through_pole = text!("force-longitudinal-part-pole");
     let moved = text!("force-longitudinal-part-moved", point = &scene.a);
-    let cancelled = text!("force-longitudinal-part-across");
     let parts = [
         ("FP", k, part_p, through_pole),
+        ("FA", k, part_a, text!("force-longitudinal-part-along")),
         ("FA", at.a, part_a, moved),
-        ("FA across", at.a, across, cancelled),
     ];
     push(draft, (Drawing::Mechanism, VectorKind::Part), parts);
+    let upright = text!("force-longitudinal-upright", point = &scene.a);
+    push_line(draft, "across OP", at.a, [[0.0; 2], across], upright);
+    let back = text!("force-longitudinal-parallel-to-crank");
+    push_line(draft, "along OP", at.a, [part_a, minus(across, part_a)], back);
+    let cancelled = text!("force-longitudinal-part-across");
+    push(draft, (Drawing::Mechanism, VectorKind::Part), [("FA across", at.a, across, cancelled)]);
     let what = if couple == 0.0 {
         text!("force-longitudinal-balancing", point = &scene.a)
     } else {

@@ -83,7 +83,7 @@ fn forces(
     if parallel {
         sheet.note(text!("force-longitudinal-working-parallel"));
     } else {
-        found = Some(with_pole(sheet, &axes, &acts, &total));
+        found = Some(with_pole(sheet, &axes, &acts, (&total, arc(linkage, &layout))));
     }
     if form == Form::Stable {
         found = Some(without_pole(sheet, &axes, &acts, &total));
@@ -220,7 +220,12 @@ fn third(sheet: &mut Sheet, layout: &Layout, axes: &Axes) -> Expr {
 }
 
 /// Eqs. (3) to (11): the moment about the pole, the balancing force, the longitudinal reactions.
-fn with_pole(sheet: &mut Sheet, axes: &Axes, acts: &[Acts], [fx, fy]: &[Expr; 2]) -> Unknowns {
+fn with_pole(
+    sheet: &mut Sheet,
+    axes: &Axes,
+    acts: &[Acts],
+    ([fx, fy], arc): (&[Expr; 2], Option<Arc>),
+) -> Unknowns {
     let (sin, cos) = (axes.f1.sin(), axes.f1.cos());
     sheet.note(text!("force-longitudinal-working-pole"));
     let yp = sheet.work(Symbol::from("Y").of("P"), &axes.b[1], "m");
@@ -241,6 +246,9 @@ fn with_pole(sheet: &mut Sheet, axes: &Axes, acts: &[Acts], [fx, fy]: &[Expr; 2]
         let x2 = sheet.work_unless_zero(of("X"), &(&xp - &one.at[0]), "m");
         moment = moment + &one.force[1] * x2 + &one.force[0] * y2 - &one.moment;
     }
+    if let (Some(arc), [one]) = (arc, acts) {
+        closed(sheet, axes, one, &arc);
+    }
     let mc = sheet.work(Symbol::from("M").of("c"), &moment, "N·m");
     let mb = sheet.work(Symbol::from("M").of("b"), &(mc * &axes.r1 / ap), "N·m");
     let fb = sheet.work(Symbol::from("F").of("b"), &(mb / &axes.r1), "N");
@@ -251,6 +259,50 @@ fn with_pole(sheet: &mut Sheet, axes: &Axes, acts: &[Acts], [fx, fy]: &[Expr; 2]
     let r1 = sheet.work(Symbol::from("R").of(1), &((fy - &fb * &sin) / &cos), "N");
     let r3 = sheet.work(Symbol::from("R").of(3), &(fx - &fb * &cos + &r1 * &sin), "N");
     Unknowns { fb, r1, r3 }
+}
+
+/// An arc whose center N lies on the line BA beyond A, on the rod of a slider-crank: what eqs. (8) and (9) are for.
+struct Arc {
+    /// AN, AB and the radius, m.
+    r2: f64,
+    b: f64,
+    radius: f64,
+}
+
+/// The only contact of the coupler, if its center lies so.
+fn arc(linkage: &Linkage, layout: &Layout) -> Option<Arc> {
+    let own = linkage.mechanism.loads.iter().filter_map(|load| load.kind.contact());
+    let mut own = own.filter(|contact| contact.center.link == layout.coupler);
+    let contact = own.next().filter(|_| own.next().is_none() && matches!(layout.end, End::Guide(_)))?;
+    let [n, to_a] = [minus(contact.center.at, layout.a.own), minus(layout.a.own, layout.b.own)];
+    let [r2, b] = [n, to_a].map(|way| way[0].hypot(way[1]));
+    let beyond = dot(n, to_a) > 0.0 && assur_group::plane::cross(n, to_a).abs() <= PARALLEL * r2 * b;
+    beyond.then_some(Arc { r2, b, radius: contact.radius })
+}
+
+/// Eqs. (8) and (9) as L prints them, by the angles alone; of a guide that leads past O there are none.
+fn closed(sheet: &mut Sheet, axes: &Axes, k: &Acts, arc: &Arc) {
+    let [[xa, ya], [xb, yb], [xk, yk]] = [&axes.a, &axes.b, &k.at].map(|at| [at[0].value(), at[1].value()]);
+    if xb.abs() > PARALLEL * arc.b {
+        return;
+    }
+    let [x, y] = [xa + (xa - xb) * arc.r2 / arc.b - xk, ya + (ya - yb) * arc.r2 / arc.b - yk];
+    sheet.note(text!("force-longitudinal-working-closed"));
+    let mut given = |symbol: Symbol, value, unit| sheet.given(symbol, value, unit, Text::default());
+    let r2 = given(Symbol::from("r").of(2), arc.r2, "m");
+    let b = given("b".into(), arc.b, "m");
+    let radius = given("R".into(), arc.radius, "m");
+    let a = given("a".into(), x.atan2(y), "rad");
+    let (sin, cos) = (axes.f1.sin(), axes.f1.cos());
+    let one = || Expr::number(1.0);
+    let sin_rod = sheet.work(Symbol::from("sin").of("ψ"), &(&axes.r1 * &sin / &b), "");
+    let cos_rod = sheet.work(Symbol::from("cos").of("ψ"), &(one() - sin_rod.squared()).sqrt(), "");
+    let y2 = (&r2 + &b) * &cos_rod - &radius * a.cos();
+    sheet.work(Symbol::from("Y").of("KP"), &y2, "m");
+    let x2 =
+        (&axes.r1 * &cos + &b * cos_rod) * &sin / cos - &axes.r1 * sin * (one() + r2 / b) + radius * a.sin();
+    sheet.work(Symbol::from("X").of("KP"), &x2, "m");
+    sheet.note(text!("force-longitudinal-working-closed-same"));
 }
 
 /// The same unknowns from moments about A, which no pole at infinity disturbs.

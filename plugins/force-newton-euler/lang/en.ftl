@@ -2,3 +2,4 @@ force-newton-euler = one linear system for all links: every reaction and the bal
     .source = equilibrium of each link with its inertia loads (d'Alembert); sparse elimination with partial pivoting
 force-newton-euler-unbalanced = { $equations } equations of equilibrium for { $unknowns } unknown reactions
 force-newton-euler-all = the mechanism
+force-newton-euler-open-friction = the reaction of the pair { $pair }, which has friction, is not determined beside the passive links

@@ -92,6 +92,13 @@ impl Frictional<'_> {
         put: impl Fn(&Solution, &mut Reactions),
         out: &mut Reactions,
     ) -> Result<bool, f64> {
+        if found.senses.iter().any(|sense| sense.is_nan()) {
+            // At rest friction is not determined.
+            out.pairs.fill(Wrench { fx: f64::NAN, fy: f64::NAN, m: f64::NAN });
+            out.balancing = f64::NAN;
+            found.forces.fill(f64::NAN);
+            return Ok(true);
+        }
         let unknowns = moduli(self.mechanism, &found.senses);
         let prepared = |part: f64| self.equations(loads, &found.senses, &unknowns, part);
         let (base, each, system) = prepared(1.0)?;

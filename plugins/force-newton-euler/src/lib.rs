@@ -7,10 +7,11 @@
 
 mod elimination;
 mod friction;
+mod least_norm;
 mod system;
 
-use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions};
-use assur_group::Wrench;
+use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, joints};
+use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::PairId;
 use assur_words::{Text, text};
@@ -27,6 +28,7 @@ assur_force::inventory::submit! {
         summary: text!("force-newton-euler"),
         source: text!("force-newton-euler.source"),
         instance: &NewtonEuler,
+        further: &[],
         gives_reactions: true,
         treats_friction: true,
         by_groups: false,
@@ -42,10 +44,15 @@ impl ForceAnalyzer for NewtonEuler {
     fn supports(&self, linkage: &Linkage) -> Result<(), Text> {
         let system = System::of(&linkage.mechanism, linkage.structure.scale);
         let (equations, unknowns) = system.size();
-        if equations == unknowns {
-            return Ok(());
+        let passive = !linkage.structure.passive.is_empty();
+        if equations == unknowns || passive && equations < unknowns {
+            return if passive { determined_friction(linkage, &system) } else { Ok(()) };
         }
         Err(text!("force-newton-euler-unbalanced", equations, unknowns))
+    }
+
+    fn treats_passive(&self) -> bool {
+        true
     }
 
     fn solve(
@@ -60,10 +67,15 @@ impl ForceAnalyzer for NewtonEuler {
         let singular = |health| ForceError::Singular { coordinate, health };
         let put = |solution: &Solution, out: &mut Reactions| {
             out.balancing = solution.balancing;
+            out.open.clone_from(&solution.open);
             to_pairs(linkage, &system, solution, &mut out.pairs);
         };
         let Some(mut rubbing) = out.rubbing.take() else {
-            put(&system.solve(&position.bodies, loads, &[]).map_err(singular)?, out);
+            let solution = system.solve(&position.bodies, loads, &[]).map_err(singular)?;
+            if solution.health < NEAR_CHANGE_POINT && linkage.is_at_change_point(position) {
+                return Err(singular(solution.health));
+            }
+            put(&solution, out);
             return Ok(());
         };
         let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
@@ -78,6 +90,27 @@ impl ForceAnalyzer for NewtonEuler {
         }
         Ok(())
     }
+}
+
+/// At a change point places of 16 digits leave rounding of this size in a system that is singular there.
+const NEAR_CHANGE_POINT: f64 = 1e-7;
+
+/// Whether the reaction of each pair with friction is determined beside the passive parts.
+fn determined_friction(linkage: &Linkage, system: &System<'_>) -> Result<(), Text> {
+    let mechanism = &linkage.mechanism;
+    let mut position = linkage.position();
+    if mechanism.frictions.is_empty() || linkage.solve_index(0, Order::First, &mut position).is_err() {
+        return Ok(());
+    }
+    let loads = vec![Wrench::ZERO; mechanism.links.len()];
+    let Ok(found) = system.solve(&position.bodies, &loads, &[]) else { return Ok(()) };
+    for joint in joints(mechanism, &linkage.structure) {
+        let is_open = joint.open(&found.open).iter().any(|open| *open > 0.0);
+        if is_open && mechanism.frictions.iter().any(|friction| friction.pair == joint.id) {
+            return Err(text!("force-newton-euler-open-friction", pair = &mechanism.named_pair(joint.id)));
+        }
+    }
+    Ok(())
 }
 
 /// Converts the forces on the links of each pin to the forces in pairs.

@@ -6,6 +6,7 @@ use assur_group::{Body, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
 
 use crate::elimination::{self, Row};
+use crate::least_norm::{self, LeastNorm};
 
 /// Below this ratio of least to greatest pivot the matrix is singular: rounding alone gives some 1e-16.
 const LEAST_HEALTH: f64 = 1e-15;
@@ -44,6 +45,11 @@ pub(crate) struct Solution {
     columns: Vec<f64>,
     pub(crate) slides: Vec<Wrench<f64>>,
     pub(crate) balancing: f64,
+    /// 1 for each reaction that the equations leave open, see [`Reactions::open`](assur_force::Reactions::open); empty where they
+    /// determine all.
+    pub(crate) open: Vec<f64>,
+    /// Ratio of least to greatest pivot.
+    pub(crate) health: f64,
 }
 
 impl<'a> System<'a> {
@@ -84,6 +90,14 @@ impl<'a> System<'a> {
         shifts: &[f64],
     ) -> Result<Solution, f64> {
         let (rows, columns) = self.size();
+        if rows < columns {
+            let found = least_norm::solve(&self.equations(bodies, loads, shifts), columns);
+            if found.health.is_nan() || found.health < LEAST_HEALTH {
+                return Err(found.health);
+            }
+            let open = self.open(&found);
+            return Ok(Solution { open, health: found.health, ..self.read(found.solution, bodies) });
+        }
         if rows != columns {
             return Err(0.0);
         }
@@ -91,7 +105,29 @@ impl<'a> System<'a> {
         if health.is_nan() || health < LEAST_HEALTH {
             return Err(health);
         }
-        Ok(self.read(solved, bodies))
+        Ok(Solution { health, ..self.read(solved, bodies) })
+    }
+
+    /// Which reactions the equations leave open, in the order of the joints: of each pin by link, of each slide by link and then of
+    /// its moment.
+    fn open(&self, found: &LeastNorm) -> Vec<f64> {
+        let mark = |columns: &[Vec<usize>]| {
+            let open = columns.iter().any(|columns| found.is_open(columns));
+            if open { 1.0 } else { 0.0 }
+        };
+        let mut all = Vec::new();
+        for (id, point) in self.mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
+            let first = self.of_pins[id];
+            let others = first..first + point.places.len() - 1;
+            // The first link takes the opposite of the sum of all others.
+            all.push(mark(&[0, 1].map(|axis| others.clone().map(|unknown| 2 * unknown + axis).collect())));
+            all.extend(others.map(|unknown| mark(&[vec![2 * unknown], vec![2 * unknown + 1]])));
+        }
+        for unknown in &self.of_slides {
+            let force = mark(&[vec![2 * unknown]]);
+            all.extend([force, force, mark(&[vec![2 * unknown + 1]])]);
+        }
+        all
     }
 
     /// The equations of all moving links, three of each.
@@ -200,7 +236,7 @@ impl<'a> System<'a> {
         let slides = slides.collect();
         let last = columns.last().copied().unwrap_or(f64::NAN);
         let balancing = if self.mechanism.balances_by_moment() { last * self.scale } else { last };
-        Solution { columns, slides, balancing }
+        Solution { columns, slides, balancing, open: Vec::new(), health: 1.0 }
     }
 
     /// Force of a pin on one of its links, N.

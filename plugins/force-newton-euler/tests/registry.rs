@@ -23,8 +23,8 @@ fn registered_under_their_names() {
 
 #[test]
 fn without_a_name_the_lowest_rank_is_chosen() {
-    let chosen = choose(None, false).unwrap();
+    let chosen = choose(None, false, false).unwrap();
     assert_eq!((chosen.name, chosen.by_groups), ("groups", true));
-    assert_eq!(choose(Some("newton-euler"), false).unwrap().name, "newton-euler");
-    assert!(choose(Some("no such method"), false).is_err());
+    assert_eq!(choose(Some("newton-euler"), false, false).unwrap().name, "newton-euler");
+    assert!(choose(Some("no such method"), false, false).is_err());
 }

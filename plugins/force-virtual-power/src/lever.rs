@@ -26,7 +26,7 @@ fn turned(first: [f64; 2]) -> [f64; 2] {
 }
 
 fn force(name: Text, kind: VectorKind, start: [f64; 2], vector: [f64; 2], note: Text) -> Step {
-    Step { name, kind, drawing: Drawing::Lever, start, vector, unit: "N", note }
+    Step { name, kind, drawing: Drawing::Lever, start, after: [0.0; 2], vector, unit: "N", note }
 }
 
 struct Lever<'a> {
@@ -45,7 +45,7 @@ impl Lever<'_> {
     fn image_step(&self, name: Text, vector: [f64; 2], note: Text) -> Step {
         let unit = if self.linkage.angular() { "m/rad" } else { "m/m" };
         let (kind, drawing, start) = (VectorKind::Absolute, Drawing::Lever, [0.0; 2]);
-        Step { name, kind, drawing, start, vector, unit, note }
+        Step { name, kind, drawing, start, after: [0.0; 2], vector, unit, note }
     }
 
     /// The images of the points from the pole, and each link between the images of its points.

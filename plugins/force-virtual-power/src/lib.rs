@@ -26,6 +26,7 @@ assur_force::inventory::submit! {
         summary: text!("force-virtual-power"),
         source: text!("force-virtual-power.source"),
         instance: &VirtualPower,
+        further: &[],
         gives_reactions: false,
         treats_friction: false,
         by_groups: false,

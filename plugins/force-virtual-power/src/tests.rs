@@ -171,3 +171,8 @@ fn it_is_registered_without_reactions() {
     assert!(!plugin.gives_reactions && plugin.crate_name == "assur-force-virtual-power");
     assert_eq!(plugin.instance.supports(&compile("shaper")), Ok(()));
 }
+
+#[test]
+fn it_conforms() {
+    assur_testkit::analyzer_conformance("virtual-power");
+}

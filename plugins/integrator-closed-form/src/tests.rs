@@ -47,6 +47,8 @@ fn what_never_comes_is_an_error() {
 }
 
 #[test]
-fn it_is_registered() {
-    assert_eq!(assur_integrator::find("closed-form").unwrap().crate_name, env!("CARGO_PKG_NAME"));
+fn both_conform() {
+    for name in ["closed-form", "quadrature"] {
+        assur_testkit::integrator_conformance(name);
+    }
 }

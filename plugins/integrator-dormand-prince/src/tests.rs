@@ -32,3 +32,10 @@ fn both_are_registered() {
     let error = assur_integrator::find("euler").unwrap_err().to_string();
     assert_eq!(error, "no integrator is called `euler`; there are: dop853, dopri5");
 }
+
+#[test]
+fn both_conform() {
+    for method in METHODS {
+        assur_testkit::integrator_conformance(method.name);
+    }
+}

@@ -311,3 +311,8 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn it_conforms() {
+    assur_testkit::integrator_conformance("energy");
+}

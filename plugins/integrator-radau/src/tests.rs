@@ -68,20 +68,6 @@ fn pendulum_meets_the_tolerance() {
 }
 
 #[test]
-fn worked_examples_and_jumps() {
-    let exact = |until| Request { tolerance: 1e-10, ..Request::new(State::default(), until) };
-    let found = RADAU5.solve(&mut assur_problems::e1(), &exact(Until::Coordinate(10.0 * PI))).unwrap();
-    assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-8);
-    let braked = Request { initial: State { speed: 100.0, ..State::default() }, ..exact(Until::Turn) };
-    let found = RADAU5.solve(&mut assur_problems::d1(), &braked).unwrap();
-    assert_close(found.end.time, 50.0, 1e-10);
-    assert_close(found.end.coordinate, 2500.0, 1e-8);
-    let found = RADAU5.solve(&mut assur_problems::jumps(), &exact(Until::Coordinate(3.0))).unwrap();
-    assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-10);
-    assert!(found.statistics.rejected <= 4, "{:?}", found.statistics);
-}
-
-#[test]
-fn it_is_registered() {
-    assert_eq!(assur_integrator::find("radau5").unwrap().crate_name, env!("CARGO_PKG_NAME"));
+fn it_conforms() {
+    assur_testkit::integrator_conformance("radau5");
 }

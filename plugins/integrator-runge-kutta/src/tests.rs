@@ -28,28 +28,6 @@ fn the_order_is_four() {
 }
 
 #[test]
-fn d1_and_e1_have_their_answers() {
-    let initial = State { speed: 100.0, ..State::default() };
-    let brake = RK4.solve(&mut assur_problems::d1(), &Request::new(initial, Until::Turn)).unwrap();
-    assert_close(brake.end.time, 50.0, 1e-10);
-    assert_close(brake.end.coordinate, 2500.0, 1e-8);
-    let run_up = Request::new(State::default(), Until::Coordinate(10.0 * PI));
-    let found = RK4.solve(&mut assur_problems::e1(), &run_up).unwrap();
-    assert_close(found.end.speed, (1000.0 * PI).sqrt(), 1e-9);
-}
-
-#[test]
-fn jumps_are_stepped_onto() {
-    let request = Request {
-        fixed_step: Some(FixedStep::Time(0.15)),
-        ..Request::new(State::default(), Until::Coordinate(3.0))
-    };
-    let found = RK4.solve(&mut assur_problems::jumps(), &request).unwrap();
-    assert_close(found.end.time, 3.0 - SQRT_2 + (10.0_f64.sqrt() - SQRT_2) / 4.0, 1e-12);
-    assert!(found.statistics.rejected <= 3, "{:?}", found.statistics);
-}
-
-#[test]
 fn a_stiff_motor_at_a_long_step_is_reported() {
     let initial = State { speed: 9.9, ..State::default() };
     let request =
@@ -62,6 +40,6 @@ fn a_stiff_motor_at_a_long_step_is_reported() {
 }
 
 #[test]
-fn it_is_registered() {
-    assert_eq!(assur_integrator::find("rk4").unwrap().crate_name, env!("CARGO_PKG_NAME"));
+fn it_conforms() {
+    assur_testkit::integrator_conformance("rk4");
 }

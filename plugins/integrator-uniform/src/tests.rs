@@ -33,27 +33,10 @@ fn jumps_are_exact_because_each_piece_is_uniform() {
 }
 
 #[test]
-fn the_error_is_halved_with_the_step() {
-    let period = assur_problems::pendulum_period(1.0);
-    let initial = State { coordinate: 1.0, ..State::default() };
-    let error = |parts: f64| {
-        let request = Request { initial, ..request(Until::Time(period), period / parts) };
-        UNIFORM.solve(&mut assur_problems::pendulum(), &request).unwrap().end.speed.abs()
-    };
-    let order = (error(2000.0) / error(4000.0)).log2();
-    assert_close(order, 1.0, 0.05);
-}
-
-#[test]
 fn without_a_step_it_takes_a_thousandth() {
     let request = Request::new(State::default(), Until::Time(2.0));
     let found = UNIFORM.solve(&mut assur_problems::e1(), &request).unwrap();
     assert!((999..=1001).contains(&found.statistics.steps), "{:?}", found.statistics);
-}
-
-#[test]
-fn it_is_registered() {
-    assert_eq!(assur_integrator::find("uniform").unwrap().crate_name, env!("CARGO_PKG_NAME"));
 }
 
 /// Under a constant moment a step over the coordinate is exact, and there are as many steps as parts of the way.
@@ -66,4 +49,9 @@ fn a_step_may_be_a_part_of_the_way() {
     let found = UNIFORM.solve(&mut assur_problems::d1(), &request).unwrap();
     assert!((800..810).contains(&found.statistics.steps), "{:?}", found.statistics);
     assert_close(found.end.speed, (100.0_f64.powi(2) - 2.0 * 2.0 * 100.0).sqrt(), 1e-10);
+}
+
+#[test]
+fn it_conforms() {
+    assur_testkit::integrator_conformance("uniform");
 }

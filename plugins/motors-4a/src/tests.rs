@@ -63,3 +63,8 @@ fn spot_checks_against_other_prints() {
     assert_relative_eq!(rpm(m.rated_speed), 2880.0, max_relative = 1e-12);
     assert_eq!(m.rated_power, 4000.0);
 }
+
+#[test]
+fn it_conforms() {
+    assur_testkit::catalogue_conformance("4A");
+}

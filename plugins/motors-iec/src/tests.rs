@@ -118,3 +118,10 @@ fn the_automatic_choice_suffices_and_nothing_smaller_does() {
     assert!(found.runners_up.iter().all(|c| c.motor.rated_power >= found.chosen.motor.rated_power));
     assert!(select(rows("IE1-BN"), &request).is_err(), "prints no breakdown torque");
 }
+
+#[test]
+fn all_conform() {
+    for (name, ..) in CATALOGUES {
+        assur_testkit::catalogue_conformance(name);
+    }
+}

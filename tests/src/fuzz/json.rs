@@ -6,9 +6,13 @@ use std::fmt;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
 /// Keys whose value is null where a check is not conclusive, or has no reason for that; where a note is about no key; where a kind of
-/// groups can't list its modes, or one of them is singular; where a position without a solution has no limit, or an efficiency is undetermined.
-const MAY_BE_NULL: [&str; 9] =
-    ["ok", "why", "key", "way", "ways", "modes", "condition", "limit", "efficiency"];
+/// groups can't list its modes, or one of them is singular; where a position without a solution has no limit, or an efficiency is undetermined; where
+/// dry friction holds a motion at rest.
+const MAY_BE_NULL: [&str; 10] =
+    ["ok", "why", "key", "way", "ways", "modes", "condition", "limit", "efficiency", "balancing"];
+
+/// Keys under which, at any depth, values are null that dry friction at rest leaves undetermined.
+const UNDETERMINED: [&str; 2] = ["reactions", "friction"];
 
 /// Reads a value and keeps nothing of it.
 #[derive(Clone, Copy, Default)]
@@ -16,6 +20,8 @@ struct Unique {
     may_be_null: bool,
     /// Whether each value of the object may be: the works of pairs, where a position of the cycle has no solution.
     each_may_be_null: bool,
+    /// Whether all values under it may be.
+    undetermined: bool,
 }
 
 impl<'de> DeserializeSeed<'de> for Unique {
@@ -65,8 +71,11 @@ impl<'de> Visitor<'de> for Unique {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
         let mut keys = BTreeSet::new();
         while let Some(key) = map.next_key::<String>()? {
-            let may_be_null = self.each_may_be_null || MAY_BE_NULL.contains(&key.as_str());
-            map.next_value_seed(Self { may_be_null, each_may_be_null: key == "friction_work" })?;
+            let may_be_null =
+                self.each_may_be_null || self.undetermined || MAY_BE_NULL.contains(&key.as_str());
+            let each_may_be_null = key == "friction_work";
+            let undetermined = self.undetermined || UNDETERMINED.contains(&key.as_str());
+            map.next_value_seed(Self { may_be_null, each_may_be_null, undetermined })?;
             if let Some(twice) = keys.replace(key) {
                 return Err(A::Error::custom(format!("the key `{twice}` stands twice")));
             }
@@ -91,5 +100,6 @@ fn a_key_that_stands_twice_is_found() {
     assert!(check(r#"{"a": [1, {"b": 2.5}], "c": "x", "d": true}"#).is_ok());
     assert!(check(r#"{"a": [{"b": 1, "c": 2, "b": 3}]}"#).unwrap_err().to_string().contains("`b`"));
     assert!(check(r#"{"a": null}"#).is_err() && check(r#"{"ok": [null]}"#).is_err() && check("{}x").is_err());
+    assert!(check(r#"{"reactions": {"A": {"crank": null}}}"#).is_ok());
     assert!(check(r#"{"a": [{"ok": null, "why": "so"}, {"ok": true, "why": null}]}"#).is_ok());
 }

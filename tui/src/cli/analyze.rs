@@ -21,7 +21,7 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let form = Form::of(args)?;
     let scene = &args.checked.scene;
     let output = Output::of(args.output.as_deref(), &scene.scene)?;
-    let options = scene::options(&scene.methods, false)?;
+    let options = args.checked.options(false)?;
     let session = scene::open(&scene.scene, style)?;
     let study = scene::calculation(&session, &options, style)?;
     args.plans.refuse(args.format, &study)?;

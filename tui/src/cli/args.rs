@@ -59,6 +59,10 @@ pub(crate) enum Command {
     Draw(super::draw::DrawArgs),
     /// Calculate a scene over a grid of parameters, in parallel, one row for each point
     Sweep(super::sweep::SweepArgs),
+    /// Write a scene with other numbers, its comments kept: values by key, or a row of a sweep
+    Set(super::set::SetArgs),
+    /// Search and print the reference of the keys of a scene
+    Keys(super::keys::KeysArgs),
     /// List every registered group, force analyzer, integrator and catalogue
     Plugins,
     /// List motors of the catalogues

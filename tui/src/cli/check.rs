@@ -11,7 +11,7 @@ use crate::verdict::Verdict;
 
 pub(crate) fn run(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever results the scene requests.
-    let options = scene::options(&args.scene.methods, true)?;
+    let options = args.options(true)?;
     let session = scene::open(&args.scene.scene, style)?;
     let study = scene::calculation(&session, &options, style)?;
     let line = ProgressLine::new(style.language);

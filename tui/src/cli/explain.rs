@@ -23,7 +23,7 @@ pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
         return energy(&session, &options, style);
     }
     let Session { mechanism, structure, .. } = &session;
-    let (methods, plan) = (methods(mechanism, &options), plan(mechanism, structure, &options));
+    let (methods, plan) = (methods(mechanism, structure, &options), plan(mechanism, structure, &options));
     let equation = if mechanism.has_equation_of_motion() {
         let linkage = scene::linkage(&session)?;
         method_of_motion(&linkage, &options).map_err(|error| Fault::Scene(session.fault(&error)))?

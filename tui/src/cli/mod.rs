@@ -9,12 +9,14 @@ mod draw;
 mod explain;
 mod fault;
 mod geometry;
+mod keys;
 mod lists;
 mod options;
 mod output;
 mod plans;
 mod report;
 mod scene;
+mod set;
 mod shaking;
 mod shell;
 mod stability;
@@ -107,6 +109,8 @@ fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fau
         Some(Command::Report(args)) => report::run(&args, cli.language.as_deref(), style),
         Some(Command::Draw(args)) => draw::run(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
+        Some(Command::Set(args)) => set::run(&args, style),
+        Some(Command::Keys(args)) => keys::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
         Some(Command::New { file, kind }) => starter::run(&file, kind.as_deref()),
@@ -131,7 +135,7 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
         }
         Some(scene) if !interactive => {
             let scene = SceneArgs { scene, methods: cli.methods };
-            let checked = CheckedArgs { scene, checks: Checks::Sample };
+            let checked = CheckedArgs { scene, checks: Checks::Sample, indeterminate: None };
             analyze::run(
                 &AnalyzeArgs {
                     checked,

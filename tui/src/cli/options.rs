@@ -18,7 +18,7 @@ pub(crate) struct MethodArgs {
 
 impl From<MethodArgs> for Options {
     fn from(MethodArgs { analyzer, integrator }: MethodArgs) -> Self {
-        Self { analyzer, integrator, whole: false }
+        Self { analyzer, integrator, whole: false, least_norm: false }
     }
 }
 
@@ -39,6 +39,16 @@ pub(crate) struct CheckedArgs {
     /// Which positions are checked
     #[arg(long, value_enum, default_value_t = Checks::Sample)]
     pub(crate) checks: Checks,
+    /// Give the reactions that passive links leave undetermined too: those of least norm
+    #[arg(long, value_enum, value_name = "HOW")]
+    pub(crate) indeterminate: Option<Indeterminate>,
+}
+
+/// How undetermined reactions are given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Indeterminate {
+    /// With the least sum of squares of forces, and of moments divided by the size of the mechanism
+    LeastNorm,
 }
 
 /// Which positions are checked.

@@ -15,6 +15,11 @@ pub(crate) fn print(text: &str) -> Result<(), Fault> {
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Fault::stdout)
 }
 
+/// Whether `-o` names standard output: `-`.
+pub(crate) fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
 /// The target of the results of a command; `None` is standard output.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Output<'a> {
@@ -25,6 +30,7 @@ pub(crate) struct Output<'a> {
 impl<'a> Output<'a> {
     /// Rejects a target that is the scene itself, before anything is calculated.
     pub(crate) fn of(target: Option<&'a Path>, scene: &'a Path) -> Result<Self, Fault> {
+        let target = target.filter(|path| !is_standard(path));
         let output = Self { target, scene };
         target.map_or(Ok(()), |path| output.refuse_scene(path)).map(|()| output)
     }

@@ -10,7 +10,7 @@ use assur_scene::SceneErrors;
 use assur_words::{Describe, Text, joined, text};
 
 use super::fault::{Fault, Status};
-use super::options::MethodArgs;
+use super::options::{CheckedArgs, MethodArgs};
 use super::style::Style;
 use crate::files::FileError;
 use crate::progress::ProgressLine;
@@ -51,7 +51,15 @@ pub(crate) fn doubt_of_state(state: &State, session: &Session, style: Style) -> 
 
 /// Tells what is hardly meant in a scene, or refuses it where that is an error.
 fn doubt(session: &Session, doubts: &[Notice], style: Style) -> Result<(), Fault> {
-    let told: Vec<Text> = doubts.iter().map(|doubt| session.doubt(doubt)).collect();
+    doubted(doubts.iter().map(|doubt| session.doubt(doubt)).collect(), style)
+}
+
+/// The same of a scene that stands in no file yet.
+pub(crate) fn doubt_of(doubts: &[Notice], style: Style) -> Result<(), Fault> {
+    doubted(doubts.iter().map(|doubt| text!("cli-note", note = doubt)).collect(), style)
+}
+
+fn doubted(told: Vec<Text>, style: Style) -> Result<(), Fault> {
     if style.strict && !told.is_empty() {
         return Err(Fault::Scene(text!("cli-strict", notes = joined("\n", told))));
     }
@@ -82,6 +90,14 @@ pub(crate) fn options(methods: &MethodArgs, whole: bool) -> Result<Options, Faul
         assur_integrator::find(method).map_err(Fault::told)?;
     }
     Ok(Options { whole, ..methods.clone().into() })
+}
+
+impl CheckedArgs {
+    /// The requested methods, as [`options`], and how undetermined reactions are given.
+    pub(crate) fn options(&self, whole: bool) -> Result<Options, Fault> {
+        let least_norm = self.indeterminate.is_some();
+        Ok(Options { least_norm, ..options(&self.scene.methods, whole)? })
+    }
 }
 
 /// The errors of a scene or a configuration.

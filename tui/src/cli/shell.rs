@@ -27,6 +27,7 @@ pub(crate) fn man() -> Result<Status, Fault> {
         man.render_description_section(&mut page).map_err(Fault::other)?;
         man.render_options_section(&mut page).map_err(Fault::other)?;
     }
+    page.extend(super::keys::manual().bytes());
     output::print(&String::from_utf8_lossy(&page))?;
     Ok(Status::Done)
 }

@@ -13,6 +13,7 @@ use super::output::Output;
 use super::scene;
 use super::style::Style;
 use crate::session::{Source, mechanism_of};
+use crate::verdict::Verdict;
 
 /// Arguments of `structure`.
 #[derive(Debug, Clone, Args)]
@@ -55,24 +56,28 @@ pub(crate) fn run(args: &StructureArgs, style: Style) -> Result<Status, Fault> {
 /// The structure of the scene, and how the command ends: 1 where no input gives a mechanism.
 fn study(args: &StructureArgs, style: Style) -> Result<(StructureStudy, Status), Fault> {
     let mechanism = mechanism_of(&Source::File(args.scene.clone())).map_err(Fault::Scene)?;
-    let (mut study, fault) = match scene::open(&args.scene, style) {
+    let (mut study, linkage, fault) = match scene::open(&args.scene, style) {
         Ok(session) => {
             let linkage = scene::linkage(&session)?;
             let mut study = StructureStudy::of(&linkage);
             if args.modes {
                 study.add_modes(&linkage);
             }
-            (study, None)
+            (study, Some(linkage), None)
         }
         Err(fault) => match decompose(&mechanism) {
             Ok(_) => return Err(fault),
-            Err(error) => (StructureStudy::without(&mechanism, &error), Some(fault)),
+            Err(error) => (StructureStudy::without(&mechanism, &error), None, Some(fault)),
         },
     };
     if args.all_inputs || fault.is_some() {
-        study.add_inputs(&mechanism);
+        study.add_inputs(&mechanism, linkage.as_deref());
     }
-    let Some(fault) = fault else { return Ok((study, Status::Done)) };
+    let Some(fault) = fault else {
+        let verdict = Verdict::of_structure(&study);
+        verdict.tell(style);
+        return Ok((study, verdict.status()));
+    };
     let any = study.inputs.iter().any(|input| input.class.is_some());
     if any && !args.all_inputs {
         return Err(fault);

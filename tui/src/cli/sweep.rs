@@ -9,17 +9,23 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use assur_sweep::{MEASURES, Measure, Points, Request, Sweep, SweepError, Tally, Vary};
+use assur_sweep::{MEASURES, Measure, Points, Request, Sweep, SweepError, Tally, Tie, Vary};
 use assur_words::{Describe, Told, name, number, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
 use super::options::MethodArgs;
-use super::output::Output;
+use super::output::{self, Output};
 use super::scene;
 use super::style::Style;
 use crate::progress::ProgressLine;
 use target::{Form, form};
+
+/// A sweep of so many points tells beforehand how much it will write.
+const LONG: usize = 100_000;
+
+/// Bytes of a number in CSV with its comma: 17 digits, sign, point, exponent.
+const BYTES_OF_NUMBER: f64 = 20.0;
 
 /// What the measures are, and what columns there are besides.
 fn columns() -> String {
@@ -46,6 +52,9 @@ pub(crate) struct SweepArgs {
     /// With --sample without N: KEY=FROM..TO
     #[arg(long, required = true, value_name = "KEY=FROM..TO:N", allow_hyphen_values = true)]
     vary: Vec<String>,
+    /// A key of the scene that follows a varied one: KEY=KEY gives it the same value, KEY=KEY*FACTOR a multiple
+    #[arg(long, value_name = "KEY=KEY[*FACTOR]", allow_hyphen_values = true)]
+    tie: Vec<String>,
     /// Instead of a grid N points that fill the ranges evenly (a Sobol sequence)
     #[arg(long, value_name = "N")]
     sample: Option<NonZeroUsize>,
@@ -81,12 +90,14 @@ fn shard(text: &str) -> Result<(NonZeroU32, NonZeroU32), Told> {
 pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     // A target that is the scene itself is refused before anything is calculated.
     Output::of(args.output.as_deref(), &args.scene)?;
-    let form = args.output.as_deref().map_or(Ok(Form::Csv), form)?;
+    let output = args.output.as_deref().filter(|path| !output::is_standard(path));
+    let form = output.map_or(Ok(Form::Csv), form)?;
     let sweep = sweep(args, style)?;
     let job = Job::of(args, &sweep, style);
-    match (&args.output, form) {
+    job.tell_size();
+    match (output, form) {
         (Some(path), Form::Parquet) => parts::run(&job, path, args.resume),
-        (path, _) => lines::run(&job, path.as_deref(), args.resume),
+        (path, _) => lines::run(&job, path, args.resume),
     }
 }
 
@@ -97,7 +108,8 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     };
     let fault = |error| fault(&args.scene, error);
     let measures = Measure::named(&args.measure).map_err(fault)?;
-    let request = Request { points, measures, options: scene::options(&args.methods, false)? };
+    let ties = args.tie.iter().map(|tie| Tie::parse(tie)).collect::<Result<_, _>>().map_err(fault)?;
+    let request = Request { points, ties, measures, options: scene::options(&args.methods, false)? };
     let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();
@@ -136,6 +148,22 @@ impl<'a> Job<'a> {
             is_first: part == 1,
             threads: threads.unwrap_or(NonZeroUsize::MIN),
             style,
+        }
+    }
+
+    /// Tells how much a long sweep will write, before it begins.
+    fn tell_size(&self) {
+        let (rows, columns) = (self.points.len(), self.sweep.columns().names().len());
+        if rows >= LONG {
+            // What a number takes in CSV with its comma; Parquet takes less than half of it.
+            let megabytes = (rows as f64 * columns as f64 * BYTES_OF_NUMBER / 1e6).ceil();
+            let [rows, columns] = [rows, columns].map(number);
+            self.style.tell(text!(
+                "cli-sweep-size",
+                rows = rows,
+                columns = columns,
+                megabytes = number(megabytes)
+            ));
         }
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_analysis::{Coverage, Options, unwatched};
 use assur_figure::{Figure, svg};
-use assur_words::{self as words, Describe, Language, Text, Told, list, name, number, text};
+use assur_words::{self as words, Describe, Language, Text, Told, joined, list, name, number, text};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
@@ -21,7 +21,7 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "NAME", default_value = "mechanism", value_parser = PossibleValuesParser::new(views()))]
     pub(crate) view: String,
     /// Part of the view: forces, velocities, accelerations, construction (plans); overview, causes, curves, hodograph
-    /// (forces); overview, course, iteration (motion); overview, curves, energy-mass, inertia, reduction (drive)
+    /// (forces); overview, course, iteration, reduction (motion); overview, curves, energy-mass, inertia, reduction (drive)
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
     /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI; several
@@ -178,11 +178,19 @@ fn choose_step(state: &mut State, step: usize) -> Result<(), Text> {
     Ok(())
 }
 
+/// A picture says of which scene and position it is.
 fn figure(state: &State) -> Result<Figure, StillError> {
-    view::figure(state, state.view).ok_or_else(|| {
+    let figure = view::figure(state, state.view).ok_or_else(|| {
         let text = state.scene.as_ref().map(|scene| view::advice(state, scene)).unwrap_or_default();
         StillError::Nothing(text)
-    })
+    })?;
+    let Some(scene) = state.scene.as_ref().filter(|_| !matches!(state.view, View::Mechanism)) else {
+        return Ok(figure);
+    };
+    let of_scene = name(scene.linkage.mechanism.title.clone());
+    let parts = [of_scene, scene.place(state.position), figure.title.clone()];
+    let title = joined("; ", parts.into_iter().filter(|part| !part.is_empty()));
+    Ok(Figure { title, ..figure })
 }
 
 /// One turn through all positions that exist.
@@ -198,11 +206,9 @@ fn animation(state: &mut State, output: &Path, size: [f64; 2]) -> Result<Vec<u8>
             frames.push(figure(state)?);
         }
     }
-    if let Some(first) = frames.first_mut() {
-        first.title = state
-            .scene
-            .as_ref()
-            .map_or_else(Text::default, |scene| name(scene.linkage.mechanism.title.clone()));
+    let title = state.scene.as_ref().map(|scene| name(scene.linkage.mechanism.title.clone()));
+    for frame in &mut frames {
+        frame.title = title.clone().unwrap_or_default();
     }
     Ok(svg::animate(&frames, size, TURN, state.language()).into_bytes())
 }

@@ -5,6 +5,7 @@ pub(crate) mod courses;
 mod forces;
 mod frames;
 mod keys;
+mod labels;
 mod language;
 mod lists;
 mod pictures;

@@ -3,6 +3,7 @@
 use assur_force::{Rub, Rubbing, UnitBalance};
 use assur_mechanism::PairId;
 use assur_number::{Lanes, Real};
+use assur_words::name;
 
 use super::{Family, Rows};
 use crate::Calculation;
@@ -134,6 +135,8 @@ pub(super) const REACTIONS: Family = Family {
         calculation.has_forces() && calculation.analyzer.is_some_and(|method| method.gives_reactions)
     },
     columns: |calculation, schema| {
+        // Beside passive parts each reaction may lack by itself, and the row says so.
+        let beside_passive = !calculation.linkage.structure.passive.is_empty();
         let mut section = schema.section();
         for (index, &pair) in calculation.plan.wanted.reactions.iter().enumerate() {
             // At rest some depend on dry friction, which is not determined there, and others don't.
@@ -141,9 +144,15 @@ pub(super) const REACTIONS: Family = Family {
                 section = schema.section();
             }
             for link in ends(&calculation.linkage, pair) {
+                if beside_passive {
+                    section = schema.nullable();
+                }
                 schema.add(section, Column::vector(Quantity::Force, Owner::PairOn(pair, link)));
             }
             if matches!(pair, PairId::Slide(_)) {
+                if beside_passive {
+                    section = schema.nullable();
+                }
                 schema.add(section, [Column::of(Quantity::Moment, Owner::Pair(pair))]);
                 let offset = schema.section();
                 schema.add(offset, [Column::of(Quantity::Offset, Owner::Pair(pair))]);
@@ -153,15 +162,39 @@ pub(super) const REACTIONS: Family = Family {
     fill: |rows, cells| {
         let Some((joints, reactions, determined)) = rows.reactions else { return };
         for joint in joints.wanted(reactions, rows.position) {
-            for force in joint.forces.iter().flatten() {
-                cells.put(*force, rows.known(*force, determined));
+            let given = |nth: usize| {
+                let open = joint.open.get(nth).filter(|_| !rows.calculation.least_norm);
+                let is_given =
+                    |open: &Lanes| std::array::from_fn(|lane| determined[lane] && open.0[lane] == 0.0);
+                open.map_or(determined, is_given)
+            };
+            for (nth, force) in joint.forces.iter().enumerate() {
+                for part in force {
+                    cells.put(*part, rows.known(*part, given(nth)));
+                }
             }
             if let Some((moment, offset, has)) = joint.slide {
-                let known = rows.known(moment, determined);
+                let [force, known] = [0, joint.forces.len()].map(|nth| rows.known(moment, given(nth)));
                 cells.put(moment, known);
-                cells.put(offset, std::array::from_fn(|lane| known[lane] && has[lane]));
+                cells.put(offset, std::array::from_fn(|lane| force[lane] && known[lane] && has[lane]));
             }
         }
+    },
+};
+
+/// The further forces of the analyzer.
+pub(super) const FURTHER: Family = Family {
+    applies: |calculation| calculation.has_forces() && calculation.positions_have_forces(),
+    columns: |calculation, schema| {
+        let names = calculation.analyzer.map_or(&[][..], |method| method.further);
+        schema.further = names.iter().map(|told| name(*told).into()).collect();
+        let section = schema.section();
+        schema
+            .add(section, (0..names.len()).map(|force| Column::of(Quantity::OfMethod, Owner::Method(force))));
+    },
+    fill: |rows, cells| {
+        let Some((_, reactions, determined)) = rows.reactions else { return };
+        reactions.further.iter().for_each(|force| cells.put(*force, determined));
     },
 };
 

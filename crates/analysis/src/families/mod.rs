@@ -22,8 +22,7 @@ use crate::{Calculation, InputMotion};
 
 pub(crate) use motion::Motions;
 
-use friction::{BALANCING, HOLDING, REACTIONS};
-use friction::{EFFICIENCY, FRICTION};
+use friction::{BALANCING, EFFICIENCY, FRICTION, FURTHER, HOLDING, REACTIONS};
 use loads::{INERTIA_LOADS, INERTIA_OF_LINKS, LOADS, REDUCED, SHAKING};
 use motion::{COORDINATE, LINKS, PLACES, POINTS, RATES, SLIDES, SPEEDS, TIME};
 
@@ -103,6 +102,7 @@ const POSITIONS: &[Family] = &[
     INERTIA_LOADS,
     SHAKING,
     Family { applies: |found| found.positions_have_forces() && (REACTIONS.applies)(found), ..REACTIONS },
+    FURTHER,
     Family { applies: |found| found.positions_have_forces() && (FRICTION.applies)(found), ..FRICTION },
     Family { applies: |found| found.positions_have_forces() && (BALANCING.applies)(found), ..BALANCING },
     EFFICIENCY,

@@ -61,7 +61,7 @@ impl Calculation {
             return None;
         }
         let gap = match failure.source {
-            GroupError::NoAssembly { gap_m } => {
+            GroupError::NoAssembly { gap_m } if gap_m > 0.0 => {
                 text!("analysis-misses", gap = quantity(format_args!("{:.3e}", gap_m * 1e3), "mm"))
             }
             other => other.describe(),

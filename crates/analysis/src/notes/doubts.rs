@@ -80,11 +80,16 @@ impl Calculation {
         let mechanism = &self.linkage.mechanism;
         let places = mechanism.points.iter().flat_map(|point| &point.places);
         let size = diagonal(places.map(|place| first.bodies[place.link].point(place.at)));
+        let groups =
+            || self.linkage.groups().iter().enumerate().map(|(group, kernel)| (group, kernel.frame()));
+        let is_placed = |link: usize| {
+            groups().all(|(group, frame)| self.linkage.chain.is_needed(group) || !frame.links.contains(&link))
+        };
         let missed = mechanism.assembly.iter().filter_map(|&(point, wanted)| {
             let (place, name) = (mechanism.points[point].places.first()?, &mechanism.points[point].name);
             let found = first.bodies[place.link].point(place.at);
             let away = (found[0] - wanted[0]).hypot(found[1] - wanted[1]);
-            (away > FAR * size).then(|| {
+            (away > FAR * size && is_placed(place.link)).then(|| {
                 let text = text!(
                     "analysis-place-missed",
                     point = Text::from(name),

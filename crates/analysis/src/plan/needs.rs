@@ -41,7 +41,8 @@ fn pairs(mechanism: &Mechanism) -> Vec<PairId> {
 ///
 /// A method that treats the mechanism as one system needs all of them.
 pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Vec<bool> {
-    if plan.forces && !plan.by_groups {
+    // What is passive hangs on any of them.
+    if plan.forces && !plan.by_groups || !structure.passive.is_empty() {
         return vec![true; structure.groups.len()];
     }
     let mut links = shown(mechanism, &plan.wanted);
@@ -87,6 +88,7 @@ fn behind(structure: &Structure, mut links: Vec<LinkId>) -> Vec<bool> {
 fn earliest(mechanism: &Mechanism, structure: &Structure, point: usize) -> Place {
     let rank = |place: &&Place| match group_of(structure, place.link) {
         None if place.link == GROUND => 0,
+        None if structure.is_passive(place.link) => usize::MAX,
         None => 1,
         Some(group) => group + 2,
     };
@@ -156,10 +158,10 @@ pub(crate) fn groups_carrying(mechanism: &Mechanism, structure: &Structure) -> V
         Some(Balance::Force { at, .. }) => links[at.link] = true,
         None => {}
     }
-    let mut carrying = vec![false; structure.groups.len()];
+    let mut carrying = vec![!structure.passive.is_empty(); structure.groups.len()];
     for (index, group) in structure.groups.iter().enumerate().rev() {
         let frame = &group.frame;
-        carrying[index] = frame.links.iter().any(|link| links[*link]);
+        carrying[index] |= frame.links.iter().any(|link| links[*link]);
         if carrying[index] {
             let ends = frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
             ends.for_each(|link| links[link] = true);
@@ -177,7 +179,8 @@ pub(crate) fn opposed(mechanism: &Mechanism) -> bool {
 
 /// Whether a link of a group has mass.
 pub(crate) fn heavy_groups(mechanism: &Mechanism, structure: &Structure) -> bool {
-    mechanism.heavy_links().any(|link| group_of(structure, link).is_some())
+    let follows = |link: LinkId| group_of(structure, link).is_some() || structure.is_passive(link);
+    mechanism.heavy_links().any(follows)
 }
 
 /// The group of a link; none for the ground and the input link.

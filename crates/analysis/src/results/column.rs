@@ -46,6 +46,8 @@ pub enum Quantity {
     Offset,
     /// Moment (force) that keeps the mechanism in its motion.
     Balancing,
+    /// A force that the analyzer finds beside the reactions.
+    OfMethod,
     /// What holds the motion at rest or at a speed: moment (force) on the input.
     Holding,
     /// The greatest size that [`Holding`](Self::Holding) can have.
@@ -98,6 +100,8 @@ pub enum Owner {
     Group(usize),
     /// A load of the scene, by its index among [`Schema::loads`](super::Schema::loads).
     Load(usize),
+    /// A further force of the analyzer, by its index among [`Schema::further`](super::Schema::further).
+    Method(usize),
 }
 
 /// Which part of a quantity.

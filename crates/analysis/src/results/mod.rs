@@ -44,6 +44,6 @@ pub use dynamics::{
     RegimePoint, RegimeReport, RunnerUp,
 };
 pub use schema::{Schema, Section};
-pub use structure::{GroupReport, ModeReport, StructureReport};
+pub use structure::{ClosingReport, GroupReport, ModeReport, PassiveReport, StructureReport, passive};
 pub use survey::Survey;
 pub use table::{Cells, Mask, Table};

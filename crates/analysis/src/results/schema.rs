@@ -24,11 +24,15 @@ pub struct Schema {
     columns: Vec<Column>,
     section_of: Vec<Section>,
     sections: usize,
+    /// Sections of which a row says where it lacks them.
+    nullable: Vec<Section>,
     places: HashMap<Column, usize>,
     links: Vec<Name>,
     points: Vec<Name>,
     slides: Vec<Name>,
     loads: Vec<(Name, &'static str)>,
+    /// Names of the further forces of the analyzer.
+    pub further: Vec<Name>,
     angular: bool,
     balances_by_moment: bool,
     /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
@@ -42,11 +46,13 @@ impl Schema {
             columns: Vec::new(),
             section_of: Vec::new(),
             sections: 1,
+            nullable: Vec::new(),
             places: HashMap::new(),
             links: mechanism.links.iter().map(|link| link.name.clone()).collect(),
             points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
             slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
             loads: loads(mechanism),
+            further: Vec::new(),
             angular: mechanism.input.is_angle(),
             balances_by_moment: mechanism.balances_by_moment(),
             causes: Vec::new(),
@@ -57,6 +63,18 @@ impl Schema {
     pub fn section(&mut self) -> Section {
         self.sections += 1;
         Section(self.sections - 1)
+    }
+
+    /// A new section for one quantity: a row that lacks it says so (null in JSON).
+    pub fn nullable(&mut self) -> Section {
+        let section = self.section();
+        self.nullable.push(section);
+        section
+    }
+
+    /// Whether a row says that it lacks this column.
+    pub fn is_nullable(&self, column: usize) -> bool {
+        self.nullable.contains(&self.section_of[column])
     }
 
     /// Adds columns at the end.
@@ -119,6 +137,7 @@ impl Schema {
             | Owner::Pair(PairId::Slide(slide))
             | Owner::PairOn(PairId::Slide(slide), _) => Some(&self.slides[slide]),
             Owner::Load(load) => Some(&self.loads[load].0),
+            Owner::Method(force) => self.further.get(force),
         }
     }
 

@@ -1,8 +1,9 @@
 //! Mobility, groups and formula as results show them.
 
 use assur_group::{Mode, Order, Pair};
-use assur_kinematics::{Linkage, Modes, mobility_in};
-use assur_mechanism::{LinkId, Name, Named, PairId, Point};
+use assur_kinematics::{Length, Linkage, Misfit, Modes, mobility_in};
+use assur_mechanism::{GROUND, LinkId, Mechanism, Name, Named, PairId, Point};
+use assur_structure::Part;
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -28,6 +29,43 @@ pub struct StructureReport {
     pub pairs: usize,
     /// The groups in solving order.
     pub groups: Vec<GroupReport>,
+    /// What repeats what others say, in the order in which it was left out.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub passive: Vec<PassiveReport>,
+}
+
+/// A passive part, and how well it fits.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PassiveReport {
+    /// The part in words: `link rod3`.
+    pub what: Text,
+    /// The link, where it is one.
+    #[serde(skip)]
+    pub link: Option<LinkId>,
+    /// Greatest distance over the cycle between the two places that it should keep together, m.
+    pub misfit: f64,
+    /// Up to this it fits, m.
+    pub limit: f64,
+    /// Where it is greatest, rad or m.
+    pub at: f64,
+    /// The length that would close, where it does not fit and one alone does.
+    pub closes: Option<ClosingReport>,
+}
+
+impl PassiveReport {
+    /// Whether it fits.
+    pub fn fits(&self) -> bool {
+        self.misfit <= self.limit
+    }
+}
+
+/// A number of the scene with which a passive part would fit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ClosingReport {
+    /// Its key.
+    pub key: String,
+    /// The value, m or rad.
+    pub value: f64,
 }
 
 /// One group.
@@ -80,6 +118,60 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
         moving_links: structure.mobility.moving_links,
         pairs: structure.mobility.pairs,
         groups: groups(linkage),
+        passive: passive(linkage),
+    }
+}
+
+/// A part in words: `link rod3`.
+pub(crate) fn part(mechanism: &Mechanism, part: Part) -> Text {
+    match part {
+        Part::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
+        Part::Pair(pair, link) => text!(
+            "analysis-passive-pair",
+            pair = &mechanism.named_pair(pair),
+            link = &mechanism.named_link(link)
+        ),
+    }
+}
+
+/// The passive parts of a mechanism.
+pub fn passive(linkage: &Linkage) -> Vec<PassiveReport> {
+    let mechanism = &linkage.mechanism;
+    let of = |found: &Misfit| PassiveReport {
+        what: part(mechanism, found.part),
+        link: if let Part::Link(link) = found.part { Some(link) } else { None },
+        misfit: found.misfit,
+        limit: found.limit,
+        at: found.at,
+        closes: found
+            .closes
+            .as_ref()
+            .map(|closing| ClosingReport { key: key(mechanism, closing.number), value: closing.value }),
+    };
+    linkage.misfits.iter().map(of).collect()
+}
+
+/// The key of a number in the scene: `link.rod3.points.B`.
+fn key(mechanism: &Mechanism, number: Length) -> String {
+    let quoted = |name: &Name| {
+        if name.contains(['.', '[', ']']) { format!("\"{name}\"") } else { name.to_string() }
+    };
+    let slide = |slide: usize| format!("slide.{}", quoted(&mechanism.slides[slide].name));
+    match number {
+        Length::Point(point, link, axis) => {
+            let name = quoted(&mechanism.points[point].name);
+            let at = mechanism.place_in(point, link).unwrap_or_default();
+            if link == GROUND {
+                return format!("ground.points.{name}[{axis}]");
+            }
+            // On the x axis of a link a point is written as one number.
+            let index = if at[1].abs() > 0.0 || axis == 1 { format!("[{axis}]") } else { String::new() };
+            format!("link.{}.points.{name}{index}", quoted(&mechanism.links[link].name))
+        }
+        Length::SlidePoint(id, axis) => format!("{}.point[{axis}]", slide(id)),
+        Length::Through(id, axis) => format!("{}.through[{axis}]", slide(id)),
+        Length::Angle(id) => format!("{}.angle", slide(id)),
+        Length::Tilt(id) => format!("{}.tilt", slide(id)),
     }
 }
 
@@ -90,7 +182,7 @@ fn rank(linkage: &Linkage) -> Option<usize> {
 }
 
 fn note(counted: i64, found: usize) -> Option<Text> {
-    if i64::try_from(found) == Ok(counted) {
+    if i64::try_from(found) == Ok(counted) || counted < 1 && found == 1 {
         return None;
     }
     Some(text!("analysis-other-mobility", counted = number(counted), found))

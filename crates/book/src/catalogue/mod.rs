@@ -105,6 +105,7 @@ rows! {
     Q::Moment, _ => SENSE "quantity-moment", "M", M::Moment, "reactions.*.moment", "*_moment";
     Q::Offset, _ => PLAIN "quantity-offset", "", M::Length, "", "";
     Q::Balancing, _ => SENSE "quantity-balancing", "", M::Balancing, "balancing", "balancing";
+    Q::OfMethod, _ => SENSE "quantity-force", "", M::Force, "method.*", "method_*";
     Q::FrictionMoment, PairOn(..) => SENSE "quantity-friction-moment", "Mf", M::Moment,
         "friction.*.moments.+", "*_+_friction_moment";
     Q::FrictionMoment, _ => SENSE "quantity-friction-moment", "Mf", M::Moment,

@@ -18,7 +18,7 @@ pub enum Step<'a> {
 /// The keys of a row in JSON, in their order.
 pub const KEYS: &str = "time coordinate speed acceleration work_driving work_resisting work_friction kinetic_energy works \
                         kinetic_energies reduced_loads links \
-                        points slides velocities accelerations reduced loads inertia_loads shaking reactions \
+                        points slides velocities accelerations reduced loads inertia_loads shaking reactions method \
                         friction balancing balancing_without_friction efficiency reactions_by_cause balancing_by_cause holding residuals condition friction_certificate";
 
 /// The name of the owner of a column; of a residual its own.

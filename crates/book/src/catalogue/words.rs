@@ -78,7 +78,9 @@ pub fn short(schema: &Schema, column: Column) -> Text {
         (Quantity::InertiaForce | Quantity::InertiaMoment, _) => {
             spaced([name(own()), kind(column), name(symbol)])
         }
-        (_, Owner::Link(_) | Owner::Point(_) | Owner::Slide(_) | Owner::Pair(_)) => dotted(own(), &symbol),
+        (_, Owner::Link(_) | Owner::Point(_) | Owner::Slide(_) | Owner::Pair(_) | Owner::Method(_)) => {
+            dotted(own(), &symbol)
+        }
         (Quantity::ShakingForce | Quantity::ShakingMoment, _) | (_, Owner::Load(_) | Owner::Group(_)) => {
             spaced([owner(schema, column), kind(column), name(symbol)])
         }

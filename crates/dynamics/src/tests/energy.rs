@@ -2,16 +2,13 @@
 
 use approx::assert_relative_eq;
 use assur_group::Order;
-use assur_mechanism::Place;
+use assur_mechanism::{Place, ReductionPoint};
 use proptest::prelude::*;
 
 use assur_fixtures::scene;
 
 use super::{compiled, read};
-use crate::{
-    CycleRequest, DriveRequest, Machine, Method, ReductionPoint, RegimeSolver, TorqueRequest, steady,
-    transient,
-};
+use crate::{CycleRequest, DriveRequest, Machine, Method, RegimeSolver, TorqueRequest, steady, transient};
 
 /// A crank and rocker with weights, a spring and a constant force on the coupler.
 fn four_bar(lengths: [f64; 3], masses: [f64; 3], stiffness: f64, force: [f64; 2], speed: f64) -> String {

@@ -4,9 +4,7 @@ use assur_force::Side;
 use assur_integrator::Sample;
 
 use super::{compiled, read};
-use crate::{
-    CycleRequest, Machine, Method, ReductionPoint, RegimeSolver, equation, section_margin, steady, transient,
-};
+use crate::{CycleRequest, Machine, Method, RegimeSolver, equation, section_margin, steady, transient};
 
 /// A disc on which nothing acts.
 #[test]
@@ -71,13 +69,16 @@ fn loads_are_reduced_to_the_farthest_point_of_the_crank() {
         ))
     };
     let mechanism = scene("O = 0, A = 0.2, B = [0.3, -0.4], C = 0.3");
-    let found = ReductionPoint::farthest(&mechanism).unwrap();
+    let found = assur_mechanism::ReductionPoint::farthest(&mechanism).unwrap();
     assert_eq!(mechanism.points[found.point].name, "B");
     assert!((found.radius - 0.5).abs() < 1e-15, "{found:?}");
     // Of equal ones the first.
     let mechanism = scene("O = 0, A = 0.2, B = [0, 0.2]");
-    assert_eq!(mechanism.points[ReductionPoint::farthest(&mechanism).unwrap().point].name, "A");
-    assert_eq!(ReductionPoint::farthest(&scene("O = 0")), None);
+    assert_eq!(
+        mechanism.points[assur_mechanism::ReductionPoint::farthest(&mechanism).unwrap().point].name,
+        "A"
+    );
+    assert_eq!(assur_mechanism::ReductionPoint::farthest(&scene("O = 0")), None);
 }
 
 #[test]

@@ -22,6 +22,21 @@ pub(super) fn text_width(text: &str) -> f64 {
     text.chars().map(of).sum::<f64>() * EM
 }
 
+/// A text in lines of at most this width, divided between its words; none of an empty text.
+pub(super) fn wrapped(text: &str, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ').filter(|_| !text.is_empty()) {
+        match lines.last_mut() {
+            Some(line) if text_width(line) + text_width(word) + NARROW * EM <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.iter().map(|line| fitted(line, width)).collect()
+}
+
 /// The beginning of a text that fits into this width, with an ellipsis where the rest is missing.
 pub(super) fn fitted(text: &str, width: f64) -> String {
     if text_width(text) <= width {
@@ -36,6 +51,38 @@ pub(super) fn fitted(text: &str, width: f64) -> String {
         }
     }
     kept + "…"
+}
+
+/// The room of a name between its text and a line, in text sizes.
+const CLEAR: f64 = 0.12;
+/// Distances from its point at which a place for a name is looked for.
+const RINGS: usize = 12;
+/// Up to this one, a place where it covers nothing is looked for.
+const NEAR: usize = 5;
+/// What covering a text or a sign counts, in covered lines.
+const WRITTEN: usize = 1000;
+
+/// The places of a text of this width around a point at a distance: to the right and to the left above, below and beside it, above and
+/// below it in the middle, then between these.
+fn around([x, y]: Point, [width, away]: [f64; 2]) -> [[f64; 4]; 12] {
+    let (right, left) = (x + away, x - away - width);
+    let (above, below) = (y - away - 0.75 * EM, y + away);
+    let middle = [x - 0.5 * width, y - 0.4 * EM];
+    let corners = [
+        [right, above],
+        [left, above],
+        [right, below],
+        [left, below],
+        [right, middle[1]],
+        [left, middle[1]],
+        [middle[0], above],
+        [middle[0], below],
+        [x, above],
+        [x - width, above],
+        [x, below],
+        [x - width, below],
+    ];
+    corners.map(|[left, top]| [left, top, left + width, top + 0.8 * EM])
 }
 
 /// Least distance of two names beside each other, in text sizes: closer, they read as one.
@@ -72,6 +119,11 @@ impl Names {
         self.texts.push([x - half, y - half, x + half, y + half]);
     }
 
+    /// Remembers a bearing below its point.
+    pub(super) fn keep_bearing(&mut self, [x, y]: Point) {
+        self.texts.push([x - 1.6 * EM, y - 0.3 * EM, x + 1.2 * EM, y + 1.5 * EM]);
+    }
+
     /// The place of a name beside a point, where its baseline begins, and whether it is seen: not where it is not needed
     /// and would cover something.
     pub(super) fn place(&mut self, at: Point, name: &str, needed: bool) -> (Point, bool) {
@@ -80,29 +132,16 @@ impl Names {
             return (at, false);
         }
         let mut best: Option<(usize, [f64; 4])> = None;
-        for ring in [1.0, 2.0, 3.0] {
-            let (right, left) = (at[0] + ring * away, at[0] - ring * away - width);
-            let (above, below) = (at[1] - ring * away - 0.75 * EM, at[1] + ring * away);
-            let middle = [at[0] - 0.5 * width, at[1] - 0.4 * EM];
-            let corners = [
-                [right, above],
-                [left, above],
-                [right, below],
-                [left, below],
-                [right, middle[1]],
-                [left, middle[1]],
-                [middle[0], above],
-                [middle[0], below],
-            ];
-            for [left, top] in corners {
-                let spot = [left, top, left + width, top + 0.8 * EM];
+        for ring in 1..=if needed { RINGS } else { NEAR } {
+            for spot in around(at, [width, ring as f64 * away]) {
                 self.compared += self.lines.len() + self.texts.len();
                 let Some(covered) = self.covered(spot) else { continue };
                 if best.is_none_or(|(least, _)| covered < least) {
                     best = Some((covered, spot));
                 }
             }
-            if best.is_some_and(|(least, _)| least == 0) {
+            // Near the point a line may be covered rather than go far away; a text or a sign may not.
+            if best.is_some_and(|(least, _)| least == 0 || (ring >= NEAR && least < WRITTEN)) {
                 break;
             }
         }
@@ -124,14 +163,20 @@ impl Names {
             && top >= room.top
             && right <= room.left + room.width
             && bottom <= room.top + room.height;
-        let crosses = |line: &&[Point; 2]| inside(**line, [left, top], [right, bottom]).is_some();
+        let clear = CLEAR * EM;
+        let crosses = |line: &&[Point; 2]| {
+            inside(**line, [left - clear, top - clear], [right + clear, bottom + clear]).is_some()
+        };
         let crossed = self.lines.iter().filter(crosses).count();
         let apart = BETWEEN * EM;
         let meets = |other: &&[f64; 4]| {
-            other[0] < right + apart && left < other[2] + apart && other[1] < bottom && top < other[3]
+            other[0] < right + apart
+                && left < other[2] + apart
+                && other[1] < bottom + clear
+                && top < other[3] + clear
         };
         // Two names over each other are unreadable, a name over a line is not.
         let written = self.texts.iter().filter(meets).count();
-        fits.then_some(crossed + 10 * written)
+        fits.then_some(crossed + WRITTEN * written)
     }
 }

@@ -24,7 +24,7 @@ pub struct Sheet {
 /// The files of the positions: `positions.csv`, and `reactions.csv` where it applies; `ascii`: no character beyond ASCII.
 pub fn of_positions(analysis: &Analysis, ascii: bool) -> Vec<Sheet> {
     let schema = analysis.positions.schema();
-    let has = |column: usize| analysis.survey.has(schema.section_of(column));
+    let has = |column: usize| analysis.survey.has(schema.section_of(column)) || schema.is_nullable(column);
     let sheet = |file, columns| Sheet { file, columns, numbered: true, ascii };
     let mut sheets = vec![sheet(FILES[0], places(schema, &has))];
     if schema.find(Column::BALANCING).is_some_and(has) {
@@ -36,7 +36,7 @@ pub fn of_positions(analysis: &Analysis, ascii: bool) -> Vec<Sheet> {
 /// The file of the motion over time, `trajectory.csv`, where it applies.
 pub fn of_trajectory(analysis: &Analysis, ascii: bool) -> Option<Sheet> {
     let table = &analysis.trajectory;
-    let columns = samples(table.schema(), &|column| table.has(column));
+    let columns = samples(table.schema(), &|column| table.has(column) || table.schema().is_nullable(column));
     (!table.is_empty()).then_some(Sheet { file: FILES[2], columns, numbered: false, ascii })
 }
 

@@ -120,7 +120,8 @@ fn number(value: f64, out: &mut Vec<u8>) {
     out.extend_from_slice(zmij::Buffer::new().format_finite(value).as_bytes());
 }
 
-/// Whether a number that a row lacks is null in it, not left out: what dry friction at rest leaves undetermined in a motion.
+/// Whether a number that a row lacks is null in it, not left out: what passive parts leave undetermined, and dry friction at rest
+/// in a motion.
 fn is_null(schema: &Schema, column: usize, form: Form) -> bool {
     let of_friction = |of: Quantity| matches!(of, Quantity::FrictionMoment | Quantity::FrictionForce);
     let rubs = || schema.columns().iter().any(|column| of_friction(column.quantity));
@@ -130,7 +131,7 @@ fn is_null(schema: &Schema, column: usize, form: Form) -> bool {
         Quantity::Balancing => true,
         other => of_friction(other),
     };
-    !form.numbered && undetermined && rubs()
+    schema.is_nullable(column) || !form.numbered && undetermined && rubs()
 }
 
 /// The text of a row, without its opening brace; of each column, whether the row has a number.

@@ -41,7 +41,7 @@ pub use motion::{condition, positions, rates, rates_of_links, rates_of_points, s
 pub use plans::plans;
 pub use regime::{course as regime_over_cycle, facts as regime_facts, iteration};
 pub use shaking::shaking;
-pub use structure::{groups, mobility, pairs, study as structure_study};
+pub use structure::{groups, mobility, pairs, passive_part, study as structure_study};
 pub use task::dimensions;
 pub(crate) use units::Units;
 

@@ -1,6 +1,6 @@
 //! Structure: mobility, pairs and groups.
 
-use assur_analysis::results::{GroupReport, StructureReport};
+use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
 use assur_analysis::{GroupModes, Meeting, ModeCourse, ModeEnd, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
 use assur_mechanism::Named;
@@ -15,11 +15,11 @@ pub fn mobility(source: &Source<'_>, page: &mut Document) {
     let links = list(mechanism.links.iter().skip(1).map(|link| Text::from(&link.name)));
     let input = Text::from(&source.analysis.input.link);
     page.paragraph(text!("report-links", count = mechanism.links.len() - 1, links, input));
-    counted(structure, page);
+    counted(structure, source.analysis.input.angular, page);
 }
 
 /// Mobility as counted and as it is, formula and class.
-fn counted(structure: &StructureReport, page: &mut Document) {
+fn counted(structure: &StructureReport, angular: bool, page: &mut Document) {
     page.paragraph(text!("report-chebyshev"));
     page.blocks.push(Block::Equation(chebyshev(structure)));
     if let Some(found) = structure.mobility_by_rank {
@@ -28,9 +28,32 @@ fn counted(structure: &StructureReport, page: &mut Document) {
     if let Some(note) = &structure.note {
         page.paragraph(text!("report-note", note));
     }
+    structure.passive.iter().for_each(|passive| page.paragraph(passive_part(passive, angular)));
     let class = name(roman(structure.class));
     page.paragraph(text!("report-formula", formula = &structure.formula));
     page.paragraph(text!("report-class", class));
+}
+
+/// A passive part in words, with its misfit where it has one.
+pub fn passive_part(passive: &PassiveReport, angular: bool) -> Text {
+    if passive.fits() {
+        return text!("report-passive", what = &passive.what);
+    }
+    let place = Units::of(angular).coordinate.show(passive.at);
+    let closes = passive.closes.as_ref().map_or_else(Text::default, |closing| {
+        let value = number(format_args!("{:.9}", closing.value));
+        text!("report-closes", key = name(closing.key.clone()), value = value)
+    });
+    let [misfit, limit] =
+        [passive.misfit, passive.limit].map(|size| number(format_args!("{:.4e}", size * 1e3)));
+    text!(
+        "report-misfit",
+        what = &passive.what,
+        misfit = misfit,
+        limit = limit,
+        place = place,
+        closes = closes
+    )
 }
 
 /// W = 3 n - 2 p5.
@@ -122,7 +145,7 @@ pub fn study(found: &StructureStudy, page: &mut Document) {
         page.title(name(found.title.clone()));
     }
     if let Some(structure) = &found.structure {
-        counted(structure, page);
+        counted(structure, found.angular, page);
         groups_of(structure, page);
     }
     if !found.inputs.is_empty() {
@@ -189,7 +212,15 @@ fn mode_end(end: ModeEnd) -> Text {
 fn possible_inputs(found: &StructureStudy, page: &mut Document) {
     let heads = [text!("head-input"), text!("head-pair"), text!("head-class"), text!("head-structure")];
     let of = |input: &PossibleInput| {
-        let structure = input.formula.as_ref().map(Text::from).or_else(|| input.why.clone());
+        let structure = input.formula.as_ref().map(|formula| {
+            let parts = list(input.passive.iter().cloned());
+            if input.passive.is_empty() {
+                Text::from(formula)
+            } else {
+                text!("report-formula-without", formula = formula, parts = parts)
+            }
+        });
+        let structure = structure.or_else(|| input.why.clone());
         let class = input.class.map(|class| name(roman(class)));
         row![Text::from(&input.link), Text::from(&input.pair), class, structure]
     };

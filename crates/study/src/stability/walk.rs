@@ -52,7 +52,9 @@ impl Stop<'_> {
 
 /// Registered analyzers that can find the reactions of a mechanism.
 pub(crate) fn analyzers_of(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
-    applicable(linkage).into_iter().filter(|plugin| plugin.gives_reactions).collect()
+    // Beside passive links reactions are not determined, and what is has no reference by groups.
+    let has_all = linkage.structure.passive.is_empty();
+    applicable(linkage).into_iter().filter(|plugin| plugin.gives_reactions && has_all).collect()
 }
 
 /// A load on every link, all different, with moments as large as a force on the size of the mechanism.

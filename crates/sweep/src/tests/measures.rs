@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::{SLIDER, numbers, requested, rows};
-use crate::{MEASURES, Measure, Request, Rows};
+use assur_report::csv::Cell;
+
+use crate::{MEASURES, Measure, Request, Rows, Tie};
 
 fn measured(scene: &str, vary: &[&str], names: &[&str]) -> Rows {
     let request = Request { measures: Measure::named(names).unwrap(), ..Request::default() };
@@ -66,20 +68,72 @@ fn roots_of_mean_squares_are_those_of_the_closed_form() {
 fn strokes_time_ratio_and_transmission_angle_are_those_of_the_closed_form() {
     // With an offset e the dead points lie where crank and rod are in line: at asin(e / (l - r)) and asin(e / (l + r)).
     let (r, l, e) = (0.1, 0.3, 0.1);
-    let offset = SLIDER
-        .replace("positions = 12", "positions = 3600")
-        .replace("angle = \"0 deg\"\n\n[input]", "angle = 0\nthrough = [0, 0.1]\n\n[input]");
+    // Twelve positions: the dead points lie between them.
+    let offset = SLIDER.replace("angle = \"0 deg\"\n\n[input]", "angle = 0\nthrough = [0, 0.1]\n\n[input]");
     let table = measured(&offset, &ONE, &["stroke", "time-ratio", "transmission"]);
     let at = |name: &str| numbers(&table, name)[0];
     let reach = |length: f64| (length * length - e * e).sqrt();
-    assert!((at("piston/ground_stroke_m") - (reach(l + r) - reach(l - r))).abs() < 1e-6);
+    assert!((at("piston/ground_stroke_m") - (reach(l + r) - reach(l - r))).abs() < 1e-14);
     let (far, near) = ((e / (l + r)).asin(), (e / (l - r)).asin());
     let there = std::f64::consts::PI + near - far;
     let ratio = there.max(TAU - there) / there.min(TAU - there);
-    assert!((at("piston/ground_time_ratio") / ratio - 1.0).abs() < 2e-3, "{ratio}");
+    assert!((at("piston/ground_time_ratio") / ratio - 1.0).abs() < 1e-12, "{ratio}");
+    // The rod leans by asin((r + e) / l) and asin((r - e) / l) at most.
+    let swing = ((r + e) / l).asin() + ((r - e) / l).asin();
+    assert!((at("rod_stroke_rad") - swing).abs() < 1e-12);
+    let turning = table.header().iter().position(|name| name == "crank_stroke_rad").unwrap();
+    assert_eq!(table.cell(0, turning), Cell::Empty, "a link that turns has no stroke");
     // Where the crank points down, the rod leans by asin((r + e) / l): its pressure angle.
     let least = std::f64::consts::FRAC_PI_2 - ((r + e) / l).asin();
     assert!((at("least_transmission_angle_rad") - least).abs() < 1e-12);
     assert!((at("least_transmission_angle_at_rad") / TAU - 0.75).abs() < 1e-12);
-    assert!((at("crank_stroke_rad") - TAU * 3599.0 / 3600.0).abs() < 1e-12, "continuous over the turn");
+}
+
+#[test]
+fn speeds_transfer_functions_and_the_shaking_force_are_those_of_the_closed_form() {
+    // Seven positions: neither the greatest speed of the rod, at 0, nor that of its end are among them.
+    let (r, l, w) = (0.1, 0.3, 10.0);
+    let scene = SLIDER.replace("positions = 12", "positions = 7\nfrom = 0.2") + "[motion]\nspeed = 10\n";
+    let table = measured(&scene, &ONE, &["pf", "speed", "acceleration", "shaking"]);
+    let close = |name: &str, known: f64| {
+        let found = numbers(&table, name)[0];
+        assert!((found / known - 1.0).abs() < 1e-10, "{name}: {found} is not {known}");
+    };
+    close("A_pf1_greatest_m_per_rad", r);
+    close("A_pf2_greatest_m_per_rad2", r);
+    close("rod_pf1_greatest_rad_per_rad", r / l);
+    // The end of the rod is fastest in its dead point: x'' = -r (1 + r/l) at q = 0.
+    close("piston/ground_pf2_greatest_m_per_rad2", r * (1.0 + r / l));
+    close("A_speed_greatest_m_per_s", r * w);
+    close("crank_speed_greatest_rad_per_s", w);
+    close("B_acceleration_greatest_m_per_s2", w * w * r * (1.0 + r / l));
+    // The piston alone has a mass, 2 kg.
+    close("shaking_force_greatest_N", 2.0 * w * w * r * (1.0 + r / l));
+}
+
+#[test]
+fn a_tied_key_follows_its_parameter() {
+    let ties = |text: &str| vec![Tie::parse(text).unwrap()];
+    let vary = ["link.crank.points.A=100 mm..140 mm:3"];
+    let request = |tie: &str| Request {
+        ties: ties(tie),
+        measures: Measure::named(&["stroke"]).unwrap(),
+        ..Request::default()
+    };
+    let sweep = requested(SLIDER, &vary, request("link.rod.points.B=link.crank.points.A*3")).unwrap();
+    let table = rows(&sweep, 1);
+    assert_eq!(table.header()[..2], ["link.crank.points.A_m", "link.rod.points.B_m"]);
+    assert_eq!(numbers(&table, "link.rod.points.B_m"), [0.3, 0.36, 0.42]);
+    // A rod thrice as long as the crank leans by asin(1/3), whatever the crank.
+    let swing = 2.0 * (1.0_f64 / 3.0).asin();
+    assert!(numbers(&table, "rod_stroke_rad").iter().all(|found| (found - swing).abs() < 1e-12));
+    assert_eq!(sweep.ranges().collect::<Vec<_>>()[1], "link.rod.points.B=link.crank.points.A*3");
+    let error =
+        requested(SLIDER, &vary, request("link.rod.points.B=link.piston.mass")).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "`link.rod.points.B`: it follows `link.piston.mass`, which is not varied: name that key in --vary"
+    );
+    let own = request("link.crank.points.A=link.crank.points.A");
+    assert!(requested(SLIDER, &vary, own).unwrap_err().to_string().contains("are the same value"));
 }

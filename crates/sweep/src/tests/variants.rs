@@ -40,7 +40,7 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
     }
     assert!(set > 1000, "{set}");
     // Read as text: counts, tables and the scale that is multiplied into them, ends of ranges and of intervals, pairs of
-    // speeds; and the efficiency, because more than 1 is refused.
+    // speeds, steps; what is in the note alone; and the efficiency, because more than 1 is refused.
     let allowed = [
         ".table[",
         ".scale",
@@ -53,6 +53,9 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
         ".during[",
         "motion.until",
         "motion.samples",
+        "motion.step",
+        "motion.max_steps",
+        "note.positions[",
         "_speed",
         "drive.efficiency",
     ];

@@ -18,7 +18,7 @@ fn form<'a>(
         work: *work,
     });
     let ends = ends.map(|[coordinate, speed, energy]| Ending { coordinate, speed, energy });
-    EnergyForm { mechanism, ends, works: works.collect(), links: Vec::new(), cycle: None }
+    EnergyForm { mechanism, ends, works: works.collect(), links: Vec::new(), inertia: None, cycle: None }
 }
 
 /// The result of the line of a symbol.
@@ -71,7 +71,9 @@ fn example_2_is_worked_by_areas() {
     };
     let ends = [[0.0, 100.0, 0.0], [2.0 * PI, 100.0, 0.0]];
     let form = EnergyForm { cycle: Some(cycle), ..form(&mechanism, &[("driving", 120.0)], ends) };
-    near(result(&form, "M_d"), -20.0);
+    near(result(&form, "M_res"), 20.0);
+    near(result(&form, "A_d"), 40.0 * PI);
+    near(result(&form, "A_res"), 40.0 * PI);
     near(result(&form, "Δφ"), PI);
     near(result(&form, "δ"), 0.02);
     near(result(&form, "A_ex"), 10.0 * PI);
@@ -79,13 +81,28 @@ fn example_2_is_worked_by_areas() {
     near(result(&form, "χ"), 0.04 / PI);
 }
 
-/// What begins with a speed keeps its energy; a load that follows no straight lines has the work of the quadrature.
+/// What begins with a speed keeps its energy; a brake that no line is drawn of has the work of the quadrature.
 #[test]
 fn the_energy_at_the_start_counts() {
-    let mechanism = assur_scene::read("brake.toml", assur_fixtures::scene("brake")).unwrap();
+    let text = assur_fixtures::scene("brake")
+        .replace("force = \"20 N\"", "force = { formula = \"20 + 0*w\", unit = \"N\" }");
+    let mechanism = assur_scene::read("brake.toml", &text).unwrap();
     let ends = [[0.0, 100.0, 2000.0], [2250.0, 60.0, 720.0]];
     let form = form(&mechanism, &[("brake", -1280.0)], ends);
     near(result(&form, "A"), -1280.0);
     near(result(&form, "T"), 720.0);
     near(result(&form, "ω"), 60.0);
+}
+
+/// D 3.22: 0.8 N m stop 0.4 kg m² from 100 rad/s after 50 s and 2500 rad; the work is the area, whatever a quadrature gave.
+#[test]
+fn the_brake_is_worked_in_closed_form() {
+    let mechanism = assur_scene::read("brake.toml", assur_fixtures::scene("brake")).unwrap();
+    let ends = [[0.0, 100.0, 2000.0], [2500.0, 0.0, 0.0]];
+    let form = EnergyForm { inertia: Some(0.4), ..form(&mechanism, &[("brake", -1990.0)], ends) };
+    near(result(&form, "A_brake"), -2000.0);
+    near(result(&form, "M"), -0.8);
+    near(result(&form, "ε"), -2.0);
+    near(result(&form, "t"), 50.0);
+    near(result(&form, "φ_2"), 2500.0);
 }

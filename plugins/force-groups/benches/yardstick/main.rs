@@ -34,7 +34,7 @@ impl Subject {
     }
 
     fn kinetostatics(&self) -> Kinetostatics<'_> {
-        let analyzer = choose(None, false).expect("an analyzer").instance;
+        let analyzer = choose(None, false, false).expect("an analyzer").instance;
         Kinetostatics::new(&self.linkage, &self.loads, analyzer, &vec![true; self.linkage.groups().len()])
     }
 

@@ -108,8 +108,13 @@ fn the_steps_come_in_the_order_of_the_paper() {
             "P",
             "KA",
             "KP",
+            "along KP",
+            "along KA",
             "FP",
             "FA",
+            "FA",
+            "across OP",
+            "along OP",
             "FA across",
             "Fb",
             "F",
@@ -125,4 +130,64 @@ fn the_steps_come_in_the_order_of_the_paper() {
             "RG"
         ]
     );
+}
+
+#[test]
+fn the_parallels_end_where_the_construction_says() {
+    for name in ["press.toml", "slider-crank.toml", "four-bar.toml"] {
+        let linkage = compile(&fixture(name));
+        for index in 0..linkage.mechanism.input.positions {
+            let drawn = drawn(&linkage, linkage.mechanism.input.coordinate(index));
+            let of = |name| drawn.step(Drawing::Mechanism, name).unwrap();
+            let [force, part] = ["F", "FA"].map(|name| of(name).vector);
+            let least = 1e-9 * length(force);
+            // The parallelogram at K: from the end of F to the ends of both parts.
+            for (side, end) in [("along KP", "FA"), ("along KA", "FP")] {
+                let end = minus(plus(of(side).after, of(side).vector), of(end).vector);
+                assert!(
+                    length(minus(of(side).after, force)) < least && length(end) < least,
+                    "{name} {index}"
+                );
+            }
+            // The parallel to the crank through the end of FA meets the normal at A at the end of -Fb.
+            let parallel = of("along OP");
+            let end = plus(plus(parallel.after, parallel.vector), of("Fb").vector);
+            assert!(length(minus(parallel.after, part)) < least && length(end) < least, "{name} {index}");
+            assert!(cross(parallel.vector, of("OP").vector).abs() < least * length(of("OP").vector));
+        }
+    }
+}
+
+/// APK is Zhukovsky's lever: KP over AP is the velocity of K over that of A.
+#[test]
+fn the_line_to_the_pole_is_the_velocity_analog_of_k() {
+    let linkage = compile(&fixture("press.toml"));
+    let q = linkage.mechanism.input.coordinate(3);
+    let drawn = drawn(&linkage, q);
+    let (position, _) = loaded(&linkage, q);
+    let rod = &position.bodies[linkage.mechanism.link("rod").unwrap()];
+    let k = drawn.step(Drawing::Mechanism, "K").unwrap().start;
+    let velocity = length(rod.first(minus(k, [rod.x, rod.y])));
+    let told = drawn.step(Drawing::Mechanism, "KP").unwrap().note.to_string();
+    assert!(told.contains(&format!("{:.6}", velocity / 0.04)), "{told} {velocity}");
+}
+
+/// Fb, R1 and R3 of the middle of the way (eqs. 5, 10, 11 with P in B), and their sizes in the polygon everywhere.
+#[test]
+fn the_longitudinal_reactions_are_quantities() {
+    let linkage = compile(&fixture("press.toml"));
+    let found = super::reactions(&STABLE, &linkage, linkage.mechanism.input.coordinate(16)).unwrap();
+    for (found, wanted) in found.further.iter().zip([7576.29, 19811.8, -4186.03]) {
+        assert!((found - wanted).abs() < 0.05, "{found} {wanted}");
+    }
+    for name in ["press.toml", "slider-crank.toml", "four-bar.toml"] {
+        let linkage = compile(&fixture(name));
+        let q = linkage.mechanism.input.coordinate(5);
+        let found = super::reactions(&STABLE, &linkage, q).unwrap().further;
+        let drawn = drawn(&linkage, q);
+        for (found, name) in found.iter().zip(["Fb", "R1", "R3"]) {
+            let drawn = length(vector(&drawn, Drawing::Polygon, name));
+            assert!((found.abs() - drawn).abs() < 1e-9 * drawn.max(1.0), "{name}: {found} {drawn}");
+        }
+    }
 }

@@ -38,6 +38,8 @@ fn every_number_of_the_equations_is_that_of_the_print() {
             ("φ_1", f1),
             ("X_2", printed.x2),
             ("Y_2", printed.y2),
+            ("X_KP", printed.x2),
+            ("Y_KP", printed.y2),
             ("l_AP", printed.ap),
             ("M_c", printed.mc),
             ("M_b", printed.balancing),

@@ -25,6 +25,8 @@ pub(crate) struct Found {
     pub(crate) edges: Edges,
     /// What is asked for first, each with what it is about; without the checks until they are done.
     pub(crate) results: Vec<(About, Fact)>,
+    /// What there was just before the samples at which the motion comes to rest.
+    pub(crate) stops: Table,
     /// What is missing, or not proved.
     pub(crate) verdict: Verdict,
     /// All its series over the positions.
@@ -58,6 +60,7 @@ impl Found {
         let mut results = topic::results(&analysis, &calculation.linkage);
         // The view of the structure has it.
         results.retain(|(_, fact)| fact.id != "fact-formula");
+        let stops = calculation.stops();
         // The whole mechanism is checked and has plans, whatever results the scene requests.
         let whole = if calculation.plan.all {
             None
@@ -73,7 +76,19 @@ impl Found {
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
         let verdict = Verdict::of(&analysis, plans.calculation(), None);
-        Ok(Self { analyzer, analysis, edges, results, verdict, series, reactions, plans, fastest, motion })
+        Ok(Self {
+            analyzer,
+            analysis,
+            edges,
+            results,
+            stops,
+            verdict,
+            series,
+            reactions,
+            plans,
+            fastest,
+            motion,
+        })
     }
 
     /// Adds the checks, and the residuals as series.

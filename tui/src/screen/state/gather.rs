@@ -102,7 +102,12 @@ impl Gather<'_> {
 
     /// Loads, inertia loads, what shakes the ground, and how well each group is conditioned.
     pub(super) fn others(&mut self) {
-        self.add_owned(&[Quantity::Load, Quantity::InertiaForce, Quantity::InertiaMoment]);
+        self.add_owned(&[
+            Quantity::OfMethod,
+            Quantity::Load,
+            Quantity::InertiaForce,
+            Quantity::InertiaMoment,
+        ]);
         for quantity in [Quantity::ShakingForce, Quantity::ShakingMoment] {
             self.add_all(Column::of(quantity, Owner::Input));
         }

@@ -90,7 +90,7 @@ impl View {
         match self {
             Forces => &[Part::Overview, Part::Causes, Part::Curves, Part::Hodograph],
             Plans => &[Part::Forces, Part::Velocities, Part::Accelerations, Part::Construction],
-            Motion => &[Part::Overview, Part::Course, Part::Iteration],
+            Motion => &[Part::Overview, Part::Course, Part::Iteration, Part::Reduction],
             Drive => &[
                 Part::Overview,
                 Part::Curves,

@@ -3,8 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use assur_diagram::enveloping;
-use assur_figure::Bounds;
-use assur_figure::mechanism::Arc;
+use assur_figure::mechanism::{Arc, brakes};
+use assur_figure::{Bounds, Item};
 use assur_force::{Loads, State};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
@@ -42,6 +42,7 @@ impl Outline {
         let arcs = arcs(linkage);
         let mut bounds = bounds(linkage, &fine, &paths, &strokes);
         arcs.iter().flat_map(|arc| arc.line).for_each(|at| bounds.add(at));
+        brakes(&linkage.mechanism).iter().flat_map(Item::points).for_each(|at| bounds.add(at));
         for position in others {
             let places = linkage.mechanism.points.iter().flat_map(|point| &point.places);
             let at = places.map(|place| position.bodies[place.link].point(place.at));

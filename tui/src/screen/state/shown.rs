@@ -1,5 +1,7 @@
 //! What there is to show in a view.
 
+use assur_analysis::results::{Column, Owner, Quantity};
+
 use super::State;
 use super::kinds::{Part, View};
 use super::series::Series;
@@ -39,6 +41,11 @@ impl State {
                 regime || found.is_some_and(|found| !found.analysis.trajectory.is_empty())
             }
             (View::Motion, Part::Iteration) => regime,
+            (View::Motion, Part::Reduction) => found.is_some_and(|found| {
+                let moment = Column::of(Quantity::ReducedMoment, Owner::Input);
+                let turns = self.scene.as_ref().is_some_and(|scene| scene.linkage.angular());
+                turns && found.analysis.positions.schema().find(moment).is_some()
+            }),
             _ => true,
         };
         view.parts().iter().copied().filter(has).collect()

@@ -241,17 +241,14 @@ impl WhatIf {
             format!("{} = [{x}, {y}]\n", point.key())
         };
         let lines: String = points.iter().map(line).collect();
-        let header = self.text.lines().scan(0, |start, line| {
-            let from = *start;
-            *start += line.len() + 1;
-            Some((from, line))
+        let is_header =
+            |line: &str| line.split('#').next().is_some_and(|line| line.trim_end() == "[assembly]");
+        let mut end = 0;
+        let header = self.text.split_inclusive('\n').find_map(|line| {
+            end += line.len();
+            is_header(line).then_some(end)
         });
-        let header =
-            header.into_iter().find(|(_, line)| line.trim_end().split('#').next() == Some("[assembly]"));
-        let at = match header {
-            Some((from, line)) => (from + line.len() + 1).min(self.text.len()),
-            None => self.text.len(),
-        };
+        let at = header.unwrap_or(self.text.len());
         let ends = at == 0 || self.text[..at].ends_with('\n');
         let start = match (header.is_some(), ends) {
             (true, true) => "",

@@ -81,10 +81,10 @@ fn arrows_are_transfer_functions_without_a_motion() {
     let start = text_of.find("[motion]").unwrap();
     let mut state = scene(&text_of[..start].replace("against_motion = true", "angle = 0"));
     let frame = text(&state, 80, 24);
-    assert!(frame.contains("PF1: for unit speed") && frame.contains(" m/rad\n"), "{frame}");
+    assert!(frame.contains("PF1: for unit speed") && frame.contains(" mm/rad\n"), "{frame}");
     press(&mut state, "v");
     let frame = text(&state, 80, 24);
-    assert!(frame.contains("PF2: for unit speed") && frame.contains(" m/rad2\n"), "{frame}");
+    assert!(frame.contains("PF2: for unit speed") && frame.contains(" mm/rad2\n"), "{frame}");
 }
 
 #[test]

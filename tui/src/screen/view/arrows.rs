@@ -74,7 +74,7 @@ fn most(scene: &Scene, order: usize) -> f64 {
             .transfers
             .iter()
             .filter(|transfer| matches!(transfer.owner, Owner::Point(_)))
-            .map(|transfer| scene.series[transfer.orders[order]].size())
+            .map(|transfer| scene.series[transfer.orders[order]].course.size())
             .fold(0.0, f64::max),
     }
 }
@@ -87,23 +87,25 @@ fn length(scene: &Scene, order: usize) -> Option<f64> {
     (most > 0.0).then(|| LONGEST * size / most)
 }
 
-/// What the arrows of an order are, and their unit.
-fn told(scene: &Scene, order: usize) -> (Text, String) {
-    let coordinate = if scene.linkage.angular() { "rad" } else { "m" };
-    match (moves(scene).is_some(), order) {
-        (true, 1) => (text!("arrow-velocity"), "m/s".to_owned()),
-        (true, _) => (text!("arrow-acceleration"), "m/s2".to_owned()),
-        (false, 1) => (text!("arrow-first"), format!("m/{coordinate}")),
-        (false, _) => (text!("arrow-second"), format!("m/{coordinate}2")),
-    }
+/// What the arrows of an order are, their unit, and how many of it the SI unit has.
+fn told(scene: &Scene, order: usize) -> (Text, String, f64) {
+    let what = match (moves(scene).is_some(), order) {
+        (true, 1) => return (text!("arrow-velocity"), "m/s".to_owned(), 1.0),
+        (true, _) => return (text!("arrow-acceleration"), "m/s2".to_owned(), 1.0),
+        (false, 1) => text!("arrow-first"),
+        (false, _) => text!("arrow-second"),
+    };
+    let mut points = scene.transfers.iter().filter(|transfer| matches!(transfer.owner, Owner::Point(_)));
+    let series = points.next().map(|transfer| &scene.series[transfer.orders[order]]);
+    series.map_or((what.clone(), String::new(), 1.0), |series| (what, series.unit.clone(), series.factor))
 }
 
 /// The arrows that are drawn: what they are, the size of a round one with its unit, its length, m, and its ink.
 pub(super) fn scales(state: &State, scene: &Scene) -> Vec<(Text, Text, f64, Ink)> {
     let scale = |order: &usize| {
-        let round = round_length(TOLD * most(scene, *order));
-        let (what, unit) = told(scene, *order);
-        Some((what, quantity(plain(round), unit), round * length(scene, *order)?, look_of(*order).1))
+        let (what, unit, factor) = told(scene, *order);
+        let round = round_length(TOLD * most(scene, *order) * factor) / factor;
+        Some((what, quantity(plain(round * factor), unit), round * length(scene, *order)?, look_of(*order).1))
     };
     orders(state).iter().filter_map(scale).collect()
 }

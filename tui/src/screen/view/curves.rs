@@ -1,6 +1,7 @@
 //! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked, those of one unit over each other,
 //! with their extremes and means.
 
+use assur_analysis::results::{Owner, Quantity};
 use assur_book::{Column, Extreme, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
 use assur_report::text::Line;
@@ -66,7 +67,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 }
 
 fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
-    let series = &scene.series[orders[order]];
+    let series = &in_radians(&scene.series[orders[order]]);
     let mut value = quantity(series.bare(state.position), series.unit.clone());
     let mut curves = vec![(series, Stroke::Solid, ink)];
     if let Some(compared) = &state.compared
@@ -129,11 +130,13 @@ pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) ->
 }
 
 /// Strokes and inks of several curves, told apart without color.
-const STYLES: [(Stroke, Ink); 4] = [
+const STYLES: [(Stroke, Ink); 6] = [
     (Stroke::Solid, Ink::First),
     (Stroke::Dotted, Ink::Third),
     (Stroke::Chain, Ink::Second),
-    (Stroke::Dashed, Ink::Velocity),
+    (Stroke::Dashed, Ink::Link(5)),
+    (Stroke::Solid, Ink::Link(2)),
+    (Stroke::Chain, Ink::Link(4)),
 ];
 /// The heads of the table of extremes and means, behind the name and the unit.
 const HEADS: [&str; 7] =
@@ -184,29 +187,42 @@ fn parts_of_picked(state: &State, scene: &Scene, area: Rect) -> [Rect; 2] {
     Layout::vertical([Constraint::Length(rows), Constraint::Min(0)]).areas(area)
 }
 
-/// A panel for each unit, with a ring at the greatest and the least value of each curve.
+/// The picked quantities together.
 fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
-    let all = picked(state, scene);
+    let all: Vec<Series> = picked(state, scene).into_iter().map(in_radians).collect();
+    together(state, scene, &all.iter().collect::<Vec<_>>())
+}
+
+/// A panel for each unit, with a ring at the greatest and the least value of each curve.
+pub(super) fn together(state: &State, scene: &Scene, all: &[&Series]) -> Figure {
     let mut units: Vec<&str> = Vec::new();
-    for series in &all {
+    for series in all {
         let unit = without_radians(&series.unit);
         if !units.contains(&unit) {
             units.push(unit);
         }
     }
-    let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, &all, unit)).collect();
-    let title = if all.len() > 1 { Text::default() } else { list(all.iter().map(|series| series.told())) };
-    let legend = if all.len() > 1 { keys(&all) } else { Vec::new() };
-    Figure { title, panels, columns: 1, legend }
+    let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, all, unit)).collect();
+    let legend = if all.len() > 1 { keys(state, all) } else { Vec::new() };
+    Figure { panels, columns: 1, legend, ..Figure::default() }
 }
 
-/// The curves with their units, each under its number, in the strokes of their panels.
-fn keys(all: &[&Series]) -> Vec<Key> {
+/// The angle of a link in radians, by which its derivatives are taken; other quantities as they are shown.
+fn in_radians(series: &Series) -> Series {
+    let is_angle =
+        matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
+    let unit = if is_angle { "rad".to_owned() } else { series.unit.clone() };
+    Series { unit, factor: if is_angle { 1.0 } else { series.factor }, ..series.clone() }
+}
+
+/// The curves with their units and their values at the position, each under its number, in the strokes of their panels.
+fn keys(state: &State, all: &[&Series]) -> Vec<Key> {
     let key = |(number, series): (usize, &&Series)| {
         let unit = without_radians(&series.unit);
         let before = all[..number].iter().filter(|other| without_radians(&other.unit) == unit).count();
         let (stroke, ink) = STYLES[before % STYLES.len()];
-        let text = joined(" ", [name((number + 1).to_string()), series.title()]);
+        let title = joined(" ", [name((number + 1).to_string()), series.title()]);
+        let text = joined(": ", [title, name(series.bare(state.position))]);
         Key { sample: Sample::Line(stroke, ink), text }
     };
     all.iter().enumerate().map(key).collect()

@@ -11,7 +11,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use unicode_width::UnicodeWidthStr;
 
 use super::motion::numbers;
-use super::{page, places, regime};
+use super::{page, places, reduction, regime};
 use crate::screen::draw::{cut, paint, put, short};
 use crate::screen::state::{Found, Part, Role, Scene, State, View};
 
@@ -122,7 +122,7 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
     let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
     let panels = match state.part(View::Drive) {
         Part::EnergyMass => vec![regime::energy_mass(&dynamics.energy_mass)],
-        Part::Reduction => regime::reduction(state, scene, found, dynamics).into_iter().collect(),
+        Part::Reduction => reduction::link(state, scene, found).into_iter().collect(),
         Part::Inertia => vec![regime::shares(state, scene, found, dynamics)],
         Part::Places => places::panels(scene, dynamics),
         _ => {

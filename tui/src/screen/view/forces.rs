@@ -7,9 +7,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::causes::{self, curves};
+use super::curves::together;
 use super::page;
 use crate::screen::draw::{paint, put, short};
-use crate::screen::state::{Found, Part, Purpose, Reaction, Role, Scene, State, View};
+use crate::screen::state::{Found, Part, Purpose, Reaction, Role, Scene, Series, State, View};
 
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
@@ -45,6 +46,12 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let (panels, columns) = match state.part(View::Forces) {
         Part::Causes => (causes::panels(state, scene, found), 2),
+        // The curves of a second analyzer or scene need frames of their own.
+        Part::Curves if scene.other.is_none() && state.compared.is_none() => {
+            let all = chosen(state, found).map_or(&[][..], |reaction| &reaction.series);
+            let all: Vec<&Series> = all.iter().map(|index| &found.series[*index]).collect();
+            return Figure { title: heading(state, scene, found), ..together(state, scene, &all) };
+        }
         Part::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
         Part::Hodograph => (hodograph(state, found).into_iter().collect(), 1),
         _ => {

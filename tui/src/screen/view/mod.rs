@@ -20,6 +20,7 @@ pub(crate) mod picker;
 mod places;
 pub(crate) mod plans;
 pub(crate) mod plots;
+mod reduction;
 mod regime;
 pub(crate) mod report;
 mod results;

@@ -5,11 +5,11 @@ use assur_book::{Course, catalogue};
 use assur_figure::{Axis, Cursor, Figure, Panel};
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
-use assur_words::{self as words, Text, joined, quantity, text};
+use assur_words::{self as words, Text, list, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{advice, curves, page, plots, regime};
+use super::{advice, curves, page, plots, reduction, regime};
 use crate::number::number;
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Part, Role, Scene, State, View};
@@ -63,9 +63,10 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     let panels = match (regime, state.part(View::Motion)) {
+        (_, Part::Reduction) => reduction::panels(state, scene, found),
         (Some(regime), Part::Iteration) => regime::iteration(regime),
         (Some(regime), Part::Course) => regime::course(state, scene, found, regime),
-        (_, part) if part != Part::Overview || found.motion.is_empty() => course(state, &found.analysis),
+        (_, part) if part != Part::Overview || found.motion.is_empty() => course(state, found),
         _ => {
             let shown = most.clamp(1, found.motion.len());
             let from_chosen = found.motion.iter().cycle().skip(state.chosen.motion % found.motion.len());
@@ -73,7 +74,8 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
             curves::stack(state, scene, found, None, &wanted)
         }
     };
-    Figure { title: heading(scene, found).1, panels, columns: 1, legend: Vec::new() }
+    let columns = if state.part(View::Motion) == Part::Reduction { 2 } else { 1 };
+    Figure { title: heading(scene, found).1, panels, columns, legend: Vec::new() }
 }
 
 /// The most important line: the unevenness of a regime, or why there is no speed.
@@ -90,7 +92,8 @@ fn heading(scene: &Scene, found: &Found) -> (Role, Text) {
 }
 
 /// Coordinate, speed, acceleration and energies over time.
-fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
+fn course(state: &State, found: &Found) -> Vec<Panel> {
+    let analysis = &found.analysis;
     let q = if analysis.input.angular { "rad" } else { "m" };
     let all = [
         ("motion-coordinate", q.to_owned(), Quantity::Transfer(0)),
@@ -104,33 +107,38 @@ fn course(state: &State, analysis: &Analysis) -> Vec<Panel> {
     let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
     let x = Axis::around(text!("motion-time"), times, 0.0);
     let panel = |(told, unit, of): (&'static str, String, Quantity)| {
-        let course = regime::sampled(analysis, time, of);
+        let course = regime::sampled(found, time, of);
         let value = course.between(now).unwrap_or(f64::NAN);
         let cursor = Cursor { at: now, value: quantity(number(value), unit) };
         plots::curves(text!(told), vec![(text!(told), course)], (x.clone(), 1.0), Some(cursor))
     };
-    let energies = regime::energies(analysis, time, (x.clone(), 1.0), now);
-    all.map(panel).into_iter().chain(energies).chain(loads_over_way(analysis, row)).collect()
+    let energies = regime::energies(found, time, (x.clone(), 1.0), now);
+    all.map(panel).into_iter().chain(energies).chain(loads_over_way(found, row)).collect()
 }
 
-/// The moments of drive and loads, reduced to the input, over its way (E fig. 3); of many the first ones.
-fn loads_over_way(analysis: &Analysis, row: usize) -> Option<Panel> {
+/// The moments of drive and loads, reduced to the input, over its way (E fig. 3): what drives along the motion, what resists
+/// against it, so that it is seen where they are equal; of many the first ones.
+fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
     /// Curves in one panel.
     const MOST: usize = 3;
-    let (table, place) = (&analysis.trajectory, Column::COORDINATE);
-    let schema = table.schema();
+    let (analysis, place) = (&found.analysis, Column::COORDINATE);
+    let table = &analysis.trajectory;
+    let (schema, last) = (table.schema(), table.len().checked_sub(1)?);
+    let sense = (table.get(last, place)? - table.get(0, place)?).signum();
     let curve = |owner| {
         let column = Column::of(Quantity::ReducedLoad, owner);
-        let course = Course::of(table, None, place, column);
+        let resists = table.get(last, Column::of(Quantity::Work, owner)).is_some_and(|work| work < 0.0);
+        let course = regime::over_samples(found, place, column, if resists { -sense } else { sense });
         let told =
             if let Owner::Load(_) = owner { schema.named(owner)?.into() } else { catalogue::kind(column) };
+        let told = if resists { text!("regime-against", load = told) } else { told };
         (!course.is_empty()).then_some((told, course))
     };
     let owners = schema.owners(Quantity::ReducedLoad);
     let curves: Vec<(Text, Course)> = owners.into_iter().filter_map(curve).take(MOST).collect();
     let now = table.get(row, place).filter(|_| !curves.is_empty())?;
     let unit = if analysis.input.angular { "rad" } else { "m" };
-    let told = joined(" ", [text!("motion-coordinate"), words::unit(unit)]);
+    let told = list([text!("motion-coordinate"), words::unit(unit)]);
     let x = Axis::around(told, (0..table.len()).filter_map(|row| table.get(row, place)), 0.0);
     Some(plots::curves(text!("motion-loads"), curves, (x, 1.0), Some(now.into())))
 }

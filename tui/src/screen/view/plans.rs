@@ -2,7 +2,7 @@
 
 use assur_book::{Block, Column, Table, row};
 use assur_diagram::{Plan, PlanVector, construction_picture};
-use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel};
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Sample, Stroke};
 use assur_force::{Construction, Drawing, VectorKind};
 use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
@@ -92,16 +92,17 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let plans = found.plans.at(state.position);
     match shown(state, found, &plans) {
         Shown::Plan(plan) => {
-            let mut panels = vec![panel_of_plan(state, plan)];
+            let mut panels = vec![panel_of_plan(state.part(View::Plans), plan)];
             let held = state.held.map(|position| (position, found.plans.at(position)));
             if let Some((position, plans)) = &held
                 && let Shown::Plan(plan) = shown(state, found, plans)
             {
-                panels.insert(0, panel_of_plan(state, plan));
+                panels.insert(0, panel_of_plan(state.part(View::Plans), plan));
                 one_scale(&mut panels);
                 (panels[0].title, panels[1].title) = (scene.place(*position), scene.place(state.position));
             }
-            Figure { title: plan.title.clone(), columns: panels.len(), panels, legend: Vec::new() }
+            let legend = keys(state.part(View::Plans), plan);
+            Figure { title: plan.title.clone(), columns: panels.len(), panels, legend }
         }
         Shown::Construction(construction, last) => {
             let (method, step) = (construction.title.clone(), number(last + 1));
@@ -111,6 +112,24 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
         }
         Shown::Nothing(_) => Figure::default(),
     }
+}
+
+/// What the labels of a plan stand for, with the sizes; of a plan with very many the first ones.
+fn keys(part: Part, plan: &Plan) -> Vec<Key> {
+    /// Entries of a legend that leave room for the plan.
+    const MOST: usize = 16;
+    let named = labelled(part, plan).into_iter().filter(|(_, item)| ink_of(part, item) != Ink::Trace);
+    let key = |(label, item): (String, &PlanVector)| {
+        let size = quantity(digits(item.size, 5), item.unit.clone());
+        // An absolute vector is called by its point already.
+        let what = if item.kind == VectorKind::Absolute {
+            name(label)
+        } else {
+            joined(" ", [name(label), item.name.clone()])
+        };
+        Key { sample: Sample::Line(Stroke::Solid, ink_of(part, item)), text: joined("  ", [what, size]) }
+    };
+    named.take(MOST).map(key).collect()
 }
 
 /// Gives all panels the bounds of the largest one, so that they have one scale.
@@ -170,14 +189,14 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
     lines_of(state, &[open], below, buffer);
 }
 
-fn panel_of_plan(state: &State, plan: &Plan) -> Panel {
-    let vectors = labelled(state.part(View::Plans), plan).into_iter().map(|(label, item)| {
-        let absolute = state.part(View::Plans) == Part::Accelerations && item.kind == VectorKind::Absolute;
-        let ink = if absolute { Ink::Acceleration } else { ink(item.kind) };
+/// A plan as a panel.
+pub(super) fn panel_of_plan(part: Part, plan: &Plan) -> Panel {
+    let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
+        let ink = ink_of(part, item);
         let name = if ink == Ink::Trace { Text::default() } else { name(label) };
         Vector { from: item.start, to: item.end, name, ink, kind: Drawn::Arrow }
     });
-    let (unit, symbol, pole) = match state.part(View::Plans) {
+    let (unit, symbol, pole) = match part {
         Part::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
         Part::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
         _ => (plan.unit.as_str(), "F", None),
@@ -194,6 +213,11 @@ fn label(part: Part, item: &PlanVector, number: usize) -> String {
         (_, VectorKind::Absolute) => item.image.clone(),
         _ => "..".to_owned(),
     }
+}
+
+fn ink_of(part: Part, item: &PlanVector) -> Ink {
+    let absolute = part == Part::Accelerations && item.kind == VectorKind::Absolute;
+    if absolute { Ink::Acceleration } else { ink(item.kind) }
 }
 
 fn ink(kind: VectorKind) -> Ink {

@@ -2,8 +2,9 @@
 
 use assur_book::{Course, Node};
 use assur_figure::{Axis, Bounds, Cursor, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
-use assur_words::{Text, joined, name, text, unit};
+use assur_words::{Text, joined, name, number, text, unit};
 
+use crate::number::digits;
 use crate::screen::state::{Scene, Series, State, coordinate_unit};
 
 /// Positions that are marked on a curve at most; more of them would hide it.
@@ -69,16 +70,25 @@ pub(super) fn curves(
     cursor: Option<Cursor>,
 ) -> Panel {
     let count = curves.len();
+    let cursor = cursor.map(|cursor| {
+        let own = |(_, course): &(Text, Course)| {
+            number(
+                course.between(cursor.at / factor).map_or_else(|| "-".to_owned(), |value| digits(value, 4)),
+            )
+        };
+        let value = if cursor.value.is_empty() { joined("; ", curves.iter().map(own)) } else { cursor.value };
+        Cursor { value, ..cursor }
+    });
     let names = curves.iter().enumerate().map(|(at, curve)| numbered(at, curve.0.clone()));
     let title = if count > 1 { joined(": ", [title, joined("  ", names)]) } else { title };
     let mut items = Vec::new();
-    for (number, ((_, course), (stroke, ink))) in curves.into_iter().zip(STYLES).enumerate() {
+    for (index, ((_, course), (stroke, ink))) in curves.into_iter().zip(STYLES).enumerate() {
         let points = course.points([factor, 1.0]);
         // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
-        let at = points.get((2 * number + 1) * points.len() / (2 * count)).copied();
+        let at = points.get((2 * index + 1) * points.len() / (2 * count)).copied();
         items.push(Item::line(points, stroke, ink));
         let sign =
-            at.filter(|_| count > 1).map(|at| Item::name(at, name((number + 1).to_string()), Ink::Title));
+            at.filter(|_| count > 1).map(|at| Item::name(at, name((index + 1).to_string()), Ink::Title));
         items.extend(sign);
     }
     let points = || items.iter().flat_map(Item::points);

@@ -1,12 +1,11 @@
 //! The steady regime as plots: speed with that of the first turn, moments with their mean, motor, iteration, energies, the
-//! energy-mass diagram, the shares of the reduced inertia, the link of reduction.
+//! energy-mass diagram, the shares of the reduced inertia.
 
 use assur_analysis::results::{
-    Analysis, Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
+    Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
 };
 use assur_book::{Course, Step};
-use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Sign, Stroke};
-use assur_mechanism::{InputPair, PointId};
+use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
 use super::plots;
@@ -32,7 +31,7 @@ pub(super) fn course(state: &State, scene: &Scene, found: &Found, regime: &Regim
     }
     let speed =
         plots::curves(text!("regime-input-speed"), lines, axis(scene), Some(cursor(state, scene).into()));
-    let energies = energies(&found.analysis, Column::COORDINATE, axis(scene), cursor(state, scene));
+    let energies = energies(found, Column::COORDINATE, axis(scene), cursor(state, scene));
     [speed, moments(state, scene, found, regime)].into_iter().chain(energies).collect()
 }
 
@@ -54,13 +53,53 @@ pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &Regi
         over(regime, |row| Some(factor * row.load)).with_between(jumps.steps().flat_map(step).collect())
     };
     let mean = |sign: f64| (text!("regime-mean"), over(regime, |_| Some(sign * regime.mean_resistance)));
+    let against = || text!("regime-against", load = text!("regime-resistance"));
     let lines = if regime.loads_drive() {
         let driving = (text!("regime-driving-loads"), load(1.0));
-        vec![driving, (text!("regime-resistance"), drive(-1.0)), mean(-1.0)]
+        vec![driving, (against(), drive(-1.0)), mean(-1.0)]
     } else {
-        vec![(text!("regime-motor"), drive(1.0)), (text!("regime-resistance"), load(-1.0)), mean(1.0)]
+        vec![(text!("regime-motor"), drive(1.0)), (against(), load(-1.0)), mean(1.0)]
     };
-    plots::curves(text!("regime-moments"), lines, axis(scene), Some(cursor(state, scene).into()))
+    let area = found.analysis.dynamics.as_ref().and_then(|found| excess(found, [&lines[0].1, &lines[1].1]));
+    let (x, factor) = axis(scene);
+    let mut panel =
+        plots::curves(text!("regime-moments"), lines, (x, factor), Some(cursor(state, scene).into()));
+    if let Some((mut outline, work)) = area {
+        outline.iter_mut().for_each(|at| at[0] *= factor);
+        let middle = Bounds::around(outline.iter().copied()).center();
+        panel.items.insert(0, Item::Area { outline, ink: Ink::Trace });
+        panel.items.push(Item::name(
+            middle,
+            text!("regime-excess-area", work = quantity(digits(work, 6), "J")),
+            Ink::Title,
+        ));
+    }
+    panel
+}
+
+/// The area between the driving and the resisting moment from the place of one extreme of the speed to that of the other one, and
+/// the excess work (E fig. 4: F* and A*); `None` where the area is not that work, as with links of much inertia.
+fn excess(found: &Dynamics, [driving, resisting]: [&Course; 2]) -> Option<(Vec<Point>, f64)> {
+    /// What the area between drawn points may lack of the work.
+    const ROUGH: f64 = 1e-3;
+    let figures = &found.figures;
+    let [from, to] = [figures.coordinate_at_min, figures.coordinate_at_max];
+    let ends = [from.min(to), from.max(to)];
+    let between = |course: &Course| {
+        let inner = course.nodes().iter().filter(|node| node.at > ends[0] && node.at < ends[1]);
+        let mut points: Vec<Point> = inner.map(|node| [node.at, node.value]).collect();
+        points.insert(0, [ends[0], course.between(ends[0])?]);
+        points.push([ends[1], course.between(ends[1])?]);
+        Some(points)
+    };
+    let area = |points: &[Point]| -> f64 {
+        points.windows(2).map(|two| 0.5 * (two[1][0] - two[0][0]) * (two[0][1] + two[1][1])).sum()
+    };
+    let (upper, mut lower) = (between(driving)?, between(resisting)?);
+    let work = (area(&upper) - area(&lower)).abs();
+    lower.reverse();
+    let fits = (work - figures.excess_work).abs() <= ROUGH * work;
+    fits.then(|| (upper.into_iter().chain(lower).collect(), figures.excess_work))
 }
 
 /// The motor's characteristic, with its working section; `None` without a motor of a catalogue.
@@ -103,7 +142,7 @@ fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
         panel.items.push(Item::line([[end[0], low], [end[0], high]], Stroke::Dotted, Ink::Cursor));
         panel.items.push(Item::sign(*end, Sign::Ring, Ink::Text));
     }
-    panel.items.extend(section.last().map(|at| Item::name(*at, unevenness(dynamics), Ink::Title)));
+    panel.items.extend(section.first().map(|at| Item::name(*at, unevenness(dynamics), Ink::Title)));
 }
 
 /// The energy-mass diagram with its two tangents.
@@ -144,7 +183,7 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         let points = course.points([factor, 1.0]);
         let stroke = if count == links.len() { Stroke::Solid } else { Stroke::Dashed };
         let at = points.get((2 * count + 1) * points.len() / (2 * (links.len() + 1))).copied();
-        items.push(Item::line(points, stroke, Ink::First));
+        items.push(Item::line(points, stroke, Ink::Link(count + 1)));
         items.extend(at.map(|at| Item::name(at, name((count + 1).to_string()), Ink::Title)));
     }
     let values = items.iter().flat_map(Item::points).map(|at| at[1]).collect::<Vec<_>>();
@@ -157,43 +196,6 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
     let frame =
         Frame::Axes { x: plots::coordinate_axis(scene), y, cursor: Some(cursor(state, scene).into()) };
     Panel { title, frame, items }
-}
-
-/// The link of reduction (E fig. 1c): the input link with the reduced force and mass at its point.
-pub(super) fn reduction(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Option<Panel> {
-    let table = &found.analysis.positions;
-    let (point, row) = (dynamics.reduction_point.as_ref()?, table.row_of(state.position)?);
-    let at = |point: PointId, order| {
-        let column = Column::vector(Quantity::Transfer(order), Owner::Point(point));
-        let [x, y] = column.map(|column| table.get(row, column));
-        Some([x?, y?])
-    };
-    let (tip, along) = (at(point.name.id, 0)?, at(point.name.id, 1)?);
-    let pin = match scene.linkage.mechanism.input.pair {
-        InputPair::Pin(pin) => at(pin, 0)?,
-        InputPair::Slide(_) => tip,
-    };
-    let moment = table.schema().find(Column::of(Quantity::ReducedMoment, Owner::Input))?;
-    let force = table.at(row, moment)? / point.radius;
-    let inertia = table.get(row, Column::of(Quantity::ReducedInertia, Owner::Input))?;
-    let most =
-        table.each(moment).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())) / point.radius;
-    // The greatest force of the cycle is as long as the radius.
-    let length = if most > 0.0 { force / most } else { 0.0 };
-    let to = [0, 1].map(|axis| tip[axis] + length * along[axis]);
-    let around = [0, 1].map(|axis| [-1.0, 1.0].map(|side| pin[axis] + 1.5 * side * point.radius));
-    let bounds = Bounds::around([[around[0][0], around[1][0]], [around[0][1], around[1][1]]].into_iter());
-    let mass = inertia / (point.radius * point.radius);
-    let items = vec![
-        Item::line(vec![pin, tip], Stroke::Solid, Ink::First),
-        Item::sign(pin, Sign::Plus, Ink::Title),
-        Item::Arrow { from: tip, to, stroke: Stroke::Solid, ink: Ink::Second },
-        Item::name(tip, Text::from(&point.name), Ink::Title),
-    ];
-    let (force, mass) = (quantity(digits(force, 5), "N"), quantity(digits(mass, 5), "kg"));
-    let title = text!("regime-reduced", point = &point.name, force = force, mass = mass);
-    let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
-    Some(Panel { title, frame, items })
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
@@ -230,21 +232,32 @@ pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
 }
 
 /// A quantity of the input over the samples of the motion: over their times, or over their coordinates.
-pub(super) fn sampled(analysis: &Analysis, over: Column, quantity: Quantity) -> Course {
-    Course::of(&analysis.trajectory, None, over, Column::of(quantity, Owner::Input))
+pub(super) fn sampled(found: &Found, over: Column, quantity: Quantity) -> Course {
+    over_samples(found, over, Column::of(quantity, Owner::Input), 1.0)
+}
+
+/// A column over the samples of the motion, times a factor; where the motion comes to rest, the value before it comes first.
+pub(super) fn over_samples(found: &Found, over: Column, column: Column, factor: f64) -> Course {
+    let point = |table: &Table, row| Some([table.get(row, over)?, factor * table.get(row, column)?]);
+    let samples = &found.analysis.trajectory;
+    let points = (0..samples.len()).flat_map(|row| {
+        let before = found.stops.row_of(samples.numbers()[row]).and_then(|row| point(&found.stops, row));
+        before.into_iter().chain(point(samples, row))
+    });
+    Course::from_points(points)
 }
 
 /// The works of the driving and the resisting loads and of dry friction, and the kinetic energy at the samples of the motion; `None` where they are
 /// not known.
-pub(super) fn energies(analysis: &Analysis, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
+pub(super) fn energies(found: &Found, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
     let all = [
         ("regime-driving-work", Quantity::DrivingWork),
         ("regime-resisting-work", Quantity::ResistingWork),
         ("regime-kinetic-energy", Quantity::KineticEnergy),
     ];
-    let mut curves: Vec<_> = all.map(|(told, of)| (text!(told), sampled(analysis, over, of))).into();
+    let mut curves: Vec<_> = all.map(|(told, of)| (text!(told), sampled(found, over, of))).into();
     let known = curves.iter().all(|(_, course)| !course.is_empty());
-    let friction = sampled(analysis, over, Quantity::FrictionWork);
+    let friction = sampled(found, over, Quantity::FrictionWork);
     curves.extend((!friction.is_empty()).then(|| (text!("regime-friction-work"), friction)));
     known.then(|| plots::curves(text!("regime-energies"), curves, x, Some(cursor.into())))
 }

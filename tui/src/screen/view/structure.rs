@@ -1,7 +1,9 @@
 //! Formula, groups as a tree, and the chosen group marked in the drawing.
 
+use assur_analysis::results::passive;
 use assur_figure::Figure;
 use assur_kinematics::Position;
+use assur_report::topic;
 use assur_words::{self as words, Text, list, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -117,6 +119,10 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
             let rows = rows.flat_map(|line| wrapped(&state.told(line), room));
             lines.extend(rows.map(|line| (false, format!("{:INDENT$}{line}", ""))));
         }
+    }
+    for passive in passive(linkage) {
+        let told = state.told(topic::passive_part(&passive, linkage.angular()));
+        lines.extend(wrapped(&told, room).into_iter().map(|line| (false, format!("  {line}"))));
     }
     lines
 }

@@ -16,7 +16,7 @@ fn scene(name: &str, change: impl Fn(String) -> String) -> Mechanism {
 fn explained_by(mechanism: &Mechanism, analyzer: Option<&str>) -> String {
     let structure = Structure::of(mechanism).unwrap();
     let options = Options { analyzer: analyzer.map(str::to_owned), ..Options::default() };
-    let methods = methods(mechanism, &options);
+    let methods = methods(mechanism, &structure, &options);
     let plan = plan(mechanism, &structure, &options);
     crate::text::told(Style::english(), |page| {
         super::explain(mechanism, &structure, &plan, &methods, None, page);

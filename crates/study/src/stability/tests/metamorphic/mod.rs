@@ -38,7 +38,11 @@ fn solve(mechanism: &Mechanism) -> Found {
         let state = State::prescribed(&linkage.mechanism, position.coordinate);
         let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
         loads.evaluate(&state, &position.bodies, &mut wrenches);
-        choose(None, false).unwrap().instance.solve(&linkage, &position, &mut wrenches, &mut out).unwrap();
+        choose(None, false, false)
+            .unwrap()
+            .instance
+            .solve(&linkage, &position, &mut wrenches, &mut out)
+            .unwrap();
         found.turns.extend(position.bodies.iter().skip(1).map(|body| [body.w1, body.w2]));
         found.forces.extend(out.pairs.iter().map(Wrench::force));
         found.moments.extend(out.pairs.iter().map(|pair| pair.m));

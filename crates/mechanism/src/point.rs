@@ -1,6 +1,6 @@
 //! Reduction to a point of the input link instead of to the link (E eqs. 4-6).
 
-use assur_mechanism::{InputPair, Mechanism, PointId};
+use crate::{InputPair, Mechanism, PointId};
 
 /// A point of the input link to which all loads are reduced as one force and all links as one mass.
 ///

@@ -1,0 +1,52 @@
+//! What acts just before a transient motion comes to rest: dry resistance jumps there, and the sample at rest has the other side.
+
+use std::sync::Arc;
+
+use assur_dynamics::{Instant, equation};
+use assur_force::{Side, State, beside};
+use assur_integrator::Sample;
+use assur_number::Lanes;
+
+use crate::acting::Acting;
+use crate::energies::by_load;
+use crate::filler::Filler;
+use crate::results::{Column, Quantity, Schema, Table};
+use crate::{Calculation, InputMotion};
+
+impl Calculation {
+    /// For each sample at which a transient motion comes to rest and is held, a row of its number with what there was just before
+    /// it, while the resistance still acted against the motion: the columns of the samples, and the reduced loads.
+    pub fn stops(&self) -> Table {
+        let InputMotion::Transient(found) = &self.motion else { return Table::default() };
+        let columns = self.columns_of_motion();
+        let mut filler = Filler::new(self, &columns, true);
+        let mechanism = &self.linkage.mechanism;
+        let mut schema = Schema::new(mechanism);
+        let (section, by_load) = (schema.section(), by_load(mechanism, schema.loads()));
+        schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::ReducedLoad, *owner)));
+        let (mut stops, mut loads) = (filler.table(), Table::new(Arc::new(schema)));
+        for (before, two) in found.instants.windows(2).enumerate() {
+            if let Some((instant, acting)) = self.before_rest(two) {
+                filler.add(before + 1, &[instant; Lanes::WIDTH], 1, &mut stops);
+                loads.push(before + 1, by_load.iter().map(|(_, place)| Some(acting.each[*place])));
+            }
+        }
+        stops.join(&loads);
+        stops
+    }
+
+    /// The motion just before the second of two samples, and what acts there; `None` where the motion is not held at rest there.
+    fn before_rest(&self, two: &[Instant]) -> Option<(Instant, Acting)> {
+        let (loads, [moving, rest]) = (self.loads.as_ref()?, [two[0].state, two[1].state]);
+        let stops = moving.speed != 0.0 && rest.speed == 0.0 && matches!(rest.side, Side::Held { .. });
+        let State { time, coordinate, .. } = Some(rest).filter(|_| stops)?;
+        let speed = beside(0.0, moving.speed.signum());
+        let mut motion = equation(&self.linkage, loads).ok()?;
+        let instant = motion.instant(&Sample { time, coordinate, speed, acceleration: 0.0 }, false).ok()?;
+        let torque = motion.drive().torque(&instant.state);
+        let bodies = motion.machine().bodies(coordinate).ok()?;
+        let acting =
+            Acting::of(loads, &self.linkage.mechanism, &instant.state, bodies, [torque, instant.friction]);
+        Some((instant, acting))
+    }
+}

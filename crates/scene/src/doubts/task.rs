@@ -1,0 +1,106 @@
+//! What of loads, motion and results is hardly meant, by sizes alone.
+
+use assur_mechanism::{Load, LoadKind, Mechanism, Motion, Notice, Over, Range, Rubbing, Value};
+use assur_words::{Text, quantity, text};
+
+use crate::text::rounded;
+
+/// Gravity between these, m/s^2, is that of a planet: 9810 was meant in mm, 0.00981 written in mm.
+const GRAVITY: [f64; 2] = [0.5, 30.0];
+/// No link holds together at a greater circumferential speed, m/s.
+const FASTEST: f64 = 1000.0;
+/// A force of so much on a square as wide as the mechanism, Pa, is beyond the strength of any steel.
+const STRONGEST: f64 = 2e9;
+/// Coefficients of friction above this are those of no pair of solids.
+const ROUGHEST: f64 = 2.0;
+/// A table over time that is so many times as long as the motion was meant in another unit.
+const MOST_TIMES_THE_MOTION: f64 = 100.0;
+/// A spring so many times as long as the mechanism was meant in another unit.
+const LONGEST_SPRING: f64 = 10.0;
+
+/// All of it; `size`: of the mechanism, m.
+pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
+    let mut notices = Vec::new();
+    let mut doubt = |is: bool, key: &str, text: Text| {
+        if is {
+            notices.push(Notice::mistake(key.to_owned(), text));
+        }
+    };
+    if let Some([x, y]) = mechanism.gravity {
+        let size = x.hypot(y);
+        let is_odd = size > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&size);
+        doubt(is_odd, "gravity", text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2")));
+    }
+    let speed = match mechanism.motion {
+        Some(Motion::Prescribed { speed, .. } | Motion::Transient { speed, .. }) => {
+            ("motion.speed", speed.abs())
+        }
+        Some(Motion::Steady { mean_speed, .. }) => ("motion.mean_speed", mean_speed.abs()),
+        None => ("", 0.0),
+    };
+    let fastest = if mechanism.input.is_angle() { speed.1 * size } else { speed.1 };
+    doubt(fastest > FASTEST, speed.0, text!("scene-fast", speed = quantity(rounded(fastest.round()), "m/s")));
+    for (number, friction) in mechanism.frictions.iter().enumerate() {
+        let key = |name: &str| format!("friction[{number}].{name}");
+        let coefficient = friction.coefficient;
+        doubt(
+            coefficient > ROUGHEST,
+            &key("coefficient"),
+            text!("scene-rough", found = rounded(coefficient)),
+        );
+        let radius = if let Rubbing::Journal { radius, .. } = friction.rubbing { radius } else { 0.0 };
+        let text = text!(
+            "scene-great-journal",
+            radius = quantity(rounded(radius), "m"),
+            size = quantity(rounded(size), "m")
+        );
+        doubt(radius > size, &key("radius"), text);
+    }
+    let nothing = mechanism.output.as_ref().is_some_and(|output| {
+        output.points.is_empty()
+            && output.links.is_empty()
+            && output.slides.is_empty()
+            && output.reactions.is_empty()
+    });
+    doubt(nothing, "output", text!("scene-empty-output"));
+    for (id, load) in mechanism.loads.iter().enumerate() {
+        let (list, number) = mechanism.place_of_load(id);
+        let key = |name: &str| format!("{list}[{number}].{name}");
+        if let Some((name, text)) = of_load(mechanism, load, size) {
+            doubt(true, &key(name), text);
+        }
+    }
+    notices
+}
+
+/// What is odd in a load, and the key of it.
+fn of_load(mechanism: &Mechanism, load: &Load, size: f64) -> Option<(&'static str, Text)> {
+    let value = match &load.kind {
+        LoadKind::Spring(spring) => {
+            let [length, whole] = [spring.length, size].map(|length| quantity(rounded(length), "m"));
+            let is_long = spring.length > LONGEST_SPRING * size;
+            return is_long.then(|| ("length", text!("scene-long-spring", length = length, size = whole)));
+        }
+        LoadKind::Force(force) => &force.value,
+        LoadKind::Moment(moment) => &moment.value,
+        _ => return None,
+    };
+    let unit = if matches!(load.kind, LoadKind::Force(_)) { 1.0 } else { size };
+    let most = value.sizes().fold(0.0, |most: f64, size| most.max(size.abs())) / unit;
+    if most > STRONGEST * size * size {
+        let text =
+            text!("scene-strong", force = quantity(rounded(most), "N"), size = quantity(rounded(size), "m"));
+        return Some(("value", text));
+    }
+    let Value::Table { over: Over::Time, table, .. } = value else { return None };
+    let (last, Some(Motion::Prescribed { speed, .. })) = (table.rows.last()?[0], &mechanism.motion) else {
+        return None;
+    };
+    let way = match mechanism.input.range {
+        Range::Cycle(cycle) => cycle,
+        Range::To(to) => (to - mechanism.input.from).abs(),
+    };
+    let [last_shown, lasts] = [last, way / speed.abs()].map(|time| quantity(rounded(time), "s"));
+    let is_long = last > MOST_TIMES_THE_MOTION * way / speed.abs();
+    is_long.then(|| ("value.table", text!("scene-long-time", last = last_shown, lasts = lasts)))
+}

@@ -1,0 +1,240 @@
+//! The reference of the scene: every key that the reader accepts, described once. From here come the keys that an error lists,
+//! `assur keys`, `docs/scene.md`, and the manual page.
+
+mod loads;
+mod model;
+mod task;
+#[cfg(test)]
+mod tests;
+
+use assur_words::{Describe, Language, Text, joined, name, text};
+
+use crate::units::Dimension;
+
+pub(crate) use loads::{BRAKE, CONTACT, CONTACT_FRICTION, FORCE, FRICTION, INERTIA, MOMENT, SPRING, VALUE};
+pub(crate) use model::{GROUND, INPUT, LINK, SCENE, SLIDE};
+pub(crate) use task::{BALANCE, DRIVE, MOTION, MOTOR, NOTE, OUTPUT};
+
+/// All tables in the order of the reference.
+pub const TABLES: [&Table; 21] = [
+    &SCENE,
+    &GROUND,
+    &LINK,
+    &INERTIA,
+    &SLIDE,
+    &INPUT,
+    &model::ASSEMBLY,
+    &FORCE,
+    &MOMENT,
+    &SPRING,
+    &CONTACT,
+    &CONTACT_FRICTION,
+    &BRAKE,
+    &VALUE,
+    &FRICTION,
+    &BALANCE,
+    &MOTION,
+    &DRIVE,
+    &MOTOR,
+    &OUTPUT,
+    &NOTE,
+];
+
+/// A table of the scene and its keys.
+#[derive(Debug)]
+pub struct Table {
+    /// How it is written: `[link.NAME]`, `[[slide]]`; of the file as a whole empty.
+    pub header: &'static str,
+    /// The identity of what it is, with an article: a link.
+    pub what: &'static str,
+    /// Its keys.
+    pub keys: &'static [Key],
+}
+
+/// A key of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Key {
+    /// How it is written; a name in capitals stands for one that the user chooses.
+    pub name: &'static str,
+    /// What its value may be, one of these.
+    pub kinds: &'static [Kind],
+    /// What holds without it.
+    pub default: Default,
+    /// A value as it is written.
+    pub example: &'static str,
+    /// The identity of a sentence that says what it is.
+    pub about: &'static str,
+    /// Words by which people look for it, or which they write in its place.
+    pub also: &'static [&'static str],
+    /// The sorts of its table that have it: of a motion its kind; empty: all.
+    pub sorts: &'static [&'static str],
+}
+
+/// What a value may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A number in SI, or a text of a number and a unit.
+    Quantity(Dimension),
+    /// A quantity of the first dimension where the input turns, of the second where it slides.
+    ByInput(Dimension, Dimension),
+    /// A whole number.
+    Count,
+    /// `true` or `false`.
+    Flag,
+    /// A text of any words.
+    Text,
+    /// This word.
+    Word(&'static str),
+    /// The name of a part: "link", "point", "slide", "pair", "plugin".
+    Named(&'static str),
+    /// A place in the frame of a link: a point of it, two coordinates, or a length on its x axis.
+    Place,
+    /// Names of points with their places.
+    Points,
+    /// Two values of one kind.
+    Two(&'static Self),
+    /// A list of values of one kind.
+    List(&'static Self),
+    /// Rows of two numbers.
+    Rows,
+    /// A table with this header in the reference, or several.
+    Table(&'static str),
+}
+
+/// What holds where a key is left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Default {
+    /// The table is refused without the key.
+    Needed,
+    /// The thing is absent, or as the sentence on the key says.
+    Absent,
+    /// This value.
+    Is(&'static str),
+}
+
+const fn key(name: &'static str, kinds: &'static [Kind], about: &'static str, example: &'static str) -> Key {
+    Key { name, kinds, default: Default::Absent, example, about, also: &[], sorts: &[] }
+}
+
+impl Key {
+    const fn needed(mut self) -> Self {
+        self.default = Default::Needed;
+        self
+    }
+
+    const fn or(mut self, value: &'static str) -> Self {
+        self.default = Default::Is(value);
+        self
+    }
+
+    const fn also(mut self, words: &'static [&'static str]) -> Self {
+        self.also = words;
+        self
+    }
+
+    const fn of(mut self, sorts: &'static [&'static str]) -> Self {
+        self.sorts = sorts;
+        self
+    }
+
+    /// What its value may be, in words.
+    pub fn values(&self) -> Text {
+        either(self.kinds.iter().map(Describe::describe).collect())
+    }
+
+    /// Whether it, or the sentence on it, contains a word.
+    fn speaks_of(&self, word: &str, language: &Language) -> bool {
+        let names = || self.also.iter().copied().chain([self.name]);
+        let words =
+            self.kinds.iter().filter_map(|kind| if let Kind::Word(word) = kind { Some(*word) } else { None });
+        names().chain(words).any(|own| own.to_lowercase().contains(word))
+            || text!(self.about).render(language).to_lowercase().contains(word)
+    }
+}
+
+/// Several texts, one of which holds.
+fn either(mut texts: Vec<Text>) -> Text {
+    let last = texts.pop().unwrap_or_default();
+    if texts.is_empty() { last } else { text!("scene-either", these = joined(", ", texts), last = last) }
+}
+
+impl Describe for Kind {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Quantity(dimension) => dimension.with_units(),
+            Self::ByInput(turning, sliding) => {
+                text!("scene-kind-by-input", turning = turning.with_units(), sliding = sliding.with_units())
+            }
+            Self::Count => text!("scene-kind-count"),
+            Self::Flag => text!("scene-true-or-false"),
+            Self::Text => text!("scene-a-text"),
+            Self::Word(word) => name(format!("\"{word}\"")),
+            Self::Named(part) => text!("scene-kind-name", what = name(*part)),
+            Self::Place => text!("scene-kind-place"),
+            Self::Points => text!("scene-table-of-points"),
+            Self::Two(kind) => text!("scene-kind-two", of = kind.describe()),
+            Self::List(kind) => text!("scene-kind-list", of = kind.describe()),
+            Self::Rows => text!("scene-list-of-rows"),
+            Self::Table(header) => text!("scene-kind-table", header = name(*header)),
+        }
+    }
+}
+
+impl Table {
+    /// The name of the table as it stands in keys: `link`, `drive.motor`; of the file as a whole empty.
+    pub fn name(&self) -> &'static str {
+        let inner = self.header.trim_matches(['[', ']']);
+        inner.split(" = ").next().unwrap_or(inner).trim_end_matches(".NAME")
+    }
+
+    /// Names of its keys; with a sort those that a table of this sort has.
+    pub(crate) fn names(&self, sort: Option<&str>) -> impl Iterator<Item = &'static str> {
+        let has = move |key: &&Key| key.sorts.is_empty() || sort.is_none_or(|sort| key.sorts.contains(&sort));
+        self.keys.iter().filter(has).map(|key| key.name)
+    }
+
+    /// The sorts of this table that have a key; `None` where all of them do, or none.
+    pub(crate) fn sorts(&self, word: &str) -> Option<&'static [&'static str]> {
+        self.keys.iter().find(|key| key.name == word).map(|key| key.sorts).filter(|sorts| !sorts.is_empty())
+    }
+
+    /// Where this key is found in another table.
+    pub(crate) fn elsewhere(word: &str) -> Vec<&'static str> {
+        let has = |table: &&&Table| table.keys.iter().any(|key| key.name == word);
+        TABLES.iter().filter(has).map(|table| table.header).filter(|header| !header.is_empty()).collect()
+    }
+
+    /// The key that people mean by another word.
+    pub(crate) fn meant(&self, word: &str) -> Option<&'static str> {
+        let meant = |key: &&Key| key.also.iter().any(|also| also.eq_ignore_ascii_case(word));
+        self.keys.iter().find(meant).map(|key| key.name)
+    }
+}
+
+/// Tables with those of their keys that a word is about; all keys of a table of that name.
+pub fn search<'w>(
+    word: &'w str,
+    language: &'w Language,
+) -> impl Iterator<Item = (&'static Table, Vec<&'static Key>)> + 'w {
+    let (word, whole) = (word.trim().trim_matches(['[', ']']).to_lowercase(), word.is_empty());
+    // The name of a table stands for the table and for keys of that name, not for every sentence in which it occurs.
+    let names_table = TABLES.iter().any(|table| !table.header.is_empty() && table.name() == word);
+    TABLES.into_iter().filter_map(move |table| {
+        let (owner, own) = word.rsplit_once('.').unwrap_or(("", &word));
+        let is_table = table.name() == word
+            || (table.header.contains(".NAME") && table.name() == owner && own == "name");
+        let of_table = |key: &Key| !owner.is_empty() && table.name() == owner && key.name == own;
+        let found = |key: &&Key| {
+            let speaks = if names_table { key.name == word } else { key.speaks_of(&word, language) };
+            whole || is_table || of_table(key) || speaks
+        };
+        let keys: Vec<_> = table.keys.iter().filter(found).collect();
+        (!keys.is_empty()).then_some((table, keys))
+    })
+}
+
+/// The name of a key or table that is spelled nearly like a word.
+pub fn near(word: &str) -> Option<&'static str> {
+    let names = TABLES.iter().flat_map(|table| table.names(None).chain([table.name()]));
+    crate::text::nearest(word, names)
+}

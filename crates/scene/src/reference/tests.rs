@@ -1,0 +1,267 @@
+//! The reference against the reader: every key stands in a shipped scene, and the reader reads there what the reference says.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::{Default, Describe, Key, Kind, SCENE, TABLES, Table, search};
+use crate::tests::fixtures;
+use crate::units::quantity;
+
+/// A key of the reference where a scene has it.
+struct Found<'s> {
+    scene: &'s str,
+    table: &'static Table,
+    key: &'static Key,
+    /// Bytes of the key and its value.
+    whole: Range<usize>,
+    value: Range<usize>,
+}
+
+impl Found<'_> {
+    /// Where the key begins, unless it stands in the header of a table.
+    fn own_line(&self) -> Option<usize> {
+        let at = self.whole.start;
+        (!self.scene[..at].ends_with(['[', '.'])).then_some(at)
+    }
+}
+
+/// The keys of a table of a scene, and of the tables in it.
+fn keys<'s>(scene: &'s str, table: &'static Table, toml: &DeTable<'_>, found: &mut Vec<Found<'s>>) {
+    for (name, value) in toml {
+        let own = |key: &&Key| key.name == name.get_ref().as_ref() || key.name == "POINT";
+        let key = table.keys.iter().find(own).unwrap_or_else(|| panic!("`{name}` of {}", table.header));
+        let (whole, value_span) = (name.span().start..value.span().end, value.span());
+        found.push(Found { scene, table, key, whole, value: value_span });
+        for header in key
+            .kinds
+            .iter()
+            .filter_map(|kind| if let Kind::Table(header) = kind { Some(header) } else { None })
+        {
+            let inner =
+                TABLES.iter().find(|table| table.header == *header).unwrap_or_else(|| panic!("{header}"));
+            within(scene, inner, value, header.contains(".NAME"), found);
+        }
+    }
+}
+
+fn within<'s>(
+    scene: &'s str,
+    table: &'static Table,
+    value: &Spanned<DeValue<'_>>,
+    named: bool,
+    found: &mut Vec<Found<'s>>,
+) {
+    match value.get_ref() {
+        DeValue::Table(inner) if named => {
+            inner.iter().for_each(|(_, one)| within(scene, table, one, false, found));
+        }
+        DeValue::Table(inner) => keys(scene, table, inner, found),
+        DeValue::Array(list) => list.iter().for_each(|one| within(scene, table, one, false, found)),
+        _ => {}
+    }
+}
+
+/// Every key in the shipped scenes.
+fn all(scenes: &[(String, String)]) -> Vec<Found<'_>> {
+    let mut found = Vec::new();
+    for (_, scene) in scenes {
+        keys(scene, &SCENE, DeTable::parse(scene).unwrap().get_ref(), &mut found);
+    }
+    found
+}
+
+fn shipped() -> Vec<(String, String)> {
+    fixtures().into_iter().chain([("starter".to_owned(), crate::STARTER.to_owned())]).collect()
+}
+
+fn label(found: &Found<'_>) -> String {
+    format!("{} {}", found.table.header, found.key.name)
+}
+
+#[test]
+fn every_key_stands_in_a_shipped_scene() {
+    let scenes = shipped();
+    let shown: BTreeSet<_> = all(&scenes).iter().map(label).collect();
+    let lacking: Vec<_> = TABLES
+        .iter()
+        .flat_map(|table| table.keys.iter().map(move |key| format!("{} {}", table.header, key.name)))
+        .filter(|key| !shown.contains(key))
+        .collect();
+    assert!(lacking.is_empty(), "{lacking:#?}");
+}
+
+/// What a fault of a value that is of no kind must name.
+fn named(kind: &Kind) -> Vec<String> {
+    match kind {
+        Kind::Quantity(dimension) => vec![dimension.describe().to_string()],
+        Kind::Word(word) => vec![(*word).to_owned()],
+        Kind::Count => vec!["a whole number".to_owned()],
+        Kind::Flag => vec!["true or false".to_owned()],
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn the_reader_wants_what_the_reference_says() {
+    let scenes = shipped();
+    let mut seen = BTreeSet::new();
+    for found in all(&scenes) {
+        let name = label(&found);
+        if !seen.insert(name.clone()) {
+            continue;
+        }
+        // A date is of no kind.
+        let mut scene = found.scene.to_owned();
+        scene.replace_range(found.value.clone(), "1979-05-27");
+        if found.key.kinds.iter().any(|kind| matches!(kind, Kind::Table(header) if header.starts_with('['))) {
+            continue;
+        }
+        let errors = crate::read("a", &scene).map(|_| ()).expect_err(&name).to_string();
+        let kinds = || found.key.kinds.iter();
+        if !kinds()
+            .any(|kind| matches!(kind, Kind::Quantity(_) | Kind::ByInput(..) | Kind::Named(_) | Kind::Text))
+        {
+            let wanted: Vec<_> = kinds().flat_map(named).collect();
+            assert!(wanted.iter().all(|word| errors.contains(word)), "{name} wants {wanted:?}: {errors}");
+        }
+        // A number of an unknown unit is answered with the dimension, an unknown word with the words that are known.
+        for (written, is_number) in [("\"1 zz\"", true), ("\"zz\"", false)] {
+            let mut scene = found.scene.to_owned();
+            scene.replace_range(found.value.clone(), written);
+            let errors = crate::read("a", &scene).map_or_else(|errors| errors.to_string(), |_| String::new());
+            let wanted =
+                kinds().filter(|kind| matches!(kind, Kind::Quantity(_)) == is_number).flat_map(named);
+            let open = kinds().any(|kind| matches!(kind, Kind::Named("plugin" | "motor")));
+            let lacking: Vec<_> = wanted.filter(|word| !open && !errors.contains(word.as_str())).collect();
+            assert!(lacking.is_empty(), "{name} wants {lacking:?}: {errors}");
+        }
+    }
+}
+
+/// The scene without a key; a comma beside it goes as well.
+fn without(found: &Found<'_>) -> String {
+    let (before, after) = (&found.scene[..found.whole.start], &found.scene[found.whole.end..]);
+    match (after.trim_start().strip_prefix(','), before.trim_end().strip_suffix(',')) {
+        (Some(after), _) => format!("{before}{after}"),
+        (None, Some(before)) => format!("{before}{after}"),
+        _ => format!("{before}{after}"),
+    }
+}
+
+#[test]
+fn a_default_is_what_holds_without_its_key() {
+    let scenes = shipped();
+    let mut judged = BTreeSet::new();
+    for found in all(&scenes) {
+        let name = label(&found);
+        let left_out = crate::read_with_note("a", &without(&found));
+        match found.key.default {
+            Default::Needed => assert!(left_out.is_err(), "{name} is needed"),
+            Default::Absent => {}
+            Default::Is(default) => {
+                let mut scene = found.scene.to_owned();
+                scene.replace_range(found.value.clone(), default);
+                // A key that others need can be neither left out nor have its default in that scene.
+                let (Ok(left_out), Ok(written)) = (left_out, crate::read_with_note("a", &scene)) else {
+                    continue;
+                };
+                assert_eq!(format!("{left_out:?}"), format!("{written:?}"), "{name}");
+                judged.insert(name);
+            }
+        }
+    }
+    let wanted = TABLES
+        .iter()
+        .flat_map(|table| table.keys)
+        .filter(|key| matches!(key.default, Default::Is(_)))
+        .count();
+    assert!(judged.len() * 10 >= wanted * 8, "{} of {wanted}: {judged:?}", judged.len());
+}
+
+/// Whether a value is of a kind.
+fn is_of(kind: &Kind, value: &DeValue<'_>) -> bool {
+    let text = value.as_str();
+    match kind {
+        Kind::Quantity(dimension) => {
+            text.is_none_or(|text| quantity(text, *dimension).is_ok()) && !value.is_table()
+        }
+        Kind::ByInput(turns, slides) => {
+            [turns, slides].iter().any(|kind| is_of(&Kind::Quantity(**kind), value))
+        }
+        Kind::Count => value.is_integer(),
+        Kind::Flag => value.is_bool(),
+        Kind::Text | Kind::Named(_) => text.is_some(),
+        Kind::Word(word) => text == Some(word),
+        Kind::Place => !value.is_table(),
+        Kind::Points => value.is_table(),
+        Kind::Rows => value.is_array(),
+        Kind::Two(kind) => value
+            .as_array()
+            .is_some_and(|list| list.len() == 2 && list.iter().all(|one| is_of(kind, one.get_ref()))),
+        Kind::List(kind) => {
+            value.as_array().is_some_and(|list| list.iter().all(|one| is_of(kind, one.get_ref())))
+        }
+        Kind::Table(header) => value.is_table() || header.starts_with("[[") && value.is_array(),
+    }
+}
+
+#[test]
+fn every_example_is_of_a_kind_of_its_key() {
+    for table in TABLES {
+        for key in table.keys {
+            let toml = format!("x = {}", key.example);
+            let toml = DeTable::parse(&toml).unwrap_or_else(|error| panic!("{}: {error}", key.name));
+            let value = toml.get_ref().get("x").unwrap().get_ref();
+            assert!(
+                key.kinds.iter().any(|kind| is_of(kind, value)),
+                "{} {}: {}",
+                table.header,
+                key.name,
+                key.example
+            );
+        }
+    }
+}
+
+#[test]
+fn no_table_takes_a_key_that_the_reference_lacks() {
+    let scenes = shipped();
+    let mut seen = BTreeSet::new();
+    for found in all(&scenes) {
+        if found.key.name == "POINT" || seen.contains(found.table.header) {
+            continue;
+        }
+        let scene = found.scene;
+        // Within a table in one line the keys have commas between them.
+        let Some(at) = found.own_line() else { continue };
+        let inline = scene[..at].trim_end().ends_with(['{', ',']);
+        let planted = format!("zzz = 1{}", if inline { ", " } else { "\n" });
+        let mut planted_scene = scene.to_owned();
+        planted_scene.insert_str(at, &planted);
+        let errors = crate::read("a", &planted_scene).expect_err(found.table.header).to_string();
+        assert!(errors.contains("unknown key `zzz`"), "{}: {errors}", found.table.header);
+        seen.insert(found.table.header);
+    }
+    assert_eq!(seen.len() + 1, TABLES.len());
+}
+
+#[test]
+fn a_word_finds_the_keys_that_it_is_about() {
+    let english = assur_words::Language::english();
+    let names = |word: &str| -> Vec<String> {
+        let found = search(word, english);
+        found
+            .flat_map(|(table, keys)| {
+                keys.into_iter().map(move |key| format!("{}.{}", table.name(), key.name))
+            })
+            .collect()
+    };
+    assert!(names("omega").contains(&"motion.speed".to_owned()));
+    assert_eq!(names("link.mass"), ["link.mass"]);
+    assert!(super::SLIDE.keys.iter().all(|key| names("[[slide]]").contains(&format!("slide.{}", key.name))));
+    assert!(names("kloss").contains(&"drive.characteristic".to_owned()));
+    assert!(names("nothing like it").is_empty());
+}
