@@ -172,7 +172,16 @@ fn errors_of_groups_positions_and_loads() {
     let group = text!("structure-group", number = 1, kind = name("RRR"), links = name("А"));
     let position = |range, angular| {
         let (group_name, index) = (Box::new(group.clone()), Some(3));
-        PositionError { group: 0, group_name, index, coordinate: 1.0, angular, source: gap, range }
+        PositionError {
+            group: 0,
+            group_name,
+            index,
+            coordinate: 1.0,
+            angular,
+            source: gap,
+            range,
+            by_default: None,
+        }
     };
     all.extend([position(None, true), position(Some([0.1, 0.2]), false)].map(|error| error.describe()));
     let source = BuildError::new(text!("group-rrr-no-link", link = 1));

@@ -11,6 +11,19 @@ use crate::between::{acceleration, shaking, speed, stroke, time_ratio, transfer}
 use crate::layout::{Layout, Sought};
 use crate::statistics::Statistics;
 
+/// What is found only where a measure needs it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Need {
+    /// The angles of the links.
+    Angles,
+    /// The transmission angles of the groups.
+    Transmission,
+    /// The motion between positions.
+    Courses,
+    /// The shaking force.
+    Shaking,
+}
+
 /// A family of columns.
 #[derive(Debug, Clone, Copy)]
 pub struct Measure {
@@ -20,14 +33,8 @@ pub struct Measure {
     summary: &'static str,
     /// Whether it is written where no measures are named.
     pub by_default: bool,
-    /// Whether it needs the angles of the links.
-    pub(crate) angles: bool,
-    /// Whether it needs the transmission angles of the groups.
-    pub(crate) transmission: bool,
-    /// Whether it needs the motion between positions.
-    pub(crate) courses: bool,
-    /// Whether it needs the shaking force.
-    pub(crate) shaking: bool,
+    /// What must be found for it beside the positions, their loads and their motion.
+    pub(crate) need: Option<Need>,
     put: fn(&Layout, &Measured, &mut Sink<'_>),
 }
 
@@ -36,7 +43,7 @@ pub const MEASURES: &[Measure] = &[
     Measure::new("health", "sweep-measure-health", health),
     Measure {
         by_default: false,
-        transmission: true,
+        need: Some(Need::Transmission),
         ..Measure::new("transmission", "sweep-measure-transmission", transmission)
     },
     Measure::new("balancing", "sweep-measure-balancing", balancing),
@@ -46,21 +53,37 @@ pub const MEASURES: &[Measure] = &[
     },
     Measure::new("reactions", "sweep-measure-reactions", reactions),
     Measure { by_default: false, ..Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms) },
-    Measure { angles: true, ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
-    Measure { by_default: false, courses: true, ..Measure::new("stroke", "sweep-measure-stroke", stroke) },
+    Measure { need: Some(Need::Angles), ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
     Measure {
         by_default: false,
-        courses: true,
+        need: Some(Need::Courses),
+        ..Measure::new("stroke", "sweep-measure-stroke", stroke)
+    },
+    Measure {
+        by_default: false,
+        need: Some(Need::Courses),
         ..Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio)
     },
-    Measure { by_default: false, courses: true, ..Measure::new("pf", "sweep-measure-pf", transfer) },
-    Measure { by_default: false, courses: true, ..Measure::new("speed", "sweep-measure-speed", speed) },
     Measure {
         by_default: false,
-        courses: true,
+        need: Some(Need::Courses),
+        ..Measure::new("pf", "sweep-measure-pf", transfer)
+    },
+    Measure {
+        by_default: false,
+        need: Some(Need::Courses),
+        ..Measure::new("speed", "sweep-measure-speed", speed)
+    },
+    Measure {
+        by_default: false,
+        need: Some(Need::Courses),
         ..Measure::new("acceleration", "sweep-measure-acceleration", acceleration)
     },
-    Measure { by_default: false, shaking: true, ..Measure::new("shaking", "sweep-measure-shaking", shaking) },
+    Measure {
+        by_default: false,
+        need: Some(Need::Shaking),
+        ..Measure::new("shaking", "sweep-measure-shaking", shaking)
+    },
     Measure::new("regime", "sweep-measure-regime", regime),
     Measure::new("end", "sweep-measure-end", end),
 ];
@@ -162,16 +185,7 @@ impl Measure {
         summary: &'static str,
         put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
-        Self {
-            name,
-            summary,
-            by_default: true,
-            angles: false,
-            transmission: false,
-            courses: false,
-            shaking: false,
-            put,
-        }
+        Self { name, summary, by_default: true, need: None, put }
     }
 
     /// The measures that are written where none are named.

@@ -12,7 +12,7 @@ use assur_shaking::shaking_size;
 use assur_words::{Describe, Text, number, quantity, text};
 
 use crate::Status;
-use crate::measure::Measure;
+use crate::measure::Need;
 use crate::point::Worker;
 use crate::rows::{Failure, Outcome};
 use crate::statistics::Valid;
@@ -143,14 +143,14 @@ impl<'a, 'w> Positions<'a, 'w> {
         self.failure = self.failure.take().or(earliest);
     }
 
-    fn wants(&self, what: fn(&Measure) -> bool) -> bool {
-        self.worker.sweep.measures.iter().any(what)
+    fn wants(&self, need: Need) -> bool {
+        self.worker.sweep.measures.iter().any(|measure| measure.need == Some(need))
     }
 
     /// What is found between positions; the motion, where it is not that of the point before.
     fn between(&mut self, moved: bool) {
         let (linkage, layout) = (&self.calculation.linkage, &self.worker.sweep.layout);
-        if moved && self.wants(|measure| measure.courses) {
+        if moved && self.wants(Need::Courses) {
             let (links, slides) =
                 (layout.links.iter().map(|link| link.id), layout.slides.iter().map(|slide| slide.id));
             let points = layout.points.iter().map(|point| point.id.0);
@@ -160,7 +160,7 @@ impl<'a, 'w> Positions<'a, 'w> {
             Some(Motion::Prescribed { speed, acceleration: 0.0 }) => Some(speed),
             _ => None,
         };
-        if self.wants(|measure| measure.shaking) {
+        if self.wants(Need::Shaking) {
             let state = |coordinate| self.calculation.state(coordinate);
             self.worker.found.shaking = shaking_size(linkage, &state).ok();
         }
@@ -175,7 +175,7 @@ impl<'a, 'w> Positions<'a, 'w> {
         let healths = needed().map(|(group, _)| position.health[group].abs());
         let least = healths.fold(Lanes::from_f64(f64::INFINITY), lesser);
         self.worker.found.health.add(block.valid, block.numbers(), least);
-        if self.wants(|measure| measure.transmission) {
+        if self.wants(Need::Transmission) {
             let least = Lanes::of(|lane| {
                 position.copy_lane(lane, &mut self.single);
                 let of_group = |group: usize| {
@@ -191,7 +191,7 @@ impl<'a, 'w> Positions<'a, 'w> {
 
     fn places(&mut self, block: &Block, position: &LanePosition) {
         let Calculation { linkage, plan, .. } = self.calculation;
-        let angles = self.wants(|measure| measure.angles);
+        let angles = self.wants(Need::Angles);
         let (found, layout) = (&mut self.worker.found, &self.worker.sweep.layout);
         let (bodies, numbers) = (&position.bodies, block.numbers());
         for ((_, place), extent) in plan.wanted.points.iter().zip(&mut found.points) {

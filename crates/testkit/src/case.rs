@@ -17,6 +17,13 @@ pub struct Fault {
     pub what: String,
 }
 
+impl Fault {
+    /// A fault of the entry in the registry.
+    pub(crate) fn of_entry(check: &'static str, what: impl std::fmt::Display) -> Fault {
+        Fault { check, seed: None, what: format!("{check}: {what}") }
+    }
+}
+
 impl std::fmt::Display for Fault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.seed {

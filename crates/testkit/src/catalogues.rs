@@ -12,7 +12,7 @@ use crate::Fault;
 ///
 /// The first [`Fault`] found.
 pub fn judge_catalogue(name: &str) -> Result<(), Fault> {
-    let plugin = find_catalogue(name).map_err(|error| fault("registry", error.to_string()))?;
+    let plugin = find_catalogue(name).map_err(|error| Fault::of_entry("registry", error))?;
     judge_table(plugin)
 }
 
@@ -23,22 +23,18 @@ pub fn judge_catalogue(name: &str) -> Result<(), Fault> {
 ///
 /// The first [`Fault`] found.
 pub fn judge_table(plugin: &CataloguePlugin) -> Result<(), Fault> {
-    let rows = plugin.rows().map_err(|error| fault("rows", error.to_string()))?;
+    let rows = plugin.rows().map_err(|error| Fault::of_entry("rows", error))?;
     if rows.is_empty() {
-        return Err(fault("rows", "the table is empty".to_owned()));
+        return Err(Fault::of_entry("rows", "the table is empty"));
     }
     let mut seen = BTreeSet::new();
     for motor in rows {
         if !seen.insert((motor.latin_designation(), motor.poles)) {
-            return Err(fault("designations", format!("`{}` is there twice", motor.designation)));
+            return Err(Fault::of_entry("designations", format!("`{}` is there twice", motor.designation)));
         }
-        physics(motor).map_err(|what| fault("data", format!("`{}`: {what}", motor.designation)))?;
+        physics(motor).map_err(|what| Fault::of_entry("data", format!("`{}`: {what}", motor.designation)))?;
     }
     Ok(())
-}
-
-fn fault(check: &'static str, what: String) -> Fault {
-    Fault { check, seed: None, what: format!("{check}: {what}") }
 }
 
 /// What is wrong with the data of a motor.

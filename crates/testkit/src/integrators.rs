@@ -73,7 +73,7 @@ const PROBLEMS: [Problem; 5] = [
 ///
 /// The first [`Fault`] found.
 pub fn judge_integrator(name: &str) -> Result<(), Fault> {
-    let plugin = assur_integrator::find(name).map_err(|error| fault("registry", error.to_string()))?;
+    let plugin = assur_integrator::find(name).map_err(|error| Fault::of_entry("registry", error))?;
     judge_method(plugin)
 }
 
@@ -94,25 +94,24 @@ pub fn judge_method(plugin: &IntegratorPlugin) -> Result<(), Fault> {
             Ok(found) => found,
             // Some methods find out only on the way that they can't treat an equation.
             Err(IntegrationError::Unsupported { .. }) => continue,
-            Err(error) => return Err(fault("solve", format!("{}: {error}", problem.name))),
+            Err(error) => return Err(Fault::of_entry("solve", format!("{}: {error}", problem.name))),
         };
         tried += 1;
         answers(plugin, problem, &found)?;
         samples(problem, &request, &found)?;
         let again = plugin.solve(&mut *(problem.motion)(), &request);
         if again.map(|again| again.end).ok() != Some(found.end) {
-            return Err(fault("repeated", format!("{}: a second run has another end", problem.name)));
+            return Err(Fault::of_entry(
+                "repeated",
+                format!("{}: a second run has another end", problem.name),
+            ));
         }
     }
     if tried == 0 {
-        return Err(fault("problems", "the method supports no equation of the suite".to_owned()));
+        return Err(Fault::of_entry("problems", "the method supports no equation of the suite"));
     }
     order(plugin)?;
     refusals(plugin)
-}
-
-fn fault(check: &'static str, what: String) -> Fault {
-    Fault { check, seed: None, what: format!("{check}: {what}") }
 }
 
 fn answers(plugin: &IntegratorPlugin, problem: &Problem, found: &Trajectory) -> Result<(), Fault> {
@@ -126,7 +125,7 @@ fn answers(plugin: &IntegratorPlugin, problem: &Problem, found: &Trajectory) -> 
         if error.is_nan() || error > most {
             let what =
                 format!("{}: {value} is not {wanted}, off by {error:.1e}, allowed {most:.1e}", problem.name);
-            return Err(fault("answers", what));
+            return Err(Fault::of_entry("answers", what));
         }
     }
     Ok(())
@@ -134,7 +133,7 @@ fn answers(plugin: &IntegratorPlugin, problem: &Problem, found: &Trajectory) -> 
 
 /// Samples are equally spaced from the start to the end, and each is on the way between.
 fn samples(problem: &Problem, request: &Request, found: &Trajectory) -> Result<(), Fault> {
-    let wrong = |what: String| Err(fault("samples", format!("{}: {what}", problem.name)));
+    let wrong = |what: String| Err(Fault::of_entry("samples", format!("{}: {what}", problem.name)));
     if found.samples.len() != request.samples + 1 {
         return wrong(format!("{} instants, wanted {}", found.samples.len(), request.samples + 1));
     }
@@ -163,14 +162,14 @@ fn order(plugin: &IntegratorPlugin) -> Result<(), Fault> {
         let fixed_step = (plugin.knob == Knob::Step).then_some(FixedStep::Time(end / parts));
         let request = Request { tolerance, fixed_step, ..Request::new(initial, Until::Time(end)) };
         let found = plugin.solve(&mut problems::pendulum(), &request);
-        let found = found.map_err(|error| fault("order", error.to_string()))?;
+        let found = found.map_err(|error| Fault::of_entry("order", error))?;
         Ok::<f64, Fault>((found.end.coordinate / wanted).abs().max((found.end.speed / wanted + 1.0).abs()))
     };
     if plugin.knob == Knob::Step {
         let found = (error(1e-9, 40.0)? / error(1e-9, 80.0)?).log2();
         let declared = f64::from(plugin.order);
         if found.is_nan() || found < declared - ORDER {
-            return Err(fault(
+            return Err(Fault::of_entry(
                 "order",
                 format!("the errors at two steps have order {found:.2}, declared {declared}"),
             ));
@@ -180,7 +179,7 @@ fn order(plugin: &IntegratorPlugin) -> Result<(), Fault> {
     for tolerance in [1e-4, 1e-7, 1e-10] {
         let found = error(tolerance, 1.0)?;
         if found.is_nan() || found > TOLERANCES * tolerance {
-            return Err(fault("order", format!("error {found:.1e} at tolerance {tolerance:.0e}")));
+            return Err(Fault::of_entry("order", format!("error {found:.1e} at tolerance {tolerance:.0e}")));
         }
     }
     Ok(())
@@ -200,14 +199,16 @@ fn refusals(plugin: &IntegratorPlugin) -> Result<(), Fault> {
     }
     let request = Request::new(State { time: 0.0, coordinate: 0.0, speed: 1.0 }, Until::Coordinate(1.0));
     if let Ok(found) = plugin.solve(&mut nothing(), &request) {
-        return Err(fault("refusals", format!("a moment that is no number gives {:?}", found.end)));
+        return Err(Fault::of_entry("refusals", format!("a moment that is no number gives {:?}", found.end)));
     }
     let never = Request {
         time_limit: 200.0,
         ..Request::new(State { time: 0.0, coordinate: 0.0, speed: 100.0 }, Until::Coordinate(2501.0))
     };
     match plugin.solve(&mut problems::d1_friction(), &never) {
-        Ok(found) => Err(fault("refusals", format!("an end that is never reached gives {:?}", found.end))),
+        Ok(found) => {
+            Err(Fault::of_entry("refusals", format!("an end that is never reached gives {:?}", found.end)))
+        }
         Err(_) => Ok(()),
     }
 }

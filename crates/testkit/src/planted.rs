@@ -46,7 +46,6 @@ fn spoiled(instance: &'static Spoiled) -> AnalyzerPlugin {
 
 #[test]
 fn mistakes_of_analyzers_are_caught() {
-    judge_forces(honest()).unwrap();
     static PLANTED: [(&str, Spoiled); 5] = [
         ("virtual power", Spoiled(|out, _| out.balancing = -out.balancing)),
         ("virtual power", Spoiled(|out, _| out.balancing *= 1.0 + 1e-6)),
@@ -57,6 +56,7 @@ fn mistakes_of_analyzers_are_caught() {
         ),
         ("virtual power", Spoiled(|out, loads| out.balancing += 1e-3 * loads[1].m.abs().max(1.0).powi(2))),
     ];
+    judge_forces(honest()).unwrap();
     for (check, planted) in &PLANTED {
         let fault = judge_forces(&spoiled(planted)).unwrap_err();
         assert!(fault.check == *check || fault.check == "guides", "{check}: {fault}");
@@ -84,13 +84,13 @@ fn exact() -> &'static IntegratorPlugin {
 
 #[test]
 fn mistakes_of_integrators_are_caught() {
-    judge_method(exact()).unwrap();
     static PLANTED: [(&str, Wrong); 4] = [
         ("answers", Wrong(|found| found.end.speed *= 1.0 + 1e-4)),
         ("answers", Wrong(|found| found.end.time *= 1.0 + 1e-4)),
         ("samples", Wrong(|found| found.samples.truncate(3))),
         ("samples", Wrong(|found| found.samples.swap(1, 2))),
     ];
+    judge_method(exact()).unwrap();
     for (check, planted) in &PLANTED {
         let fault = judge_method(&IntegratorPlugin { method: planted, ..exact().clone() }).unwrap_err();
         assert_eq!(fault.check, *check, "{fault}");

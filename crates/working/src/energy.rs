@@ -109,18 +109,15 @@ impl Work<'_> {
             let count = value / PI * **part;
             (count - count.round()).abs() < 1e-12 * count.abs().max(1.0)
         };
-        match PARTS.iter().find(is_whole).filter(|_| self.form.mechanism.input.is_angle()) {
-            Some(part) => {
-                let pi = Expr::number((value / PI * part).abs().round()) * Expr::pi() / Expr::number(*part);
-                if value < 0.0 { -pi } else { pi }
-            }
-            None => {
-                // What an integration left of a whole number is its rounding.
-                let whole = value.round();
-                let value = if (value - whole).abs() <= 1e-12 * value.abs() { whole } else { value };
-                if value < 0.0 { -Expr::number(-value) } else { Expr::number(value) }
-            }
+        let part = PARTS.iter().find(is_whole).filter(|_| self.form.mechanism.input.is_angle());
+        if let Some(part) = part {
+            let pi = Expr::number((value / PI * part).abs().round()) * Expr::pi() / Expr::number(*part);
+            return if value < 0.0 { -pi } else { pi };
         }
+        // What an integration left of a whole number is its rounding.
+        let whole = value.round();
+        let value = if (value - whole).abs() <= 1e-12 * value.abs() { whole } else { value };
+        if value < 0.0 { -Expr::number(-value) } else { Expr::number(value) }
     }
 
     /// The way of the input from start to end.

@@ -30,7 +30,7 @@ impl Work<'_> {
             (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
         let sum = powers.into_iter().fold(Expr::zero(), |sum, power| sum + power);
         let moment = self.sheet.work("Q", &sum, units.moment);
-        self.to_point(&inertia, &moment);
+        self.reduce_to_point(&inertia, &moment);
         let Some(drive) = self.drive else { return };
         self.sheet.section(text!("working-equation"));
         let what = text!("working-driving-moment");
@@ -46,7 +46,7 @@ impl Work<'_> {
     }
 
     /// The force and the mass that stand for them at a point of the input link (E eqs. 4-6).
-    fn to_point(&mut self, inertia: &Expr, moment: &Expr) {
+    fn reduce_to_point(&mut self, inertia: &Expr, moment: &Expr) {
         let mechanism = &self.linkage.mechanism;
         let link = mechanism.input.link;
         let Some(place) = ReductionPoint::farthest(mechanism)

@@ -1,4 +1,4 @@
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::TAU;
 
 use assur_integrator::{Request, State, Until};
 

@@ -1,5 +1,3 @@
-use std::f64::consts::{PI, SQRT_2};
-
 use assur_integrator::{FixedStep, Request, Until};
 
 use super::*;

@@ -21,8 +21,8 @@ pub fn brakes(mechanism: &Mechanism) -> Vec<Item> {
 
 /// The pin of the disc on the ground.
 fn center(mechanism: &Mechanism, brake: &Brake) -> Option<Point> {
-    let pins = (0..mechanism.points.len()).filter(|id| mechanism.place_in(*id, brake.link).is_some());
-    pins.filter_map(|id| mechanism.place_in(id, GROUND)).next()
+    let mut pins = (0..mechanism.points.len()).filter(|id| mechanism.place_in(*id, brake.link).is_some());
+    pins.find_map(|id| mechanism.place_in(id, GROUND))
 }
 
 /// The shoe presses down on the top of the disc; the lever has its pin one radius to the left of it, and the force at the end of

@@ -19,7 +19,7 @@ fn attribute<'a>(element: &'a str, name: &str) -> Option<&'a str> {
     element.split_once(&format!(" {name}=\""))?.1.split('"').next()
 }
 
-/// The room that the letters of a name take at least: DejaVu Sans has none narrower.
+/// The room that the letters of a name take at least: `DejaVu` Sans has none narrower.
 fn room(text: &str) -> f64 {
     let of = |letter: char| if "ijltfrI .,:;'|()/".contains(letter) { 0.27 } else { 0.55 };
     svg::EM * text.chars().map(of).sum::<f64>()

@@ -65,7 +65,9 @@ pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &Regi
     let mut panel =
         plots::curves(text!("regime-moments"), lines, (x, factor), Some(cursor(state, scene).into()));
     if let Some((mut outline, work)) = area {
-        outline.iter_mut().for_each(|at| at[0] *= factor);
+        for at in &mut outline {
+            at[0] *= factor;
+        }
         let middle = Bounds::around(outline.iter().copied()).center();
         panel.items.insert(0, Item::Area { outline, ink: Ink::Trace });
         panel.items.push(Item::name(

@@ -63,7 +63,9 @@ fn acceleration(q: f64, w: f64, inside: f64, acting: Acting) -> f64 {
     let mut matrix = SMatrix::<f64, 9, 9>::zeros();
     let mut right = SMatrix::<f64, 9, 6>::zeros();
     let mut row = |index: usize, entries: &[(usize, f64)], base: f64| {
-        entries.iter().for_each(|(column, value)| matrix[(index, *column)] += value);
+        for (column, value) in entries {
+            matrix[(index, *column)] += value;
+        }
         right[(index, 0)] = base;
     };
     let ww = w * w;
