@@ -32,12 +32,40 @@ impl Angles {
 
     /// After the last row of a table.
     pub(crate) fn after(table: &Table) -> Self {
-        let angles = Self::new(table.schema());
-        let last = table.len().checked_sub(1).zip(angles.coordinate).map(|(row, coordinate)| {
-            let of_links = angles.followed.iter().map(|(column, _)| table.values(*column)[row]);
+        let mut angles = Self::new(table.schema());
+        if let Some(row) = table.len().checked_sub(1) {
+            angles.be_at(table, row);
+        }
+        angles
+    }
+
+    /// Takes the angles of a row of a table for the last ones.
+    fn be_at(&mut self, table: &Table, row: usize) {
+        self.last = self.coordinate.map(|coordinate| {
+            let of_links = self.followed.iter().map(|(column, _)| table.values(*column)[row]);
             (table.values(coordinate)[row], of_links.collect())
         });
-        Self { last, ..angles }
+    }
+
+    /// Makes the angles of rows between those of another table continue the rows of that one; the coordinates of both grow
+    /// (`sense` 1) or fall (-1).
+    pub(crate) fn follow_beside(
+        &mut self,
+        linkage: &Linkage,
+        positions: &Table,
+        sense: f64,
+        table: &mut Table,
+    ) {
+        let Some(coordinate) = self.coordinate.filter(|_| !self.followed.is_empty()) else { return };
+        let mut next = 0;
+        for row in 0..table.len() {
+            let at = table.values(coordinate)[row];
+            while next < positions.len() && sense * (at - positions.values(coordinate)[next]) >= 0.0 {
+                self.be_at(positions, next);
+                next += 1;
+            }
+            self.follow_row(linkage, table, row, at);
+        }
     }
 
     /// Makes the angles of a table continue those of the rows before it: in (-pi, pi] in the first row of all, then the
@@ -48,15 +76,19 @@ impl Angles {
     pub(crate) fn follow(&mut self, linkage: &Linkage, table: &mut Table) {
         let Some(coordinate) = self.coordinate.filter(|_| !self.followed.is_empty()) else { return };
         for row in 0..table.len() {
-            let coordinate = table.values(coordinate)[row];
-            let mut angles = self.before(linkage, coordinate, table, row);
-            for (angle, (column, _)) in angles.iter_mut().zip(&self.followed) {
-                let value = &mut table.column_mut(*column)[row];
-                *value = continuous_angle(*value, *angle);
-                *angle = *value;
-            }
-            self.last = Some((coordinate, angles));
+            let at = table.values(coordinate)[row];
+            self.follow_row(linkage, table, row, at);
         }
+    }
+
+    fn follow_row(&mut self, linkage: &Linkage, table: &mut Table, row: usize, coordinate: f64) {
+        let mut angles = self.before(linkage, coordinate, table, row);
+        for (angle, (column, _)) in angles.iter_mut().zip(&self.followed) {
+            let value = &mut table.column_mut(*column)[row];
+            *value = continuous_angle(*value, *angle);
+            *angle = *value;
+        }
+        self.last = Some((coordinate, angles));
     }
 
     /// The angles just before a row.

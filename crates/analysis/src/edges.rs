@@ -1,5 +1,5 @@
-//! What lies between the positions and after them: both sides of each place where the formula of a load changes, and the end of
-//! the cycle. Drawings need them; no other result does.
+//! What lies between the positions and after them: coordinates at which a curve is smooth, both sides of each place where the
+//! formula of a load changes, and the end of the cycle. Drawings and extremes between the positions need them; no other result does.
 
 use assur_dynamics::Instant;
 use assur_force::{Loads, Side, State, tolerance};
@@ -15,12 +15,21 @@ use crate::results::Table;
 /// Most places between the positions: a formula of a load that changes more often is drawn as a curve.
 const MOST: usize = 1000;
 
+/// Coordinates of a curve over the positions: no drawing shows more.
+pub const DRAWN: usize = 720;
+
+/// Numbers that are calculated between the positions: 8 MB. A mechanism of very many links has fewer coordinates.
+const NUMBERS: usize = 1 << 20;
+
 /// Rows beside those of the positions, with the same columns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edges {
-    /// For each place where the formula of a load changes, in the order of the positions: a row just before it and a row just
-    /// after it. Angles of links are in (-pi, pi].
-    pub sides: Table,
+    /// Coordinates between the positions, in their order: so many that a curve through them is smooth, each place twice at which
+    /// the formula of a load changes, and the positions that have no solution.
+    pub places: Vec<f64>,
+    /// Their rows, each with the number of its place; of a place that is there twice the row just before it and the row just after
+    /// it. A place without a solution has no row.
+    pub between: Table,
     /// The end of the cycle as a row with the number that follows the last position: what the positions lead to, whether or not
     /// that is where they began; angles continue those of the last row. Without a row where the positions are no cycle, or
     /// the end has no solution.
@@ -32,7 +41,7 @@ impl Calculation {
     pub fn edges(&self, positions: &Table) -> Edges {
         let blocks = Blocks::new(self);
         let mut filler = Filler::new(self, &blocks.columns, self.positions_have_forces());
-        let (mut sides, mut ending) = (filler.table(), filler.table());
+        let (mut between, mut ending) = (filler.table(), filler.table());
         let input = &self.linkage.mechanism.input;
         let closed = input.is_cycle();
         if closed {
@@ -41,12 +50,43 @@ impl Calculation {
             Angles::after(positions).follow(&self.linkage, &mut ending);
         }
         let last = input.positions - usize::from(!closed);
-        let ends = [0, last].map(|index| input.coordinate(index));
-        for (number, place) in self.changes(ends).into_iter().enumerate() {
-            let pair = self.both_sides(place, ends);
-            filler.add(2 * number, &std::array::from_fn(|lane| instant(pair[lane % 2])), 2, &mut sides);
+        let states =
+            self.between(positions, last, DRAWN.min(NUMBERS / between.schema().columns().len().max(1)));
+        for (block, states) in states.chunks(Lanes::WIDTH).enumerate() {
+            let instants = std::array::from_fn(|lane| instant(states[lane.min(states.len() - 1)]));
+            filler.add(Lanes::WIDTH * block, &instants, states.len(), &mut between);
         }
-        Edges { sides, ending }
+        let sense = (input.coordinate(last) - input.coordinate(0)).signum();
+        Angles::new(between.schema()).follow_beside(&self.linkage, positions, sense, &mut between);
+        Edges { places: states.iter().map(|state| state.coordinate).collect(), between, ending }
+    }
+
+    /// The states at the places between the positions, in their order; `count` places and positions in all, but for those at which
+    /// the formula of a load changes.
+    fn between(&self, positions: &Table, last: usize, count: usize) -> Vec<State> {
+        let input = &self.linkage.mechanism.input;
+        let ends = [0, last].map(|index| input.coordinate(index));
+        let sense = (ends[1] - ends[0]).signum();
+        let mut changes = self.changes(ends).into_iter().peekable();
+        let parts = count.div_ceil(last.max(1)).max(1);
+        let mut states = Vec::new();
+        for index in 0..=last {
+            let [from, to] = [index, (index + 1).min(last)].map(|index| input.coordinate(index));
+            for part in 0..if index == last { 1 } else { parts } {
+                let place = from + (to - from) * part as f64 / parts as f64;
+                let near = tolerance(place.abs().max((ends[1] - ends[0]).abs()), None);
+                let mut met = false;
+                while let Some(change) = changes.next_if(|change| sense * (place - change) >= -near) {
+                    met = (place - change).abs() <= near;
+                    states.extend(self.both_sides(change, ends));
+                }
+                let solved = part == 0 && (index == input.positions || positions.row_of(index).is_some());
+                if !met && !solved {
+                    states.push(self.state(place));
+                }
+            }
+        }
+        states
     }
 
     /// The coordinates between two ends, in their order, at which the formula of a load changes; none where forces are not
@@ -101,6 +141,6 @@ impl Calculation {
     }
 }
 
-fn instant(state: State) -> Instant {
+pub(crate) fn instant(state: State) -> Instant {
     Instant { state, holding: None, friction: 0.0 }
 }

@@ -12,6 +12,7 @@ mod dynamics;
 mod edges;
 mod energies;
 mod error;
+mod extremes;
 mod families;
 mod filler;
 mod friction;
@@ -33,6 +34,7 @@ assur_words::resources!();
 
 pub use assur_check::Coverage;
 pub use calculation::{Calculation, DEFAULT_INTEGRATOR, Methods, Options, Varied, methods, plan};
+pub use edges::DRAWN;
 pub use error::AnalysisError;
 pub use inputs::{PossibleInput, StructureStudy};
 pub use modes::{CountFrom, GroupModes, Meeting, ModeCourse, ModeEnd};

@@ -12,7 +12,7 @@ use crate::blocks::{Block, Blocks};
 use crate::friction::Several;
 use crate::notes::Listed;
 use crate::progress::{Stopped, Watch};
-use crate::results::{Analysis, Failure, InputReport, Survey, Table};
+use crate::results::{Analysis, Failure, InputReport, Peaks, Survey, Table};
 use crate::{Calculation, Progress};
 
 /// Most failures that are kept in full.
@@ -73,6 +73,7 @@ impl Calculation {
             positions: positions.kept,
             starts: positions.starts,
             survey: positions.survey,
+            peaks: Peaks::default(),
             failures: positions.failures,
             trajectory: samples.table,
             dynamics: self.dynamics(),

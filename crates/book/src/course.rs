@@ -1,6 +1,6 @@
 //! A quantity over its own coordinates.
 
-use assur_analysis::results::{Column, Edges, Quantity, Table};
+use assur_analysis::results::{Column, Edges, Table, Turn};
 
 /// A value this small compared with the greatest one of its course counts as zero.
 const ROUNDING: f64 = 1e-14;
@@ -29,11 +29,12 @@ pub struct Course {
     nodes: Vec<Node>,
     /// The end of the cycle, which is no position of its own.
     end: Option<Node>,
-    /// Between them: both sides of the places where the formula of a load changes, in the order of the nodes.
-    steps: Vec<Step>,
+    /// Coordinate and value of what is drawn, in their order: the nodes, what lies between them, and the end; NaN where the line is
+    /// interrupted.
+    line: Vec<[f64; 2]>,
 }
 
-/// Both sides of a place between two nodes, or at the second of them.
+/// Both sides of a place at which a value jumps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
     /// Coordinate, rad or m.
@@ -70,45 +71,63 @@ impl Course {
     /// The numbers of a column in the rows of a table, over those of another column in the same rows, and those between and
     /// after them.
     pub fn of(table: &Table, edges: Option<&Edges>, over: Column, column: Column) -> Self {
+        Self::read(table, edges, over, |table, row| table.get(row, column))
+    }
+
+    /// What is made of the rows of a table, over the numbers of a column in the same rows, and of those between and after them.
+    pub fn read(
+        table: &Table,
+        edges: Option<&Edges>,
+        over: Column,
+        value: impl Fn(&Table, usize) -> Option<f64>,
+    ) -> Self {
         let node = |table: &Table, row: usize| {
-            let (at, value) = (table.get(row, over)?, table.get(row, column)?);
-            Some(Node { number: table.numbers()[row], at, value })
+            let value = value(table, row).unwrap_or(f64::NAN);
+            Some(Node { number: table.numbers()[row], at: table.get(row, over)?, value })
         };
-        let nodes = (0..table.len()).filter_map(|row| node(table, row)).collect();
-        let ending = edges.map(|edges| &edges.ending).filter(|ending| !ending.is_empty());
-        let end = ending.and_then(|ending| node(ending, 0));
-        // What depends on the coordinate alone has no sides.
-        let sides =
-            edges.map(|edges| &edges.sides).filter(|_| !matches!(column.quantity, Quantity::Transfer(_)));
-        let sides =
-            sides.into_iter().flat_map(|sides| (0..sides.len() / 2).map(move |pair| (sides, 2 * pair)));
-        let step = |(sides, row): (&Table, usize)| {
-            let [before, after] = [node(sides, row)?, node(sides, row + 1)?];
-            Some(Step { at: before.at, values: [before.value, after.value] })
-        };
-        Self { nodes, end, steps: sides.filter_map(step).collect() }
+        let nodes: Vec<Node> = (0..table.len()).filter_map(|row| node(table, row)).collect();
+        let Some(edges) = edges else { return Self::of_nodes(nodes, None, Vec::new()) };
+        let end = if edges.ending.is_empty() { None } else { node(&edges.ending, 0) };
+        let mut rows = (0..edges.between.len()).peekable();
+        let between = edges.places.iter().enumerate().map(|(number, at)| {
+            let row = rows.next_if(|row| edges.between.numbers()[*row] == number);
+            [*at, row.and_then(|row| value(&edges.between, row)).unwrap_or(f64::NAN)]
+        });
+        Self::of_nodes(nodes, end, between.collect())
     }
 
-    /// The same with these steps, in the order of the nodes.
+    /// A node of NaN has no value and interrupts the line.
+    fn of_nodes(mut nodes: Vec<Node>, end: Option<Node>, between: Vec<[f64; 2]>) -> Self {
+        let line = line(&nodes, end, between);
+        nodes.retain(|node| !node.value.is_nan());
+        Self { nodes, end: end.filter(|end| !end.value.is_nan()), line }
+    }
+
+    /// The same with what lies between the nodes: coordinates in the order of the nodes with their values, NaN where there is none;
+    /// a coordinate that is there twice is a jump.
     #[must_use]
-    pub fn with_steps(self, steps: impl IntoIterator<Item = Step>) -> Self {
-        Self { steps: steps.into_iter().collect(), ..self }
+    pub fn with_between(self, between: Vec<[f64; 2]>) -> Self {
+        Self::of_nodes(self.nodes, self.end, between)
     }
 
-    /// Both sides of the places where the formula of a load changes.
-    pub fn steps(&self) -> &[Step] {
-        &self.steps
+    /// Both sides of the places at which the value jumps.
+    pub fn steps(&self) -> impl Iterator<Item = Step> {
+        let (pairs, least) = (self.line.windows(2), ZERO * self.size());
+        let jumps = pairs.filter(move |two| {
+            two[0][0].to_bits() == two[1][0].to_bits() && (two[0][1] - two[1][1]).abs() > least
+        });
+        jumps.map(|two| Step { at: two[0][0], values: [two[0][1], two[1][1]] })
     }
 
     /// Values with their places, in the order of their numbers, and the end of the cycle.
     pub fn from_nodes(nodes: impl IntoIterator<Item = Node>, end: Option<Node>) -> Self {
-        Self { nodes: nodes.into_iter().collect(), end, steps: Vec::new() }
+        Self::of_nodes(nodes.into_iter().collect(), end, Vec::new())
     }
 
     /// Values with their places, numbered from 0.
     pub fn from_points(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         let node = |(number, [at, value]): (usize, [f64; 2])| Node { number, at, value };
-        Self { nodes: points.into_iter().enumerate().map(node).collect(), end: None, steps: Vec::new() }
+        Self::from_nodes(points.into_iter().enumerate().map(node), None)
     }
 
     /// The values at the positions or samples that have one.
@@ -133,35 +152,18 @@ impl Course {
         Some((end.value - first.value).abs() <= CLOSED * self.size())
     }
 
-    /// All nodes with the end of the cycle; between them both sides of the steps, each with the number of the node that follows.
-    fn all(&self) -> impl Iterator<Item = Node> {
-        let sense = self.nodes.first().zip(self.end.or(self.nodes.last().copied()));
-        let sense = sense.map_or(1.0, |(first, last)| (last.at - first.at).signum());
-        let mut steps = self.steps.iter().peekable();
-        self.nodes.iter().copied().chain(self.end).flat_map(move |node| {
-            let near = ROUNDING_OF_PLACES * node.at.abs();
-            let mut met = Vec::new();
-            while let Some(step) = steps.next_if(|step| sense * (node.at - step.at) >= -near) {
-                met.extend(step.values.map(|value| Node { at: step.at, value, ..node }));
-            }
-            met.push(node);
-            met
-        })
+    /// Coordinate and value of what is drawn: of the nodes, of what lies between them, and of the end of the cycle; NaN where the
+    /// line is interrupted.
+    pub fn line(&self) -> &[[f64; 2]] {
+        &self.line
     }
 
-    /// What is drawn: coordinate and value of each node, of both sides of each step and of the end of the cycle, each multiplied
-    /// by its factor. A point of NaN interrupts the line where positions between two nodes have no value.
+    /// What is drawn, each coordinate and value multiplied by its factor.
     pub fn points(&self, factors: [f64; 2]) -> Vec<[f64; 2]> {
-        let mut points = Vec::with_capacity(self.nodes.len() + 1);
-        let mut before: Option<usize> = None;
-        for Node { number, at, value } in self.all() {
-            if before.is_some_and(|before| number > before + 1) {
-                points.push([f64::NAN; 2]);
-            }
-            points.push([factors[0] * at, factors[1] * value]);
-            before = Some(number);
-        }
-        points
+        let point = |at: &[f64; 2]| {
+            if at[1].is_nan() { [f64::NAN; 2] } else { [factors[0] * at[0], factors[1] * at[1]] }
+        };
+        self.line.iter().map(point).collect()
     }
 
     /// What is drawn of two projections of one vector, this one to the right and the other one up: the path of its tip.
@@ -181,38 +183,73 @@ impl Course {
         ROUNDING * self.size()
     }
 
-    /// Pairs of neighbors: positions that follow each other, and what is between them.
-    fn pairs(&self) -> impl Iterator<Item = [Node; 2]> {
-        let pairs = self.all().zip(self.all().skip(1));
-        pairs.filter(|(one, next)| next.number <= one.number + 1).map(|(one, next)| [one, next])
+    /// Neighbors on the line.
+    fn pairs(&self) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        self.line.windows(2).map(|two| [two[0], two[1]]).filter(|two| two.iter().all(|at| !at[1].is_nan()))
     }
 
-    /// Where the course passes zero; between two positions, linear.
+    /// Where the course passes zero; between two places of the line, linear.
     pub fn zeros(&self) -> Vec<f64> {
         let least = ZERO * self.size();
         let mut found = Vec::new();
         for [a, b] in self.pairs() {
-            if a.value.abs().max(b.value.abs()) <= least {
+            if a[1].abs().max(b[1].abs()) <= least {
                 continue;
             }
-            if a.value.abs() <= least {
-                found.push(a.at);
-            } else if b.value.abs() > least && a.value * b.value < 0.0 {
-                found.push(a.at + (b.at - a.at) * (a.value / (a.value - b.value)));
+            if a[1].abs() <= least {
+                found.push(a[0]);
+            } else if b[1].abs() > least && a[1] * b[1] < 0.0 {
+                found.push(a[0] + (b[0] - a[0]) * (a[1] / (a[1] - b[1])));
             }
         }
         found
     }
 
-    /// The value at a coordinate or time; between two positions, linear.
+    /// The value at a coordinate or time; between two places of the line, linear.
     pub fn between(&self, at: f64) -> Option<f64> {
-        let met = self.all().find(|node| node.at.to_bits() == at.to_bits()).map(|node| node.value);
-        met.or_else(|| {
-            let within = |[a, b]: &[Node; 2]| (a.at..=b.at).contains(&at) || (b.at..=a.at).contains(&at);
+        let met = self.line.iter().find(|met| met[0].to_bits() == at.to_bits() && !met[1].is_nan());
+        met.map(|met| met[1]).or_else(|| {
+            let within = |[a, b]: &[[f64; 2]; 2]| (a[0]..=b[0]).contains(&at) || (b[0]..=a[0]).contains(&at);
             let [a, b] = self.pairs().find(within)?;
-            let part = (at - a.at) / (b.at - a.at);
-            Some(if part > 0.0 { a.value + part * (b.value - a.value) } else { a.value })
+            let part = (at - a[0]) / (b[0] - a[0]);
+            Some(if part > 0.0 { a[1] + part * (b[1] - a[1]) } else { a[1] })
         })
+    }
+
+    /// The local extremes of the line, each between the places beside it.
+    pub fn turns(&self) -> Vec<Turn> {
+        let (line, wraps) = (&self.line, self.closes() == Some(true));
+        let same = ZERO * self.line.iter().fold(0.0, |most: f64, at| most.max(at[1].abs()));
+        let known = |at: &&[f64; 2]| !at[1].is_nan();
+        let last = line.len().saturating_sub(1);
+        let mut turns = Vec::new();
+        for (index, here) in line.iter().enumerate().filter(|(_, at)| !at[1].is_nan()) {
+            let beside = |at: Option<&[f64; 2]>| {
+                at.filter(known).filter(|at| at[0].to_bits() != here[0].to_bits()).copied()
+            };
+            let before = beside(index.checked_sub(1).map(|before| &line[before]));
+            let after = beside(line.get(index + 1));
+            // The first place of a closed course is its last one again.
+            let [before_it, after_it] = if wraps && index == 0 {
+                [beside(line.get(last.saturating_sub(1))), after]
+            } else if wraps && index == last {
+                [before, beside(line.get(1))]
+            } else {
+                [before, after]
+            };
+            for (is_greatest, sign) in [(true, 1.0), (false, -1.0)] {
+                let over = |at: Option<[f64; 2]>| at.map(|at| sign * (here[1] - at[1]));
+                let (behind, ahead) = (over(before_it), over(after_it));
+                let turns_here = behind.is_none_or(|by| by > same) && ahead.is_none_or(|by| by >= -same);
+                // It lies on the side of the neighbor that is nearer to it.
+                let elsewhere = wraps && (index == 0 && behind < ahead || index == last && ahead <= behind);
+                if turns_here && !elsewhere && (before_it.is_some() || after_it.is_some()) {
+                    let within = [before.unwrap_or(*here)[0], after.unwrap_or(*here)[0]];
+                    turns.push(Turn { at: here[0], value: here[1], is_greatest, within });
+                }
+            }
+        }
+        if turns.iter().all(|turn| (turn.value - turns[0].value).abs() <= same) { Vec::new() } else { turns }
     }
 
     /// Extremes and means over the positions; `None` where no position has a value.
@@ -232,4 +269,25 @@ impl Course {
             rms: sum(|value| value * value).sqrt(),
         })
     }
+}
+
+/// Nodes, what lies between them, and the end, in their order; NaN where a node is missing between two others.
+fn line(nodes: &[Node], end: Option<Node>, between: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let sense = nodes.first().zip(end.or(nodes.last().copied()));
+    let sense = sense.map_or(1.0, |(first, last)| (last.at - first.at).signum());
+    let mut line = Vec::with_capacity(nodes.len() + between.len() + 1);
+    let (mut between, mut before) = (between.into_iter().peekable(), None);
+    for node in nodes.iter().copied().chain(end) {
+        let (near, count) = (ROUNDING_OF_PLACES * node.at.abs(), line.len());
+        while let Some(at) = between.next_if(|at| sense * (node.at - at[0]) >= -near) {
+            line.push(at);
+        }
+        if line.len() == count && before.is_some_and(|before| node.number > before + 1) {
+            line.push([f64::NAN; 2]);
+        }
+        line.push([node.at, node.value]);
+        before = Some(node.number);
+    }
+    line.extend(between);
+    line
 }

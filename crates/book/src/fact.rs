@@ -1,5 +1,6 @@
 //! What one number of the results is.
 
+use assur_analysis::results::Column as Quantity;
 use assur_mechanism::{LinkId, Mechanism};
 use assur_words::{Text, joined, text, unit};
 
@@ -21,6 +22,8 @@ pub struct Fact {
     pub at: Vec<f64>,
     /// Their unit.
     pub at_unit: Unit,
+    /// The quantity of the results whose value it is, if it is one.
+    pub column: Option<Quantity>,
 }
 
 /// The value of a fact.
@@ -38,7 +41,15 @@ impl Fact {
     /// A fact that is a text.
     pub fn text(id: &'static str, value: Text) -> Self {
         let value = Value::Text(value);
-        Self { id, of: Vec::new(), value, unit: Unit::NONE, at: Vec::new(), at_unit: Unit::NONE }
+        Self {
+            id,
+            of: Vec::new(),
+            value,
+            unit: Unit::NONE,
+            at: Vec::new(),
+            at_unit: Unit::NONE,
+            column: None,
+        }
     }
 
     /// A number in SI.
@@ -62,6 +73,12 @@ impl Fact {
     #[must_use]
     pub fn at(self, at: &[f64], unit: impl Into<Unit>) -> Self {
         Self { at: at.to_vec(), at_unit: unit.into(), ..self }
+    }
+
+    /// The quantity of the results whose value it is.
+    #[must_use]
+    pub fn about(self, column: Quantity) -> Self {
+        Self { column: Some(column), ..self }
     }
 
     /// What it is.

@@ -10,6 +10,7 @@ mod course;
 mod document;
 mod fact;
 mod number;
+mod peaks;
 mod table;
 
 pub use course::{Course, Extreme, Node, Step, Summary};
@@ -17,6 +18,7 @@ pub use document::{Block, Document, Term};
 pub use fact::link_name;
 pub use fact::{Fact, Value};
 pub use number::{Digits, Unit};
+pub use peaks::peaks;
 pub use table::{Cell, Column, Group, Printed, Table};
 
 assur_words::resources!();

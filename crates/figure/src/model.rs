@@ -177,6 +177,8 @@ pub enum Sign {
     Plus,
     /// A point of a curve drawn in stars.
     Star,
+    /// A position on a curve.
+    Node,
 }
 
 /// One thing that is drawn.

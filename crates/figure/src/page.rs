@@ -158,7 +158,7 @@ fn sign_elements(at: Point, along: Point, sign: Sign, ink: Ink) -> Vec<Element> 
     };
     match sign {
         Sign::Pin => vec![circle(at, 0.3 * EM, paper)],
-        Sign::Dot => vec![circle(at, 0.13 * EM, full)],
+        Sign::Dot | Sign::Node => vec![circle(at, 0.13 * EM, full)],
         Sign::Ring => vec![circle(at, 0.25 * EM, paper)],
         Sign::Star => vec![circle(at, 0.15 * EM, paper)],
         Sign::Cross => {

@@ -75,17 +75,54 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     })
 }
 
-/// The stroke of each slide on the ground that goes to and fro over the cycle: the motion of the machine's output.
-pub fn output_strokes(linkage: &Linkage) -> Result<Vec<(SlideId, Stroke)>, GeometryError> {
-    let slides = || linkage.mechanism.slides.iter().enumerate().filter(|(_, slide)| slide.on == GROUND);
-    if slides().next().is_none() {
-        return Ok(Vec::new());
-    }
+/// What is asked for first of a motion.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Overview {
+    /// The slides on the ground that go to and fro: the outputs of the machine.
+    pub slides: Vec<(SlideId, SlideCourse)>,
+    /// The links that rock about a point of the ground.
+    pub links: Vec<(LinkId, LinkCourse)>,
+    /// The least transmission angle of all groups, rad, with its coordinate and its group.
+    pub transmission: Option<(usize, f64, f64)>,
+}
+
+/// What is asked for first of a motion.
+///
+/// # Errors
+///
+/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
+pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
+    let mechanism = &linkage.mechanism;
     let cycle = Cycle::of(linkage)?;
-    let all: Vec<_> = slides()
-        .map(|(id, _)| Ok(slide(&cycle, id)?.stroke.map(|stroke| (id, stroke))))
-        .collect::<Result<_, PositionError>>()?;
-    Ok(all.into_iter().flatten().collect())
+    let parts = RigidParts::of(&cycle);
+    let mut found = Overview::default();
+    for id in (0..mechanism.slides.len()).filter(|id| mechanism.slides[*id].on == GROUND) {
+        found.slides.extend(Some((id, slide(&cycle, id)?)).filter(|(_, course)| course.stroke.is_some()));
+    }
+    let on_ground = |link: LinkId| {
+        let on = |point: &Point, wanted: LinkId| point.places.iter().any(|place| place.link == wanted);
+        mechanism.points.iter().any(|point| on(point, link) && on(point, GROUND))
+    };
+    for id in (1..mechanism.links.len()).filter(|id| on_ground(*id)) {
+        found
+            .links
+            .extend(Some((id, link(&cycle, id, &parts)?)).filter(|(_, course)| course.stroke.is_some()));
+    }
+    for (number, group) in linkage.structure.groups.iter().enumerate() {
+        let course = Course::of(&cycle, |position| {
+            let health = position.health[number].abs();
+            [
+                [group.plugin.force_angle.transmission(&group.frame, &position.bodies, health)],
+                [f64::NAN],
+                [f64::NAN],
+            ]
+        });
+        let least = course.extremes(ORDERS[0])?;
+        if found.transmission.is_none_or(|(_, angle, _)| least.min < angle) {
+            found.transmission = Some((number, least.min, least.at_min));
+        }
+    }
+    Ok(found)
 }
 
 /// The motion of some parts over the cycle.

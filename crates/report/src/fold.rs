@@ -42,6 +42,14 @@ const TWINS: &[(char, &str)] = &[
     ('θ', "theta"),
     ('π', "pi"),
     ('σ', "sigma"),
+    ('і', "i"),
+    ('ї', "yi"),
+    ('є', "ye"),
+    ('ґ', "g"),
+    ('І', "I"),
+    ('Ї', "Yi"),
+    ('Є', "Ye"),
+    ('Ґ', "G"),
     ('′', "'"),
     ('″', "''"),
 ];
@@ -71,6 +79,16 @@ pub fn to_ascii(text: &str) -> Cow<'_, str> {
         }
     }
     Cow::Owned(folded)
+}
+
+/// The text with Cyrillic letters replaced by Latin ones.
+pub fn latin(text: &str) -> Cow<'_, str> {
+    if text.is_ascii() {
+        return Cow::Borrowed(text);
+    }
+    let is_cyrillic = |c: char| ('\u{400}'..='\u{4ff}').contains(&c);
+    let letter = |c: char| if is_cyrillic(c) { to_ascii(&c.to_string()).into_owned() } else { c.to_string() };
+    Cow::Owned(text.chars().map(letter).collect())
 }
 
 fn cyrillic(c: char) -> Option<String> {

@@ -10,7 +10,7 @@ mod template;
 pub mod text;
 pub mod topic;
 
-pub use fold::to_ascii;
+pub use fold::{latin, to_ascii};
 
 assur_words::resources!();
 

@@ -6,8 +6,8 @@ use crate::csv::{Cell, CsvError, Sheet, of_positions, write};
 use crate::json::analysis::to_json;
 use crate::to_ascii;
 use assur_analysis::results::{
-    Analysis, Column, Cycle, InputReport, Owner, Quantity, Schema, Section, Starts, StructureReport, Survey,
-    Table,
+    Analysis, Column, Cycle, InputReport, Owner, Peaks, Quantity, Schema, Section, Starts, StructureReport,
+    Survey, Table,
 };
 use assur_mechanism::{Mechanism, Named, PairId};
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -72,6 +72,7 @@ fn analysis(angle: f64) -> Analysis {
         },
         survey: Survey::of(&positions),
         starts: Starts::default(),
+        peaks: Peaks::default(),
         positions,
         failures: Vec::new(),
         trajectory: Table::new(Arc::new(motion)),

@@ -48,6 +48,13 @@ impl<'a> Document<'a> {
         find::find(self.table.get_ref(), &key.0)
     }
 
+    /// A table that stands in one line (`{ ... }`), as a value that can be replaced as a whole; `None` where there is none of this key.
+    pub fn table(&self, key: &str) -> Option<SceneValue> {
+        let found = find::table(self.table.get_ref(), &Key::parse(key).ok()?.0)?;
+        let written = self.text.get(found.clone()).filter(|text| text.starts_with('{'))?;
+        Some(SceneValue::whole(key, found, written))
+    }
+
     /// Every number with or without a unit, and the choice of the motor, in the order of the file.
     pub fn values(&self) -> Vec<SceneValue> {
         values::of(self.text, self.table.get_ref())

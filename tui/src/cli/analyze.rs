@@ -39,12 +39,14 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         return Ok(verdict.status());
     }
     let status = verdict.status().or(added);
-    let results = Results { study: &study, analysis: &analysis, line: &line, style };
+    let results = |analysis| Results { study: &study, analysis, line: &line, style };
     let written = match form {
-        Form::Json => results.json(output, status),
-        Form::Csv => results.csv(output, status),
-        Form::Parquet => results.parquet(output, status),
+        Form::Json => results(&analysis).json(output, status),
+        Form::Csv => results(&analysis).csv(output, status),
+        Form::Parquet => results(&analysis).parquet(output, status),
         Form::Text => {
+            analysis.peaks =
+                assur_book::peaks(&study, &analysis.positions, &study.edges(&analysis.positions));
             let report = report::report(&analysis, &study.linkage, positions.as_deref(), style.words());
             output.write(report.map_err(Fault::told)? + &plans::text(&analysis, style), status)
         }

@@ -37,6 +37,7 @@ pub(super) fn document(context: &mut Context<'_>) -> Result<Document, NoteError>
     let facts = topic::summary(&context.found()?.analysis, &context.scene()?.linkage);
     page.heading(text!("report-results"));
     page.facts(text!("note-main-results"), facts);
+    page.paragraph(text!("report-between"));
     for part in [
         task,
         structure,

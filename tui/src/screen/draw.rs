@@ -11,6 +11,9 @@ use textwrap::Options;
 
 use crate::screen::state::{Role, State, Zoom};
 
+/// Rows of a chart that is not low.
+const LOW: u16 = 12;
+
 /// How a figure is drawn in cells now, in the whole or zoomed.
 pub(crate) fn cells(state: &State, zoom: Zoom) -> Look {
     Look { marker: state.look.marker, ratio: state.look.ratio, zoom, language: state.language() }
@@ -33,9 +36,20 @@ pub(crate) fn paint_zoomed(state: &State, figure: &Figure, zoom: Zoom, area: Rec
         }
         return state.shown.borrow_mut().push((figure, area));
     }
-    for spot in cells::draw(figure, [area.width, area.height], cells(state, zoom)) {
+    let height = height(state, figure, area);
+    for spot in cells::draw(figure, [area.width, height], cells(state, zoom)) {
         put(buffer, area, spot.column, spot.row, &spot.text, state.look.theme.style(role(spot.ink)));
     }
+}
+
+/// Rows for a figure: each chart is at least twice as wide as high, or has [`LOW`] rows.
+fn height(state: &State, figure: &Figure, area: Rect) -> u16 {
+    let charts = figure.panels.iter().all(|panel| matches!(panel.frame, Frame::Axes { .. }));
+    let columns = figure.columns.clamp(1, figure.panels.len().max(1));
+    let rows = short(figure.panels.len().div_ceil(columns));
+    let width = f64::from(area.width) / columns as f64;
+    let most = (0..area.height).rev().find(|rows| 2.0 * state.look.ratio * f64::from(*rows) <= width);
+    if charts { area.height.min(rows.saturating_mul(most.unwrap_or(0).max(LOW))) } else { area.height }
 }
 
 fn role(ink: Ink) -> Role {

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use assur_analysis::Coverage;
 use assur_analysis::results::Checks;
+use assur_analysis::{Coverage, Options};
 use assur_fixtures::SCENES;
 use assur_study::chart;
 use assur_study::stability::stability;
@@ -41,7 +41,13 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
                 }
                 Wanted::Change(change) => change.session.changed(change.text.clone()),
             };
-            Report::Read(wanted.clone(), scene.and_then(Scene::of).map(Box::new))
+            let mut scene = scene.and_then(Scene::of).map(Box::new);
+            // Forces and motion of a second scene are compared too.
+            if let (Wanted::Compare(_), Ok(scene)) = (wanted, &mut scene) {
+                let found = Found::of(&scene.session, &Options::default(), &mut assur_analysis::unwatched);
+                scene.found = found.ok().map(Box::new);
+            }
+            Report::Read(wanted.clone(), scene)
         }
         Job::Note { write, session, options, path } => {
             Report::Noted(path.clone(), write(session, options.clone()))

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::Owner;
 use crate::friction::{FrictionCycle, Several};
-use crate::results::{Dynamics, Starts, StructureReport, Survey, Table};
+use crate::results::{Dynamics, Peaks, Starts, StructureReport, Survey, Table};
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +25,8 @@ pub struct Analysis {
     pub positions: Table,
     /// What is known about all positions.
     pub survey: Survey,
+    /// Values of greatest modulus, between the positions too; without any where these were not looked for.
+    pub peaks: Peaks,
     /// What lets single blocks of positions be calculated again.
     pub starts: Starts,
     /// Positions that have no solution.

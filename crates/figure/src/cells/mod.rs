@@ -164,6 +164,7 @@ fn put_sign(labels: &mut Labels, at: [f64; 2], along: [f64; 2], sign: Sign, ink:
     let text = match sign {
         Sign::Pin | Sign::Bearing | Sign::Ring => "o",
         Sign::Head if along.iter().any(|part| part.abs() > 0.0) => head(along),
+        Sign::Node => return labels.fill(at, "•", ink),
         Sign::Dot | Sign::Head => return labels.fill(at, "o", ink),
         Sign::Cross => "x",
         Sign::Plus => "+",

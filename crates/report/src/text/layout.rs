@@ -20,6 +20,8 @@ const MOST_ROWS: usize = 4096;
 const MOST_LINES: usize = 16 * MOST_ROWS;
 /// A fact whose value is longer has lines of its own, since columns don't break.
 const LONG: usize = 30;
+/// Columns of the facts of the first section: what is asked for first is read on a terminal.
+const SCREEN: usize = 78;
 /// Facts on a narrower page are no table.
 const NARROW: usize = 60;
 
@@ -169,6 +171,15 @@ impl Page<'_> {
         if self.width < NARROW {
             return facts.iter().for_each(|fact| self.fact(fact));
         }
+        let width = self.width;
+        if self.sections == 1 {
+            self.width = width.min(SCREEN);
+        }
+        self.table_of_facts(facts);
+        self.width = width;
+    }
+
+    fn table_of_facts(&mut self, facts: &[Fact]) {
         let is_long = |fact: &&Fact| self.style.line(&fact.value()).width() > LONG;
         let (long, short): (Vec<_>, Vec<_>) = facts.iter().partition(is_long);
         for fact in long {

@@ -1,25 +1,43 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
-use assur_analysis::results::{Analysis, Column, Owner, Quantity};
-use assur_book::{Fact, Unit};
-use assur_diagram::Extreme;
-use assur_geometry::output_strokes;
+use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Turn};
+use assur_book::{Fact, Unit, Value};
+use assur_geometry::overview;
 use assur_kinematics::Linkage;
 use assur_words::{Text, count, joined, list, name, number, text};
 
-use super::forces::greatest_reactions;
-use super::units::{FORCE, LENGTH, MOMENT, POWER, SECOND, TURN};
+use super::forces::{force, shown};
+use super::units::{ANGLE, FORCE, LENGTH, MOMENT, MOVING, POWER, SECOND, TURN, TURNING};
 use super::{Units, regime};
 
-/// The results that are asked for first. Greatest values are those of the positions of the scene, strokes are found between
-/// them.
-pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
+/// What stands in a list on a page: reactions, moments of guides; and how many of each.
+const LISTED: [&str; 2] = ["fact-greatest-reaction", "fact-greatest-moment"];
+const MOST_LISTED: [usize; 2] = [5, 2];
+/// Reactions beside the numbers of a regime.
+const MOST_IN_REGIME: usize = 4;
+/// A formula of more groups is no line of a page.
+const MOST_GROUPS: usize = 6;
+
+/// What a group of facts is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum About {
+    /// Groups and class.
+    Structure,
+    /// Strokes, time ratios, angles, speeds.
+    Motion,
+    /// Reactions and the balancing load.
+    Forces,
+    /// The regime and the drive.
+    Regime,
+    /// What has no solution, and whether the checks hold.
+    Checks,
+}
+
+/// All results that are asked for first, each with what it is about.
+pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let place = Units::of(analysis.input.angular).coordinate;
-    let mut facts = structure(analysis);
-    facts.extend(end_of_motion(analysis));
-    facts.extend(strokes(linkage, place));
-    facts.extend(reactions(analysis, linkage, place));
-    facts.extend(balancing(analysis, linkage, place));
+    let mut forces = reactions(analysis, place);
+    forces.extend(balancing(analysis, linkage, place));
     let main = [
         "fact-mean-speed",
         "fact-unevenness",
@@ -32,18 +50,67 @@ pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
         "fact-braking-moment",
         "fact-flywheel",
     ];
-    facts.extend(regime::facts(analysis).into_iter().filter(|fact| main.contains(&fact.id)));
-    facts.extend(lost(analysis));
-    facts.extend(checks(analysis));
-    facts
+    let mut regime = end_of_motion(analysis);
+    regime.extend(regime::facts(analysis).into_iter().filter(|fact| main.contains(&fact.id)));
+    let mut checked = lost(analysis);
+    checked.extend(checks_fact(analysis));
+    let all = [
+        (About::Structure, structure(analysis)),
+        (About::Motion, motion(analysis, linkage, place)),
+        (About::Forces, forces),
+        (About::Regime, regime),
+        (About::Checks, checked),
+    ];
+    all.into_iter().flat_map(|(about, facts)| facts.into_iter().map(move |fact| (about, fact))).collect()
+}
+
+/// The results that are asked for first, one below the other.
+pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
+    results(analysis, linkage).into_iter().map(|(_, fact)| fact).collect()
+}
+
+/// The same on a page of a terminal: the outputs of the machine without the links that rock between, and reactions and moments of
+/// guides in a list of the greatest.
+pub fn on_a_page(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
+    let (mut listed, mut rows): (Vec<Fact>, Vec<Fact>) =
+        summary(analysis, linkage).into_iter().partition(|fact| LISTED.contains(&fact.id));
+    let owner = |fact: &Fact| fact.column.map(|column| column.owner);
+    let has_output = rows.iter().any(|fact| matches!(owner(fact), Some(Owner::Slide(_))));
+    let is_left_out = |fact: &Fact| {
+        // The formula tells the class.
+        let told = if analysis.structure.groups.len() <= MOST_GROUPS { "fact-class" } else { "fact-formula" };
+        let between = has_output && matches!(owner(fact), Some(Owner::Link(_)));
+        fact.id == told || between || fact.id == "fact-fastest" && analysis.dynamics.is_some()
+    };
+    rows.retain(|fact| !is_left_out(fact));
+    let size = |fact: &Fact| if let Value::Number(value) = fact.value { value.abs() } else { 0.0 };
+    let kinds: Vec<_> = LISTED.into_iter().zip(MOST_LISTED).collect();
+    let mut more = 0;
+    for (id, most) in kinds {
+        let most = if analysis.dynamics.is_some() { most.min(MOST_IN_REGIME) } else { most };
+        let mut sizes: Vec<f64> = listed.iter().filter(|fact| fact.id == id).map(size).collect();
+        sizes.sort_by(|one, other| other.total_cmp(one));
+        let Some(least) = sizes.get(most) else { continue };
+        more += sizes.len() - sizes.iter().filter(|size| *size > least).count();
+        listed.retain(|fact| fact.id != id || size(fact) > *least);
+    }
+    if !listed.is_empty() {
+        let items = listed.iter().map(|fact| {
+            text!("fact-listed", what = fact.what().short(), value = fact.with_unit(), place = fact.place())
+        });
+        let more = (more > 0).then(|| text!("fact-more-reactions", count = more));
+        let all = joined("; ", items.chain(more));
+        rows.insert(rows.len().min(1), Fact::text("fact-greatest-forces", all));
+    }
+    rows
 }
 
 fn structure(analysis: &Analysis) -> Vec<Fact> {
     let structure = &analysis.structure;
+    let class = name(assur_structure::roman(structure.class));
     vec![
         Fact::text("fact-formula", Text::from(&structure.formula)),
-        Fact::text("fact-class", name(assur_structure::roman(structure.class))),
-        Fact::text("fact-mobility", number(structure.mobility)),
+        Fact::text("fact-class", list([class, text!("fact-mobility", number = number(structure.mobility))])),
     ]
 }
 
@@ -58,65 +125,102 @@ fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
     facts.into_iter().flatten().flatten().collect()
 }
 
-/// A mechanism that can't be assembled everywhere has no strokes.
-fn strokes(linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let of = |(slide, stroke): (usize, assur_geometry::Stroke)| {
-        let name = Text::from(&linkage.mechanism.slides[slide].name);
-        let size = Fact::number("fact-stroke", stroke.stroke, LENGTH).at(&stroke.dead_points, place);
-        let ratio = stroke.time_ratio.map(|ratio| Fact::number("fact-time-ratio", ratio, Unit::NONE));
-        [Some(size), ratio].into_iter().flatten().map(move |fact| fact.of("slide", name.clone()))
-    };
-    output_strokes(linkage).unwrap_or_default().into_iter().flat_map(of).collect()
+/// The value of greatest modulus of a quantity: between the positions too where it was looked for there, else at the positions that are
+/// kept.
+fn farthest(analysis: &Analysis, column: Column) -> Option<Turn> {
+    analysis.peaks.of(column).or_else(|| {
+        let table = &analysis.positions;
+        let value = |row| Some(Turn::at(table.get(row, Column::COORDINATE)?, table.get(row, column)?));
+        let greater = |best: Turn, next: Turn| if next.value.abs() > best.value.abs() { next } else { best };
+        (0..table.len()).filter_map(value).reduce(greater)
+    })
 }
 
-fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
+/// A mechanism that can't be assembled everywhere has no strokes.
+fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
+    let Ok(found) = overview(linkage) else { return Vec::new() };
+    let (mechanism, units) = (&linkage.mechanism, Units::of(analysis.input.angular));
+    let slides = found.slides.iter().map(|(id, course)| {
+        (Owner::Slide(*id), &mechanism.slides[*id].name, course.stroke.as_ref(), &course.pf1)
+    });
+    let links = found.links.iter().map(|(id, course)| {
+        (Owner::Link(*id), &mechanism.links[*id].name, course.stroke.as_ref(), &course.pf1)
+    });
     let mut facts = Vec::new();
-    let all: Vec<&Extreme> = greatest_reactions(analysis).collect();
-    for of_pair in all.chunk_by(|one, next| one.joint == next.joint) {
-        for found in of_pair.iter().filter(|one| one.greatest > 0.0) {
-            let fact = Fact::number("fact-greatest-reaction", found.greatest, FORCE);
-            let fact = fact.of("pair", (&found.joint).into()).of("link", (&found.on).into());
-            facts.push(fact.at(&[found.coordinate], place));
+    for (owner, of, stroke, pf1) in slides.chain(links) {
+        let Some(stroke) = stroke else { continue };
+        let is_slide = matches!(owner, Owner::Slide(_));
+        let (id, unit) = if is_slide { ("fact-stroke", LENGTH) } else { ("fact-swing", ANGLE) };
+        let place_of = Column::of(Quantity::Transfer(0), owner);
+        let of = |fact: Fact| fact.of("slide", Text::from(of));
+        let size = Fact::number(id, stroke.stroke, unit).at(&stroke.dead_points, place);
+        facts.push(of(size).about(place_of));
+        let ratio = stroke.time_ratio.map(|ratio| Fact::number("fact-time-ratio", ratio, Unit::NONE));
+        facts.extend(ratio.map(|fact| of(fact).about(place_of)));
+        let speed = Column::of(Quantity::Velocity, owner);
+        facts.push(if let Some(turn) = farthest(analysis, speed) {
+            let unit = if is_slide { MOVING[0] } else { TURNING[0] };
+            of(Fact::number("fact-fastest", turn.value, unit)).at(&[turn.at], place).about(speed)
+        } else {
+            let [value, at] =
+                if pf1.max.abs() >= pf1.min.abs() { [pf1.max, pf1.at_max] } else { [pf1.min, pf1.at_min] };
+            let unit = if is_slide { units.length[1] } else { units.angle[1] };
+            let fact = of(Fact::number("fact-greatest-pf1", value, unit)).at(&[at], place);
+            fact.about(Column::of(Quantity::Transfer(1), owner))
+        });
+    }
+    facts.extend(found.transmission.map(|(group, angle, at)| {
+        let fact = Fact::number("fact-transmission", angle, ANGLE).of("group", number(group + 1));
+        fact.at(&[at], place).about(Column::of(Quantity::Condition, Owner::Group(group)))
+    }));
+    facts
+}
+
+fn reactions(analysis: &Analysis, place: Unit) -> Vec<Fact> {
+    let schema = analysis.positions.schema();
+    let named = |owner| schema.named(owner).map(Text::from).unwrap_or_default();
+    let mut facts = Vec::new();
+    for (pair, links) in shown(&analysis.positions) {
+        let of_pair = |id: &'static str, column: Column, unit: Unit| {
+            let turn = farthest(analysis, column).filter(|turn| turn.value != 0.0)?;
+            let fact = Fact::number(id, turn.value, unit).of("pair", named(Owner::Pair(pair)));
+            Some(fact.at(&[turn.at], place).about(column))
+        };
+        for link in links {
+            let column = force(pair, link).part(Part::Modulus);
+            let fact = of_pair("fact-greatest-reaction", column, FORCE);
+            facts.extend(fact.map(|fact| fact.of("link", named(Owner::Link(link)))));
         }
-        let joint = &of_pair[0].joint;
-        let moments = &analysis.survey.greatest_moments;
-        let found = moments.iter().find(|(guide, (_, moment))| *guide == joint.id && *moment != 0.0);
-        if let Some((_, (number, moment))) = found {
-            let at = linkage.mechanism.input.coordinate(*number);
-            let fact = Fact::number("fact-greatest-moment", *moment, MOMENT);
-            facts.push(fact.of("pair", joint.into()).at(&[at], place));
-        }
+        let moment = Column::of(Quantity::Moment, Owner::Pair(pair));
+        facts.extend(of_pair("fact-greatest-moment", moment, MOMENT));
     }
     facts
 }
 
 fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
-    let input = &linkage.mechanism.input;
-    let greatest = analysis.survey.greatest_balancing.filter(|(_, load)| *load != 0.0);
-    let Some((number, greatest)) = greatest else { return Vec::new() };
-    let (id, mean_id, unit) = if analysis.input.balancing_is_moment {
-        ("fact-greatest-balancing-moment", "fact-mean-balancing-moment", MOMENT)
-    } else {
-        ("fact-greatest-balancing-force", "fact-mean-balancing-force", FORCE)
+    let Some(turn) = farthest(analysis, Column::BALANCING).filter(|turn| turn.value != 0.0) else {
+        return Vec::new();
     };
-    let mut facts = vec![Fact::number(id, greatest, unit).at(&[input.coordinate(number)], place)];
-    let table = &analysis.positions;
-    let found = table.schema().find(Column::BALANCING).filter(|_| linkage.mechanism.balance.is_none());
-    let Some(load) = found.filter(|_| analysis.dynamics.is_none()) else { return facts };
-    let loads: Vec<f64> = table.each(load).flatten().collect();
-    // Equal steps over a whole cycle; a part of a cycle has no mean of this kind. The mean moment of a regime is that of
-    // its works, which the positions give to the step of the positions only.
-    if input.is_cycle() && loads.len() == table.len() {
-        facts.push(Fact::number(mean_id, loads.iter().sum::<f64>() / loads.len() as f64, unit));
+    let (ids, unit) = if analysis.input.balancing_is_moment {
+        (
+            ["fact-greatest-balancing-moment", "fact-mean-balancing-moment", "fact-rms-balancing-moment"],
+            MOMENT,
+        )
+    } else {
+        (["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"], FORCE)
+    };
+    let greatest = Fact::number(ids[0], turn.value, unit).at(&[turn.at], place);
+    let mut facts = vec![greatest.about(Column::BALANCING)];
+    // The mean moment of a regime is that of its works.
+    let means = analysis.peaks.balancing.filter(|_| linkage.mechanism.balance.is_none());
+    let means = means.filter(|_| analysis.dynamics.is_none());
+    for (id, value) in ids[1..].iter().zip(means.into_iter().flatten()) {
+        facts.push(Fact::number(id, value, unit).about(Column::BALANCING));
     }
-    let speed = Column::of(Quantity::Velocity, Owner::Input);
-    let power = |row: usize| Some((row, table.at(row, load)? * table.get(row, speed)?));
-    let greatest =
-        (0..table.len()).filter_map(power).max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
-    facts.extend(greatest.map(|(row, power)| {
-        let at = input.coordinate(table.numbers()[row]);
-        Fact::number("fact-greatest-power", power, POWER).at(&[at], place)
-    }));
+    let power = analysis.peaks.power.filter(|_| means.is_some());
+    let power =
+        power.map(|turn| Fact::number("fact-greatest-power", turn.value, POWER).at(&[turn.at], place));
+    facts.extend(power.map(|fact| fact.about(Column::BALANCING)));
     facts
 }
 
@@ -129,7 +233,8 @@ fn lost(analysis: &Analysis) -> Vec<Fact> {
     [positions, motion].into_iter().flatten().collect()
 }
 
-fn checks(analysis: &Analysis) -> Option<Fact> {
+/// How many checks hold, or which of them fail; `None` before they are done.
+pub fn checks_fact(analysis: &Analysis) -> Option<Fact> {
     let checks = &analysis.checks;
     if checks.is_empty() {
         return None;

@@ -43,6 +43,12 @@ fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, Text> {
     leaf(within(document, steps)?, steps)
 }
 
+/// The bytes of the file that a table takes.
+pub(super) fn table(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::Range<usize>> {
+    let found = within(document, steps).ok()?;
+    matches!(found.get_ref(), DeValue::Table(_)).then(|| found.span())
+}
+
 fn within<'a, 'b>(document: &'a DeTable<'b>, steps: &[Step]) -> Result<&'a Spanned<DeValue<'b>>, Text> {
     let mut at = in_table(document, steps, 0)?;
     for depth in 1..steps.len() {

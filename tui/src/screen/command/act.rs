@@ -23,6 +23,7 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
         View::Forces => (found.map_or(0, |found| found.reactions.len()), |s| &mut s.chosen.reaction),
         View::Motion => (found.map_or(0, |found| found.motion.len()), |s| &mut s.chosen.motion),
         View::Checks => (found.map_or(0, |found| found.analysis.checks.len()), |s| &mut s.chosen.check),
+        View::Results => (found.map_or(0, |found| found.results.len()), |s| &mut s.chosen.result),
         View::Table => (of_scene(Scene::column_count), |s| &mut s.chosen.column),
         View::Values => (state.what_if.values.len(), |s| &mut s.what_if.chosen),
         _ => (of_scene(|scene| scene.transfers.len()), |s| &mut s.chosen.transfer),
@@ -45,31 +46,6 @@ pub(super) fn quantity(state: &mut State, by: isize) {
             state.picked.extend(next);
         }
         None => choose(state, View::Mechanism, by),
-    }
-}
-
-/// Goes to the greatest (1) value of the quantity that the view is about, or to its extreme on the other side (-1). A quantity
-/// whose sign is a sense has its greatest value where its modulus is greatest.
-pub(super) fn extreme(state: &mut State, sense: isize) {
-    let of_series = |series: &crate::screen::state::Series| {
-        let summary = series.summary()?;
-        let first = if assur_book::catalogue::sign_is_sense(series.column) {
-            summary.farthest
-        } else {
-            summary.greatest
-        };
-        let other = if first == summary.least { summary.greatest } else { summary.least };
-        let (told, extreme) =
-            if sense > 0 { ("say-extreme-greatest", first) } else { ("say-extreme-least", other) };
-        let at = extreme.number;
-        Some((at, text!(told, quantity = &series.of, value = series.show(at), position = number(at))))
-    };
-    match state.main_series().and_then(of_series) {
-        Some((at, text)) => {
-            state.go_to(at);
-            state.say(Role::Plain, text);
-        }
-        None => state.say(Role::Plain, text!("say-no-extreme")),
     }
 }
 
@@ -141,19 +117,24 @@ pub(super) fn causes(state: &mut State) {
     state.parts.insert(View::Forces, next);
 }
 
-/// The next registered force analyzer that supports the open scene.
+/// The registered force analyzer that supports the open scene and follows the one that is asked for; `None` where there is no
+/// other one.
 fn next_analyzer(state: &State) -> Option<String> {
     let scene = state.scene.as_ref()?;
     let plugins = assur_force::applicable(&scene.linkage).into_iter();
     let names: Vec<&str> =
         plugins.filter(|plugin| plugin.gives_reactions).map(|plugin| plugin.name).collect();
-    let now = names.iter().position(|name| state.found().is_some_and(|found| found.analyzer == *name));
-    names.get((now.unwrap_or(0) + 1) % names.len().max(1)).map(|name| (*name).to_owned())
+    // The results that are shown may be those of the one before.
+    let asked = state.options.analyzer.as_deref().or(state.found().map(|found| found.analyzer.as_str()));
+    let now = names.iter().position(|name| asked == Some(name)).unwrap_or(0);
+    let next = names.get((now + 1) % names.len().max(1));
+    next.filter(|next| asked != Some(**next)).map(|name| (*name).to_owned())
 }
 
 /// Calculates again with the next force analyzer.
 pub(super) fn analyzer(state: &mut State) {
-    state.options.analyzer = next_analyzer(state);
+    let Some(next) = next_analyzer(state) else { return state.say(Role::Plain, text!("say-one-analyzer")) };
+    state.options.analyzer = Some(next);
     if let Some(scene) = &mut state.scene {
         scene.other = None;
     }
@@ -165,8 +146,10 @@ pub(super) fn difference(state: &mut State) {
     if state.scene.as_mut().is_some_and(|scene| scene.other.take().is_some()) {
         return;
     }
-    let next = next_analyzer(state);
-    jobs::ask_difference(state, next);
+    match next_analyzer(state) {
+        Some(next) => jobs::ask_difference(state, Some(next)),
+        None => state.say(Role::Plain, text!("say-one-analyzer")),
+    }
 }
 
 /// The next theme.

@@ -79,3 +79,28 @@ pub(super) fn column(state: &State, wanted: &str) -> Option<usize> {
     };
     next(&|name| name == wanted).or_else(|| next(&|name| name.contains(wanted)))
 }
+
+/// Chooses the next row of the list of the view in which a text occurs; false if there is none.
+pub(super) fn row(state: &mut State, wanted: &str) -> bool {
+    let Some((scene, found)) = state.scene.as_ref().zip(state.found()) else { return false };
+    let (rows, chosen): (Vec<Text>, fn(&mut State) -> &mut usize) = match state.view {
+        View::Results => {
+            (found.results.iter().map(|(_, fact)| fact.what()).collect(), |state| &mut state.chosen.result)
+        }
+        View::Checks => {
+            let checks = found.analysis.checks.iter();
+            (checks.map(|check| check.name.clone()).collect(), |state| &mut state.chosen.check)
+        }
+        _ => {
+            let name = |group| scene.linkage.structure.group_name(&scene.linkage.mechanism, group);
+            let groups = 0..scene.linkage.structure.groups.len();
+            (groups.map(name).collect(), |state| &mut state.chosen.group)
+        }
+    };
+    let rows: Vec<String> = rows.into_iter().map(|row| state.told(row).to_lowercase()).collect();
+    let now = *chosen(state);
+    let mut after = (1..=rows.len()).map(|step| (now + step) % rows.len());
+    let next = after.find(|row| rows[*row].contains(wanted));
+    *chosen(state) = next.unwrap_or(now);
+    next.is_some()
+}

@@ -49,6 +49,26 @@ fn values_of(state: &State, word: &str) -> Option<Vec<String>> {
     takers(state).into_iter().find(|(known, _)| *known == word).map(|(_, values)| values)
 }
 
+/// Paths of scene files and folders that begin with what is typed of them; hidden ones are left out.
+fn files(typed: &str) -> Vec<String> {
+    let (folder, begun) = typed.rfind('/').map_or(("", typed), |at| typed.split_at(at + 1));
+    let place = if folder.is_empty() { "./".into() } else { write::home(folder) };
+    let entries = std::fs::read_dir(place).into_iter().flatten().flatten();
+    let path = |entry: std::fs::DirEntry| {
+        let name = entry
+            .file_name()
+            .into_string()
+            .ok()
+            .filter(|name| name.starts_with(begun) && !name.starts_with('.'))?;
+        let is_folder = entry.path().is_dir();
+        (is_folder || entry.path().extension().is_some_and(|ending| ending == "toml"))
+            .then(|| format!("{folder}{name}{}", if is_folder { "/" } else { "" }))
+    };
+    let mut paths: Vec<String> = entries.filter_map(path).collect();
+    paths.sort();
+    paths
+}
+
 /// Complete lines that the typed text may become.
 pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     let mut all: Vec<String> = state.commands.iter().map(|command| command.name.to_owned()).collect();
@@ -56,6 +76,13 @@ pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
         all.extend(values.iter().map(|value| format!("{word} {value}")));
     }
     all.retain(|line| line.starts_with(typed));
+    for word in ["open ", "compare "] {
+        let typed = typed.strip_prefix(word).map(str::trim_start);
+        let known = |line: &String| !all.contains(line);
+        let paths = typed.map(files).unwrap_or_default().into_iter().map(|path| format!("{word}{path}"));
+        let paths: Vec<String> = paths.filter(known).collect();
+        all.extend(paths);
+    }
     // Keys of values also match inside: their beginnings are hard to remember.
     if let Some(piece) = typed.strip_prefix("value ") {
         let keys = state.what_if.values.iter().map(|value| &value.key);
@@ -191,11 +218,23 @@ fn set(state: &mut State, rest: &str) {
     }
 }
 
-/// A number is a position; a word is searched for in the columns and quantities, from the present one on.
+/// Searches the last text again, from the present place on.
+pub(super) fn search_again(state: &mut State) {
+    let text = std::mem::take(&mut state.searched);
+    if text.is_empty() {
+        return state
+            .say(Role::Plain, text!("say-nothing-searched", key = words::name(state.keys.first("search"))));
+    }
+    search(state, &text);
+}
+
+/// A number is a position; a word is searched for in what the view lists, else in the columns and quantities, from the present one
+/// on.
 pub(crate) fn search(state: &mut State, text: &str) {
     if text.is_empty() {
         return;
     }
+    text.clone_into(&mut state.searched);
     if let Ok(position) = text.parse::<usize>() {
         return state.go_to(position);
     }
@@ -204,17 +243,20 @@ pub(crate) fn search(state: &mut State, text: &str) {
     }
     let wanted = text.to_lowercase();
     let found = match state.view {
-        View::Forces => find::reaction(state, &wanted),
-        View::Plans => find::plan(state, &wanted),
-        View::Working | View::Accuracy => report::find(state, &wanted),
-        _ => false,
+        View::Forces => Some(find::reaction(state, &wanted)),
+        View::Plans => Some(find::plan(state, &wanted)),
+        View::Working | View::Accuracy => Some(report::find(state, &wanted)),
+        View::Results | View::Checks | View::Structure => Some(find::row(state, &wanted)),
+        _ => None,
     };
-    if found {
+    let not_found = || text!("say-not-found", text = words::name(text.to_owned()));
+    if let Some(found) = found {
+        if !found {
+            state.say(Role::Bad, not_found());
+        }
         return;
     }
-    let Some(column) = find::column(state, &wanted) else {
-        return state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned())));
-    };
+    let Some(column) = find::column(state, &wanted) else { return state.say(Role::Bad, not_found()) };
     let Some(scene) = &state.scene else { return };
     let transfer = scene.transfers.iter().position(|transfer| transfer.orders.contains(&column));
     let short = scene.column(column).map(|series| series.short.clone());

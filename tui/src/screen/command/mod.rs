@@ -1,8 +1,10 @@
 //! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
+mod extreme;
 mod find;
 mod jobs;
+mod jump;
 mod line;
 mod modes;
 mod motors;
@@ -26,7 +28,7 @@ pub(crate) use whatif::toggle;
 pub(crate) use write::{PAGE, grant, picture};
 
 use super::state::{
-    Command, Entry, Group, Key, LONGEST, Prompt, PromptKind, Purpose, Role, State, View, round,
+    Command, Entry, Group, Key, LONGEST, Prompt, PromptKind, Purpose, Role, State, Stop, View, round,
 };
 use super::view;
 
@@ -39,8 +41,18 @@ pub(crate) fn start(state: &mut State) {
     }
 }
 
-/// Passes a key to what is open: a question, the `:` line, the help, a list, or else the view.
+/// Takes a key; a view that is left by it is remembered.
 pub(crate) fn press(state: &mut State, event: KeyEvent) {
+    let (before, count) = (Stop::of(state), state.trail.len());
+    pass(state, event);
+    let left = before.filter(|before| before.view != state.view && state.trail.len() == count);
+    if let Some(stop) = left {
+        state.leave(stop);
+    }
+}
+
+/// Passes a key to what is open: a question, the `:` line, the help, a list, or else the view.
+fn pass(state: &mut State, event: KeyEvent) {
     let key = Key::from(event);
     let meant = state.command(key);
     let everywhere =
@@ -189,6 +201,14 @@ fn press_in_line(state: &mut State, key: Key) {
         _ => {}
     }
     state.prompt = Some(prompt);
+}
+
+/// Inserts the first completion of the line that is open.
+fn complete_line(state: &mut State) {
+    if let Some(mut prompt) = state.prompt.take() {
+        complete(state, &mut prompt, 1);
+        state.prompt = Some(prompt);
+    }
 }
 
 /// Inserts the next or previous completion of the typed text.

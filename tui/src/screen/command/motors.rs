@@ -86,11 +86,11 @@ fn row(state: &State, candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
     let reserve = torque.zip(load).filter(|(_, load)| *load > 0.0);
     let reserve = or_dash(reserve.map(|(torque, load)| torque * candidate.ratio / load));
     let text = format!(
-        "{:<21} {:<12}{:>7}{:>7.0}{:>8}{:>8}{:>8}",
+        "{:<21} {:<12} {:>6} {:>9} {:>7} {:>7} {:>7}",
         motor.designation,
         motor.catalogue,
         told(motor.rated_power / 1e3),
-        rpm(motor.rated_speed),
+        format!("{:.0}/{:.0}", rpm(motor.synchronous_speed), rpm(motor.rated_speed)),
         told(candidate.ratio),
         reserve,
         or_dash(motor.mass),
@@ -100,10 +100,18 @@ fn row(state: &State, candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
 
 /// Takes a motor into the scene as a change that can be undone.
 pub(super) fn take(state: &mut State, designation: &str) {
-    if let Some(index) = state.what_if.values.iter().position(|value| value.key == KEY) {
-        whatif::put(state, index, edit::quoted(designation));
-    } else {
-        let motor = name(designation.to_owned());
-        state.say(Role::Bad, text!("say-motor-by-data", key = name(KEY), motor = motor));
+    let (motor, key) = (name(designation.to_owned()), name(KEY));
+    let known = state.what_if.values.iter().position(|value| value.key == KEY);
+    // Data of a motor of the scene's own are replaced as a whole.
+    let index = known.or_else(|| state.what_if.add_table(KEY));
+    match index {
+        Some(index) => {
+            whatif::put(state, index, edit::quoted(designation));
+            if known.is_none() {
+                let undo = name(state.keys.first("undo"));
+                state.say(Role::Good, text!("say-motor-replaced", motor = motor, undo = undo));
+            }
+        }
+        None => state.say(Role::Bad, text!("say-motor-by-data", key = key, motor = motor)),
     }
 }

@@ -5,7 +5,9 @@ use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
 use super::{motors, whatif};
-use crate::screen::state::{Choice, Job, Key, Picker, PickerKind, Source, State, View, Wanted, Wish};
+use crate::screen::state::{
+    Choice, Job, Key, Picker, PickerKind, PromptKind, Source, State, View, Wanted, Wish,
+};
 
 /// Rows by which a page key moves.
 const PAGE: isize = 10;
@@ -48,6 +50,12 @@ pub(super) fn press(state: &mut State, key: Key) {
         KeyCode::Tab if picker.kind == PickerKind::Quantities => {
             picker.mark();
             picker.step(1);
+        }
+        // A file of the user is completed on the line.
+        KeyCode::Tab if picker.kind == PickerKind::Scenes => {
+            let typed = format!("open {}", &*picker.filter.text);
+            state.open_prompt(PromptKind::Command, typed);
+            super::complete_line(state);
         }
         KeyCode::Enter => take(state),
         _ => {

@@ -45,11 +45,14 @@ pub(super) fn page(state: &mut State, sense: isize) {
     scroll(state, sense * (page - 1).max(1));
 }
 
-/// Scrolls to the next line that contains a text; false if there is none.
+/// Scrolls to the next line that begins with a text, as a heading does, or if none does, that contains it; false if there is none.
 pub(super) fn find(state: &mut State, wanted: &str) -> bool {
     let lines = view::lines(state, state.view, view::width(state));
     let now = *state.line();
-    let fits = |index: &usize| lines[*index].to_lowercase().contains(wanted);
+    let line = |index: usize| lines[index].to_lowercase();
+    let begins = |index: usize| line(index).trim_start_matches(['=', ' ']).starts_with(wanted);
+    let is_heading = (0..lines.len()).any(begins);
+    let fits = |index: &usize| if is_heading { begins(*index) } else { line(*index).contains(wanted) };
     let found = (1..=lines.len()).map(|step| (now + step) % lines.len()).find(fits);
     if let Some(found) = found {
         *state.line() = found;

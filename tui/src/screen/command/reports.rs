@@ -5,8 +5,8 @@ use assur_words::{self as words, Text, number, text};
 
 use super::{jobs, whatif};
 use crate::screen::state::{
-    Chosen, Compared, Found, Outcome, OutputFile, Purpose, Report, Role, Scene, State, View, Wanted, Wish,
-    Zoom,
+    Chosen, Compared, Found, Outcome, OutputFile, Purpose, Report, Role, Scene, State, Stop, View, Wanted,
+    Wish, Zoom,
 };
 
 /// Takes a report of the worker; returns whether the frame may differ.
@@ -14,7 +14,10 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
     match report {
         Report::Read(Wanted::Change(change), scene) => return whatif::take(state, &change, scene),
         Report::Read(Wanted::Preview(index), preview) => drop(state.previews.insert(index, preview)),
-        Report::Read(_, Err(text)) => state.fault = Some((text!("say-read-fault"), text)),
+        Report::Read(_, Err(text)) => {
+            state.going_back = None;
+            state.fault = Some((text!("say-read-fault"), text));
+        }
         Report::Read(Wanted::Open(_), Ok(scene)) => open(state, *scene),
         Report::Read(Wanted::Compare(_), Ok(scene)) => take_compared(state, scene),
         Report::Noted(path, Ok(note)) => {
@@ -92,7 +95,12 @@ fn take_compared(state: &mut State, other: Box<Scene>) {
 /// Shows a scene: a new one from its first position, a reread one at the position shown before.
 fn open(state: &mut State, scene: Scene) {
     let again = state.scene.as_ref().is_some_and(|old| old.session.source == scene.session.source);
+    let back = state.going_back.take().filter(|stop| stop.source == scene.session.source);
     if !again {
+        let left = Stop::of(state).filter(|_| back.is_none());
+        if let Some(stop) = left {
+            state.leave(stop);
+        }
         state.position = scene.first_position();
         state.chosen = Chosen::default();
         state.zoom = Zoom::WHOLE;
@@ -115,4 +123,7 @@ fn open(state: &mut State, scene: Scene) {
     state.fault = None;
     whatif::reloaded(state, &scene, again);
     jobs::exchange(state, scene);
+    if let Some(stop) = back {
+        stop.restore(state);
+    }
 }

@@ -1,12 +1,12 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
-use super::{act, modes, picker, probe, report, whatif, write};
+use super::{act, extreme, jump, line, modes, picker, probe, report, whatif, write};
 use crate::screen::state::{Command, Group, Help, PromptKind, State, View, Wish, Zoom, next_kind};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
 use View::{
-    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Probe, Structure, Table, Values,
-    Working,
+    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Probe, Results, Structure, Table,
+    Values, Working,
 };
 
 const SCENE: &[View] = &View::TABS;
@@ -15,6 +15,9 @@ const DRAWN: &[View] = &[Mechanism, Structure];
 const QUANTITY: &[View] = &[Mechanism, Curves];
 const PARTS: &[View] = &[Forces, Plans, Motion, Drive];
 const VALUED: &[View] = &[Mechanism, Curves, Forces, Motion, Table];
+/// In the mechanism this key is that of the point that is moved.
+const MATCHES: &[View] =
+    &[Results, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table, Working, Values];
 const TEXTS: &[View] = &[Accuracy, Working];
 const LINES: &[View] = &[Accuracy, Working, Drive];
 
@@ -41,10 +44,11 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-play", Move, "Space", SCENE, |s| s.playing = !s.playing),
     command("do-faster", Move, ".", SCENE, |s| act::pace(s, 1)),
     command("do-slower", Move, ",", SCENE, |s| act::pace(s, -1)),
-    command("do-greatest", Move, "g", VALUED, |s| act::extreme(s, 1)),
-    command("do-least", Move, "G", VALUED, |s| act::extreme(s, -1)),
+    command("do-greatest", Move, "g", VALUED, extreme::greatest),
+    command("do-next-extreme", Move, "G", VALUED, extreme::next_extreme),
     command("do-next-row", Move, "Down j", &[Table], |s| act::row(s, 1)),
     command("do-previous-row", Move, "Up k", &[Table], |s| act::row(s, -1)),
+    command("do-go-back", Move, "C-o", &[], jump::go_back),
     command("do-pick", Choose, "p", SCENE, picker::pick),
     command("do-next-item", Choose, "Down j", QUANTITY, |s| act::quantity(s, 1)),
     command("do-previous-item", Choose, "Up k", QUANTITY, |s| act::quantity(s, -1)),
@@ -74,6 +78,9 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-previous-motion", Choose, "Up k", &[Motion], |s| report::motion(s, -1)),
     command("do-next-check", Choose, "Down j", &[Checks], |s| act::choose(s, Checks, 1)),
     command("do-previous-check", Choose, "Up k", &[Checks], |s| act::choose(s, Checks, -1)),
+    command("do-next-result", Choose, "Down j", &[Results], |s| act::choose(s, Results, 1)),
+    command("do-previous-result", Choose, "Up k", &[Results], |s| act::choose(s, Results, -1)),
+    command("do-result", Choose, "Enter", &[Results], jump::result),
     command("do-worst", Choose, "Enter", &[Checks], act::worst),
     command("do-measure", Choose, "b Enter", &[Accuracy], report::measure),
     command("do-next-line", Choose, "Down j", LINES, |s| report::scroll(s, 1)),
@@ -94,6 +101,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-exact-value", Change, "Enter", &[Values], whatif::exact),
     command("do-undo", Change, "u", SCENE, whatif::undo),
     command("do-save", Change, "S", SCENE, whatif::save),
+    command("do-results", Views, "R", SCENE, |s| s.view = Results),
     command("do-mechanism", Views, "1", SCENE, |s| s.view = Mechanism),
     command("do-curves", Views, "2", SCENE, |s| s.view = Curves),
     command("do-forces", Views, "3", SCENE, |s| s.view = Forces),
@@ -123,6 +131,7 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-help", Program, "?", &[], |s| s.help = Some(Help::default())),
     command("do-command", Program, ":", &[], |s| s.open_prompt(PromptKind::Command, "")),
     command("do-search", Program, "/", SCENE, |s| s.open_prompt(PromptKind::Search, "")),
+    command("do-next-match", Program, "n", MATCHES, line::search_again),
     command("do-note", Program, "N", SCENE, write::note),
     command("do-keep", Program, "", &[], |s| s.wishes.push(Wish::Keep)),
     command("do-reload", Program, "r", SCENE, act::reload),

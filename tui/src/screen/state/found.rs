@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use assur_analysis::results::{Analysis, Checks, Column, Edges, Owner, Part, Quantity, Table};
 use assur_analysis::{AnalysisError, Options, Watch};
-use assur_book::Course;
+use assur_book::{Course, Fact};
 use assur_mechanism::PointId;
+use assur_report::topic::{self, About};
 
 use super::gather::{Gather, RATES, Reaction};
 use super::plans::Planner;
@@ -22,6 +23,8 @@ pub(crate) struct Found {
     pub(crate) analysis: Analysis,
     /// What lies between and after the positions, through which the curves lead.
     pub(crate) edges: Edges,
+    /// What is asked for first, each with what it is about; without the checks until they are done.
+    pub(crate) results: Vec<(About, Fact)>,
     /// What there was just before the samples at which the motion comes to rest.
     pub(crate) stops: Table,
     /// What is missing, or not proved.
@@ -50,9 +53,13 @@ impl Found {
         watch: &mut Watch<'_>,
     ) -> Result<Self, AnalysisError> {
         let calculation = session.calculation(options, watch)?;
-        let analysis = calculation.analyze(watch)?;
+        let mut analysis = calculation.analyze(watch)?;
         let analyzer = calculation.analyzer.map_or("", |plugin| plugin.name).to_owned();
         let edges = calculation.edges(&analysis.positions);
+        analysis.peaks = assur_book::peaks(&calculation, &analysis.positions, &edges);
+        let mut results = topic::results(&analysis, &calculation.linkage);
+        // The view of the structure has it.
+        results.retain(|(_, fact)| fact.id != "fact-formula");
         let stops = calculation.stops();
         // The whole mechanism is checked and has plans, whatever results the scene requests.
         let whole = if calculation.plan.all {
@@ -69,12 +76,25 @@ impl Found {
         let series = gather.series;
         let fastest = fastest(&analysis.positions);
         let verdict = Verdict::of(&analysis, plans.calculation(), None);
-        Ok(Self { analyzer, analysis, edges, stops, verdict, series, reactions, plans, fastest, motion })
+        Ok(Self {
+            analyzer,
+            analysis,
+            edges,
+            results,
+            stops,
+            verdict,
+            series,
+            reactions,
+            plans,
+            fastest,
+            motion,
+        })
     }
 
     /// Adds the checks, and the residuals as series.
     pub(crate) fn take_checks(&mut self, checks: Checks) {
         self.analysis.add_checks(checks);
+        self.results.extend(topic::checks_fact(&self.analysis).map(|fact| (About::Checks, fact)));
         self.verdict = Verdict::of(&self.analysis, self.plans.calculation(), None);
         let table = &self.analysis.positions;
         let mut gather = Gather { table, edges: &self.edges, series: std::mem::take(&mut self.series) };

@@ -32,6 +32,8 @@ pub(crate) enum View {
     Structure,
     Table,
     Working,
+    /// The results that are asked for first.
+    Results,
     /// The list of the scene's numbers below any other view.
     #[strum(serialize = "what-if")]
     Values,
@@ -39,15 +41,18 @@ pub(crate) enum View {
     Probe,
 }
 
-use View::{Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Structure, Table, Working};
+use View::{
+    Accuracy, Checks, Curves, Drive, Forces, Mechanism, Motion, Plans, Results, Structure, Table, Working,
+};
 
 impl View {
     /// Every view that has a tab, in the order of the tabs.
-    pub(crate) const TABS: [Self; 11] =
-        [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table, Working];
+    pub(crate) const TABS: [Self; 12] = [
+        Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Accuracy, Structure, Table, Working,
+    ];
     /// The views in which Home, End and the page keys change the position.
-    pub(crate) const WITHOUT_PAGES: [Self; 9] =
-        [Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
+    pub(crate) const WITHOUT_PAGES: [Self; 10] =
+        [Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 
     /// The command that goes to it.
     pub(crate) fn command(self) -> &'static str {
@@ -68,6 +73,7 @@ impl View {
             Structure => "view-structure",
             Table => "view-table",
             Working => "view-working",
+            Results => "view-results",
             Self::Values => "view-what-if",
             Self::Probe => "view-probe",
         })
@@ -197,6 +203,8 @@ pub(crate) struct Chosen {
     /// Index in the reactions found.
     pub(crate) reaction: usize,
     pub(crate) check: usize,
+    /// Row of the results that are asked for first.
+    pub(crate) result: usize,
     /// Group whose force polygon is drawn; the last is the input link.
     pub(crate) polygon: usize,
     /// First vector in the list of a plan of velocities or accelerations.

@@ -15,6 +15,7 @@ mod probe;
 mod scene;
 mod series;
 mod shown;
+mod stop;
 mod theme;
 mod transfer;
 mod whatif;
@@ -23,6 +24,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use assur_analysis::Options;
+use assur_analysis::results::Column;
 use assur_figure::Figure;
 use assur_words::{Language, Text, number, text};
 use ratatui::layout::Rect;
@@ -44,6 +46,7 @@ pub(crate) use plans::Plans;
 pub(crate) use probe::Probe;
 pub(crate) use scene::{Compared, Scene};
 pub(crate) use series::Series;
+pub(crate) use stop::Stop;
 pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};
@@ -98,6 +101,14 @@ pub(crate) struct State {
     pub(crate) traces: Traces,
     /// The part of each view that is shown; the first one where there is none.
     pub(crate) parts: BTreeMap<View, Part>,
+    /// Where the user was before, the last place at the end.
+    pub(crate) trail: Vec<Stop>,
+    /// The place in another scene to which the user goes back as soon as that scene is read.
+    pub(crate) going_back: Option<Stop>,
+    /// The last text that was searched.
+    pub(crate) searched: String,
+    /// The extreme that was shown last: its quantity, the position that is near, and its place on the curve.
+    pub(crate) extreme: Option<(Column, usize, f64)>,
     /// Requested force analyzer and integrator.
     pub(crate) options: Options,
     /// A second scene for comparison.
@@ -157,7 +168,8 @@ impl State {
 
     /// A text in the language of the screen.
     pub(crate) fn told(&self, text: impl Into<Text>) -> String {
-        text.into().render(self.language())
+        let told = text.into().render(self.language());
+        if self.look.ascii { assur_report::latin(&told).into_owned() } else { told }
     }
 
     /// Whether figures are shown as pictures now: not below a list or a text that is open.
@@ -252,6 +264,17 @@ impl State {
         } else {
             self.say(Role::Bad, text!("say-no-position", position = number(position), last = number(last)));
         }
+    }
+
+    /// The position nearest to a coordinate, rad or m.
+    pub(crate) fn nearest(&self, at: f64) -> usize {
+        let Some(scene) = &self.scene else { return 0 };
+        let input = &scene.linkage.mechanism.input;
+        let end = self.positions() - usize::from(!scene.is_cycle());
+        let distance = |number: &usize| (input.coordinate(*number) - at).abs();
+        let near = (0..=end).min_by(|one, other| distance(one).total_cmp(&distance(other)));
+        // The end of a cycle is its first position again.
+        near.unwrap_or(0) % self.positions()
     }
 
     /// The mode of a group that is looked at, by its index; only in the first position.

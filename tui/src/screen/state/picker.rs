@@ -23,6 +23,10 @@ impl Filter {
     pub(crate) fn press(&mut self, key: Key) -> bool {
         match key.code {
             KeyCode::Backspace => return self.text.pop().is_some(),
+            KeyCode::Char('u') if key.control => {
+                self.text.clear();
+                return true;
+            }
             KeyCode::Char('/') if !self.typing => self.typing = true,
             KeyCode::Char(letter) if !key.control => {
                 self.typing = true;
@@ -87,11 +91,22 @@ impl Picker {
         if self.filter.text.trim().is_empty() {
             return self.rows.iter().collect();
         }
-        let texts: Vec<&str> = self.rows.iter().map(|row| row.text.as_str()).collect();
+        let typed = self.filter.text.split_whitespace();
+        let (numbers, words): (Vec<&str>, Vec<&str>) = typed.partition(|word| is_number(word));
+        // Digits that stand apart are no number: 1500 is a field of its own.
+        let has_numbers = |choice: &&Choice| {
+            let fields: Vec<&str> = choice.text.split([' ', '/']).collect();
+            numbers.iter().all(|number| fields.iter().any(|field| same_number(field, number)))
+        };
+        let rows: Vec<&Choice> = self.rows.iter().filter(has_numbers).collect();
+        let texts: Vec<&str> = rows.iter().map(|row| row.text.as_str()).collect();
         let config = Config::default().casing(CaseMatching::Ignore);
-        let found = Matcher::from_query(&self.filter.text, &config).match_list(&texts);
-        let found = found.iter().filter_map(|found| self.rows.get(usize::try_from(found.index).ok()?));
-        let mut found: Vec<&Choice> = found.collect();
+        let mut found = if words.is_empty() {
+            rows
+        } else {
+            let found = Matcher::from_query(&words.join(" "), &config).match_list(&texts);
+            found.iter().filter_map(|found| rows.get(usize::try_from(found.index).ok()?).copied()).collect()
+        };
         let is_word = |typed: &str, text: &str| {
             text.split(|letter: char| !letter.is_alphanumeric()).any(|word| word.eq_ignore_ascii_case(typed))
         };
@@ -129,4 +144,16 @@ impl Picker {
             self.marked.clone()
         }
     }
+}
+
+/// Whether a typed word is a number, with a point or a comma.
+fn is_number(word: &str) -> bool {
+    word.starts_with(|letter: char| letter.is_ascii_digit())
+        && word.chars().all(|letter| letter.is_ascii_digit() || ".,".contains(letter))
+}
+
+/// Whether a field is the number that is typed, however many zeros follow.
+fn same_number(field: &str, typed: &str) -> bool {
+    let value = |text: &str| text.replace(',', ".").parse::<f64>().ok();
+    value(field).zip(value(typed)).is_some_and(|(field, typed)| field.total_cmp(&typed).is_eq())
 }

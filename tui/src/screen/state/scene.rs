@@ -167,7 +167,13 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     let place = text!("position-at", position = number(index), at = at);
     let gap = quantity(format_args!("{:.4}", 1e3 * gap_m), "mm");
     let group = linkage.structure.group_name(&linkage.mechanism, error.group);
-    text!("say-misses", gap = gap, place = place, group = group)
+    match linkage.range.filter(|range| !range.full) {
+        Some(range) => {
+            let [from, to] = [range.low, range.high].map(|end| quantity(plain(factor * end), unit));
+            text!("say-misses-beyond", gap = gap, place = place, group = group, from = from, to = to)
+        }
+        None => text!("say-misses", gap = gap, place = place, group = group),
+    }
 }
 
 impl Scene {

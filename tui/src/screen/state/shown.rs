@@ -12,7 +12,7 @@ impl State {
         let found = self.found();
         match view {
             View::Forces => found.is_some_and(|found| !found.reactions.is_empty()),
-            View::Plans => found.is_some(),
+            View::Plans | View::Results => found.is_some(),
             View::Motion => {
                 found.is_some_and(|found| !found.motion.is_empty() || !found.analysis.trajectory.is_empty())
             }

@@ -1,6 +1,7 @@
 //! What-if changes: numbers of the open scene are changed in its text, which is then read like a file.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 use assur_scene::edit::{Document, SceneValue, bare, decimal, quoted, replaced};
@@ -161,13 +162,25 @@ impl WhatIf {
         self.saved.clone_from(&self.wanted);
     }
 
+    /// Adds a table that stands in one line of the scene to the values, so that it can be replaced as a whole; its number.
+    pub(crate) fn add_table(&mut self, key: &str) -> Option<usize> {
+        let value = Document::of(&self.text).table(key)?;
+        self.values.push(value);
+        Some(self.values.len() - 1)
+    }
+
     /// The text with the requested changes; comments, order and spelling are those of the file.
     pub(crate) fn changed_text(&self) -> String {
         let span = |index: &usize| self.values.get(*index).map(|value| &value.span);
-        replaced(
-            &self.text,
-            self.wanted.iter().filter_map(|(index, toml)| Some((span(index)?, toml.as_str()))),
-        )
+        let wanted = self.wanted.iter().filter_map(|(index, toml)| Some((span(index)?, toml.as_str())));
+        // What stands within a table that is replaced goes with it.
+        let within = |inner: &Range<usize>| {
+            let outer = self.wanted.keys().filter_map(span);
+            outer
+                .into_iter()
+                .any(|outer| outer != inner && outer.start <= inner.start && inner.end <= outer.end)
+        };
+        replaced(&self.text, wanted.filter(|(span, _)| !within(span)))
     }
 
     /// Changes a value; returns whether it differs from the one before.

@@ -10,7 +10,7 @@ use super::causes::{self, curves};
 use super::curves::together;
 use super::page;
 use crate::screen::draw::{paint, put, short};
-use crate::screen::state::{Found, Part, Reaction, Role, Scene, Series, State, View};
+use crate::screen::state::{Found, Part, Purpose, Reaction, Role, Scene, Series, State, View};
 
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
@@ -22,7 +22,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let Some(found) = &scene.found else { return };
     let theme = state.look.theme;
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
-    put(buffer, title, 1, 0, &state.told(heading(scene, found)), theme.style(Role::Header));
+    put(buffer, title, 1, 0, &state.told(heading(state, scene, found)), theme.style(Role::Header));
     match state.part(View::Forces) {
         Part::Overview => {
             let rows = short(found.reactions.len()) + 2;
@@ -50,7 +50,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
         Part::Curves if scene.other.is_none() && state.compared.is_none() => {
             let all = chosen(state, found).map_or(&[][..], |reaction| &reaction.series);
             let all: Vec<&Series> = all.iter().map(|index| &found.series[*index]).collect();
-            return Figure { title: heading(scene, found), ..together(state, scene, &all) };
+            return Figure { title: heading(state, scene, found), ..together(state, scene, &all) };
         }
         Part::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
         Part::Hodograph => (hodograph(state, found).into_iter().collect(), 1),
@@ -62,18 +62,21 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
         }
     };
     let name = chosen(state, found).map(|reaction| reaction.name.clone()).unwrap_or_default();
-    Figure { title: list([name, heading(scene, found)]), panels, columns, legend: Vec::new() }
+    Figure { title: list([name, heading(state, scene, found)]), panels, columns, legend: Vec::new() }
 }
 
-fn heading(scene: &Scene, found: &Found) -> Text {
+fn heading(state: &State, scene: &Scene, found: &Found) -> Text {
     let own = name(found.analyzer.clone());
+    let calculating = state.running.iter().any(|running| running.purpose == Purpose::Difference);
     match &scene.other {
-        Some(other) => {
+        // One method has no difference to itself.
+        Some(other) if other.analyzer != found.analyzer => {
             let difference = format!("{:.1e}", largest_difference(scene, found, other));
             let (theirs, difference) = (name(other.analyzer.clone()), quantity(difference, "N"));
             text!("forces-two-analyzers", one = own, other = theirs, difference = difference)
         }
-        None => text!("forces-analyzer", method = own),
+        _ if calculating => text!("forces-calculating", method = own),
+        _ => text!("forces-analyzer", method = own),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The first two rows: scene and position, and the views.
 
-use assur_words::{number, quantity, text};
+use assur_words::{Text, name, number, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
@@ -24,10 +24,19 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let (role, text) = match changed(state, room) {
         Some(text) if state.what_if.refused() => (Role::Bad, text),
         Some(text) => (Role::Header, text),
-        None => (Role::Plain, scene.linkage.mechanism.title.clone()),
+        None => (Role::Plain, state.told(title(state, scene))),
     };
     put(buffer, area, column, 0, &text, state.look.theme.style(role));
     draw_tabs(state, area, buffer);
+}
+
+/// The title of the scene, and the name of the second one.
+fn title(state: &State, scene: &Scene) -> Text {
+    let own = || name(scene.session.source.short_name());
+    match state.compared.as_ref().filter(|compared| !compared.before) {
+        Some(compared) => text!("header-compared", own = own(), other = &compared.name),
+        None => name(scene.linkage.mechanism.title.clone()),
+    }
 }
 
 /// `* link.crank.points.A 100 mm -> 101 mm`: the last change, the number of other changes, and whether they are valid.

@@ -65,6 +65,10 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     let wanted = help.filter.text.to_lowercase();
     let mut rows = Vec::new();
+    let languages = state.told(text!("help-language"));
+    if languages.to_lowercase().contains(&wanted) {
+        rows.push(vec![(0, Role::Plain, languages)]);
+    }
     for (group, id) in Group::ALL {
         let of_group = state.commands.iter().filter(|command| command.group == group);
         let commands: Vec<Pieces> = of_group.flat_map(|command| rows_of(state, command, &wanted)).collect();

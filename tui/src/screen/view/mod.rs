@@ -23,6 +23,7 @@ pub(crate) mod plots;
 mod reduction;
 mod regime;
 pub(crate) mod report;
+mod results;
 mod structure;
 mod table;
 pub(crate) mod values;
@@ -142,7 +143,9 @@ pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
         View::Drive => drive::figure(state, scene, 1),
         View::Structure => structure::figure(state, scene),
         View::Accuracy => assur_study::chart::figure(state.measured.as_ref()?.chart.as_ref().ok()?),
-        View::Checks | View::Table | View::Working | View::Values | View::Probe => return None,
+        View::Checks | View::Table | View::Working | View::Values | View::Probe | View::Results => {
+            return None;
+        }
     };
     Some(figure).filter(|figure| !figure.panels.is_empty())
 }
@@ -164,6 +167,7 @@ pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buff
         View::Accuracy | View::Working => report::draw(state, view, area, buffer),
         View::Structure => structure::draw(state, scene, area, buffer),
         View::Table => table::draw(state, scene, area, buffer),
+        View::Results => results::draw(state, scene, area, buffer),
         View::Values | View::Probe => {}
     }
 }

@@ -1,11 +1,14 @@
 //! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
-use assur_book::Course;
+use assur_book::{Course, Node};
 use assur_figure::{Axis, Bounds, Cursor, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
 use assur_words::{Text, joined, name, number, text, unit};
 
 use crate::number::digits;
 use crate::screen::state::{Scene, Series, State, coordinate_unit};
+
+/// Positions that are marked on a curve at most; more of them would hide it.
+const MARKED: usize = 24;
 
 /// Strokes and inks of several curves, told apart without color.
 const STYLES: [(Stroke, Ink); 3] =
@@ -29,10 +32,22 @@ pub(crate) fn over_positions(
     signs: Vec<Item>,
 ) -> Panel {
     let (_, coordinate) = coordinate_unit(&scene.linkage);
+    let at_positions = |series: &Series| {
+        let place = |node: &Node| [coordinate * node.at, series.factor * node.value];
+        series.course.nodes().iter().map(place).collect::<Vec<Point>>()
+    };
     let line = |(series, stroke, ink): &(&Series, Stroke, Ink)| {
-        Item::line(series.course.points([coordinate, series.factor]), *stroke, *ink)
+        // Each star is a position.
+        let points = match stroke {
+            Stroke::Stars => at_positions(series),
+            _ => series.course.points([coordinate, series.factor]),
+        };
+        Item::line(points, *stroke, *ink)
     };
     let mut items: Vec<Item> = curves.iter().map(line).collect();
+    let marked =
+        curves.first().filter(|_| scene.positions() <= MARKED).map(|(series, ..)| at_positions(series));
+    items.extend(marked.into_iter().flatten().map(|at| Item::sign(at, Sign::Node, Ink::Title)));
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
     let (floor, unit) = curves.first().map_or((0.0, Text::default()), |(series, ..)| {
         (series.factor * series.floor, unit(series.unit.clone()))

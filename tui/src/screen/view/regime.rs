@@ -4,7 +4,7 @@
 use assur_analysis::results::{
     Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
 };
-use assur_book::{Course, Node, Step};
+use assur_book::{Course, Step};
 use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
@@ -49,8 +49,8 @@ pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &Regi
     let drive = |sign: f64| over(regime, |row| Some(sign * sense * row.drive));
     let load = |sign: f64| {
         let factor = sign * sense;
-        let step = |step: &Step| Step { at: step.at, values: step.values.map(|value| factor * value) };
-        over(regime, |row| Some(factor * row.load)).with_steps(jumps.steps().iter().map(step))
+        let step = |step: Step| step.values.map(|value| [step.at, factor * value]);
+        over(regime, |row| Some(factor * row.load)).with_between(jumps.steps().flat_map(step).collect())
     };
     let mean = |sign: f64| (text!("regime-mean"), over(regime, |_| Some(sign * regime.mean_resistance)));
     let against = || text!("regime-against", load = text!("regime-resistance"));
@@ -168,23 +168,21 @@ pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
 pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Panel {
-    let (positions, ending) = (&found.analysis.positions, &found.edges.ending);
+    let positions = &found.analysis.positions;
     let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
     let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
     // The sum of flywheel, rotor and the first `count` links in a row.
     let level = |table: &Table, row: usize, count: usize| {
         let share = |owner: &Owner| table.get(row, Column::of(Quantity::ReducedInertia, *owner));
         let sum = links[..count].iter().map(share).sum::<Option<f64>>()?;
-        let at = table.get(row, Column::COORDINATE)?;
-        let value = dynamics.regime.shaft_inertia + sum;
-        Some(Node { number: table.numbers()[row], at, value })
+        Some(dynamics.regime.shaft_inertia + sum)
     };
     let (_, factor) = coordinate_unit(&scene.linkage);
     let mut items = Vec::new();
     for count in 0..=links.len() {
-        let nodes = (0..positions.len()).filter_map(|row| level(positions, row, count));
-        let end = if ending.is_empty() { None } else { level(ending, 0, count) };
-        let points = Course::from_nodes(nodes, end).points([factor, 1.0]);
+        let value = |table: &Table, row: usize| level(table, row, count);
+        let course = Course::read(positions, Some(&found.edges), Column::COORDINATE, value);
+        let points = course.points([factor, 1.0]);
         let stroke = if count == links.len() { Stroke::Solid } else { Stroke::Dashed };
         let at = points.get((2 * count + 1) * points.len() / (2 * (links.len() + 1))).copied();
         items.push(Item::line(points, stroke, Ink::Link(count + 1)));
