@@ -131,7 +131,9 @@ impl<'a> Walk<'a> {
             walk.advance(input.from + length * f64::from(step) / f64::from(SAMPLES));
         }
         let end = walk.now.1.take().unwrap_or_default();
-        end.iter().for_each(|(number, _)| walk.end(*number, CourseEnd::Cycle));
+        for (number, _) in &end {
+            walk.end(*number, CourseEnd::Cycle);
+        }
         let is_same =
             |one: &Mode<f64>, other: &Mode<f64>| walk.apart(one, other) < TOGETHER && one.way == other.way;
         let closing = |(number, mode): &(usize, Mode<f64>)| {
@@ -339,7 +341,9 @@ impl Courses {
             };
             closed.iter().copied().for_each(&mut join);
             if is_circuit {
-                met.iter().for_each(|(_, pair)| join(*pair));
+                for (_, pair) in met {
+                    join(*pair);
+                }
                 for (number, course) in courses.iter().enumerate() {
                     for end in course.ends {
                         if let CourseEnd::With(other) = end {
