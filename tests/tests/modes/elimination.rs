@@ -200,7 +200,7 @@ fn sturm(p: &[Dd]) -> Vec<Vec<Dd>> {
         while rest.len() >= by.len() {
             let shift = rest.len() - by.len();
             let factor = rest[rest.len() - 1] / by[by.len() - 1];
-            by.iter().enumerate().for_each(|(k, c)| rest[k + shift] = rest[k + shift] - factor * *c);
+            by.iter().enumerate().for_each(|(k, c)| rest[k + shift] -= factor * *c);
             rest.pop();
         }
         all.push(normal(rest.into_iter().map(|c| -c).collect()));
