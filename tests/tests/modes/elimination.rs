@@ -1,7 +1,7 @@
 //! All modes of a plate on three legs by elimination, in 32 digits, independently of the program's formulas: the closure as a
 //! polynomial in t = tan(φ/2), its real roots counted by Sturm's theorem and found by halving.
 //!
-//! Polynomials in the angle are sums of `c_k z^k` with `z = exp(iφ)`, so that their degree is no greater than it must be.
+//! Polynomials in the angle are sums of `c_k z^k` with z = exp(iφ), so that their degree is no greater than it must be.
 
 use assur_group::plane::{cross, direction, dot, minus, mirrored, perp, plus, scaled, times, vector};
 use assur_group::{Body, GroupFrame, Pair, PairGeometry};
@@ -59,7 +59,7 @@ impl Joint {
     }
 
     /// With the body in the frame of the ground.
-    fn grounded(self, outer: &Body<f64>) -> Self {
+    fn on_ground(self, outer: &Body<f64>) -> Self {
         let at = pose(outer);
         match self {
             Self::Pin { leg, body } => Self::Pin { leg, body: at.point(body) },
@@ -104,7 +104,7 @@ impl Leg {
     }
 }
 
-/// A function of the angle: `Σ c_k z^k`, `k = -n` to `n`, as complex numbers.
+/// A function of the angle: `Σ c_k z^k`, k = -n to n, as complex numbers.
 #[derive(Clone)]
 struct Trig(Vec<V>);
 
@@ -361,7 +361,7 @@ pub(crate) fn poses(frame: &GroupFrame, bodies: &[Body<f64>], most: usize) -> Ve
             let on_base = base.map_or_else(
                 || {
                     let (pair, body) = outer(leg);
-                    Joint::of(pair, leg).grounded(body)
+                    Joint::of(pair, leg).on_ground(body)
                 },
                 |base| inner(leg, base),
             );
