@@ -1,8 +1,6 @@
 //! Every mode of the groups that list theirs, against an elimination in 32 digits.
 #![expect(clippy::unwrap_used, reason = "what a helper of a test lacks is a fault that the test finds")]
 
-#![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
-
 #[path = "modes/elimination.rs"]
 mod elimination;
 #[path = "modes/passing.rs"]
