@@ -90,7 +90,7 @@ const METHODS: &str = "closed-form general-derivatives groups-general newton dif
 /// Parts of a view, as the command line names them.
 const PARTS: &str = "forces velocities accelerations construction";
 /// Words of the system, and names of files and of what does not exist.
-const SYSTEM: &str = "nothing chek b part sqrt min html odt gif xlsx none folder svg short unit cyclic os error No such file or \
+const SYSTEM: &str = "nothing chek b part sqrt min html odt gif xlsx none folder svg short unit cyclic tail os error No such file or \
                       directory Is a";
 
 fn known(scene: &str) -> BTreeSet<String> {
@@ -137,9 +137,9 @@ fn printed(folder: &Path, command: &[&str], known: &BTreeSet<String>) -> Vec<Str
             !line.trim_start_matches(|c: char| c == ' ' || c.is_ascii_digit()).starts_with('|')
         });
         let told = without_options(&told.collect::<Vec<_>>().join("\n"));
-        // The symbol of a load has its name below.
+        // The symbol of a load has its name below; dots of a chart in characters touch names.
         let words = english(&told, |word| {
-            known.contains(word.trim_matches('o'))
+            word.split("oo").all(|part| known.contains(part.trim_matches('o')))
                 || known.contains(word)
                 || word.split('_').all(|part| part.len() < 2 || known.contains(part))
         });

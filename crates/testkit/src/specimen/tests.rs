@@ -17,8 +17,10 @@ fn specimens() -> Vec<(u64, Specimen)> {
 fn the_text_of_a_specimen_reads_as_the_same_mechanism() {
     for (seed, specimen) in specimens() {
         let text = scene_text(&specimen.mechanism);
-        let read =
+        let mut read =
             assur_scene::read("specimen.toml", &text).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
+        // Random numbers may look like mistakes: a resistance that drives, a link much heavier than the others.
+        read.notes.clear();
         assert_eq!(read, specimen.mechanism, "seed {seed}\n{text}");
     }
 }

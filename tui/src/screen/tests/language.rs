@@ -28,7 +28,7 @@ fn english(text: &str, allowed: &[&BTreeSet<String>]) -> Vec<String> {
 
 /// What the registries, the keys and the command line name.
 fn of_the_program() -> BTreeSet<String> {
-    let mut all = format!("{} {}", of_the_registries(), Key::names());
+    let mut all = format!("{} {} {}", of_the_registries(), Key::names(), assur_formula::FUNCTIONS);
     let mut add = |text: &str| all.extend([" ", text]);
     for command in COMMANDS {
         add(command.name);

@@ -116,7 +116,7 @@ fn the_list_of_scenes_is_no_trap() {
     assert!(state.picker.is_some(), "there is nothing behind it");
     write(&mut state, ":view mechanism");
     assert!(text(&state, 80, 24).contains("no scene is open"));
-    type_in(&mut state, "compr");
+    type_in(&mut state, "press-compr");
     press(&mut state, "Enter");
     assert_eq!(state.scene.as_ref().unwrap().session.source.name(), "press-compression.toml");
     assert!(state.picker.is_none());

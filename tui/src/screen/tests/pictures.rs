@@ -125,9 +125,9 @@ fn a_construction_is_drawn_step_by_step() {
     let (first, pole, whole) = (drawn(Some(1)), drawn(Some(5)), drawn(None));
     assert!(has(&first, "K") && !has(&first, "P") && !has(&first, "Fb"), "{first:?}");
     assert!(has(&pole, "P") && !has(&pole, "Fb"), "{pole:?}");
-    assert!(has(&whole, "Fb") && has(&whole, "RP") && whole[0].ends_with("step 22"), "{whole:?}");
-    assert_eq!(drawn(Some(22)), whole);
-    for (request, why) in [(of(Some(23)), "steps 1 to 22"), (of(Some(0)), "steps 1 to 22")] {
+    assert!(has(&whole, "Fb") && has(&whole, "RP") && whole[0].ends_with("step 27"), "{whole:?}");
+    assert_eq!(drawn(Some(27)), whole);
+    for (request, why) in [(of(Some(28)), "steps 1 to 27"), (of(Some(0)), "steps 1 to 27")] {
         match still::draw(analyzed("press", &request), &request, Path::new("x.svg")) {
             Err(StillError::Request(text)) => assert!(text.to_string().contains(why), "{text}"),
             other => panic!("{other:?}"),
@@ -143,7 +143,7 @@ fn quantities_of_one_unit_lie_over_each_other_in_a_picture() {
     let request = PictureArgs { show: Some(names.into()), ..request("curves") };
     let shown = texts("press", &request);
     for name in ["1 A on crank F force, N", "2 B on rod Fx force, N", "3 balancing load, N m"] {
-        assert!(shown.iter().any(|text| text == name), "{name}: {shown:?}");
+        assert!(shown.iter().any(|text| text.starts_with(&format!("{name}: "))), "{name}: {shown:?}");
     }
     let unknown = PictureArgs { show: Some("A>crank.F,nothing".into()), ..request };
     match still::draw(analyzed("press", &unknown), &unknown, Path::new("x.svg")) {

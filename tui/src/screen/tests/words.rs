@@ -130,7 +130,7 @@ fn all_views_are_named_in_80_columns() {
     let state = opened("shaper-drive");
     let frame = text(&state, 80, 24);
     assert!(frame.lines().nth(1).unwrap().ends_with("tTable WWork"), "{frame}");
-    assert!(text(&state, 100, 24).contains("9 Groups t Table W Working"));
+    assert!(text(&state, 120, 24).contains("9 Groups t Table W Working"));
 }
 
 #[test]
