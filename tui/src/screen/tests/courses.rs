@@ -188,8 +188,7 @@ fn assert_drawn_as_found(name: &str, state: &mut State) {
 fn every_curve_is_a_column_of_the_json() {
     for (name, text) in SCENES {
         // What a scene does not ask for is drawn, but not written.
-        let asks_for_all: Vec<_> =
-            text.split("\n[").filter(|table| !table.starts_with("output]")).collect();
+        let asks_for_all: Vec<_> = text.split("\n[").filter(|table| !table.starts_with("output]")).collect();
         assert_drawn_as_found(name, &mut super::scene(&asks_for_all.join("\n[")));
     }
 }

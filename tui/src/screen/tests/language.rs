@@ -46,6 +46,7 @@ fn of_the_program() -> BTreeSet<String> {
     let options = program.get_subcommands().chain([&program]).flat_map(clap::Command::get_arguments);
     for option in options {
         option.get_long().into_iter().for_each(&mut add);
+        option.get_value_names().into_iter().flatten().for_each(|name| add(name));
         for value in &option.get_possible_values() {
             add(value.get_name());
         }

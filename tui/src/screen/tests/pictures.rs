@@ -125,7 +125,7 @@ fn a_construction_is_drawn_step_by_step() {
     let (first, pole, whole) = (drawn(Some(1)), drawn(Some(5)), drawn(None));
     assert!(has(&first, "K") && !has(&first, "P") && !has(&first, "Fb"), "{first:?}");
     assert!(has(&pole, "P") && !has(&pole, "Fb"), "{pole:?}");
-    assert!(has(&whole, "Fb") && has(&whole, "RP") && whole[0].ends_with("step 27"), "{whole:?}");
+    assert!(has(&whole, "Fb") && has(&whole, "RP") && whole[1].ends_with("step 27"), "{whole:?}");
     assert_eq!(drawn(Some(27)), whole);
     for (request, why) in [(of(Some(28)), "steps 1 to 27"), (of(Some(0)), "steps 1 to 27")] {
         match still::draw(analyzed("press", &request), &request, Path::new("x.svg")) {

@@ -171,8 +171,10 @@ impl Trial {
         }
         let Err(error) = solved else { return Some(()) };
         match error.source {
-            // With equal coincident links the direction is undetermined; an iteration that ends so has found nothing.
-            GroupError::Singular { .. } if !iterates[error.group] => {}
+            // An iteration that ends without a place has found nothing, and knows no gap.
+            _ if iterates[error.group] => return None,
+            // With equal coincident links the direction is undetermined.
+            GroupError::Singular { .. } => {}
             GroupError::NoAssembly { gap_m } if gap_m <= self.closed => {}
             _ => return None,
         }
