@@ -139,7 +139,7 @@ fn printed(folder: &Path, command: &[&str], known: &BTreeSet<String>) -> Vec<Str
         let told = without_options(&told.collect::<Vec<_>>().join("\n"));
         // The symbol of a load has its name below; dots of a chart in characters touch names.
         let words = english(&told, |word| {
-            word.split("oo").all(|part| known.contains(part.trim_matches('o')))
+            word.split("oo").all(|part| part.is_empty() || known.contains(part.trim_matches('o')))
                 || known.contains(word)
                 || word.split('_').all(|part| part.len() < 2 || known.contains(part))
         });
