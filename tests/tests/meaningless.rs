@@ -55,7 +55,8 @@ fn answers(name: &str, cases: &[Case]) {
 
 #[test]
 fn the_engine_itself_is_calculated() {
-    assert_eq!(answer(ENGINE), "calculated\n");
+    // The gas drives an engine.
+    assert!(answer(ENGINE).starts_with("note: Over the cycle the loads drive the mechanism"));
 }
 
 #[test]
