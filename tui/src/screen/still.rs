@@ -21,7 +21,8 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "NAME", default_value = "mechanism", value_parser = PossibleValuesParser::new(views()))]
     pub(crate) view: String,
     /// Part of the view: forces, velocities, accelerations, construction (plans); overview, causes, curves, hodograph
-    /// (forces); overview, course, iteration, reduction (motion); overview, curves, energy-mass, inertia, reduction (drive)
+    /// (forces); overview, course, iteration, reduction (motion); overview, curves, places, energy-mass, inertia, reduction
+    /// (drive)
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
     /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI; several

@@ -26,7 +26,7 @@ pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> (Vec<E
         |at: Point| [middle[0] + (at[0] - center[0]) / scale, middle[1] - (at[1] - center[1]) / scale];
     let paper = Paper { place, em: EM, gap: 0.1 * EM };
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
-    let mut elements: Vec<Element> = heading(panel, room, language).into_iter().collect();
+    let mut elements = heading(panel, room, 1, language);
     elements.extend(drawn(&marks, plot, language));
     // What lies in one place has no scale.
     if !symbol.is_empty() && bounds.size().iter().any(|side| *side != 0.0) {

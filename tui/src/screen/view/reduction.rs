@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_mechanism::{InputPair, PointId};
-use assur_words::{Text, quantity, text};
+use assur_words::{Text, name, quantity, text};
 
 use super::{mechanism, plans};
 use crate::number::digits;
@@ -19,7 +19,7 @@ const PIECES: usize = 48;
 /// Radius of the arc of a moment, in radii.
 const ARC: f64 = 1.2;
 /// Part of that arc under its head.
-const HEAD: f64 = 0.3;
+const HEAD: f64 = 0.15;
 
 /// What is reduced in a position, to the input link and to its farthest point.
 struct Reduced {
@@ -79,13 +79,14 @@ impl Reduced {
     fn link(&self) -> Panel {
         let length = if self.most > 0.0 { self.moment / self.most } else { 0.0 };
         let to = [0, 1].map(|axis| self.tip[axis] + length * self.along[axis]);
-        let items = vec![
+        let mut items = vec![
             Item::line(vec![self.pin, self.tip], Stroke::Solid, Ink::First),
             Item::sign(self.pin, Sign::Bearing, Ink::Ground),
             Item::sign(self.tip, Sign::Dot, Ink::First),
             Item::Arrow { from: self.tip, to, stroke: Stroke::Solid, ink: Ink::Second },
             Item::name(self.tip, self.name.clone(), Ink::Title),
         ];
+        items.extend((length != 0.0).then(|| Item::name(to, name("F"), Ink::Title)));
         let force = quantity(digits(self.moment / self.radius, 5), "N");
         let mass = quantity(digits(self.inertia / (self.radius * self.radius), 5), "kg");
         self.panel(text!("regime-reduced", point = &self.name, force = force, mass = mass), items)
@@ -104,6 +105,7 @@ impl Reduced {
             let at = |part: f64| self.polar(ARC, angle + self.moment.signum() * FRAC_PI_2 * part);
             let arc = (0..=PIECES).map(|piece| at((1.0 - HEAD) * piece as f64 / PIECES as f64));
             items.push(Item::line(arc.collect::<Vec<_>>(), Stroke::Solid, Ink::Second));
+            items.push(Item::name(at(0.5), name("M"), Ink::Title));
             let head = (at(1.0 - HEAD), at(1.0));
             items.push(Item::Arrow { from: head.0, to: head.1, stroke: Stroke::Solid, ink: Ink::Second });
         }
