@@ -270,9 +270,12 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
         }
     }
     let units = list(units.into_iter().map(|symbol| words::unit(symbol.to_owned())));
-    let title = if all.len() > 1 { joined("  ", names) } else { all[0].told() };
-    let title = list([title, units].into_iter().filter(|text| !text.is_empty()));
-    let mut panel = over_positions(state, scene, [title, Text::default()], &curves, signs);
+    // The value at the cursor stands in the legend of several, else in the heading.
+    let heading = match all {
+        [alone] => [alone.told(), alone.show(state.position)],
+        _ => [list([joined("  ", names), units].into_iter().filter(|text| !text.is_empty())), Text::default()],
+    };
+    let mut panel = over_positions(state, scene, heading, &curves, signs);
     if let Frame::Axes { y, .. } = &mut panel.frame {
         // The heading says it.
         y.label = Text::default();

@@ -191,7 +191,8 @@ pub(super) fn shares(
         let stroke = if count == links.len() { Stroke::Solid } else { Stroke::Dashed };
         let at = points.get((2 * count + 1) * points.len() / (2 * (links.len() + 1))).copied();
         let ink = Ink::Link(count + 1);
-        samples.push(Sample::Line(stroke, ink));
+        let now = positions.row_of(state.position).and_then(|row| level(positions, row, count));
+        samples.push((Sample::Line(stroke, ink), now));
         items.push(Item::line(points, stroke, ink));
         items.extend(at.map(|at| Item::name(at, name((count + 1).to_string()), Ink::Title)));
     }
@@ -201,7 +202,11 @@ pub(super) fn shares(
     let names = std::iter::once(text!("regime-drive")).chain(names);
     let names: Vec<Text> = names.enumerate().map(|(at, told)| plots::numbered(at, told)).collect();
     let title = text!("regime-shares", names = joined("  ", names.iter().cloned()));
-    let legend = samples.into_iter().zip(names).map(|(sample, text)| Key { sample, text }).collect();
+    let key = |((sample, now), told): ((Sample, Option<f64>), Text)| {
+        let now = now.map(|now| quantity(digits(now, 6), "kg m2"));
+        Key { sample, text: joined(": ", std::iter::once(told).chain(now)) }
+    };
+    let legend = samples.into_iter().zip(names).map(key).collect();
     let y = Axis::around(unit("kg m2"), values, 0.0);
     let frame =
         Frame::Axes { x: plots::coordinate_axis(scene), y, cursor: Some(cursor(state, scene).into()) };
