@@ -96,11 +96,14 @@ fn plain(title: &Text, language: &Language) -> String {
     title.render(language).replace('`', "")
 }
 
-/// The heading of a panel in so many lines at most, one below the other.
-fn heading(panel: &Panel, room: Room, most: usize, language: &Language) -> Vec<Element> {
+/// Most lines of the heading of a panel.
+const HEADING: usize = 2;
+
+/// The heading of a panel, one line below the other.
+fn heading(panel: &Panel, room: Room, language: &Language) -> Vec<Element> {
     let title = plain(&panel.heading(), language);
     let mut lines = names::wrapped(&title, room.width);
-    if lines.len() > most {
+    if lines.len() > HEADING {
         lines = vec![names::fitted(&title, room.width)];
     }
     let place = |row: usize| [room.left, room.top + EM + row as f64 * LINE];

@@ -15,8 +15,6 @@ pub(super) const BELOW: f64 = 2.0 * LINE;
 const FREE: f64 = 0.06;
 /// Least distance of the numbers of an axis, mm: horizontal, vertical.
 const APART: [f64; 2] = [16.0, 8.0];
-/// Most lines of a heading.
-const HEADING: usize = 2;
 /// Least numbers of an axis.
 const LEAST_NUMBERS: usize = 3;
 
@@ -31,7 +29,7 @@ pub(super) fn elements(
     let Frame::Axes { x, y, cursor } = &panel.frame else { return Vec::new() };
     let below = if shows_axis { BELOW } else { 0.0 };
     let vertical = widened(y);
-    let mut elements = heading(panel, room, HEADING, language);
+    let mut elements = heading(panel, room, language);
     let above = LINE * elements.len().max(1) as f64;
     let free = room.height - above - below - BORDER;
     let ticks = upright_ticks(&vertical, free);

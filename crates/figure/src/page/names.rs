@@ -139,7 +139,7 @@ impl Names {
             for spot in around(at, [width, ring as f64 * away]) {
                 self.compared += self.lines.len() + self.texts.len();
                 let Some(covered) = self.covered(spot) else { continue };
-                let cut = if covered == 0 { CUT * self.between(at, spot) } else { 0 };
+                let cut = if covered < WRITTEN { CUT * self.between(at, spot) } else { 0 };
                 if best.is_none_or(|(least, hides, _)| covered + cut < least + hides) {
                     best = Some((covered, cut, spot));
                 }
@@ -168,7 +168,8 @@ impl Names {
                 (to[0] - from[0]) * (of[1] - from[1]) - (to[1] - from[1]) * (of[0] - from[0])
             };
             let own = APART * EM * (line[1][0] - line[0][0]).hypot(line[1][1] - line[0][1]);
-            let parted = |two: [Point; 2], by: [Point; 2]| side(two[0], by) * side(two[1], by) < 0.0;
+            // A corner of a line counts for one of its two pieces.
+            let parted = |two: [Point; 2], by| (side(two[0], by) < 0.0) != (side(two[1], by) < 0.0);
             side(at, **line).abs() > 0.1 * own && parted([at, to], **line) && parted(**line, [at, to])
         };
         self.lines.iter().filter(apart).count()

@@ -3,6 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use assur_analysis::InputMotion;
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_mechanism::{InputPair, PointId};
@@ -35,13 +36,16 @@ struct Reduced {
     most: f64,
     /// With that of flywheel and rotor.
     inertia: f64,
+    /// Whether the speed belongs to instants and not to the positions, so that the moment is that at rest.
+    at_rest: bool,
 }
 
 impl Reduced {
     /// Of a mechanism whose input link turns, where its reduction is calculated.
     fn of(state: &State, scene: &Scene, found: &Found) -> Option<Self> {
         let table = &found.analysis.positions;
-        let (point, row) = (found.plans.calculation().reduction_point()?, table.row_of(state.position)?);
+        let calculation = found.plans.calculation();
+        let (point, row) = (calculation.reduction_point()?, table.row_of(state.position)?);
         let InputPair::Pin(pin) = scene.linkage.mechanism.input.pair else { return None };
         let pose = scene.pose(state.position, 0.0)?;
         let motion = |id: PointId| scene.linkage.point_motion(id, &pose);
@@ -58,6 +62,7 @@ impl Reduced {
             moment: table.at(row, moments)?,
             most: table.each(moments).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())),
             inertia: table.at(row, of(Quantity::ReducedInertia)?)? + shaft,
+            at_rest: matches!(calculation.motion, InputMotion::Transient(_)),
         })
     }
 
@@ -66,6 +71,7 @@ impl Reduced {
         let corner = |side: f64| self.pin.map(|at| at + side * ROOM * self.radius);
         let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
         let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
+        let title = if self.at_rest { text!("reduction-at-rest", told = title) } else { title };
         Panel { title, frame, items }
     }
 
