@@ -185,7 +185,9 @@ fn figure(state: &State) -> Result<Figure, StillError> {
         let text = state.scene.as_ref().map(|scene| view::advice(state, scene)).unwrap_or_default();
         StillError::Nothing(text)
     })?;
-    let Some(scene) = state.scene.as_ref().filter(|_| !matches!(state.view, View::Mechanism | View::Structure)) else {
+    let Some(scene) =
+        state.scene.as_ref().filter(|_| !matches!(state.view, View::Mechanism | View::Structure))
+    else {
         return Ok(figure);
     };
     let of_scene = name(scene.linkage.mechanism.title.clone());

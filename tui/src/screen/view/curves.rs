@@ -273,7 +273,9 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
     // The value at the cursor stands in the legend of several, else in the heading.
     let heading = match all {
         [alone] => [alone.told(), alone.show(state.position)],
-        _ => [list([joined("  ", names), units].into_iter().filter(|text| !text.is_empty())), Text::default()],
+        _ => {
+            [list([joined("  ", names), units].into_iter().filter(|text| !text.is_empty())), Text::default()]
+        }
     };
     let mut panel = over_positions(state, scene, heading, &curves, signs);
     if let Frame::Axes { y, .. } = &mut panel.frame {

@@ -167,12 +167,7 @@ pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
 }
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
-pub(super) fn shares(
-    state: &State,
-    scene: &Scene,
-    found: &Found,
-    dynamics: &Dynamics,
-) -> (Panel, Vec<Key>) {
+pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> (Panel, Vec<Key>) {
     let positions = &found.analysis.positions;
     let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
     let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
