@@ -90,15 +90,9 @@ fn around([x, y]: Point, [width, away]: [f64; 2]) -> [[f64; 4]; 12] {
 /// Least distance of two names beside each other, in text sizes: closer, they read as one.
 const BETWEEN: f64 = 0.3;
 
-/// Most comparisons of a place with what is covered, after which only the names that are needed find places: half a second
-/// of work, and some ten times that of the largest fixture.
-const MOST_COMPARED: usize = 100_000_000;
-
 /// What is covered so far.
 #[derive(Debug)]
 pub(super) struct Names {
-    /// Comparisons so far.
-    compared: usize,
     room: Room,
     /// Pieces of lines.
     lines: Vec<[Point; 2]>,
@@ -108,7 +102,7 @@ pub(super) struct Names {
 
 impl Names {
     pub(super) fn new(room: Room) -> Self {
-        Self { compared: 0, room, lines: Vec::new(), texts: Vec::new() }
+        Self { room, lines: Vec::new(), texts: Vec::new() }
     }
 
     /// Remembers a line that names must not cover.
@@ -130,16 +124,14 @@ impl Names {
     /// and would cover something.
     pub(super) fn place(&mut self, at: Point, name: &str, needed: bool) -> (Point, bool) {
         let (width, away) = (text_width(name), APART * EM);
-        if !needed && self.compared > MOST_COMPARED {
-            return (at, false);
-        }
+        let rings = if needed { RINGS } else { NEAR };
+        let near = self.near(at, [width, rings as f64 * away]);
         // What it covers, what lies between it and its point, and the place.
         let mut best: Option<(usize, usize, [f64; 4])> = None;
-        for ring in 1..=if needed { RINGS } else { NEAR } {
+        for ring in 1..=rings {
             for spot in around(at, [width, ring as f64 * away]) {
-                self.compared += self.lines.len() + self.texts.len();
-                let Some(covered) = self.covered(spot) else { continue };
-                let cut = if covered < WRITTEN { CUT * self.between(at, spot) } else { 0 };
+                let Some(covered) = near.covered(spot) else { continue };
+                let cut = if covered < WRITTEN { CUT * near.between(at, spot) } else { 0 };
                 if best.is_none_or(|(least, hides, _)| covered + cut < least + hides) {
                     best = Some((covered, cut, spot));
                 }
@@ -156,6 +148,23 @@ impl Names {
                 ([spot[0], spot[3]], true)
             }
             None => (at, false),
+        }
+    }
+
+    /// What a text of this width up to a distance from a point may cover, or may have between itself and the point.
+    fn near(&self, [x, y]: Point, [width, away]: [f64; 2]) -> Self {
+        let (aside, above) = (width + away + EM, away + 2.0 * EM);
+        let reach = [x - aside, y - above, x + aside, y + above];
+        let meets = |[left, top, right, bottom]: [f64; 4]| {
+            left <= reach[2] && reach[0] <= right && top <= reach[3] && reach[1] <= bottom
+        };
+        let box_of = |[from, to]: [Point; 2]| {
+            [from[0].min(to[0]), from[1].min(to[1]), from[0].max(to[0]), from[1].max(to[1])]
+        };
+        Self {
+            room: self.room,
+            lines: self.lines.iter().copied().filter(|line| meets(box_of(*line))).collect(),
+            texts: self.texts.iter().copied().filter(|text| meets(*text)).collect(),
         }
     }
 
