@@ -130,7 +130,8 @@ impl Names {
         let mut best: Option<(usize, usize, [f64; 4])> = None;
         for ring in 1..=rings {
             for spot in around(at, [width, ring as f64 * away]) {
-                let Some(covered) = near.covered(spot) else { continue };
+                let most = best.map_or(usize::MAX, |(least, cut, _)| least + cut);
+                let Some(covered) = near.covered(spot, most) else { continue };
                 let cut = if covered < WRITTEN { CUT * near.between(at, spot) } else { 0 };
                 if best.is_none_or(|(least, hides, _)| covered + cut < least + hides) {
                     best = Some((covered, cut, spot));
@@ -184,8 +185,8 @@ impl Names {
         self.lines.iter().filter(apart).count()
     }
 
-    /// Number of lines and texts that a text would cover; `None` outside the room.
-    fn covered(&self, spot: [f64; 4]) -> Option<usize> {
+    /// Number of lines and texts that a text would cover; `None` outside the room, and where they are as many as `most` or more.
+    fn covered(&self, spot: [f64; 4], most: usize) -> Option<usize> {
         let [left, top, right, bottom] = spot;
         let room = self.room;
         let fits = left >= room.left
@@ -193,10 +194,6 @@ impl Names {
             && right <= room.left + room.width
             && bottom <= room.top + room.height;
         let clear = CLEAR * EM;
-        let crosses = |line: &&[Point; 2]| {
-            inside(**line, [left - clear, top - clear], [right + clear, bottom + clear]).is_some()
-        };
-        let crossed = self.lines.iter().filter(crosses).count();
         let apart = BETWEEN * EM;
         let meets = |other: &&[f64; 4]| {
             other[0] < right + apart
@@ -205,7 +202,16 @@ impl Names {
                 && top < other[3] + clear
         };
         // Two names over each other are unreadable, a name over a line is not.
-        let written = self.texts.iter().filter(meets).count();
-        fits.then_some(crossed + WRITTEN * written)
+        let written = if fits { WRITTEN * self.texts.iter().filter(meets).count() } else { most };
+        let free = most.checked_sub(written).filter(|free| *free > 0)?;
+        let [low, high] = [[left - clear, top - clear], [right + clear, bottom + clear]];
+        let crosses = |line: &&[Point; 2]| {
+            let aside = |axis: usize| {
+                line[0][axis].max(line[1][axis]) < low[axis] || high[axis] < line[0][axis].min(line[1][axis])
+            };
+            !aside(0) && !aside(1) && inside(**line, low, high).is_some()
+        };
+        let crossed = self.lines.iter().filter(crosses).take(free).count();
+        (crossed < free).then_some(written + crossed)
     }
 }
