@@ -29,6 +29,7 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
     if let Some([x, y]) = mechanism.gravity {
         let size = x.hypot(y);
         let is_odd = size > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&size);
+        doubt(!is_odd && y > 0.0 && x.abs() < y, "gravity", text!("scene-gravity-up"));
         doubt(is_odd, "gravity", text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2")));
     }
     let speed = match mechanism.motion {
@@ -38,6 +39,9 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         Some(Motion::Steady { mean_speed, .. }) => ("motion.mean_speed", mean_speed.abs()),
         None => ("", 0.0),
     };
+    let turned_twice = mechanism.input.sign() < 0.0
+        && matches!(mechanism.motion, Some(Motion::Prescribed { speed, .. }) if speed > 0.0);
+    doubt(turned_twice, speed.0, text!("scene-turned-twice"));
     let fastest = if mechanism.input.is_angle() { speed.1 * size } else { speed.1 };
     doubt(fastest > FASTEST, speed.0, text!("scene-fast", speed = quantity(rounded(fastest.round()), "m/s")));
     for (number, friction) in mechanism.frictions.iter().enumerate() {
