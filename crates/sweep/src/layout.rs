@@ -6,11 +6,14 @@ use assur_kinematics::decompose;
 use assur_mechanism::{LinkId, Mechanism, Motion, PointId, SlideId, Torque};
 use assur_structure::name_of;
 
+use crate::reach::Reach;
+
 /// What of a mechanism is measured; the same at every point of a sweep.
 #[derive(Debug, Clone)]
 pub(crate) struct Layout {
-    /// Whether there is a group.
+    /// Whether there is a group, and whether a parameter can change a place.
     pub(crate) groups: bool,
+    pub(crate) moves: bool,
     /// Whether a balancing load is found at the positions.
     pub(crate) balancing: bool,
     /// Pins and slides whose reactions are found.
@@ -34,6 +37,8 @@ pub(crate) struct Layout {
 pub(crate) struct Named<T> {
     pub(crate) name: String,
     pub(crate) id: T,
+    /// Whether a parameter can change it.
+    pub(crate) reached: bool,
 }
 
 /// A motion that is found.
@@ -61,6 +66,7 @@ impl Layout {
         let balancing = if mechanism.balances_by_moment() { "Nm" } else { "N" };
         let mut layout = Self {
             groups: false,
+            moves: true,
             balancing: false,
             joints: Vec::new(),
             points: Vec::new(),
@@ -92,6 +98,17 @@ impl Layout {
         layout
     }
 
+    /// The same with what parameters can change marked.
+    pub(crate) fn reached(&self, reach: &Reach, mechanism: &Mechanism) -> Self {
+        let mut layout = self.clone();
+        layout.moves = reach.moves_anything();
+        layout.joints.iter_mut().for_each(|joint| joint.reached = reach.pair(joint.id.id, mechanism));
+        layout.points.iter_mut().for_each(|point| point.reached = reach.point(point.id.0, mechanism));
+        layout.slides.iter_mut().for_each(|slide| slide.reached = reach.slide(slide.id, mechanism));
+        layout.links.iter_mut().for_each(|link| link.reached = reach.link(link.id));
+        layout
+    }
+
     /// Whether a motor is chosen or given.
     pub(crate) fn has_motor(&self) -> bool {
         matches!(self.motion, Some(Sought::Steady { motor: true, .. }))
@@ -99,7 +116,7 @@ impl Layout {
 }
 
 fn named<'m, T>(ids: impl Iterator<Item = T>, name: impl Fn(&T) -> &'m str) -> Vec<Named<T>> {
-    ids.map(|id| Named { name: name(&id).to_owned(), id }).collect()
+    ids.map(|id| Named { name: name(&id).to_owned(), id, reached: true }).collect()
 }
 
 fn sought(mechanism: &Mechanism) -> Option<Sought> {

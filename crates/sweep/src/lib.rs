@@ -32,6 +32,7 @@ mod measure;
 mod point;
 mod points;
 mod positions;
+mod reach;
 mod rows;
 mod statistics;
 mod sweep;

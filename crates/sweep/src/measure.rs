@@ -36,6 +36,8 @@ pub struct Measure {
     summary: &'static str,
     /// Whether it is written where no measures are named.
     pub by_default: bool,
+    /// Whether it is named, and written whole then: else without the columns that no parameter can change.
+    pub(crate) asked: bool,
     /// What must be found for it beside the positions, their loads and their motion.
     pub(crate) need: Option<Need>,
     put: fn(&Layout, &Measured, &mut Sink<'_>),
@@ -196,7 +198,7 @@ impl Measure {
         summary: &'static str,
         put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
-        Self { name, summary, by_default: true, need: None, put }
+        Self { name, summary, by_default: true, asked: false, need: None, put }
     }
 
     /// The measures that are written where none are named.
@@ -219,7 +221,11 @@ impl Measure {
             let mut names = names.iter().map(AsRef::as_ref);
             names.any(|name| name == "all" || name == measure.name || name == "default" && measure.by_default)
         };
-        Ok(MEASURES.iter().filter(wanted).copied().collect())
+        let is_asked = |measure: &Self| {
+            names.iter().map(AsRef::as_ref).any(|name| name == "all" || name == measure.name)
+        };
+        let each = MEASURES.iter().filter(wanted);
+        Ok(each.map(|measure| Self { asked: is_asked(measure), ..*measure }).collect())
     }
 
     /// Puts its columns into a sink.
@@ -256,7 +262,7 @@ impl Sink<'_> {
 }
 
 fn health(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    if layout.groups {
+    if layout.groups && layout.moves {
         sink.of(&found.health, Statistics::least, || "smallest_health".to_owned());
         let name = || format!("smallest_health_at_{}", layout.units.coordinate);
         sink.put(found.coordinate(&found.health, Statistics::at_least), name);
@@ -291,7 +297,7 @@ fn balancing_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
 
 fn reactions(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
-    for ((joint, force), moment) in each {
+    for ((joint, force), moment) in each.filter(|((joint, _), _)| joint.reached) {
         let name = &joint.name;
         sink.of(force, |square| square.greatest().sqrt(), || format!("reaction_{name}_greatest_N"));
         if matches!(joint.id.id, PairId::Slide(_)) {
@@ -312,18 +318,18 @@ fn reaction_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
 }
 
 fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    for (point, place) in layout.points.iter().zip(&found.points) {
+    for (point, place) in layout.points.iter().zip(&found.points).filter(|(point, _)| point.reached) {
         for (axis, of) in ["x", "y"].into_iter().zip(place) {
             sink.of(of, Statistics::least, || format!("{}_{axis}_min_m", point.name));
             sink.of(of, Statistics::greatest, || format!("{}_{axis}_max_m", point.name));
         }
     }
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
+    for (slide, displacement) in layout.slides.iter().zip(&found.slides).filter(|(slide, _)| slide.reached) {
         sink.of(displacement, Statistics::least, || format!("{}_min_m", slide.name));
         sink.of(displacement, Statistics::greatest, || format!("{}_max_m", slide.name));
         sink.of(displacement, Statistics::range, || format!("{}_travel_m", slide.name));
     }
-    for (link, angle) in layout.links.iter().zip(&found.links) {
+    for (link, angle) in layout.links.iter().zip(&found.links).filter(|(link, _)| link.reached) {
         sink.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
         sink.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
     }

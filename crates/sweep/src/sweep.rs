@@ -14,6 +14,7 @@ use crate::layout::Layout;
 use crate::measure::{Measure, Measured, Sink};
 use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
+use crate::reach::Reach;
 use crate::rows::{Columns, Rows};
 use crate::variants::Variants;
 use crate::{Points, Refusal, SweepError, Tie, Vary};
@@ -71,6 +72,8 @@ pub struct Sweep {
     pub(crate) points: Points,
     pub(crate) variants: Variants,
     pub(crate) layout: Layout,
+    /// The same with what no parameter can change marked.
+    reached: Layout,
     pub(crate) measures: Vec<Measure>,
     pub(crate) options: Options,
     pub(crate) columns: Arc<Columns>,
@@ -102,20 +105,28 @@ impl Sweep {
             }
         }
         let variants = Variants::of(file_name, scene, &axes);
-        let layout = Layout::of(&variants.richest(&axes).unwrap_or(base), &options);
+        let richest = variants.richest(&axes).unwrap_or(base);
+        let layout = Layout::of(&richest, &options);
+        let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);
         let mut names = Vec::new();
         let mut sink = Sink::Names(&mut names);
         for measure in &measures {
-            measure.put(&layout, &Measured::new(&layout), &mut sink);
+            let layout = if measure.asked { &layout } else { &reached };
+            measure.put(layout, &Measured::new(layout), &mut sink);
         }
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
-        Ok(Self { axes, points, variants, layout, measures, options, columns, count })
+        Ok(Self { axes, points, variants, layout, reached, measures, options, columns, count })
     }
 
     /// The columns of its rows.
     pub fn columns(&self) -> &Columns {
         &self.columns
+    }
+
+    /// What a measure has columns of.
+    pub(crate) fn layout_of(&self, measure: &Measure) -> &Layout {
+        if measure.asked { &self.layout } else { &self.reached }
     }
 
     /// The text of the scene.

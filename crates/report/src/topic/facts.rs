@@ -1,7 +1,7 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
 use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Turn};
-use assur_book::{Fact, Unit, Value};
+use assur_book::{Fact, Unit};
 use assur_geometry::overview;
 use assur_kinematics::Linkage;
 use assur_words::{Text, count, joined, list, name, number, text};
