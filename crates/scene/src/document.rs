@@ -127,7 +127,7 @@ fn slip(text: &str, at: usize, message: &str) -> Option<(usize, Text)> {
     let (before, rest) = (text.get(..at)?, text.get(at..)?);
     let line = &before[before.rfind('\n').map_or(0, |end| end + 1)..];
     let next = |pattern: &str| rest.trim_start().starts_with(pattern);
-    let words = if next("//") && line.trim().is_empty() {
+    let words = if next("//") {
         text!("scene-comment-sign")
     } else if next(":") {
         text!("scene-colon")
