@@ -6,7 +6,10 @@ use assur_kinematics::decompose;
 use assur_mechanism::{LinkId, Mechanism, Motion, PointId, SlideId, Torque};
 use assur_structure::name_of;
 
+use assur_words::{list, name, text};
+
 use crate::reach::Reach;
+use crate::{SweepError, Target};
 
 /// What of a mechanism is measured; the same at every point of a sweep.
 #[derive(Debug, Clone)]
@@ -24,6 +27,8 @@ pub(crate) struct Layout {
     pub(crate) slides: Vec<Named<SlideId>>,
     /// Moving links.
     pub(crate) links: Vec<Named<LinkId>>,
+    /// Places from which a point's distance is measured: the number of the point among `points`, and the place, m.
+    pub(crate) targets: Vec<(usize, [f64; 2])>,
     /// Whether there is dry friction in pairs.
     pub(crate) friction: bool,
     /// The motion, unless it is prescribed.
@@ -72,6 +77,7 @@ impl Layout {
             points: Vec::new(),
             slides: Vec::new(),
             links: Vec::new(),
+            targets: Vec::new(),
             friction: !mechanism.frictions.is_empty(),
             motion: sought(mechanism),
             units: Units { coordinate, speed, balancing },
@@ -96,6 +102,18 @@ impl Layout {
         layout.slides = named(wanted.slides.into_iter(), |id| &mechanism.slides[*id].name);
         layout.links = named(wanted.links.into_iter(), |id| &mechanism.links[*id].name);
         layout
+    }
+
+    /// Adds places from which the distance of a point is measured.
+    pub(crate) fn aim(&mut self, targets: &[Target]) -> Result<(), SweepError> {
+        for target in targets {
+            let Some(point) = self.points.iter().position(|point| point.name == target.point) else {
+                let points = list(self.points.iter().map(|point| name(point.name.clone())));
+                return Err(SweepError::vary(&target.text, text!("sweep-no-point", points = points)));
+            };
+            self.targets.push((point, target.at));
+        }
+        Ok(())
     }
 
     /// The same with what parameters can change marked.

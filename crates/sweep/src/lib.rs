@@ -45,7 +45,7 @@ pub use measure::{MEASURES, Measure};
 pub use points::Points;
 pub use rows::{Columns, Rows, Status, Tally};
 pub use sweep::{MOST_POINTS, Request, Sweep};
-pub use vary::{Tie, Vary};
+pub use vary::{Target, Tie, Vary};
 
 assur_words::resources!();
 

@@ -59,6 +59,7 @@ pub const MEASURES: &[Measure] = &[
     Measure::new("reactions", "sweep-measure-reactions", reactions),
     Measure { by_default: false, ..Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms) },
     Measure { need: Some(Need::Angles), ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
+    Measure::new("distance", "sweep-measure-distance", distance),
     Measure {
         by_default: false,
         need: Some(Need::Courses),
@@ -113,6 +114,8 @@ pub(crate) struct Measured {
     /// Of each joint: modulus of its moment.
     pub(crate) moments: Vec<Statistics>,
     pub(crate) points: Vec<[Statistics; 2]>,
+    /// Squares of the distances of points from places.
+    pub(crate) distances: Vec<Statistics>,
     pub(crate) slides: Vec<Statistics>,
     /// Angles of links.
     pub(crate) links: Vec<Statistics>,
@@ -154,6 +157,7 @@ impl Measured {
             forces: many(layout.joints.len()),
             moments: many(layout.joints.len()),
             points: vec![[Statistics::NONE; 2]; layout.points.len()],
+            distances: many(layout.targets.len()),
             slides: many(layout.slides.len()),
             links: many(layout.links.len()),
             input: None,
@@ -168,9 +172,10 @@ impl Measured {
 
     /// Forgets what belongs to the positions whatever the loads.
     pub(crate) fn clear_positions(&mut self) {
-        let Self { health, transmission, points, slides, links, input, courses, .. } = self;
+        let Self { health, transmission, points, distances, slides, links, input, courses, .. } = self;
         (*health, *transmission, *input, *courses) = (Statistics::NONE, Statistics::NONE, None, None);
         points.fill([Statistics::NONE; 2]);
+        distances.fill(Statistics::NONE);
         slides.fill(Statistics::NONE);
         links.fill(Statistics::NONE);
     }
@@ -332,6 +337,17 @@ fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     for (link, angle) in layout.links.iter().zip(&found.links).filter(|(link, _)| link.reached) {
         sink.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
         sink.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
+    }
+}
+
+fn distance(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
+    for (number, ((point, _), square)) in layout.targets.iter().zip(&found.distances).enumerate() {
+        let column = |what: &str| format!("{}_distance_{}_{what}", layout.points[*point].name, number + 1);
+        let at = layout.units.coordinate;
+        sink.of(square, |square| square.least().sqrt(), || column("least_m"));
+        sink.put(found.coordinate(square, Statistics::at_least), || column(&format!("least_at_{at}")));
+        sink.of(square, |square| square.greatest().sqrt(), || column("greatest_m"));
+        sink.put(found.coordinate(square, Statistics::at_greatest), || column(&format!("greatest_at_{at}")));
     }
 }
 

@@ -39,7 +39,8 @@ impl Reach {
         let (Ok(structure), Ok(first)) = (decompose(base), variants.read(axes, &numbers)) else {
             return reach;
         };
-        if !structure.passive.is_empty() {
+        // A range of one value is calculated for what there is.
+        if !structure.passive.is_empty() || axes.iter().all(|axis| axis.from.total_cmp(&axis.to).is_eq()) {
             return reach;
         }
         reach.count_stages(&structure);

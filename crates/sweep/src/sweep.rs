@@ -17,7 +17,7 @@ use crate::points::MOST_SAMPLED;
 use crate::reach::Reach;
 use crate::rows::{Columns, Rows};
 use crate::variants::Variants;
-use crate::{Points, Refusal, SweepError, Tie, Vary};
+use crate::{Points, Refusal, SweepError, Target, Tie, Vary};
 
 /// Most points of a sweep: at a million points a second they would take eleven days.
 pub const MOST_POINTS: usize = 1_000_000_000_000;
@@ -48,6 +48,8 @@ pub struct Request {
     pub points: Points,
     /// Keys that follow parameters.
     pub ties: Vec<Tie>,
+    /// Places from which the distance of a point is measured.
+    pub targets: Vec<Target>,
     /// The families of columns.
     pub measures: Vec<Measure>,
     /// The methods.
@@ -59,6 +61,7 @@ impl Default for Request {
         Self {
             points: Points::Grid,
             ties: Vec::new(),
+            targets: Vec::new(),
             measures: Measure::defaults(),
             options: Options::default(),
         }
@@ -91,7 +94,7 @@ impl Sweep {
         if vary.is_empty() {
             return Err(SweepError::Nothing);
         }
-        let Request { points, ties, measures, options } = request;
+        let Request { points, ties, targets, measures, options } = request;
         let count = count(points, vary)?;
         let document = Document::of(scene);
         let axis = |vary| Axis::of(vary, &document, file_name, scene);
@@ -106,7 +109,8 @@ impl Sweep {
         }
         let variants = Variants::of(file_name, scene, &axes);
         let richest = variants.richest(&axes).unwrap_or(base);
-        let layout = Layout::of(&richest, &options);
+        let mut layout = Layout::of(&richest, &options);
+        layout.aim(&targets)?;
         let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);
         let mut names = Vec::new();
         let mut sink = Sink::Names(&mut names);
