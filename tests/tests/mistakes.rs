@@ -295,7 +295,7 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
         ("value = { formula = \"sin(2q)\" }", "value = \"1 kN\"", "write `*`"),
         ("value = { formula = \"q**2\" }", "value = \"1 kN\"", "written with `^`"),
         ("value = { formula = \"sin(phi)\" }", "value = \"1 kN\"", "did you mean `q`?"),
-        ("value = { formula = \"sin(\u{445})\" }", "value = \"1 kN\"", "another alphabet"),
+        ("value = { formula = \"sin(\u{445})\" }", "value = \"1 kN\"", "Latin letters"),
         (
             "value = { over = \"time\", table = [[0, 0]], repeat = true }",
             "value = \"1 kN\"",
