@@ -26,15 +26,16 @@ const LEAST_OF_THE_LENGTH: f64 = 2e-3;
 /// A link so many times as heavy, or as light, as the others has a wrong unit: g for kg gives a thousand times.
 const MOST_TIMES_HEAVIER: f64 = 300.0;
 
-/// Everything that is hardly meant.
-pub(crate) fn of(mechanism: &Mechanism) -> Vec<Notice> {
+/// Everything that is hardly meant; `units`: whether lengths of links have units.
+pub(crate) fn of(mechanism: &Mechanism, units: bool) -> Vec<Notice> {
     let mut notices = names(mechanism);
     notices.extend(masses(mechanism));
     let extents: Vec<f64> = (0..mechanism.links.len()).map(|link| extent(mechanism, link)).collect();
     for link in 0..mechanism.links.len() {
         notices.extend(length(mechanism, link, &extents));
     }
-    notices.extend(all_lengths(mechanism, &extents));
+    // A boom of "30 m" is one.
+    notices.extend(all_lengths(mechanism, &extents).filter(|_| !units));
     let size = extents.iter().copied().fold(0.0, f64::max);
     if notices.is_empty() && size > 0.0 {
         notices.extend(task::of(mechanism, size));
