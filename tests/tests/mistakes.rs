@@ -233,7 +233,7 @@ fn what_is_right_is_not_doubted() {
         ("mass = \"4 kg\"\ncenter = \"O\"", "mass = \"4 kg\"\ncenter = [\"-200 mm\", 0]"),
         ("mass = \"4 kg\"\n", ""),
         ("center = [\"150 mm\", 0]\ninertia = \"0.03 kg*m^2\"", "center = [\"150 mm\", 0]"),
-        ("mass = \"2 kg\"", "mass = \"50 g\""),
+        ("mass = \"2 kg\"", "mass = \"500 g\""),
         ("[ground]", "gravity = [9.81, 0]\n[ground]"),
         ("O = 0, A = \"100 mm\"", "O = 0, A = \"-100 mm\""),
     ] {

@@ -469,3 +469,4 @@ scene-gravity-up = Gravity points up: y grows upward. Write "9.81 m/s^2", or [0,
 scene-inertia-without-mass = Link `{ $link }` turns about no fixed pin and has a moment of inertia, but no mass: is `mass` missing?
 scene-far-lighter = Link `{ $link }` has a mass of { $mass }, the others about { $others }: is a unit wrong?
 scene-turned-twice = A negative speed along direction = "cw" turns counter-clockwise: leave the minus sign out.
+scene-odd-ratio = `ratio` is motor speed / input speed; with { $ratio } the motor is far from its rated speed, { $needed } would reach it.

@@ -19,6 +19,8 @@ const LONGEST: f64 = 20.0;
 /// belongs to no link; flywheels and counterweights are smaller.
 const MOST_TIMES_THE_SIZE: f64 = 10.0;
 
+/// A counterweight or a pendulum lies at most so many sizes of the mechanism from the points of its link.
+const FARTHEST_COUNTERWEIGHT: f64 = 4.0;
 /// A link that turns about no fixed pin can't carry a rotor or a flywheel: its mass lies within its mechanism.
 const MOST_OF_A_COUPLER: f64 = 1.5;
 /// A radius of gyration of less than this part of the length of its link is that of a needle: g*mm^2 for kg*mm^2.
@@ -191,7 +193,7 @@ fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
     let places = mechanism.points.iter().flat_map(|point| &point.places).filter(|place| place.link == link);
     let away = places.map(|place| (place.at[0] - body.center[0]).hypot(place.at[1] - body.center[1]));
     let away = away.fold(f64::INFINITY, f64::min);
-    let most = if is_pinned(mechanism, link) { MOST_TIMES_THE_SIZE } else { MOST_OF_A_COUPLER };
+    let most = if is_pinned(mechanism, link) { FARTHEST_COUNTERWEIGHT } else { MOST_OF_A_COUPLER };
     (body.mass > 0.0 && away.is_finite() && away > most * size).then(|| {
         let [away, size] = [away, size].map(|length| quantity(rounded(length), "m"));
         let text = text!("scene-far-center", link = shown(&body.name), distance = away, size = size);

@@ -2,7 +2,7 @@
 //! before it leave alone keeps its places, and what no load behind it changes keeps its reactions.
 
 use assur_kinematics::decompose;
-use assur_mechanism::{GROUND, LinkId, Mechanism, Motion, PairId, PointId, SlideId};
+use assur_mechanism::{GROUND, LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
 use assur_structure::Structure;
 
 use crate::axis::Axis;
@@ -88,7 +88,7 @@ impl Reach {
         }
         for (id, (a, b)) in one.points.iter().zip(&other.points).enumerate() {
             for (place, _) in a.places.iter().zip(&b.places).filter(|(a, b)| a != b) {
-                self.points[id] = true;
+                self.points[id] |= self.first(&a.places) == Some(place.link);
                 a.places
                     .iter()
                     .filter(|next| next.link != place.link)
@@ -98,6 +98,11 @@ impl Reach {
         for (a, _) in one.slides.iter().zip(&other.slides).filter(|(a, b)| a != b) {
             self.moves(a.link, a.on);
         }
+    }
+
+    /// The link that carries a point before all others: the ground, the input link, that of the first group.
+    fn first(&self, places: &[Place]) -> Option<LinkId> {
+        places.iter().map(|place| place.link).min_by_key(|link| (self.stage[*link], *link != GROUND))
     }
 
     /// A pair of two links has another place on one of them: the one that is placed later moves.
@@ -154,7 +159,8 @@ impl Reach {
     }
 
     pub(crate) fn point(&self, point: PointId, mechanism: &Mechanism) -> bool {
-        self.points[point] || mechanism.points[point].places.iter().any(|place| self.link(place.link))
+        let carrier = self.first(&mechanism.points[point].places).filter(|link| *link != GROUND);
+        self.points[point] || carrier.is_some_and(|link| self.link(link))
     }
 
     pub(crate) fn slide(&self, slide: SlideId, mechanism: &Mechanism) -> bool {

@@ -1,6 +1,8 @@
 //! What of loads, motion and results is hardly meant, by sizes alone.
 
-use assur_mechanism::{Load, LoadKind, Mechanism, Motion, Notice, Over, Range, Rubbing, Value};
+use assur_mechanism::{
+    Load, LoadKind, Mechanism, Motion, Motor, Notice, Over, Range, Rubbing, Solve, Torque, Value,
+};
 use assur_words::{Text, quantity, text};
 
 use crate::text::rounded;
@@ -13,6 +15,8 @@ const FASTEST: f64 = 1000.0;
 const STRONGEST: f64 = 2e9;
 /// Coefficients of friction above this are those of no pair of solids.
 const ROUGHEST: f64 = 2.0;
+/// A ratio so many times as great, or as small, as motor and mean speed need is meant the other way round.
+const MOST_TIMES_THE_RATIO: f64 = 2.0;
 /// A table over time that is so many times as long as the motion was meant in another unit.
 const MOST_TIMES_THE_MOTION: f64 = 100.0;
 /// A spring so many times as long as the mechanism was meant in another unit.
@@ -60,6 +64,10 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         );
         doubt(radius > size, &key("radius"), text);
     }
+    if let Some((ratio, needed)) = odd_ratio(mechanism, speed.1) {
+        let [ratio, needed] = [ratio, needed].map(rounded);
+        doubt(true, "drive.ratio", text!("scene-odd-ratio", ratio = ratio, needed = needed));
+    }
     let nothing = mechanism.output.as_ref().is_some_and(|output| {
         output.points.is_empty()
             && output.links.is_empty()
@@ -75,6 +83,19 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         }
     }
     notices
+}
+
+/// A given ratio that takes a motor of given data far from its speed, and the one that would not.
+fn odd_ratio(mechanism: &Mechanism, speed: f64) -> Option<(f64, f64)> {
+    let drive = mechanism.drive.as_ref()?;
+    let (Solve::Given(ratio), Torque::Motor { motor: Motor::Rated(motor), .. }) =
+        (drive.ratio, &drive.torque)
+    else {
+        return None;
+    };
+    let needed = motor.rated_speed / speed;
+    let steady = matches!(mechanism.motion, Some(Motion::Steady { .. }));
+    (steady && (ratio / needed).ln().abs() > MOST_TIMES_THE_RATIO.ln()).then_some((ratio, needed))
 }
 
 /// What is odd in a load, and the key of it.

@@ -159,6 +159,9 @@ fn columns_that_no_parameter_reaches_are_left_out() {
     for (scene, vary, out, kept) in [
         (SLIDER, "link.piston.mass=1 kg..2 kg:2", "B_x_min_m", "reaction_B_greatest_N"),
         (shaper, "link.rocker.points.D=600 mm..700 mm:2", "rocker_angle_min_rad", "E_x_min_m"),
+        (shaper, "link.rocker.points.C=-10 mm..10 mm:2", "A_y_max_m", "D_x_min_m"),
+        (shaper, "ground.points.C[1]=-410 mm..-400 mm:2", "A_y_max_m", "C_y_min_m"),
+        (shaper, "link.crank.points.A=90 mm..100 mm:2", "C_x_min_m", "A_y_max_m"),
         (shaper, "link.ram.mass=20 kg..30 kg:2", "smallest_health", "reaction_A_greatest_N"),
         (shaper, "link.crank.mass=2 kg..4 kg:2", "reaction_D_greatest_N", "reaction_O_greatest_N"),
         (
