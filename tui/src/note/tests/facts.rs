@@ -47,9 +47,16 @@ fn text_and_note_tell_every_fact_with_the_same_number() {
             for fact in &facts {
                 let [what, value, unit] = [fact.what(), fact.value(), assur_words::unit(fact.unit.name)]
                     .map(|text| text.render(language));
+                // A long name goes on in the next line of its row.
                 let told = |line: &str| {
-                    let rest = line.strip_prefix(&what).map(|rest| rest.trim_start_matches([' ', ':']));
-                    rest.is_some_and(|rest| rest.starts_with(&value) && rest.contains(&unit))
+                    let end =
+                        line.find("  ").map_or(line.len(), |gap| gap.min(line.find(": ").unwrap_or(gap)));
+                    let (name, rest) = line.split_at(end);
+                    let rest = rest.trim_start_matches([' ', ':']);
+                    !name.is_empty()
+                        && what.starts_with(name)
+                        && rest.starts_with(&value)
+                        && rest.contains(&unit)
                 };
                 let words = value.split_whitespace().next().unwrap();
                 assert!(
