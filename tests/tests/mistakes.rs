@@ -163,6 +163,20 @@ fn each_mistake_is_told_once_at_its_key() {
             "scene-turned-twice",
             "minus",
         ),
+        (
+            "O = 0, A = [\"98.4808 mm\", \"17.3648 mm\"]",
+            "O = 0, A = \"100 mm\"",
+            "input.from",
+            "scene-counted-twice",
+            "20 deg",
+        ),
+        (
+            "kind = \"steady\"\nmean_speed = \"60 rpm\"\nunevenness = 0.05\n[drive]\ntorque = \"balance\"\nflywheel = 20",
+            "speed = \"60 rpm\"",
+            "motion.unevenness",
+            "scene-unevenness-unused",
+            "solve",
+        ),
         // A place of a point that the crank alone carries chooses nothing.
         ("A = [\"98 mm\", \"17 mm\"]", "B = [\"500 mm\", 0]", "assembly", "analysis-any-way", "B is at"),
     ];

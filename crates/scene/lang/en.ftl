@@ -470,3 +470,5 @@ scene-inertia-without-mass = Link `{ $link }` turns about no fixed pin and has a
 scene-far-lighter = Link `{ $link }` has a mass of { $mass }, the others about { $others }: is a unit wrong?
 scene-turned-twice = A negative speed along direction = "cw" turns counter-clockwise: leave the minus sign out.
 scene-odd-ratio = `ratio` is motor speed / input speed; with { $ratio } the motor is far from its rated speed, { $needed } would reach it.
+scene-unevenness-unused = `unevenness` has no effect: it determines a flywheel, and none is to be found. Write flywheel = "solve" under [drive], or leave it out.
+scene-counted-twice = { $point } stands at { $angle } in the frame of the input link, and `from` turns this frame by as much again: { $point } begins at { $twice }. Put { $point } on the x axis of its link, or leave `from` out.

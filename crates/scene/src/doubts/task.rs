@@ -1,11 +1,14 @@
 //! What of loads, motion and results is hardly meant, by sizes alone.
 
+use std::f64::consts::TAU;
+
 use assur_mechanism::{
-    Load, LoadKind, Mechanism, Motion, Motor, Notice, Over, Range, Rubbing, Solve, Torque, Value,
+    InputPair, Load, LoadKind, Mechanism, Motion, Motor, Notice, Over, Point, Range, Rubbing, Solve, Torque,
+    Value,
 };
 use assur_words::{Text, quantity, text};
 
-use crate::text::rounded;
+use crate::text::{rounded, shown};
 
 /// Gravity between these, m/s^2, is that of a planet: 9810 was meant in mm, 0.00981 written in mm.
 const GRAVITY: [f64; 2] = [0.5, 30.0];
@@ -15,6 +18,8 @@ const FASTEST: f64 = 1000.0;
 const STRONGEST: f64 = 2e9;
 /// Coefficients of friction above this are those of no pair of solids.
 const ROUGHEST: f64 = 2.0;
+/// Directions that differ by less are the same to the digits in which coordinates are written, rad.
+const SAME_DIRECTION: f64 = 2e-3;
 /// A ratio so many times as great, or as small, as motor and mean speed need is meant the other way round.
 const MOST_TIMES_THE_RATIO: f64 = 2.0;
 /// A table over time that is so many times as long as the motion was meant in another unit.
@@ -64,6 +69,18 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         );
         doubt(radius > size, &key("radius"), text);
     }
+    let finds_flywheel =
+        mechanism.drive.as_ref().is_some_and(|drive| matches!(drive.flywheel, Some(Solve::Wanted)));
+    let is_wanted = matches!(mechanism.motion, Some(Motion::Steady { unevenness: Some(_), .. }));
+    doubt(is_wanted && !finds_flywheel, "motion.unevenness", text!("scene-unevenness-unused"));
+    if let Some((key, angle)) = turned_by_frame_and_from(mechanism) {
+        let [angle, twice] = [angle, 2.0 * angle].map(|angle| quantity(rounded(angle.to_degrees()), "deg"));
+        doubt(
+            true,
+            "input.from",
+            text!("scene-counted-twice", point = shown(key), angle = angle, twice = twice),
+        );
+    }
     if let Some((ratio, needed)) = odd_ratio(mechanism, speed.1) {
         let [ratio, needed] = [ratio, needed].map(rounded);
         doubt(true, "drive.ratio", text!("scene-odd-ratio", ratio = ratio, needed = needed));
@@ -83,6 +100,21 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         }
     }
     notices
+}
+
+/// A pin of the crank that stands at the angle `from` in the crank's own frame too: places in the ground's frame were given.
+fn turned_by_frame_and_from(mechanism: &Mechanism) -> Option<(&str, f64)> {
+    let (input, InputPair::Pin(pivot)) = (&mechanism.input, mechanism.input.pair) else { return None };
+    let place =
+        |point: &Point| point.places.iter().find(|place| place.link == input.link).map(|place| place.at);
+    let origin = place(&mechanism.points[pivot])?;
+    mechanism.points.iter().filter(|point| point.is_pin()).find_map(|point| {
+        let at = place(point).filter(|at| *at != origin)?;
+        let angle = (at[1] - origin[1]).atan2(at[0] - origin[0]);
+        let apart = (input.from - angle).rem_euclid(TAU);
+        let is_same = apart.min(TAU - apart) < SAME_DIRECTION && angle.abs() > SAME_DIRECTION;
+        is_same.then_some((point.name.as_str(), angle))
+    })
 }
 
 /// A given ratio that takes a motor of given data far from its speed, and the one that would not.
