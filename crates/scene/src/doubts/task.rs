@@ -48,9 +48,6 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         Some(Motion::Steady { mean_speed, .. }) => ("motion.mean_speed", mean_speed.abs()),
         None => ("", 0.0),
     };
-    let turned_twice = mechanism.input.sign() < 0.0
-        && matches!(mechanism.motion, Some(Motion::Prescribed { speed, .. }) if speed > 0.0);
-    doubt(turned_twice, speed.0, text!("scene-turned-twice"));
     let fastest = if mechanism.input.is_angle() { speed.1 * size } else { speed.1 };
     doubt(fastest > FASTEST, speed.0, text!("scene-fast", speed = quantity(rounded(fastest.round()), "m/s")));
     for (number, friction) in mechanism.frictions.iter().enumerate() {
@@ -69,6 +66,35 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         );
         doubt(radius > size, &key("radius"), text);
     }
+    let nothing = mechanism.output.as_ref().is_some_and(|output| {
+        output.points.is_empty()
+            && output.links.is_empty()
+            && output.slides.is_empty()
+            && output.reactions.is_empty()
+    });
+    doubt(nothing, "output", text!("scene-empty-output"));
+    for (id, load) in mechanism.loads.iter().enumerate() {
+        let (list, number) = mechanism.place_of_load(id);
+        let key = |name: &str| format!("{list}[{number}].{name}");
+        if let Some((name, text)) = of_load(mechanism, load, size) {
+            doubt(true, &key(name), text);
+        }
+    }
+    notices.extend(of_input_and_drive(mechanism, speed));
+    notices
+}
+
+/// What contradicts itself in the input, the motion and the drive; `speed`: its key and size.
+fn of_input_and_drive(mechanism: &Mechanism, speed: (&str, f64)) -> Vec<Notice> {
+    let mut notices = Vec::new();
+    let mut doubt = |is: bool, key: &str, text: Text| {
+        if is {
+            notices.push(Notice::mistake(key.to_owned(), text));
+        }
+    };
+    let turned_twice = mechanism.input.sign() < 0.0
+        && matches!(mechanism.motion, Some(Motion::Prescribed { speed, .. }) if speed > 0.0);
+    doubt(turned_twice, speed.0, text!("scene-turned-twice"));
     let finds_flywheel =
         mechanism.drive.as_ref().is_some_and(|drive| matches!(drive.flywheel, Some(Solve::Wanted)));
     let is_wanted = matches!(mechanism.motion, Some(Motion::Steady { unevenness: Some(_), .. }));
@@ -85,20 +111,6 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         let [ratio, needed] = [ratio, needed].map(rounded);
         doubt(true, "drive.ratio", text!("scene-odd-ratio", ratio = ratio, needed = needed));
     }
-    let nothing = mechanism.output.as_ref().is_some_and(|output| {
-        output.points.is_empty()
-            && output.links.is_empty()
-            && output.slides.is_empty()
-            && output.reactions.is_empty()
-    });
-    doubt(nothing, "output", text!("scene-empty-output"));
-    for (id, load) in mechanism.loads.iter().enumerate() {
-        let (list, number) = mechanism.place_of_load(id);
-        let key = |name: &str| format!("{list}[{number}].{name}");
-        if let Some((name, text)) = of_load(mechanism, load, size) {
-            doubt(true, &key(name), text);
-        }
-    }
     notices
 }
 
@@ -108,8 +120,9 @@ fn turned_by_frame_and_from(mechanism: &Mechanism) -> Option<(&str, f64)> {
     let place =
         |point: &Point| point.places.iter().find(|place| place.link == input.link).map(|place| place.at);
     let origin = place(&mechanism.points[pivot])?;
-    mechanism.points.iter().filter(|point| point.is_pin()).find_map(|point| {
-        let at = place(point).filter(|at| *at != origin)?;
+    let others = mechanism.points.iter().enumerate().filter(|(id, point)| *id != pivot && point.is_pin());
+    others.map(|(_, point)| point).find_map(|point| {
+        let at = place(point)?;
         let angle = (at[1] - origin[1]).atan2(at[0] - origin[0]);
         let apart = (input.from - angle).rem_euclid(TAU);
         let is_same = apart.min(TAU - apart) < SAME_DIRECTION && angle.abs() > SAME_DIRECTION;
