@@ -14,9 +14,8 @@ use crate::{SweepError, Target};
 /// What of a mechanism is measured; the same at every point of a sweep.
 #[derive(Debug, Clone)]
 pub(crate) struct Layout {
-    /// Whether there is a group, and whether a parameter can change a place.
+    /// Whether there is a group.
     pub(crate) groups: bool,
-    pub(crate) moves: bool,
     /// Whether a balancing load is found at the positions.
     pub(crate) balancing: bool,
     /// Pins and slides whose reactions are found.
@@ -71,7 +70,6 @@ impl Layout {
         let balancing = if mechanism.balances_by_moment() { "Nm" } else { "N" };
         let mut layout = Self {
             groups: false,
-            moves: true,
             balancing: false,
             joints: Vec::new(),
             points: Vec::new(),
@@ -116,10 +114,10 @@ impl Layout {
         Ok(())
     }
 
-    /// The same with what parameters can change marked.
+    /// The same with what parameters can change marked; without groups where they can't change a place.
     pub(crate) fn reached(&self, reach: &Reach, mechanism: &Mechanism) -> Self {
         let mut layout = self.clone();
-        layout.moves = reach.moves_anything();
+        layout.groups &= reach.moves_anything();
         layout.joints.iter_mut().for_each(|joint| joint.reached = reach.pair(joint.id.id, mechanism));
         layout.points.iter_mut().for_each(|point| point.reached = reach.point(point.id.0, mechanism));
         layout.slides.iter_mut().for_each(|slide| slide.reached = reach.slide(slide.id, mechanism));

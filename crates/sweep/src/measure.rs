@@ -267,7 +267,7 @@ impl Sink<'_> {
 }
 
 fn health(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    if layout.groups && layout.moves {
+    if layout.groups {
         sink.of(&found.health, Statistics::least, || "smallest_health".to_owned());
         let name = || format!("smallest_health_at_{}", layout.units.coordinate);
         sink.put(found.coordinate(&found.health, Statistics::at_least), name);
