@@ -106,7 +106,6 @@ struct Sample {
     coordinate: f64,
     /// Number of the position at it or before it.
     after_index: usize,
-    /// Whether it is that position.
     is_position: bool,
 }
 

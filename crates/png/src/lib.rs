@@ -12,7 +12,6 @@ use assur_figure::{Figure, svg};
 
 /// Letters of the Latin, Greek and Cyrillic alphabets, and the signs of formulas.
 const FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
-/// Its family.
 const FAMILY: &str = "DejaVu Sans";
 /// Pixels in a millimeter: 254 of an inch.
 pub const PIXELS: f64 = 10.0;

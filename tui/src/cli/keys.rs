@@ -86,7 +86,7 @@ fn line(key: &Key) -> String {
 
 /// What holds without a key.
 fn default(key: &Key) -> Text {
-    let of = if key.sorts.is_empty() { Text::default() } else { name(key.sorts.join(", ")) };
+    let of = name(key.sorts);
     match (key.default, key.sorts.is_empty()) {
         (Default::Needed, true) => text!("cli-key-needed"),
         (Default::Needed, false) => text!("cli-key-needed-of", sorts = of),

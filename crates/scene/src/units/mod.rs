@@ -86,7 +86,6 @@ impl Describe for UnitError {
     }
 }
 
-/// A unit, and what it measures.
 pub(crate) fn measures(unit: &str, found: Option<Dimension>) -> Text {
     let found = found.map_or_else(|| text!("scene-no-quantity"), |found| found.describe());
     text!("scene-got-unit", unit = shown(unit), measures = found)
