@@ -5,7 +5,7 @@ use assur_force::{
     analyzers, joints,
 };
 use assur_geometry::{Center, instant_centers};
-use assur_group::{Order, Wrench};
+use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{LinkId, Named, PairId};
 use assur_words::{Text, text};
@@ -184,11 +184,7 @@ fn share<'a>(
     cause: Text,
     loads: impl Iterator<Item = &'a Acting>,
 ) -> Result<Share, DiagramError> {
-    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    for load in loads {
-        wrenches[load.link].add_at([0.0; 2], load.wrench.force(), load.wrench.m);
-    }
-    let mut out = Reactions::new(linkage);
+    let (mut wrenches, mut out) = (Acting::total(loads, linkage.structure.links), Reactions::new(linkage));
     analyzer.solve(linkage, position, &mut wrenches, &mut out)?;
     Ok(Share { cause, reactions: joint_forces(linkage, &out), balancing: out.balancing })
 }

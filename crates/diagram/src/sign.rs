@@ -66,7 +66,7 @@ pub fn sign_changes(
 ) -> Result<Vec<Vec<SignChange>>, DiagramError> {
     let input = &solver.linkage.mechanism.input;
     // The position after the last is the first one of the next cycle.
-    let closing = usize::from(matches!(input.range, assur_mechanism::Range::Cycle(_)));
+    let closing = usize::from(input.is_cycle());
     let last = input.positions + closing - 1;
     // Of very many positions every so many are enough to find the changes.
     let stride = last.div_ceil(MOST_POSITIONS).max(1);

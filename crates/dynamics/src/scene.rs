@@ -165,7 +165,7 @@ fn drive_request(
     let motor = DriveMotor::of(&drive.torque, || {
         let power = solver.required_power(drive.efficiency);
         if power > 0.0 {
-            Ok([power, solver.wanted_speed()])
+            Ok([power, solver.request.mean_speed.abs()])
         } else {
             Err(DynamicsError::NoLoad(-solver.resistance_work()))
         }

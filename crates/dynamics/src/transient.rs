@@ -113,16 +113,16 @@ fn solve(
     motion: &mut dyn Motion,
     request: &Request,
 ) -> Result<(Solution, Option<Text>), IntegrationError> {
-    let error = match assur_integrator::solve(named, motion, request) {
-        Err(error) if request.until == Until::Rest && error.is_unreached() => error,
-        found => return Ok((found?, None)),
+    let first = assur_integrator::solve(named, motion, request);
+    let why = match &first {
+        Err(IntegrationError::NotReached { why, .. }) if request.until == Until::Rest => why.clone(),
+        Err(error @ IntegrationError::TooManySteps { .. }) if request.until == Until::Rest => {
+            error.describe()
+        }
+        _ => return Ok((first?, None)),
     };
     let turning = Request { until: Until::Turn, ..*request };
-    let found = assur_integrator::solve(named, motion, &turning).map_err(|_| error.clone())?;
-    let why = match error {
-        IntegrationError::NotReached { why, .. } => why,
-        other => other.describe(),
-    };
+    let Ok(found) = assur_integrator::solve(named, motion, &turning) else { return Ok((first?, None)) };
     Ok((found, Some(why)))
 }
 

@@ -36,11 +36,6 @@ impl Dependence {
             (false, _) => 3,
         }
     }
-
-    /// The kinetic energy follows from the work along the coordinate alone (E eq. 1 is one quadrature).
-    pub fn is_work_of_coordinate(&self) -> bool {
-        !self.moment_on_speed && !self.moment_on_time
-    }
 }
 
 /// As `J(q), M(q, w)`.

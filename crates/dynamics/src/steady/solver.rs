@@ -66,7 +66,7 @@ fn check_repeats(path: &mut Path<'_>, panels: &[Panel], speed: f64) -> Result<()
 pub struct RegimeSolver<'a> {
     shooting: Shooting<'a>,
     diagram: WorkDiagram,
-    request: CycleRequest,
+    pub(crate) request: CycleRequest,
 }
 
 impl<'a> RegimeSolver<'a> {
@@ -97,11 +97,6 @@ impl<'a> RegimeSolver<'a> {
     /// holds for work and power.
     pub fn mean_resistance(&self) -> f64 {
         self.diagram.mean_moment
-    }
-
-    /// The wanted mean speed without its sign, rad/s.
-    pub fn wanted_speed(&self) -> f64 {
-        self.request.mean_speed.abs()
     }
 
     /// Work of the resistance over a cycle, J; negative where the loads drive.
