@@ -85,10 +85,6 @@ pub struct Sweep {
 
 impl Sweep {
     /// Finds the parameters in the scene. `file_name` is only repeated in errors.
-    ///
-    /// # Errors
-    ///
-    /// [`SweepError`]: a faulty scene, a parameter that is not in it or not a number, units that don't fit, too many points.
     pub fn of(file_name: &str, scene: &str, vary: &[Vary], request: Request) -> Result<Self, SweepError> {
         let base = assur_scene::read(file_name, scene)?;
         if vary.is_empty() {
@@ -115,7 +111,7 @@ impl Sweep {
         let mut names = Vec::new();
         let mut sink = Sink::Names(&mut names);
         for measure in &measures {
-            let layout = if measure.asked { &layout } else { &reached };
+            let layout = if measure.whole { &layout } else { &reached };
             measure.put(layout, &Measured::new(layout), &mut sink);
         }
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
@@ -130,7 +126,7 @@ impl Sweep {
 
     /// What a measure has columns of.
     pub(crate) fn layout_of(&self, measure: &Measure) -> &Layout {
-        if measure.asked { &self.layout } else { &self.reached }
+        if measure.whole { &self.layout } else { &self.reached }
     }
 
     /// The text of the scene.
