@@ -110,7 +110,7 @@ fn best_start(
         let found =
             (0..kernel.ways()).filter_map(|way| miss(wanted, kernel, way.try_into().ok()?, bodies).ok());
         let off = found.map(|(off, _)| off).fold(f64::INFINITY, f64::min);
-        if off < best.0 {
+        if off < best.0 - SAME * kernel.frame().scale {
             best = (off, guess);
         }
     }

@@ -38,7 +38,9 @@ pub(crate) fn solve(rows: &[Row], unknowns: usize) -> LeastNorm {
         for (direction, along) in directions.iter().chain(&directions) {
             let shared: f64 = direction.iter().map(|&(unknown, part)| parts[unknown] * part).sum();
             if shared != 0.0 {
-                direction.iter().for_each(|&(unknown, part)| parts[unknown] -= shared * part);
+                for &(unknown, part) in direction {
+                    parts[unknown] -= shared * part;
+                }
                 right -= shared * along;
             }
         }
