@@ -130,7 +130,7 @@ fn a_few_places_are_enough_for_the_assembly_that_has_them() {
         ("P9", [0.271_038_956_290_664_2, -0.086_835_459_090_219_84]),
     ];
     for (name, [x, y]) in known {
-        let point = linkage.mechanism.points.iter().find(|point| point.name.to_string() == name).unwrap();
+        let point = linkage.mechanism.points.iter().find(|point| &*point.name == name).unwrap();
         let [u, v] = position.bodies[point.places[0].link].point(point.places[0].at);
         assert!((u - x).hypot(v - y) < 1e-12, "{name}: {u} {v}");
     }
