@@ -25,6 +25,8 @@ pub enum UnitError {
     },
     /// The number contains a comma (the text).
     Comma(String),
+    /// The digits of the number stand in groups (the text).
+    Grouped(String),
     /// The number is so great that results would have no correct digits.
     TooLarge {
         /// The text.
@@ -70,6 +72,7 @@ impl Describe for UnitError {
                 wants(wanted, text!("scene-got-no-number", text = shown(text)))
             }
             Self::Comma(number) => text!("scene-comma", number = shown(number)),
+            Self::Grouped(number) => text!("scene-grouped-digits", text = shown(number)),
             Self::TooLarge { text, wanted } => {
                 let most = name(format!("{:e} {}", wanted.most(), wanted.si()));
                 text!("scene-too-large", text = shown(text), most = most)
@@ -86,17 +89,12 @@ impl Describe for UnitError {
     }
 }
 
-/// A unit, and what it measures.
 pub(crate) fn measures(unit: &str, found: Option<Dimension>) -> Text {
     let found = found.map_or_else(|| text!("scene-no-quantity"), |found| found.describe());
     text!("scene-got-unit", unit = shown(unit), measures = found)
 }
 
 /// Returns an SI value if it is in the range of its kind; `text` is its text in the file.
-///
-/// # Errors
-///
-/// [`UnitError::TooLarge`], [`UnitError::TooSmall`].
 pub(crate) fn within(value: f64, text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     let text = || text.to_owned();
     match value.abs() {
@@ -112,10 +110,6 @@ pub struct Unit(parse::Scale);
 
 impl Unit {
     /// The unit of this name: `mm`, `kg*m^2`; without a name the SI unit.
-    ///
-    /// # Errors
-    ///
-    /// [`UnitError`]: an unknown unit, or a unit of another dimension.
     pub fn of(name: &str, wanted: Dimension) -> Result<Self, UnitError> {
         if name.is_empty() {
             return Ok(Self(parse::Scale::ONE));
@@ -138,10 +132,6 @@ impl Unit {
 }
 
 /// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number without a unit is taken as SI.
-///
-/// # Errors
-///
-/// [`UnitError`]: no number, one out of range, an unknown unit, a unit of another dimension.
 pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     let (number, unit) = parse::split(text, wanted)?;
     within(Unit::of(unit, wanted)?.si(number), text, wanted)
