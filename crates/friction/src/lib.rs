@@ -25,7 +25,7 @@ mod unique;
 pub use every::Solutions;
 pub use moduli::{Moduli, Width};
 pub use radius::spectral_radius;
-pub use unique::{MOST, Unique, Vector};
+pub use unique::{Sum, Unique};
 
 #[cfg(test)]
 mod tests;

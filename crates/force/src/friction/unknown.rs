@@ -48,10 +48,10 @@ impl Unknown {
             match rub.rubbing {
                 Rubbing::Journal { .. } => add(UnknownKind::Force),
                 Rubbing::Place => add(UnknownKind::Normal),
-                Rubbing::Faces { offset, .. } => {
+                Rubbing::Faces { .. } => {
                     add(UnknownKind::End(1.0));
                     add(UnknownKind::End(-1.0));
-                    if offset != 0.0 {
+                    if rub.is_shifted() {
                         add(UnknownKind::Shift);
                     }
                 }
@@ -66,8 +66,25 @@ impl Unknown {
     }
 
     /// The vector whose modulus it is, from reactions without the loads of friction; of a slide its first component.
-    #[inline]
+    #[inline(always)]
     pub fn vector<T: Real>(&self, rub: &Rub, bodies: &[Body<T>], reactions: &[Wrench<T>]) -> [T; 2] {
+        let (parts, normal) = self.pressing(rub, bodies, reactions);
+        match self.kind {
+            UnknownKind::Force => parts,
+            UnknownKind::Normal | UnknownKind::Shift => [normal, T::ZERO],
+            UnknownKind::End(sign) => [parts[usize::from(sign < 0.0)], T::ZERO],
+        }
+    }
+
+    /// What presses in its rub, from reactions without the loads of friction: the force of a pin, or the forces on both ends of a
+    /// slide (all of it first where it is pressed in one place); and the normal force of a slide.
+    #[inline(always)]
+    pub fn pressing<T: Real>(
+        &self,
+        rub: &Rub,
+        bodies: &[Body<T>],
+        reactions: &[Wrench<T>],
+    ) -> ([T; 2], T) {
         let mut sum = Wrench::ZERO;
         for &(pair, factor) in &self.pairs {
             let (factor, one) = (T::from_f64(factor), &reactions[pair]);
@@ -75,38 +92,22 @@ impl Unknown {
             sum.fy += factor * one.fy;
             sum.m += factor * one.m;
         }
-        if self.kind == UnknownKind::Force {
-            return [sum.fx, sum.fy];
-        }
-        let [x, y] = perp(rub.along(bodies));
-        let normal = x * sum.fx + y * sum.fy;
-        let (UnknownKind::End(sign), Rubbing::Faces { length, middle, .. }) = (self.kind, rub.rubbing) else {
-            return [normal, T::ZERO];
+        let normal = || {
+            let [x, y] = perp(rub.along(bodies));
+            x * sum.fx + y * sum.fy
         };
-        let moment = match middle {
-            Middle::Point => sum.m,
-            Middle::Through => sum.m + rub.displacement(bodies) * normal,
-        };
-        [normal.half() + moment * T::from_f64(sign / length), T::ZERO]
-    }
-
-    /// Adds the loads that it gives where it has size 1, the coefficient is 1 and the relative speed positive, times a factor.
-    #[inline]
-    pub fn load<T: Real>(&self, rub: &Rub, bodies: &[Body<T>], factor: T, loads: &mut [Wrench<T>]) {
-        match (self.kind, rub.rubbing) {
-            (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
-            | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => {
-                let moment = -(factor * T::from_f64(lever));
-                loads[rub.link].m += moment;
-                loads[rub.on].m += -moment;
+        match rub.rubbing {
+            Rubbing::Journal { .. } => ([sum.fx, sum.fy], T::ZERO),
+            Rubbing::Place => ([normal(), T::ZERO], normal()),
+            Rubbing::Faces { length, middle, .. } => {
+                let normal = normal();
+                let moment = match middle {
+                    Middle::Point => sum.m,
+                    Middle::Through => sum.m + rub.displacement(bodies) * normal,
+                };
+                let half = moment * T::from_f64(1.0 / length);
+                ([normal.half() + half, normal.half() - half], normal)
             }
-            (UnknownKind::Normal | UnknownKind::End(_), _) => {
-                let force = scaled(-factor, rub.along(bodies));
-                let [arm, arm_on] = rub.arms(bodies);
-                loads[rub.link].add_at(arm, force, T::ZERO);
-                loads[rub.on].add_at(arm_on, [-force[0], -force[1]], T::ZERO);
-            }
-            _ => {}
         }
     }
 
@@ -127,6 +128,28 @@ impl Unknown {
             (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
             | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => -lever,
             _ => 0.0,
+        }
+    }
+}
+
+impl UnknownKind {
+    /// Adds the loads that it gives where it has size 1, the coefficient is 1 and the relative speed positive, times a factor.
+    #[inline(always)]
+    pub fn load<T: Real>(self, rub: &Rub, bodies: &[Body<T>], factor: T, loads: &mut [Wrench<T>]) {
+        match (self, rub.rubbing) {
+            (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
+            | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => {
+                let moment = -(factor * T::from_f64(lever));
+                loads[rub.link].m += moment;
+                loads[rub.on].m += -moment;
+            }
+            (UnknownKind::Normal | UnknownKind::End(_), _) => {
+                let force = scaled(-factor, rub.along(bodies));
+                let [arm, arm_on] = rub.arms(bodies);
+                loads[rub.link].add_at(arm, force, T::ZERO);
+                loads[rub.on].add_at(arm_on, [-force[0], -force[1]], T::ZERO);
+            }
+            _ => {}
         }
     }
 }
