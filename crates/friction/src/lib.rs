@@ -18,12 +18,14 @@
 mod dense;
 mod every;
 mod moduli;
+mod path;
 mod quadrics;
 mod radius;
 mod unique;
 
 pub use every::Solutions;
 pub use moduli::{Moduli, Width};
+pub use path::{Node, path};
 pub use radius::spectral_radius;
 pub use unique::{Sum, Unique};
 

@@ -114,7 +114,7 @@ impl<'a> Rubbed<'a> {
                 let rub = &self.frictions.rubs[unknown.rub];
                 let [sense, speed] = self.senses[index][unknown.rub];
                 let smooth = if width > 0.0 { speed / speed.hypot(width) } else { 1.0 };
-                unknown.load(rub, &position.bodies, sense * smooth * rub.coefficient * size, &mut own);
+                unknown.kind.load(rub, &position.bodies, sense * smooth * rub.coefficient * size, &mut own);
             }
             let solved = self.ideal.instance.solve(self.linkage(), position, &mut own, out);
             solved.map_err(|error| error.describe())?;

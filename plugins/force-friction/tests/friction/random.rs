@@ -24,6 +24,8 @@ struct Count {
     one: usize,
     several: usize,
     none: usize,
+    /// One method finds a solution, and the other neither one nor a proof that there is none.
+    unknown: usize,
     apart: f64,
 }
 
@@ -46,15 +48,13 @@ fn compare(seeds: std::ops::Range<u64>) -> Count {
         match (own, whole) {
             (Ok(own), Ok(whole)) => judge(seed, &own, &whole, &mut count),
             (Err(ForceError::Jammed { .. }), Err(ForceError::Jammed { .. })) => count.none += 1,
-            (Err(ForceError::Jammed { .. }), Ok(found)) => {
-                println!("{seed}: only newton-euler finds a solution, {:?}", found.balancing);
+            // Where a method does not find all it may find none.
+            (Err(ForceError::Jammed { proved: false, .. }), Ok(_))
+            | (Ok(_), Err(ForceError::Jammed { proved: false, .. })) => count.unknown += 1,
+            (Err(ForceError::Jammed { .. }), Ok(_)) | (Ok(_), Err(ForceError::Jammed { .. })) => {
+                panic!("{seed}: one method finds a solution")
             }
-            (Ok(own), Err(ForceError::Jammed { .. })) => {
-                let rubbing = own.rubbing.as_ref().unwrap();
-                let doubt = rubbing.doubts.first().map(|(_, doubt)| (doubt.solutions.len(), doubt.proved, doubt.continuum));
-                println!("{seed}: only coulomb finds a solution, {:?} {:?} {doubt:?}", own.balancing, rubbing.certificates);
-            }
-            (a, b) => println!("{seed}: other {:?} {:?}", a.err(), b.err()),
+            _ => {}
         }
     }
     count
@@ -73,12 +73,12 @@ fn judge(seed: u64, own: &Reactions, whole: &Reactions, count: &mut Count) {
         Some((_, doubt)) if doubt.solutions.len() > 1 => {
             count.several += 1;
             let near = doubt.solutions.iter().any(|one| apart(one.balancing, &one.forces) < 1e-7);
-            if !near { println!("{seed}: near {near} proved {} apart {:?}", doubt.proved, doubt.solutions.iter().map(|one| apart(one.balancing, &one.forces)).collect::<Vec<_>>()); }
+            assert!(near || !doubt.proved, "{seed}: the other method finds another solution");
         }
         _ => {
             let apart = apart(own.balancing, &rubbing.forces);
             // The conditions of the groups magnify rounding, and so does a certificate near 1.
-            if apart >= 1e-10 { println!("{seed}: {apart} {:?} doubt {:?}", rubbing.certificates, rubbing.doubts.first().map(|(_, doubt)| (doubt.solutions.len(), doubt.proved)));}
+            assert!(apart < 1e-8, "{seed}: {apart} {:?}", rubbing.certificates);
             count.apart = count.apart.max(apart);
             count.one += usize::from(apart < 1e-10);
         }
@@ -95,8 +95,7 @@ fn both_methods_agree_on_random_mechanisms() {
 #[ignore = "takes minutes"]
 fn both_methods_agree_on_two_thousand_random_mechanisms() {
     let found = compare(100..2400);
-    println!("{found:?}");
-    assert!(found.one + found.several + found.none > 2000, "{found:?}");
+    assert!(found.one + found.several + found.none > 2000 && found.unknown == 0, "{found:?}");
 }
 
 #[test]
