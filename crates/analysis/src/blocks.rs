@@ -10,7 +10,8 @@ use rayon::prelude::*;
 
 use crate::families::Columns;
 use crate::filler::{Filler, Obstacle};
-use crate::friction::{Several, jammed};
+use crate::friction::jammed;
+use crate::several::Several;
 use crate::progress::{Stopped, Watch, step};
 use crate::results::{Failure, Table};
 use crate::{Calculation, Progress};

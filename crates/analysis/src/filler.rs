@@ -10,7 +10,7 @@ use assur_number::Lanes;
 
 use crate::Calculation;
 use crate::families::{Columns, Motions, Rows};
-use crate::friction::Several;
+use crate::several::Several;
 use crate::joints::Joints;
 use crate::results::{Mask, Table};
 

@@ -9,7 +9,7 @@ use assur_words::{Describe, text};
 
 use crate::angles::{Angles, Starts};
 use crate::blocks::{Block, Blocks};
-use crate::friction::Several;
+use crate::several::Several;
 use crate::notes::Listed;
 use crate::progress::{Stopped, Watch};
 use crate::results::{Analysis, Failure, InputReport, Peaks, Survey, Table};

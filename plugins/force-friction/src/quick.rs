@@ -181,25 +181,43 @@ impl<T: Number> Quick<'_, T> {
         let Reactions { rubbing, pairs, solved, scratch_pairs, scratch_bodies, .. } = out;
         let Rubbing { frictions, senses, .. } = rubbing.as_ref()?;
         let rubs = Rubs { frictions: &**frictions, senses: &senses[..], bodies: self.bodies, block };
-        let mut table = Table([[[T::ZERO; 3]; C]; N]);
-        let sums = (0..rubs.count()).map(|index| (1 + index, Some((index, false))));
-        let normals = rubs.shifted().enumerate().map(|(nth, index)| (1 + N + nth, Some((index, true))));
-        for (column, of) in [(0, None)].into_iter().chain(sums).chain(normals) {
-            // A stage reads the loads of its own links only; a joint may have reactions that are known before.
+        let sums = (0..rubs.count()).map(|index| (1 + index, (index, false)));
+        let normals = rubs.shifted().enumerate().map(|(nth, index)| (1 + N + nth, (index, true)));
+        let (links, count) = (loads.len(), pairs.len());
+        let sets = 1 + N + rubs.shifted().count();
+        scratch_bodies.resize(scratch_bodies.len().max(sets * links), Wrench::ZERO);
+        scratch_pairs.resize(scratch_pairs.len().max(sets * count), Wrench::ZERO);
+        // A stage reads the loads of its own links only; a joint may have reactions that are known before.
+        for (set, (own, found)) in
+            scratch_bodies.chunks_exact_mut(links).zip(scratch_pairs.chunks_exact_mut(count)).enumerate().take(sets)
+        {
             for &link in self.links(stage) {
-                scratch_bodies[link] = if of.is_none() { loads[link] } else { Wrench::ZERO };
+                own[link] = if set == 0 { loads[link] } else { Wrench::ZERO };
             }
             for &(pair, _) in (0..rubs.count()).flat_map(|index| &rubs.rub(index).1.pairs) {
-                scratch_pairs[pair] = if of.is_none() { pairs[pair] } else { Wrench::ZERO };
+                found[pair] = if set == 0 { pairs[pair] } else { Wrench::ZERO };
             }
-            if let Some((index, is_normal)) = of {
-                rubs.load(index, is_normal, T::ONE, scratch_bodies);
+        }
+        for (column, (index, is_normal)) in sums.chain(normals) {
+            rubs.load(index, is_normal, T::ONE, &mut scratch_bodies[column * links..]);
+        }
+        let (own, found) = (&mut scratch_bodies[..sets * links], &mut scratch_pairs[..sets * count]);
+        match stage.checked_sub(1) {
+            Some(group) if !solved[group] => {}
+            Some(group) => self.groups[group].reactions_under(self.bodies, own, found, sets).ok()?,
+            None => {
+                for (own, found) in own.chunks_exact_mut(links).zip(found.chunks_exact_mut(count)) {
+                    self.respond(stage, solved, own, found)?;
+                }
             }
-            self.respond(stage, solved, scratch_bodies, scratch_pairs)?;
-            for (index, row) in table.0.iter_mut().enumerate().take(rubs.count()) {
-                let (rub, unknown) = rubs.rub(index);
-                let ([one, other], normal) = unknown.pressing(rub, self.bodies, scratch_pairs);
-                row[column] = [one, other, normal];
+        }
+        let mut table = Table([[[T::ZERO; 3]; C]; N]);
+        for (index, row) in table.0.iter_mut().enumerate().take(rubs.count()) {
+            let (rub, unknown) = rubs.rub(index);
+            let pressing = unknown.pressing(rub, self.bodies);
+            for (entry, found) in row.iter_mut().zip(found.chunks_exact(count)) {
+                let ([one, other], normal) = pressing.of(&unknown.load_on(found));
+                *entry = [one, other, normal];
             }
         }
         Some(table)

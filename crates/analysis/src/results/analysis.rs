@@ -9,7 +9,8 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 use super::Owner;
-use crate::friction::{FrictionCycle, Several};
+use crate::friction::FrictionCycle;
+use crate::several::Several;
 use crate::results::{Dynamics, Peaks, Starts, StructureReport, Survey, Table};
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.

@@ -1,6 +1,6 @@
 //! What friction depends on, and the loads that it gives.
 
-use assur_group::plane::{perp, scaled};
+use assur_group::plane::{dot, perp, scaled};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Mechanism, Middle, Rubbing};
 use assur_number::Real;
@@ -68,7 +68,7 @@ impl Unknown {
     /// The vector whose modulus it is, from reactions without the loads of friction; of a slide its first component.
     #[inline(always)]
     pub fn vector<T: Real>(&self, rub: &Rub, bodies: &[Body<T>], reactions: &[Wrench<T>]) -> [T; 2] {
-        let (parts, normal) = self.pressing(rub, bodies, reactions);
+        let (parts, normal) = self.pressing(rub, bodies).of(&self.load_on(reactions));
         match self.kind {
             UnknownKind::Force => parts,
             UnknownKind::Normal | UnknownKind::Shift => [normal, T::ZERO],
@@ -76,15 +76,9 @@ impl Unknown {
         }
     }
 
-    /// What presses in its rub, from reactions without the loads of friction: the force of a pin, or the forces on both ends of a
-    /// slide (all of it first where it is pressed in one place); and the normal force of a slide.
+    /// The load on the link of its rub, from reactions.
     #[inline(always)]
-    pub fn pressing<T: Real>(
-        &self,
-        rub: &Rub,
-        bodies: &[Body<T>],
-        reactions: &[Wrench<T>],
-    ) -> ([T; 2], T) {
+    pub fn load_on<T: Real>(&self, reactions: &[Wrench<T>]) -> Wrench<T> {
         let mut sum = Wrench::ZERO;
         for &(pair, factor) in &self.pairs {
             let (factor, one) = (T::from_f64(factor), &reactions[pair]);
@@ -92,22 +86,23 @@ impl Unknown {
             sum.fy += factor * one.fy;
             sum.m += factor * one.m;
         }
-        let normal = || {
-            let [x, y] = perp(rub.along(bodies));
-            x * sum.fx + y * sum.fy
-        };
+        sum
+    }
+
+    /// How a load presses in its rub.
+    #[inline(always)]
+    pub fn pressing<T: Real>(&self, rub: &Rub, bodies: &[Body<T>]) -> Pressing<T> {
         match rub.rubbing {
-            Rubbing::Journal { .. } => ([sum.fx, sum.fy], T::ZERO),
-            Rubbing::Place => ([normal(), T::ZERO], normal()),
-            Rubbing::Faces { length, middle, .. } => {
-                let normal = normal();
-                let moment = match middle {
-                    Middle::Point => sum.m,
-                    Middle::Through => sum.m + rub.displacement(bodies) * normal,
-                };
-                let half = moment * T::from_f64(1.0 / length);
-                ([normal.half() + half, normal.half() - half], normal)
-            }
+            Rubbing::Journal { .. } => Pressing::Pin,
+            Rubbing::Place => Pressing::Place { across: perp(rub.along(bodies)) },
+            Rubbing::Faces { length, middle, .. } => Pressing::Ends {
+                across: perp(rub.along(bodies)),
+                shift: match middle {
+                    Middle::Point => T::ZERO,
+                    Middle::Through => rub.displacement(bodies),
+                },
+                length,
+            },
         }
     }
 
@@ -150,6 +145,47 @@ impl UnknownKind {
                 loads[rub.on].add_at(arm_on, [-force[0], -force[1]], T::ZERO);
             }
             _ => {}
+        }
+    }
+}
+
+/// How a load presses in a rub.
+#[derive(Debug, Clone, Copy)]
+pub enum Pressing<T> {
+    /// By its force.
+    Pin,
+    /// By its component across the guide.
+    Place {
+        /// The left normal of the guide.
+        across: [T; 2],
+    },
+    /// By the forces on both ends.
+    Ends {
+        /// The left normal of the guide.
+        across: [T; 2],
+        /// From the middle of the contact to the point of the slide, m.
+        shift: T,
+        /// Length of the contact, m.
+        length: f64,
+    },
+}
+
+impl<T: Real> Pressing<T> {
+    /// What presses without the loads of friction: the force of a pin, or the forces on both ends of a slide (all of it first where
+    /// it is pressed in one place); and the normal force of a slide.
+    #[inline(always)]
+    pub fn of(&self, load: &Wrench<T>) -> ([T; 2], T) {
+        match *self {
+            Self::Pin => ([load.fx, load.fy], T::ZERO),
+            Self::Place { across } => {
+                let normal = dot(across, load.force());
+                ([normal, T::ZERO], normal)
+            }
+            Self::Ends { across, shift, length } => {
+                let normal = dot(across, load.force());
+                let part = (load.m + shift * normal) * T::from_f64(1.0 / length);
+                ([normal.half() + part, normal.half() - part], normal)
+            }
         }
     }
 }
