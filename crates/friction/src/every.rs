@@ -56,7 +56,8 @@ impl Moduli {
         for trial in 0..TRIALS {
             // Each modulus has a sequence of its own, by the powers of an irrational number.
             let part = |j: usize| (f64::from(trial) * 0.618_033_988_749_895_f64.powi(1 + j as i32)).fract();
-            let start: Vec<f64> = (0..self.count()).map(|j| size * 10_f64.powf(4.0 * part(j) - 2.0)).collect();
+            let start: Vec<f64> =
+                (0..self.count()).map(|j| size * 10_f64.powf(4.0 * part(j) - 2.0)).collect();
             if let Some(z) = self.newton(&start) {
                 self.add(z, found);
             }

@@ -23,10 +23,7 @@ pub struct Node {
 
 /// The moduli of a solution with all friction, to which a path leads from a point of it; `None` where it ends before. `solve` finds
 /// the moduli at a part near expected ones, as [`Moduli::near`] does.
-pub fn path(
-    mut now: Node,
-    mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>,
-) -> Option<Vec<f64>> {
+pub fn path(mut now: Node, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>) -> Option<Vec<f64>> {
     let mut before: Option<Node> = None;
     let mut step = FIRST;
     for _ in 0..MOST {

@@ -186,7 +186,10 @@ fn unique(system: &Moduli) -> (Unique<f64, MOST>, Moduli) {
     let mut shared = system.clone();
     let mut firsts: Vec<[usize; 2]> = Vec::new();
     for j in 0..system.count() {
-        match firsts.last_mut().filter(|[first, last]| first == last && system.widths[*first..=j] == [Width::One; 2]) {
+        match firsts
+            .last_mut()
+            .filter(|[first, last]| first == last && system.widths[*first..=j] == [Width::One; 2])
+        {
             Some([first, last]) => {
                 *last = j;
                 shared.slopes.iter_mut().for_each(|row| row[j] = row[*first]);

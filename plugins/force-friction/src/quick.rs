@@ -188,8 +188,11 @@ impl<T: Number> Quick<'_, T> {
         scratch_bodies.resize(scratch_bodies.len().max(sets * links), Wrench::ZERO);
         scratch_pairs.resize(scratch_pairs.len().max(sets * count), Wrench::ZERO);
         // A stage reads the loads of its own links only; a joint may have reactions that are known before.
-        for (set, (own, found)) in
-            scratch_bodies.chunks_exact_mut(links).zip(scratch_pairs.chunks_exact_mut(count)).enumerate().take(sets)
+        for (set, (own, found)) in scratch_bodies
+            .chunks_exact_mut(links)
+            .zip(scratch_pairs.chunks_exact_mut(count))
+            .enumerate()
+            .take(sets)
         {
             for &link in self.links(stage) {
                 own[link] = if set == 0 { loads[link] } else { Wrench::ZERO };
