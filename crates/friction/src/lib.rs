@@ -11,7 +11,8 @@
 //! Rheinboldt 1970, section 13.1): where the spectral radius of L is below 1 there is exactly one solution, and the textbook
 //! iteration converges to it at this rate. From 1 on there may be none (jamming), one, or several; [`Moduli::solutions`] finds
 //! them all by algebra: the signs of vectors of one component are enumerated, and the remaining equations are quadrics, whose
-//! common points are the eigenvalues of a multiplication matrix.
+//! common points are the eigenvalues of a multiplication matrix. Where these are too many, Newton's method looks for solutions from many
+//! places, and a [`path`] leads to one from small friction.
 //!
 //! Nothing here knows of mechanisms; numbers may have any unit.
 
