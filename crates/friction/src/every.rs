@@ -54,8 +54,8 @@ impl Moduli {
     fn seek(&self, found: &mut Solutions) {
         let size = self.size(&vec![0.0; self.count()]);
         for trial in 0..TRIALS {
-            // Each modulus has a sequence of its own, by the powers of an irrational number.
-            let part = |j: usize| (f64::from(trial) * 0.618_033_988_749_895_f64.powi(1 + j as i32)).fract();
+            // Each modulus has a sequence of its own: the fractions of the multiples of an irrational number.
+            let part = |j: usize| (f64::from(trial) * (1.0 + j as f64).sin()).rem_euclid(1.0);
             let start: Vec<f64> =
                 (0..self.count()).map(|j| size * 10_f64.powf(4.0 * part(j) - 2.0)).collect();
             if let Some(z) = self.newton(&start) {

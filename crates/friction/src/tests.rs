@@ -219,7 +219,9 @@ fn first<const N: usize>(system: &Unique<f64, MOST>) -> Unique<f64, N> {
 
 /// As few unknowns as are enough.
 fn solve(system: &Unique<f64, MOST>) -> Option<(f64, Vec<f64>)> {
-    let is_empty = |sum: &Sum<f64, MOST>| sum.constant == [0.0; 2] && sum.slopes == [[0.0; 2]; MOST];
+    let is_empty = |sum: &Sum<f64, MOST>| {
+        sum.constant.iter().chain(sum.slopes.iter().flatten()).all(|part| *part == 0.0)
+    };
     if system.0[1..].iter().all(is_empty) {
         return first::<1>(system).solve().map(|(radius, z)| (radius, z.to_vec()));
     }
@@ -255,11 +257,9 @@ fn small_memory_gives_what_the_careful_method_gives() {
 /// Two numbers whose moduli depend on each other and on themselves.
 fn two(constants: [f64; 2], slopes: [[f64; 2]; 2]) -> Unique<f64, MOST> {
     let mut system = Unique([Sum::NONE; MOST]);
-    for i in 0..2 {
-        system.0[i].constant[0] = constants[i];
-        for k in 0..2 {
-            system.0[i].slopes[k][0] = slopes[i][k];
-        }
+    for ((sum, constant), own) in system.0.iter_mut().zip(constants).zip(slopes) {
+        sum.constant[0] = constant;
+        sum.slopes.iter_mut().zip(own).for_each(|(slope, own)| slope[0] = own);
     }
     system
 }

@@ -141,11 +141,8 @@ fn eliminate<T: Real, const N: usize>(matrix: &mut Matrix<T, N>, right: &mut [T;
         inverses[k] = T::ONE / matrix[k][k];
         for i in k + 1..N {
             let factor = matrix[i][k] * inverses[k];
-            for j in k + 1..N {
-                let own = matrix[k][j];
-                matrix[i][j] -= factor * own;
-            }
-            let known = right[k];
+            let (own, known) = (matrix[k], right[k]);
+            matrix[i].iter_mut().zip(own).skip(k + 1).for_each(|(entry, own)| *entry -= factor * own);
             right[i] -= factor * known;
         }
     }
