@@ -150,7 +150,7 @@ impl<T: Number> Quick<'_, T> {
     ) -> Option<()> {
         let mut table = self.table::<N, C>(block, stage, loads, out)?;
         let Rubbing { frictions, senses, forces, certificates, .. } = out.rubbing.as_mut()?;
-        let rubs = Rubs { frictions: &**frictions, senses: &senses[..], bodies: self.bodies, block };
+        let rubs = Rubs { frictions, senses: &senses[..], bodies: self.bodies, block };
         table.without_normals(&rubs)?;
         let (radius, z) = table.equations(&rubs).solve()?;
         if let Some(group) = stage.checked_sub(1) {
@@ -180,7 +180,7 @@ impl<T: Number> Quick<'_, T> {
     ) -> Option<Table<T, N, C>> {
         let Reactions { rubbing, pairs, solved, scratch_pairs, scratch_bodies, .. } = out;
         let Rubbing { frictions, senses, .. } = rubbing.as_ref()?;
-        let rubs = Rubs { frictions: &**frictions, senses: &senses[..], bodies: self.bodies, block };
+        let rubs = Rubs { frictions, senses: &senses[..], bodies: self.bodies, block };
         let sums = (0..rubs.count()).map(|index| (1 + index, (index, false)));
         let normals = rubs.shifted().enumerate().map(|(nth, index)| (1 + N + nth, (index, true)));
         let (links, count) = (loads.len(), pairs.len());
