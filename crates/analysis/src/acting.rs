@@ -21,10 +21,8 @@ pub(crate) struct Acting {
 /// Works of the driving and of the resisting moments, and of each moment, J; or the moments or powers of which they are.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Works {
-    pub(crate) driving: f64,
-    pub(crate) resisting: f64,
-    /// Of the dry friction of all pairs, which is neither.
-    pub(crate) friction: f64,
+    /// Of the driving and of the resisting moments, and of the dry friction of all pairs, which is neither.
+    pub(crate) sums: [f64; 3],
     /// In the order of [`Acting::each`].
     pub(crate) each: Vec<f64>,
 }
@@ -62,8 +60,7 @@ impl Acting {
     /// The moments, and the sums of those that drive a motion in a direction of the coordinate and of those that resist it.
     pub(crate) fn moments(&self, direction: f64) -> Works {
         let sum = |sense: f64| self.each.iter().filter(|moment| **moment * sense > 0.0).sum();
-        let friction = self.friction;
-        Works { driving: sum(direction), resisting: sum(-direction), friction, each: self.each.clone() }
+        Works { sums: [sum(direction), sum(-direction), self.friction], each: self.each.clone() }
     }
 
     /// The powers of what acts.
@@ -79,13 +76,8 @@ impl Works {
     }
 
     fn scaled(self, factor: f64) -> Self {
-        let each = self.each.into_iter().map(|work| factor * work).collect();
-        Self {
-            driving: factor * self.driving,
-            resisting: factor * self.resisting,
-            friction: factor * self.friction,
-            each,
-        }
+        let scaled = |work| factor * work;
+        Self { sums: self.sums.map(scaled), each: self.each.into_iter().map(scaled).collect() }
     }
 
     /// A number made of the values of each of them in a row of instants.
@@ -93,9 +85,7 @@ impl Works {
         let of = |part: &dyn Fn(&Self) -> f64| made(&rows.iter().map(part).collect::<Vec<_>>());
         let count = rows.first().map_or(0, |first| first.each.len());
         Self {
-            driving: of(&|row| row.driving),
-            resisting: of(&|row| row.resisting),
-            friction: of(&|row| row.friction),
+            sums: [0, 1, 2].map(|sum| of(&|row| row.sums[sum])),
             each: (0..count).map(|place| of(&|row| row.each[place])).collect(),
         }
     }
@@ -103,15 +93,15 @@ impl Works {
     /// A work divided among them in the ratio of their sizes.
     pub(crate) fn shares(&self, work: f64) -> Self {
         // Of two sums that don't change each has a half; friction is not there at all then.
-        let both = self.driving + self.resisting + self.friction;
+        let [driving, resisting, friction] = self.sums;
+        let both = driving + resisting + friction;
         let all: f64 = self.each.iter().sum();
         let part = |own: f64, sum: f64, count: usize| {
             if sum > 0.0 { work * own / sum } else { work / count.max(1) as f64 }
         };
+        let of_friction = if both > 0.0 { work * friction / both } else { 0.0 };
         Self {
-            driving: part(self.driving, both, 2),
-            resisting: part(self.resisting, both, 2),
-            friction: if both > 0.0 { work * self.friction / both } else { 0.0 },
+            sums: [part(driving, both, 2), part(resisting, both, 2), of_friction],
             each: self.each.iter().map(|own| part(*own, all, self.each.len())).collect(),
         }
     }
@@ -119,9 +109,7 @@ impl Works {
 
 impl AddAssign for Works {
     fn add_assign(&mut self, other: Self) {
-        self.driving += other.driving;
-        self.resisting += other.resisting;
-        self.friction += other.friction;
+        self.sums.iter_mut().zip(other.sums).for_each(|(sum, work)| *sum += work);
         if self.each.is_empty() {
             self.each = other.each;
         } else {

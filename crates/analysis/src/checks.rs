@@ -16,7 +16,6 @@ use crate::progress::{Stopped, Watch};
 use crate::results::{Checks, Column, Owner, Quantity, Residual, Schema, Table};
 use crate::{Calculation, InputMotion, Progress};
 
-/// The load on the input in a state.
 type LoadAtState<'a> = Box<dyn Fn(&State) -> InputLoad + Sync + 'a>;
 
 impl Calculation {

@@ -62,7 +62,7 @@ impl Calculation {
         let samples =
             course.works().into_iter().zip(&course.kinetic).zip(course.acting.iter().zip(&course.links));
         for (number, ((works, kinetic), (acting, links))) in samples.enumerate() {
-            let [driving, resisting, friction] = [works.driving, works.resisting, works.friction];
+            let [driving, resisting, friction] = works.sums;
             let moments = by_load.iter().map(|(_, place)| acting.each[*place]);
             let works = by_load.iter().map(|(_, place)| works.each[*place]);
             let row: Vec<f64> = [driving, resisting, *kinetic]
@@ -167,8 +167,8 @@ impl Calculation {
     ) -> Option<[f64; 2]> {
         let torque = found.regime.state(state.coordinate).drive;
         let Some(rubs) = rubs else { return Some([torque, 0.0]) };
-        let behind =
-            state.coordinate - state.speed.signum() * 2.0 * tolerance(state.coordinate, self.period());
+        let period = self.linkage.mechanism.input.period();
+        let behind = state.coordinate - state.speed.signum() * 2.0 * tolerance(state.coordinate, period);
         let acceleration = match state.side {
             Side::Before => self.state(behind).acceleration,
             _ => state.acceleration,
@@ -177,10 +177,6 @@ impl Calculation {
         let rubbing = rubs.reactions.rubbing.as_ref()?;
         let each = rubbing.frictions.rubs.iter().zip(&rubbing.forces);
         Some([torque, each.map(|(rub, force)| force * rub.relative(&position.bodies)).sum()])
-    }
-
-    fn period(&self) -> Option<f64> {
-        self.linkage.mechanism.input.period()
     }
 
     /// The works in a regime between two coordinates, by Simpson's rule between the jumps of the loads.
@@ -256,7 +252,7 @@ impl Course {
         let mut sum = Works::none(self.acting.first().map_or(0, |acting| acting.each.len()));
         let mut all = vec![sum.clone()];
         for (kinetic, [works, changes]) in self.kinetic.windows(2).zip(&self.intervals) {
-            let missed = kinetic[1] - kinetic[0] - works.driving - works.resisting - works.friction;
+            let missed = works.sums.iter().fold(kinetic[1] - kinetic[0], |left, work| left - work);
             sum += works.clone();
             sum += changes.shares(missed);
             all.push(sum.clone());

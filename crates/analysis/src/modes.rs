@@ -47,38 +47,13 @@ pub struct ModeCourse {
     /// Last coordinate.
     pub to: f64,
     /// How it begins.
-    pub begins: ModeEnd,
+    pub begins: CourseEnd,
     /// How it ends.
-    pub ends: ModeEnd,
+    pub ends: CourseEnd,
     /// The circuit, from 0.
     pub circuit: usize,
     /// The branch, from 0.
     pub branch: usize,
-}
-
-/// How a mode begins or ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ModeEnd {
-    /// With the cycle.
-    Cycle,
-    /// Together with the mode of this number.
-    With(usize),
-    /// Its links run to infinity.
-    Infinity,
-    /// Groups before it can't be assembled beyond.
-    Barrier,
-}
-
-impl From<CourseEnd> for ModeEnd {
-    fn from(end: CourseEnd) -> Self {
-        match end {
-            CourseEnd::Cycle => Self::Cycle,
-            CourseEnd::With(other) => Self::With(other),
-            CourseEnd::Infinity => Self::Infinity,
-            CourseEnd::Barrier => Self::Barrier,
-        }
-    }
 }
 
 /// Where two modes meet and both go on.
@@ -103,8 +78,8 @@ pub(crate) fn of(linkage: &Linkage) -> Vec<GroupModes> {
             way,
             from: course.from,
             to: course.to,
-            begins: course.ends[0].into(),
-            ends: course.ends[1].into(),
+            begins: course.ends[0],
+            ends: course.ends[1],
             circuit: course.circuit,
             branch: course.branch,
         };

@@ -2,7 +2,6 @@
 
 mod assembly;
 mod doubts;
-mod driving;
 mod friction;
 mod loads;
 

@@ -197,7 +197,6 @@ impl Shares {
         Self { wanted, rows, causes: Vec::new(), present: Vec::new(), columns: Vec::new() }
     }
 
-    /// The shares of a row.
     fn add(&mut self, row: usize, shares: &[Share]) {
         let mut names: Vec<Name> = Vec::new();
         for share in shares {

@@ -23,7 +23,6 @@ pub(crate) struct Samples {
 /// Samples of a motion that have no forces.
 #[derive(Debug, Default)]
 pub(crate) struct WithoutForces {
-    /// How many of them are at a change point.
     pub(crate) at_change_points: usize,
     /// For how many of them the method fails, or a load has no value.
     pub(crate) refused: usize,

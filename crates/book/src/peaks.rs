@@ -2,7 +2,7 @@
 
 use assur_analysis::Calculation;
 use assur_analysis::results::{Column, Edges, Owner, Part, Peaks, Quantity, Schema, Table, Turn};
-use assur_mechanism::{GROUND, Range};
+use assur_mechanism::GROUND;
 
 use crate::Course;
 
@@ -72,7 +72,7 @@ fn farthest(
 /// Mean and root mean square over the cycle; a part of a cycle has no mean of this kind.
 fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -> Option<[f64; 2]> {
     let input = &calculation.linkage.mechanism.input;
-    if !matches!(input.range, Range::Cycle(_)) {
+    if !input.is_cycle() {
         return None;
     }
     let course = Course::of(positions, Some(edges), Column::COORDINATE, Column::BALANCING);

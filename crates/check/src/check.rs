@@ -52,7 +52,6 @@ impl Check {
         }
     }
 
-    /// Shows this residual, with its limit and its place.
     fn show(&mut self, Residual { size, limit, at, place }: Residual) {
         (self.residual, self.limit, self.at, self.place) = (size, limit, Some(at), place);
     }

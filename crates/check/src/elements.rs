@@ -6,7 +6,6 @@ use assur_mechanism::{LinkId, Mechanism, Place, SlideId};
 use assur_number::Real;
 use assur_words::{Text, text};
 
-/// One element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Element {
     /// A place; the number of the point that is named there, or none for a center of mass.

@@ -22,7 +22,6 @@ pub(crate) const TRIALS: u64 = 4;
 pub(crate) struct Perturbation {
     /// Distance of the farthest pair from the origin of each link, m: the scale for the rounding of places.
     reach: Vec<f64>,
-    /// The part.
     part: f64,
     state: u64,
 }
@@ -38,7 +37,6 @@ impl Perturbation {
         Self { reach, part, state: 0 }
     }
 
-    /// Begins a trial.
     pub(crate) fn begin(&mut self, trial: u64) {
         self.state = trial + 1;
     }

@@ -106,7 +106,6 @@ impl<'a> TestPf<'a> {
 
 /// How far a derivative is from the differences.
 pub(crate) struct Deviation {
-    /// Which check.
     check: usize,
     /// `None`: the reduced inertia.
     element: Option<Element>,

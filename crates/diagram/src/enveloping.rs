@@ -2,7 +2,7 @@
 
 use assur_group::Order;
 use assur_kinematics::Linkage;
-use assur_mechanism::{Contact, Name, Range};
+use assur_mechanism::{Contact, Name};
 use serde::Serialize;
 
 use crate::DiagramError;
@@ -41,10 +41,6 @@ pub struct Enveloping {
 
 /// Path of the lowest point of an arc over the interval of its contact (without one: over the positions of the scene),
 /// at `count` equally spaced places, at least 2, both ends included. `name`: that of the contact.
-///
-/// # Errors
-///
-/// [`DiagramError`] where the mechanism has no such position.
 pub fn enveloping(
     linkage: &Linkage,
     name: &Name,
@@ -52,22 +48,17 @@ pub fn enveloping(
     count: usize,
 ) -> Result<Enveloping, DiagramError> {
     let count = count.max(2);
-    let interval = interval(linkage, contact);
+    let interval = contact.during.unwrap_or_else(|| linkage.mechanism.input.ends());
     let path = path(linkage, contact, interval, count)?;
     let heights = || path.iter().map(|point| point.lowest[1]);
-    let (low, high) = heights().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
-    let level = f64::midpoint(low, high);
-    let path: Vec<EnvelopingPoint> = path
-        .into_iter()
-        .map(|point| EnvelopingPoint { deviation: point.lowest[1] - level, ..point })
-        .collect();
-    let worst =
-        path.iter().fold(
-            path[0],
-            |worst, point| {
-                if point.deviation.abs() > worst.deviation.abs() { *point } else { worst }
-            },
-        );
+    let level =
+        f64::midpoint(heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
+    let leveled = path.iter().map(|point| EnvelopingPoint { deviation: point.lowest[1] - level, ..*point });
+    let path: Vec<EnvelopingPoint> = leveled.collect();
+    let farther = |worst: EnvelopingPoint, point: &EnvelopingPoint| {
+        if point.deviation.abs() > worst.deviation.abs() { *point } else { worst }
+    };
+    let worst = path.iter().fold(path[0], farther);
     Ok(Enveloping {
         contact: name.clone(),
         interval,
@@ -76,14 +67,6 @@ pub fn enveloping(
         greatest_at: worst.coordinate,
         way: path[count - 1].lowest[0] - path[0].lowest[0],
         path,
-    })
-}
-
-fn interval(linkage: &Linkage, contact: &Contact) -> [f64; 2] {
-    let input = &linkage.mechanism.input;
-    contact.during.unwrap_or(match input.range {
-        Range::To(to) => [input.from, to],
-        Range::Cycle(cycle) => [input.from, input.from + input.direction.sign() * cycle],
     })
 }
 

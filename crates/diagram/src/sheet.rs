@@ -5,7 +5,7 @@ use assur_force::{
     analyzers, joints,
 };
 use assur_geometry::{Center, instant_centers};
-use assur_group::{Order, Wrench};
+use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{LinkId, Named, PairId};
 use assur_words::{Text, text};
@@ -94,10 +94,6 @@ fn reactions(
 
 /// The constructions of all analyzers that have one and support the mechanism, step by step, each with the name of its
 /// analyzer; of two forms of one method with the same drawing, only one. A construction that fails at this position is left out.
-///
-/// # Errors
-///
-/// [`DiagramError::Registry`] where the registry of analyzers is faulty.
 pub fn constructions(
     linkage: &Linkage,
     position: &Position,
@@ -140,10 +136,6 @@ pub struct Split {
 }
 
 /// The reactions at a position, in total and by cause. The analyzer must give reactions.
-///
-/// # Errors
-///
-/// [`DiagramError::Force`] where the analyzer finds no reactions.
 pub fn split(
     linkage: &Linkage,
     position: &Position,
@@ -192,11 +184,7 @@ fn share<'a>(
     cause: Text,
     loads: impl Iterator<Item = &'a Acting>,
 ) -> Result<Share, DiagramError> {
-    let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
-    for load in loads {
-        wrenches[load.link].add_at([0.0; 2], load.wrench.force(), load.wrench.m);
-    }
-    let mut out = Reactions::new(linkage);
+    let (mut wrenches, mut out) = (Acting::total(loads, linkage.structure.links), Reactions::new(linkage));
     analyzer.solve(linkage, position, &mut wrenches, &mut out)?;
     Ok(Share { cause, reactions: joint_forces(linkage, &out), balancing: out.balancing })
 }

@@ -59,10 +59,6 @@ pub struct Solver<'a> {
 /// positions of the scene the forces are computed in steps of 1/180 of the range at most, on both sides of each jump of
 /// a load, and at each minimum that may reach zero, so the changes do not depend on the number of positions. Over a
 /// whole cycle this includes the step from the last position to the first.
-///
-/// # Errors
-///
-/// [`DiagramError`] where there is no position or no reaction at a coordinate.
 pub fn sign_changes(
     solver: &Solver<'_>,
     slides: &[usize],
@@ -70,7 +66,7 @@ pub fn sign_changes(
 ) -> Result<Vec<Vec<SignChange>>, DiagramError> {
     let input = &solver.linkage.mechanism.input;
     // The position after the last is the first one of the next cycle.
-    let closing = usize::from(matches!(input.range, assur_mechanism::Range::Cycle(_)));
+    let closing = usize::from(input.is_cycle());
     let last = input.positions + closing - 1;
     // Of very many positions every so many are enough to find the changes.
     let stride = last.div_ceil(MOST_POSITIONS).max(1);
@@ -110,7 +106,6 @@ struct Sample {
     coordinate: f64,
     /// Number of the position at it or before it.
     after_index: usize,
-    /// Whether it is that position.
     is_position: bool,
 }
 

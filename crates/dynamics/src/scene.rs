@@ -33,10 +33,6 @@ pub struct Steady {
 
 /// Finds the steady regime of a scene. The watcher sees every state that is evaluated and may stop the search with an
 /// error.
-///
-/// # Errors
-///
-/// [`DynamicsError`]: no such motion in the scene, a position that fails, no motor, no regime.
 pub fn steady(
     linkage: &Linkage,
     loads: &Loads,
@@ -169,7 +165,7 @@ fn drive_request(
     let motor = DriveMotor::of(&drive.torque, || {
         let power = solver.required_power(drive.efficiency);
         if power > 0.0 {
-            Ok([power, solver.wanted_speed()])
+            Ok([power, solver.request.mean_speed.abs()])
         } else {
             Err(DynamicsError::NoLoad(-solver.resistance_work()))
         }
@@ -258,10 +254,6 @@ pub struct Advice {
 /// The motors that have the power which a scene needs and keep its limit of speed, the best first, at most `most` of them;
 /// each with the greatest unevenness at which it stays on the stable section of its characteristic. Also returns how many
 /// such motors there are.
-///
-/// # Errors
-///
-/// [`DynamicsError`]: no steady motion with a motor in the scene, or no motor that fits.
 pub fn advise(linkage: &Linkage, loads: &Loads, most: usize) -> Result<(Vec<Advice>, usize), DynamicsError> {
     let mut mechanism = linkage.mechanism.clone();
     set_motor(&mut mechanism, Asked::Auto, None);

@@ -77,11 +77,6 @@ pub struct EnergyBalance {
 
 /// Solves the transient motion that a scene defines. The watcher sees every state that is evaluated and may stop the
 /// motion with an error.
-///
-/// # Errors
-///
-/// [`DynamicsError`]: no such motion in the scene, no such integrator or none that suits, a failed position, or an end
-/// that is never reached.
 pub fn transient(
     linkage: &Linkage,
     loads: &Loads,
@@ -118,16 +113,16 @@ fn solve(
     motion: &mut dyn Motion,
     request: &Request,
 ) -> Result<(Solution, Option<Text>), IntegrationError> {
-    let error = match assur_integrator::solve(named, motion, request) {
-        Err(error) if request.until == Until::Rest && error.is_unreached() => error,
-        found => return Ok((found?, None)),
+    let first = assur_integrator::solve(named, motion, request);
+    let why = match &first {
+        Err(IntegrationError::NotReached { why, .. }) if request.until == Until::Rest => why.clone(),
+        Err(error @ IntegrationError::TooManySteps { .. }) if request.until == Until::Rest => {
+            error.describe()
+        }
+        _ => return Ok((first?, None)),
     };
     let turning = Request { until: Until::Turn, ..*request };
-    let found = assur_integrator::solve(named, motion, &turning).map_err(|_| error.clone())?;
-    let why = match error {
-        IntegrationError::NotReached { why, .. } => why,
-        other => other.describe(),
-    };
+    let Ok(found) = assur_integrator::solve(named, motion, &turning) else { return Ok((first?, None)) };
     Ok((found, Some(why)))
 }
 
@@ -141,10 +136,6 @@ pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Mac
 }
 
 /// The request for an integrator that a scene's transient motion makes.
-///
-/// # Errors
-///
-/// [`DynamicsError::NoMotion`]; from rest, the first position may fail.
 pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request, DynamicsError> {
     let Some(Asked::Transient { speed, until, samples, tolerance, step, max_steps, .. }) = &mechanism.motion
     else {

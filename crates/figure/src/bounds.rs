@@ -40,15 +40,6 @@ impl Bounds {
         if size[0].max(size[1]) <= ROUNDING * far { [0.0; 2] } else { size }
     }
 
-    /// The rectangle with another one.
-    #[must_use]
-    pub fn with(mut self, other: Self) -> Self {
-        for at in [other.low, other.high] {
-            self.add(at);
-        }
-        self
-    }
-
     /// The rectangle extended on all sides by a part of its greater side.
     #[must_use]
     pub fn widened(self, part: f64) -> Self {

@@ -16,7 +16,6 @@ pub(crate) trait Formulas {
     fn size(&self, loads: &Loads, load: usize, law: &Law, state: &State) -> Active;
     /// The formula of the angle of a contact.
     fn angle(&self, loads: &Loads, load: usize, law: &Law, state: &State) -> Active;
-    /// Whether a contact touches.
     fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &State) -> bool;
     /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
     fn rubs(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &State) -> f64;
@@ -213,7 +212,6 @@ pub struct Phase {
 /// Which formulas of one load are in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LoadPhase {
-    /// Of its size.
     size: Active,
     /// Of the angle of a contact.
     angle: Active,

@@ -152,7 +152,7 @@ impl Acting {
     }
 
     /// All loads as one wrench for each of so many links, about the origin of its frame.
-    pub fn total(loads: &[Self], links: usize) -> Vec<Wrench<f64>> {
+    pub fn total<'a>(loads: impl IntoIterator<Item = &'a Self>, links: usize) -> Vec<Wrench<f64>> {
         let mut wrenches = vec![Wrench::ZERO; links];
         for load in loads {
             wrenches[load.link].add_at([0.0; 2], load.wrench.force(), load.wrench.m);

@@ -68,7 +68,6 @@ pub(crate) struct Bodies<'a> {
     single: Position,
     /// The last places of the grid.
     eight: LanePosition,
-    /// Whether all of them are solved.
     solved: bool,
     grid: Span,
     /// The place of the grid after them.

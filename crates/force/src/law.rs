@@ -13,7 +13,6 @@ use crate::stroke::{Segment, Stroke};
 /// The law of one load.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
-    /// Constant.
     Constant(f64),
     /// A table over the coordinate.
     Coordinate(Curve, Breaks),
@@ -23,7 +22,6 @@ pub(crate) enum Law {
     Time(Curve),
     /// Along the stroke of the load's point.
     Stroke(Box<Stroke>),
-    /// By a formula.
     Formula(Box<FormulaLaw>),
 }
 

@@ -90,7 +90,6 @@ pub(crate) struct Applied {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Action {
     Force(PointForce),
-    /// A moment on this link.
     Moment(LinkId),
     Brake(Shoe),
     Spring(Spring),
@@ -145,7 +144,6 @@ pub(crate) struct ArcContact {
 }
 
 impl Applied {
-    /// All its laws.
     pub(crate) fn laws(&self) -> impl Iterator<Item = &Law> {
         let angle = match &self.action {
             Action::Contact(contact) => Some(&contact.angle),
@@ -168,7 +166,6 @@ impl Applied {
         damped || self.laws().any(|law| law.used().speed)
     }
 
-    /// The spring that it is.
     pub(crate) fn spring(&self) -> Option<&Spring> {
         if let Action::Spring(spring) = &self.action { Some(spring) } else { None }
     }

@@ -43,16 +43,6 @@ impl Branches {
         let Self { given, positive, negative } = self;
         Self { given: given & switches, positive: positive & switches, negative: negative & switches }
     }
-
-    /// These sides and those of other switches.
-    #[must_use]
-    pub fn and(self, other: Self) -> Self {
-        Self {
-            given: self.given | other.given,
-            positive: self.positive | other.positive,
-            negative: self.negative | other.negative,
-        }
-    }
 }
 
 /// How far ahead of a place the side of a switch is looked for, in the least distance that counts. Further ones are

@@ -90,10 +90,6 @@ impl Formula {
 
     /// Reads a formula.
     ///
-    /// # Errors
-    ///
-    /// [`FormulaError`] with the place in the text.
-    ///
     /// # Examples
     ///
     /// ```

@@ -14,7 +14,6 @@ pub(crate) trait Solver<T: Real>: Sized {
     /// Factors J of a placed group.
     fn factor(frame: &GroupFrame, bodies: &[Body<T>], is_transposed: bool) -> Self;
 
-    /// A vector of zeros.
     fn zeros(frame: &GroupFrame) -> Self::Vector;
 
     /// The solution for a right-hand side.

@@ -82,11 +82,6 @@ pub enum IntegrationError {
 }
 
 impl IntegrationError {
-    /// The requested end is not reached, or was not within the allowed steps.
-    pub fn is_unreached(&self) -> bool {
-        matches!(self, Self::NotReached { .. } | Self::TooManySteps { .. })
-    }
-
     /// The equation has no value at a state, or near it.
     pub fn equation(at: &State, source: MotionError) -> Self {
         match source {

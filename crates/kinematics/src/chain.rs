@@ -71,10 +71,6 @@ fn vector<T: Real>(at: [f64; 2]) -> [T; 2] {
 
 impl<T: Number> Chain<T> {
     /// Builds the kernels of all groups.
-    ///
-    /// # Errors
-    ///
-    /// [`CompileError::Build`] if a group's lengths don't form a group of its kind.
     pub fn compile(mechanism: &Mechanism, structure: &Structure) -> Result<Self, CompileError> {
         let mut groups = Vec::with_capacity(structure.groups.len());
         for (i, group) in structure.groups.iter().enumerate() {
@@ -208,24 +204,16 @@ fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> Input<T> {
     let found = &mechanism.slides[slide];
     let (point, through) = (vector::<T>(found.point), vector::<T>(found.through));
     let (s, c) = T::from_f64(found.angle).sin_cos();
-    if found.on == assur_mechanism::GROUND {
-        let (ts, tc) = (T::from_f64(found.angle) + T::from_f64(found.tilt)).sin_cos();
-        let mut body = Body { c: tc, s: ts, ..Body::ground() };
-        let arm = body.arm(point);
-        body.hang_place(arm, through);
-        Input::Slider { link: found.link, axis: [tc, ts], along: [c, s], origin: [body.x, body.y] }
-    } else {
-        // The ground is what "slides" on the input link: displacement = (ground's point - through) along the guide.
-        let (ts, tc) = (-(T::from_f64(found.angle) + T::from_f64(found.tilt))).sin_cos();
-        let mut body = Body { c: tc, s: ts, ..Body::ground() };
-        let along = body.turned([c, s]);
-        let arm = body.arm(through);
-        body.hang_place(arm, point);
-        Input::Slider {
-            link: found.on,
-            axis: [tc, ts],
-            along: [-along[0], -along[1]],
-            origin: [body.x, body.y],
-        }
-    }
+    let turned = T::from_f64(found.angle) + T::from_f64(found.tilt);
+    // Where the guide is on the input link, the ground is what "slides" on it: displacement = (ground's point - through) along the
+    // guide.
+    let is_guide = found.on != assur_mechanism::GROUND;
+    let (link, turned, own, at) =
+        if is_guide { (found.on, -turned, through, point) } else { (found.link, turned, point, through) };
+    let (ts, tc) = turned.sin_cos();
+    let mut body = Body { c: tc, s: ts, ..Body::ground() };
+    let along = if is_guide { body.turned([c, s]).map(|part| -part) } else { [c, s] };
+    let arm = body.arm(own);
+    body.hang_place(arm, at);
+    Input::Slider { link, axis: [tc, ts], along, origin: [body.x, body.y] }
 }

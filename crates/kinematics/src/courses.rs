@@ -7,6 +7,7 @@
 use std::f64::consts::TAU;
 
 use assur_group::{Body, GroupError, Mode};
+use serde::Serialize;
 
 use crate::Linkage;
 use crate::modes::by_ways;
@@ -33,7 +34,8 @@ const TOGETHER: f64 = 1e-3;
 const MIDDLE: f64 = 0.493;
 
 /// How a course begins or ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum CourseEnd {
     /// With the cycle.
     Cycle,

@@ -97,7 +97,6 @@ pub(crate) struct Site<'a> {
     pub(crate) center: f64,
     /// Index of the group.
     pub(crate) group: usize,
-    /// Its links.
     pub(crate) links: &'a [usize],
     /// Turns after which the motion repeats, for a pinned input.
     pub(crate) turns: Option<f64>,

@@ -23,7 +23,6 @@ pub(crate) type Solved = (Vec<Body<Dd>>, Dd);
 
 /// The way and the starting pose of each group at a coordinate.
 pub(crate) trait Assembly {
-    /// The way of a group at a coordinate.
     fn way(&self, group: usize, coordinate: f64) -> u8;
     /// Sets the links of groups that iterate to their starting poses.
     fn guess(&self, coordinate: f64, bodies: &mut [Body<f64>]);

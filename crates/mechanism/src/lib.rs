@@ -49,7 +49,7 @@ pub type LoadId = usize;
 pub const GROUND: LinkId = 0;
 
 /// A mechanism with its loads, motion and drive.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mechanism {
     /// Title in one line, for headers; may be empty.
     pub title: String,
@@ -197,6 +197,14 @@ impl Sense {
             Self::Ccw => 1.0,
             Self::Cw => -1.0,
         }
+    }
+}
+
+impl Default for Input {
+    /// One turn of nothing, in one position.
+    fn default() -> Self {
+        let (pair, range) = (InputPair::Pin(0), Range::Cycle(std::f64::consts::TAU));
+        Self { link: GROUND, pair, from: 0.0, positions: 1, range, direction: Sense::Ccw }
     }
 }
 

@@ -12,7 +12,6 @@ use assur_figure::{Figure, svg};
 
 /// Letters of the Latin, Greek and Cyrillic alphabets, and the signs of formulas.
 const FONT: &[u8] = include_bytes!("../font/DejaVuSans-subset.ttf");
-/// Its family.
 const FAMILY: &str = "DejaVu Sans";
 /// Pixels in a millimeter: 254 of an inch.
 pub const PIXELS: f64 = 10.0;
@@ -50,10 +49,6 @@ impl Describe for PngError {
 errors!(PngError);
 
 /// A figure on a page of this width and height, mm, with [`PIXELS`] in a millimeter.
-///
-/// # Errors
-///
-/// If the page is empty or too large.
 pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> Result<Vec<u8>, PngError> {
     let [width, height] = size.map(|side| (side * PIXELS).round());
     if !(width >= 1.0 && height >= 1.0 && width * height <= MOST) {

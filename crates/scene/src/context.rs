@@ -20,7 +20,6 @@ pub(crate) struct Context<'s> {
     pub(crate) linkage: &'s Linkage,
     /// `None` if the input is faulty.
     pub(crate) input: Option<&'s Input>,
-    /// How many loads there are.
     pub(crate) loads: usize,
     /// Whether there is a `[motion]`.
     pub(crate) moves: bool,

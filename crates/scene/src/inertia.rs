@@ -1,7 +1,7 @@
 //! `inertia` of a link: a number, or a formula over the input coordinate.
 
 use assur_formula::Used;
-use assur_mechanism::{GROUND, Inertia, Input, LinkId, Mechanism, Motion, Range, Until, VaryingInertia};
+use assur_mechanism::{GROUND, Inertia, Input, LinkId, Mechanism, Motion, Until, VaryingInertia};
 use assur_words::{Text, name, text};
 
 use crate::error::Fault;
@@ -72,14 +72,11 @@ pub(crate) fn refuse_not_positive(root: &Section<'_>, mechanism: &Mechanism) {
 
 /// The coordinates that the input passes, as far as the scene says.
 fn way(input: &Input, motion: Option<&Motion>) -> [f64; 2] {
-    let end = match input.range {
-        Range::Cycle(cycle) => input.from + input.sign() * cycle,
-        Range::To(to) => to,
-    };
+    let [from, end] = input.ends();
     let last = match motion {
-        Some(Motion::Transient { until: Until::Way(way), .. }) => [input.from - way, input.from + way],
+        Some(Motion::Transient { until: Until::Way(way), .. }) => [from - way, from + way],
         _ => [end; 2],
     };
-    let all = [input.from, end, last[0], last[1]];
+    let all = [from, end, last[0], last[1]];
     [all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)]
 }

@@ -29,7 +29,7 @@ mod value;
 mod walk;
 mod wishes;
 
-use assur_mechanism::{Input, InputPair, Mechanism, Range, Sense};
+use assur_mechanism::Mechanism;
 use assur_words::{Text, text};
 use toml::de::{DeTable, DeValue};
 
@@ -68,10 +68,6 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
 }
 
 /// Reads a scene, and what it says about its explanatory note. `file_name` appears only in errors.
-///
-/// # Errors
-///
-/// Those of [`read`].
 pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
     document::read_known(file_name, text, text!("scene-a-scene"), (&reference::SCENE).into(), scene)
 }
@@ -103,7 +99,7 @@ pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: Text) -> Op
 /// Builds the mechanism from parsed TOML. If faults were noted, the mechanism must not be used.
 fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     if limits::exceeded(root) {
-        return (nothing(), wishes::read(root, None));
+        return (Mechanism::default(), wishes::read(root, None));
     }
     let title = root.get("title").and_then(|entry| {
         let title = entry.line()?;
@@ -136,9 +132,9 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
         drive: drive::read(root, motion.as_ref(), &context),
         motion,
         output: wishes::output(root, &linkage),
-        ..nothing()
+        ..Mechanism::default()
     };
-    let input = input.unwrap_or(mechanism.input);
+    let input = input.unwrap_or_default();
     let Linkage { links, points, slides, .. } = linkage;
     let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
@@ -146,31 +142,4 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
         mechanism.notes.extend(doubts::of(&mechanism));
     }
     (mechanism, note)
-}
-
-/// Placeholder for the mechanism of a scene with faults.
-fn nothing() -> Mechanism {
-    Mechanism {
-        title: String::new(),
-        links: Vec::new(),
-        points: Vec::new(),
-        slides: Vec::new(),
-        input: Input {
-            link: 0,
-            pair: InputPair::Pin(0),
-            from: 0.0,
-            positions: 1,
-            range: Range::Cycle(std::f64::consts::TAU),
-            direction: Sense::Ccw,
-        },
-        assembly: Vec::new(),
-        gravity: None,
-        loads: Vec::new(),
-        frictions: Vec::new(),
-        balance: None,
-        motion: None,
-        drive: None,
-        output: None,
-        notes: Vec::new(),
-    }
 }

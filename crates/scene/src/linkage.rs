@@ -20,7 +20,6 @@ pub(crate) struct Linkage {
     pub(crate) slides: Vec<Slide>,
     /// Points by name.
     names: HashMap<String, PointId>,
-    /// Links by name.
     links_by_name: HashMap<String, LinkId>,
     /// Names of the slides.
     slide_names: HashSet<String>,
@@ -70,7 +69,6 @@ impl Linkage {
         found
     }
 
-    /// The point of this name.
     pub(crate) fn point_named(&self, name: &str) -> Option<PointId> {
         self.names.get(name).copied()
     }

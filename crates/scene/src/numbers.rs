@@ -14,7 +14,6 @@ use crate::walk::{Entry, Section};
 pub(crate) enum Bound {
     /// Anything.
     Any,
-    /// Not negative.
     NotNegative,
     /// Greater than 0.
     Positive,

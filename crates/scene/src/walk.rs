@@ -47,7 +47,7 @@ impl Known {
     fn meant(self, word: &str, known: &[&'static str]) -> Text {
         let Self::Table(table, _) = self else { return did_you_mean(nearest(word, known.iter().copied())) };
         if let Some(sorts) = table.sorts(word) {
-            return text!("scene-key-of-sorts", sorts = name(sorts.join(", ")));
+            return text!("scene-key-of-sorts", sorts = name(sorts));
         }
         let (also, elsewhere) = (table.meant(word).filter(|key| known.contains(key)), Table::elsewhere(word));
         match also.or_else(|| nearest(word, known.iter().copied())) {
@@ -174,7 +174,6 @@ impl<'a> Entry<'a> {
         self.fault(text!("scene-problem-of-key", key = shown(&self.name), problem = problem.into()), label);
     }
 
-    /// Notes what is wanted, and what is there.
     pub(crate) fn wants(&self, wanted: Text, got: Text, label: impl Into<Text>) {
         self.problem(text!("scene-wants", wanted = wanted, got = got), label);
     }

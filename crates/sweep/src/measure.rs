@@ -44,56 +44,21 @@ pub struct Measure {
 /// All measures, in the order of their columns.
 pub const MEASURES: &[Measure] = &[
     Measure::new("health", "sweep-measure-health", health),
-    Measure {
-        by_default: false,
-        need: Some(Need::Transmission),
-        ..Measure::new("transmission", "sweep-measure-transmission", transmission)
-    },
+    Measure::new("transmission", "sweep-measure-transmission", transmission).asked(Some(Need::Transmission)),
     Measure::new("balancing", "sweep-measure-balancing", balancing),
-    Measure {
-        by_default: false,
-        ..Measure::new("balancing-rms", "sweep-measure-balancing-rms", balancing_rms)
-    },
+    Measure::new("balancing-rms", "sweep-measure-balancing-rms", balancing_rms).asked(None),
     Measure::new("reactions", "sweep-measure-reactions", reactions),
-    Measure { by_default: false, ..Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms) },
+    Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms).asked(None),
     Measure { need: Some(Need::Angles), ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
-    Measure {
-        by_default: false,
-        need: Some(Need::Courses),
-        ..Measure::new("stroke", "sweep-measure-stroke", stroke)
-    },
-    Measure {
-        by_default: false,
-        need: Some(Need::Courses),
-        ..Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio)
-    },
-    Measure {
-        by_default: false,
-        need: Some(Need::Courses),
-        ..Measure::new("pf", "sweep-measure-pf", transfer)
-    },
-    Measure {
-        by_default: false,
-        need: Some(Need::Courses),
-        ..Measure::new("speed", "sweep-measure-speed", speed)
-    },
-    Measure {
-        by_default: false,
-        need: Some(Need::Courses),
-        ..Measure::new("acceleration", "sweep-measure-acceleration", acceleration)
-    },
-    Measure {
-        by_default: false,
-        need: Some(Need::Shaking),
-        ..Measure::new("shaking", "sweep-measure-shaking", shaking)
-    },
+    Measure::new("stroke", "sweep-measure-stroke", stroke).asked(Some(Need::Courses)),
+    Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio).asked(Some(Need::Courses)),
+    Measure::new("pf", "sweep-measure-pf", transfer).asked(Some(Need::Courses)),
+    Measure::new("speed", "sweep-measure-speed", speed).asked(Some(Need::Courses)),
+    Measure::new("acceleration", "sweep-measure-acceleration", acceleration).asked(Some(Need::Courses)),
+    Measure::new("shaking", "sweep-measure-shaking", shaking).asked(Some(Need::Shaking)),
     Measure::new("regime", "sweep-measure-regime", regime),
     Measure::new("end", "sweep-measure-end", end),
-    Measure {
-        by_default: false,
-        need: Some(Need::Friction),
-        ..Measure::new("friction", "sweep-measure-friction", friction)
-    },
+    Measure::new("friction", "sweep-measure-friction", friction).asked(Some(Need::Friction)),
 ];
 
 /// What was found at a point of a sweep.
@@ -199,16 +164,17 @@ impl Measure {
         Self { name, summary, by_default: true, need: None, put }
     }
 
+    /// Written only where it is named, with what must be found for it.
+    const fn asked(self, need: Option<Need>) -> Self {
+        Self { by_default: false, need, ..self }
+    }
+
     /// The measures that are written where none are named.
     pub fn defaults() -> Vec<Self> {
         MEASURES.iter().filter(|measure| measure.by_default).copied().collect()
     }
 
     /// The measures of these names, in the order of their columns; `default` and `all` name several.
-    ///
-    /// # Errors
-    ///
-    /// [`SweepError::Measure`] for an unknown name.
     pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
         let known =
             |name: &str| name == "all" || name == "default" || MEASURES.iter().any(|m| m.name == name);

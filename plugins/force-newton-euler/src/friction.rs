@@ -41,7 +41,6 @@ pub(crate) fn shifts(mechanism: &Mechanism, senses: &[f64]) -> Vec<f64> {
 
 type Rub<'a> = (&'a assur_mechanism::Friction, [LinkId; 2]);
 
-/// All rubs of a mechanism with their senses.
 fn rubs<'a>(mechanism: &'a Mechanism, senses: &'a [f64]) -> impl Iterator<Item = (Rub<'a>, f64)> {
     let each = mechanism.frictions.iter();
     let each =

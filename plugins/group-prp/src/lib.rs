@@ -30,8 +30,6 @@ impl ClosedKind for PrpKind {
     type Form<T: Number> = Prp<T>;
 }
 
-assur_words::resources!();
-
 inventory::submit! {
     GroupPlugin {
         name: "prp",

@@ -28,8 +28,6 @@ impl ClosedKind for RppKind {
     type Form<T: Number> = Rpp<T>;
 }
 
-assur_words::resources!();
-
 inventory::submit! {
     GroupPlugin {
         name: "rpp",

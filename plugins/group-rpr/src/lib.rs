@@ -33,8 +33,6 @@ impl ClosedKind for RprKind {
     type Form<T: Number> = Rpr<T>;
 }
 
-assur_words::resources!();
-
 inventory::submit! {
     GroupPlugin {
         name: "rpr",

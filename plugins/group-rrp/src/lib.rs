@@ -33,8 +33,6 @@ impl ClosedKind for RrpKind {
     type Form<T: Number> = Rrp<T>;
 }
 
-assur_words::resources!();
-
 inventory::submit! {
     GroupPlugin {
         name: "rrp",

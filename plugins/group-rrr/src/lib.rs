@@ -33,8 +33,6 @@ impl ClosedKind for RrrKind {
     type Form<T: Number> = Rrr<T>;
 }
 
-assur_words::resources!();
-
 inventory::submit! {
     GroupPlugin {
         name: "rrr",

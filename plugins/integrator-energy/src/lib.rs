@@ -23,7 +23,7 @@ pub const ENERGY: IntegratorPlugin = IntegratorPlugin {
     knob: Knob::Tolerance,
     stiff: false,
     suitability: |dependence, _| {
-        if dependence.is_work_of_coordinate() {
+        if !dependence.moment_on_speed && !dependence.moment_on_time {
             let reason = text!("integrator-energy-suits");
             return Ok(Suitability { cost: Cost::Quadrature, reason });
         }

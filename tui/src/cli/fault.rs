@@ -3,7 +3,7 @@
 use std::io;
 use std::process::ExitCode;
 
-use assur_words::{Describe, Text, name, text, text_of};
+use assur_words::{Describe, Text, errors, name, text, text_of};
 
 use crate::files::FileError;
 use crate::screen::ScreenError;
@@ -56,6 +56,8 @@ pub(crate) enum Fault {
     Screen(ScreenError),
 }
 
+errors!(Fault; File(FileError), Screen(ScreenError));
+
 impl Describe for Fault {
     fn describe(&self) -> Text {
         match self {
@@ -65,18 +67,6 @@ impl Describe for Fault {
             Self::Other(problem) => text!("cli-error", problem),
             Self::Screen(error) => error.describe(),
         }
-    }
-}
-
-impl From<FileError> for Fault {
-    fn from(error: FileError) -> Self {
-        Self::File(error)
-    }
-}
-
-impl From<ScreenError> for Fault {
-    fn from(error: ScreenError) -> Self {
-        Self::Screen(error)
     }
 }
 

@@ -86,7 +86,7 @@ fn line(key: &Key) -> String {
 
 /// What holds without a key.
 fn default(key: &Key) -> Text {
-    let of = if key.sorts.is_empty() { Text::default() } else { name(key.sorts.join(", ")) };
+    let of = name(key.sorts);
     match (key.default, key.sorts.is_empty()) {
         (Default::Needed, true) => text!("cli-key-needed"),
         (Default::Needed, false) => text!("cli-key-needed-of", sorts = of),
@@ -162,17 +162,4 @@ fn markdown(found: &[Found], language: &Language) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// `assur keys --format markdown > docs/scene.md`
-    #[test]
-    fn the_page_of_the_documentation_is_the_reference() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/scene.md");
-        let found: Vec<_> = search("", Language::english()).collect();
-        assert!(
-            std::fs::read_to_string(path).unwrap() == markdown(&found, Language::english()),
-            "write {path} anew"
-        );
-    }
-}
+mod tests;

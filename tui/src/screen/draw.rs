@@ -57,16 +57,9 @@ fn role(ink: Ink) -> Role {
         Ink::Text => Role::Plain,
         Ink::Title => Role::Header,
         Ink::Dim => Role::Dim,
-        Ink::Ground => Role::Ground,
-        Ink::Link(number) => Role::Link(number),
         Ink::Marked => Role::Chosen,
-        Ink::Trace => Role::Trace,
-        Ink::Velocity => Role::Velocity,
-        Ink::Acceleration => Role::Acceleration,
-        Ink::First => Role::First,
-        Ink::Second => Role::Second,
-        Ink::Third => Role::Third,
         Ink::Cursor => Role::Key,
+        own => Role::Drawn(own),
     }
 }
 

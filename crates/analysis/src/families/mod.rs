@@ -138,7 +138,6 @@ fn solved(calculation: &Calculation) -> impl Iterator<Item = usize> {
 }
 
 impl Calculation {
-    /// The columns of the positions.
     pub(crate) fn columns_of_positions(&self) -> Columns {
         Columns::of(self, POSITIONS)
     }

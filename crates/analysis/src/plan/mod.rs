@@ -60,7 +60,6 @@ pub struct Plan {
 /// What of the numbers of a mechanism a plan depends on; the rest are its links, pairs, loads, motion and output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Basis {
-    /// Whether there is a gravity.
     gravity: bool,
     /// By link: whether it has a mass, and a moment of inertia.
     heavy: Vec<[bool; 2]>,

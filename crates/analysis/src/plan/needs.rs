@@ -136,7 +136,6 @@ fn loaded(mechanism: &Mechanism, heavy: impl Fn(LinkId) -> bool) -> Vec<bool> {
     loaded
 }
 
-/// Whether a link has a weight.
 fn weight(mechanism: &Mechanism, link: LinkId) -> bool {
     mechanism.links[link].mass > 0.0 && mechanism.gravity.is_some_and(|gravity| gravity != [0.0, 0.0])
 }

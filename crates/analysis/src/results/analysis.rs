@@ -59,11 +59,6 @@ impl Analysis {
     pub fn is_complete(&self) -> bool {
         self.positions.len() == self.survey.rows
     }
-
-    /// Whether a position, the motion, or a check, failed.
-    pub fn failed(&self) -> bool {
-        self.no_motion.is_some() || !self.failures.is_empty() || self.checks.iter().any(Check::failed)
-    }
 }
 
 /// The input link and its coordinate.

@@ -23,7 +23,8 @@ impl Section {
 pub struct Schema {
     columns: Vec<Column>,
     section_of: Vec<Section>,
-    sections: usize,
+    /// How many there are.
+    pub(crate) sections: usize,
     /// Sections of which a row says where it lacks them.
     nullable: Vec<Section>,
     places: HashMap<Column, usize>,
@@ -33,8 +34,10 @@ pub struct Schema {
     loads: Vec<(Name, &'static str)>,
     /// Names of the further forces of the analyzer.
     pub further: Vec<Name>,
-    angular: bool,
-    balances_by_moment: bool,
+    /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
+    pub angular: bool,
+    /// Whether the balancing load is a moment, otherwise a force.
+    pub balances_by_moment: bool,
     /// Names of the causes of reactions: `weight`, `inertia`, then the loads.
     pub causes: Vec<Name>,
 }
@@ -43,19 +46,14 @@ impl Schema {
     /// No columns yet.
     pub fn new(mechanism: &Mechanism) -> Self {
         Self {
-            columns: Vec::new(),
-            section_of: Vec::new(),
             sections: 1,
-            nullable: Vec::new(),
-            places: HashMap::new(),
             links: mechanism.links.iter().map(|link| link.name.clone()).collect(),
             points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
             slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
             loads: loads(mechanism),
-            further: Vec::new(),
             angular: mechanism.input.is_angle(),
             balances_by_moment: mechanism.balances_by_moment(),
-            causes: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -115,16 +113,6 @@ impl Schema {
         self.section_of[column]
     }
 
-    /// How many sections there are.
-    pub(crate) fn sections(&self) -> usize {
-        self.sections
-    }
-
-    /// Whether the coordinate is an angle (rad), otherwise a displacement (m).
-    pub fn angular(&self) -> bool {
-        self.angular
-    }
-
     /// The name of the owner of a column; of a force the name of the pair. The input and a group have none.
     pub fn named(&self, owner: Owner) -> Option<&Name> {
         match owner {
@@ -157,11 +145,6 @@ impl Schema {
     /// The name of a link.
     pub fn link(&self, link: LinkId) -> &Name {
         &self.links[link]
-    }
-
-    /// Whether the balancing load is a moment, otherwise a force.
-    pub fn balances_by_moment(&self) -> bool {
-        self.balances_by_moment
     }
 
     /// The SI unit of a load.

@@ -6,7 +6,7 @@ use assur_mechanism::{LinkId, PairId};
 use super::{Column, Owner, Part, Quantity, Schema, Section, Table};
 
 /// What is known about all positions of a scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Survey {
     /// Positions that have a solution.
     pub rows: usize,
@@ -46,15 +46,7 @@ impl Survey {
             Owner::PairOn(pair, link) => Some((pair, link, Sizes::default())),
             _ => None,
         });
-        Self {
-            rows: 0,
-            failures: 0,
-            greatest_balancing: None,
-            greatest_moments: Vec::new(),
-            not_finite: None,
-            present: vec![false; schema.sections()],
-            sizes: sizes.collect(),
-        }
+        Self { present: vec![false; schema.sections], sizes: sizes.collect(), ..Self::default() }
     }
 
     /// Of positions that are all kept.
@@ -99,8 +91,8 @@ impl Survey {
 
     /// Adds the columns that are joined to the kept positions.
     pub(crate) fn join(&mut self, positions: &Table, columns: &Table) {
-        self.present.resize(positions.schema().sections(), false);
-        let sections = 1..columns.schema().sections();
+        self.present.resize(positions.schema().sections, false);
+        let sections = 1..columns.schema().sections;
         self.present.extend(sections.map(|section| columns.present(Section(section)).contains(&true)));
     }
 

@@ -26,7 +26,7 @@ pub struct Table {
 impl Table {
     /// No rows yet.
     pub fn new(schema: Arc<Schema>) -> Self {
-        let (columns, sections) = (schema.columns().len(), schema.sections());
+        let (columns, sections) = (schema.columns().len(), schema.sections);
         Self {
             schema,
             numbers: Vec::new(),

@@ -9,7 +9,6 @@ use super::of;
 pub(super) enum Measure {
     /// A plain number.
     Number,
-    /// Time.
     Time,
     /// Where its owner is: an angle of a link, a length of a point or slide, the coordinate of the input.
     Place,
@@ -25,15 +24,12 @@ pub(super) enum Measure {
     OnInput,
     /// The balancing load: a moment or a force.
     Balancing,
-    /// A moment.
     Moment,
-    /// A force.
     Force,
     /// Work or energy.
     Energy,
     /// A power; without a motion the work by unit of the coordinate.
     Power,
-    /// A length.
     Length,
     /// A load of the scene.
     Load,
@@ -51,7 +47,7 @@ fn derivative(base: &str, by: &str, order: u8) -> String {
 /// The SI unit of a column: `kg m2/rad`; empty for a plain number.
 pub fn unit(schema: &Schema, column: Column) -> String {
     let (coordinate, on_input, inertia) =
-        if schema.angular() { ("rad", "N m", "kg m2") } else { ("m", "N", "kg") };
+        if schema.angular { ("rad", "N m", "kg m2") } else { ("m", "N", "kg") };
     let place = match column.owner {
         Owner::Link(_) => "rad",
         Owner::Input => coordinate,
@@ -65,7 +61,7 @@ pub fn unit(schema: &Schema, column: Column) -> String {
         Measure::Rate(order) => return derivative(place, "s", order),
         Measure::Inertia => inertia,
         Measure::InertiaDerivative => return derivative(inertia, coordinate, 1),
-        Measure::Balancing if schema.balances_by_moment() => "N m",
+        Measure::Balancing if schema.balances_by_moment => "N m",
         Measure::Moment => "N m",
         Measure::Balancing | Measure::Force => "N",
         Measure::Energy => "J",
@@ -101,7 +97,7 @@ pub fn shown(schema: &Schema, column: Column) -> Shown {
     let (symbol, factor) = match (of(column).measure, unit.as_str()) {
         (Measure::Place, "rad") => (ANGLE.0.to_owned(), ANGLE.1),
         (Measure::Place | Measure::Length, "m") => (LENGTH.0.to_owned(), LENGTH.1),
-        (Measure::Transfer(order), _) if unit.starts_with('m') && schema.angular() => {
+        (Measure::Transfer(order), _) if unit.starts_with('m') && schema.angular => {
             (derivative(LENGTH.0, "rad", order), LENGTH.1)
         }
         _ => (unit, 1.0),

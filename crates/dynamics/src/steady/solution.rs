@@ -18,7 +18,6 @@ pub(crate) enum Closing {
     Free,
 }
 
-/// One cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleSolution {
     pub(crate) setup: Setup,
@@ -38,7 +37,6 @@ pub(crate) struct SpeedRange {
     pub(crate) greatest: ExtremeSpeed,
 }
 
-/// An extreme speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ExtremeSpeed {
     pub(crate) at: Extreme,

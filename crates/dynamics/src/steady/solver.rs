@@ -66,7 +66,7 @@ fn check_repeats(path: &mut Path<'_>, panels: &[Panel], speed: f64) -> Result<()
 pub struct RegimeSolver<'a> {
     shooting: Shooting<'a>,
     diagram: WorkDiagram,
-    request: CycleRequest,
+    pub(crate) request: CycleRequest,
 }
 
 impl<'a> RegimeSolver<'a> {
@@ -99,11 +99,6 @@ impl<'a> RegimeSolver<'a> {
         self.diagram.mean_moment
     }
 
-    /// The wanted mean speed without its sign, rad/s.
-    pub fn wanted_speed(&self) -> f64 {
-        self.request.mean_speed.abs()
-    }
-
     /// Work of the resistance over a cycle, J; negative where the loads drive.
     pub fn resistance_work(&self) -> f64 {
         self.diagram.resistance
@@ -123,11 +118,6 @@ impl<'a> RegimeSolver<'a> {
     }
 
     /// Finds the periodic regime, with ratio and flywheel where they are wanted.
-    ///
-    /// # Errors
-    ///
-    /// [`DynamicsError`], with the place where the machine stalls, or the requirement that can't be met and by how
-    /// much.
     pub fn solve(&mut self, drive: &DriveRequest) -> Result<Regime, DynamicsError> {
         let target = self.target(drive)?;
         let mut unknowns = self.first_guess(drive, &target)?;

@@ -34,7 +34,6 @@ pub(crate) struct Target {
     pub(crate) rotor: f64,
 }
 
-/// The unknowns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Unknowns {
     pub(crate) source: Source,

@@ -44,7 +44,6 @@ pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, Surplu
 /// How well the parts fit that are left out, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
-    /// All fit.
     Fits,
     /// Those that don't would with one other length each.
     Closes,

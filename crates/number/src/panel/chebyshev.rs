@@ -136,7 +136,6 @@ pub fn first_zero(series: &Series) -> Option<f64> {
     None
 }
 
-/// The derivative of a series.
 fn derivative(series: &Series) -> Series {
     let mut slope = [0.0; TERMS];
     for k in (1..TERMS).rev() {

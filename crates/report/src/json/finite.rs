@@ -69,9 +69,18 @@ impl Parts<'_> {
 
 /// Values without parts are finite.
 macro_rules! finite {
-    ($($method:ident($type:ty))*) => { $(
-        fn $method(self, _: $type) -> Result<(), Stop> {
+    ($($method:ident($($type:ty),*))*) => { $(
+        fn $method(self, $(_: $type),*) -> Result<(), Stop> {
             Ok(())
+        }
+    )* };
+}
+
+/// Values with parts.
+macro_rules! parts {
+    ($($method:ident($($type:ty),*))*) => { $(
+        fn $method(self, $(_: $type),*) -> Result<Parts<'a>, Stop> {
+            Ok(Parts { finder: self, count: 0, key: String::new() })
         }
     )* };
 }
@@ -88,9 +97,17 @@ impl<'a> Serializer for &'a mut Finder {
     type SerializeStructVariant = Parts<'a>;
 
     finite! {
-        serialize_bool(bool) serialize_char(char) serialize_str(&str) serialize_bytes(&[u8]) serialize_unit_struct(&'static str)
+        serialize_bool(bool) serialize_char(char) serialize_str(&str) serialize_bytes(&[u8]) serialize_unit() serialize_none()
+        serialize_unit_struct(&'static str) serialize_unit_variant(&'static str, u32, &'static str)
         serialize_i8(i8) serialize_i16(i16) serialize_i32(i32) serialize_i64(i64)
         serialize_u8(u8) serialize_u16(u16) serialize_u32(u32) serialize_u64(u64)
+    }
+
+    parts! {
+        serialize_seq(Option<usize>) serialize_map(Option<usize>) serialize_tuple(usize)
+        serialize_tuple_struct(&'static str, usize) serialize_struct(&'static str, usize)
+        serialize_tuple_variant(&'static str, u32, &'static str, usize)
+        serialize_struct_variant(&'static str, u32, &'static str, usize)
     }
 
     fn serialize_f32(self, value: f32) -> Result<(), Stop> {
@@ -101,20 +118,8 @@ impl<'a> Serializer for &'a mut Finder {
         if value.is_finite() { Ok(()) } else { Err(Stop) }
     }
 
-    fn serialize_none(self) -> Result<(), Stop> {
-        Ok(())
-    }
-
     fn serialize_some<T: Serialize + ?Sized>(self, value: &T) -> Result<(), Stop> {
         value.serialize(self)
-    }
-
-    fn serialize_unit(self) -> Result<(), Stop> {
-        Ok(())
-    }
-
-    fn serialize_unit_variant(self, _: &'static str, _: u32, _: &'static str) -> Result<(), Stop> {
-        Ok(())
     }
 
     fn serialize_newtype_struct<T: Serialize + ?Sized>(self, _: &'static str, value: &T) -> Result<(), Stop> {
@@ -129,46 +134,6 @@ impl<'a> Serializer for &'a mut Finder {
         value: &T,
     ) -> Result<(), Stop> {
         self.part(format_args!(".{variant}"), value)
-    }
-
-    fn serialize_seq(self, _: Option<usize>) -> Result<Parts<'a>, Stop> {
-        Ok(Parts { finder: self, count: 0, key: String::new() })
-    }
-
-    fn serialize_tuple(self, _: usize) -> Result<Parts<'a>, Stop> {
-        self.serialize_seq(None)
-    }
-
-    fn serialize_tuple_struct(self, _: &'static str, _: usize) -> Result<Parts<'a>, Stop> {
-        self.serialize_seq(None)
-    }
-
-    fn serialize_tuple_variant(
-        self,
-        _: &'static str,
-        _: u32,
-        _: &'static str,
-        _: usize,
-    ) -> Result<Parts<'a>, Stop> {
-        self.serialize_seq(None)
-    }
-
-    fn serialize_map(self, _: Option<usize>) -> Result<Parts<'a>, Stop> {
-        self.serialize_seq(None)
-    }
-
-    fn serialize_struct(self, _: &'static str, _: usize) -> Result<Parts<'a>, Stop> {
-        self.serialize_seq(None)
-    }
-
-    fn serialize_struct_variant(
-        self,
-        _: &'static str,
-        _: u32,
-        _: &'static str,
-        _: usize,
-    ) -> Result<Parts<'a>, Stop> {
-        self.serialize_seq(None)
     }
 }
 

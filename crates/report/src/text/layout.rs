@@ -282,12 +282,6 @@ impl Page<'_> {
     }
 }
 
-/// Broken into lines of the report's width; all but the first are indented by `indent` columns.
-pub fn wrapped(words: &str, indent: usize, ascii: bool) -> String {
-    let words = if ascii { to_ascii(words) } else { Cow::Borrowed(words) };
-    wrap(&words, 0, indent, WIDTH).join("\n") + "\n"
-}
-
 /// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.
 pub(super) fn wrap(words: &str, first: usize, rest: usize, width: usize) -> Vec<String> {
     // A space that does not break keeps the digits of a number together.

@@ -16,7 +16,7 @@ use crate::json::analysis::finite as finite_analysis;
 use crate::json::{NotFinite, finite};
 use crate::topic::{self, Source};
 pub use grid::columns;
-pub use layout::{Kind, Line, Style, lines, wrapped, written};
+pub use layout::{Kind, Line, Style, lines, written};
 
 /// The text of a topic alone: of the blocks that it adds to a document.
 pub fn told(style: Style<'_>, topic: impl FnOnce(&mut Document)) -> String {
@@ -44,10 +44,6 @@ pub fn geometry(found: &Geometry, style: Style<'_>) -> Result<String, NotFinite>
 }
 
 /// Structure, and what it would be with other inputs.
-///
-/// # Errors
-///
-/// [`NotFinite`] for a number that is not finite.
 pub fn structure(found: &StructureStudy, style: Style<'_>) -> Result<String, NotFinite> {
     let found = finite(found)?;
     Ok(told(style, |page| topic::structure_study(found, page)))

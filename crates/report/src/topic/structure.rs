@@ -1,8 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
-use assur_analysis::{GroupModes, Meeting, ModeCourse, ModeEnd, PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, Meeting, ModeCourse, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
+use assur_kinematics::CourseEnd;
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -199,12 +200,12 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     }
 }
 
-fn mode_end(end: ModeEnd) -> Text {
+fn mode_end(end: CourseEnd) -> Text {
     match end {
-        ModeEnd::Cycle => text!("mode-end-cycle"),
-        ModeEnd::With(other) => text!("mode-end-with", way = number(other)),
-        ModeEnd::Infinity => text!("mode-end-infinity"),
-        ModeEnd::Barrier => text!("mode-end-barrier"),
+        CourseEnd::Cycle => text!("mode-end-cycle"),
+        CourseEnd::With(other) => text!("mode-end-with", way = number(other)),
+        CourseEnd::Infinity => text!("mode-end-infinity"),
+        CourseEnd::Barrier => text!("mode-end-barrier"),
     }
 }
 

@@ -7,10 +7,9 @@ use crate::units::Dimension::{Angle, Damping, Force, Length, Moment, Number, Sti
 /// The name of a load.
 const NAME: Key = key("name", &[Text], "scene-key-load-name", "\"cutting\"");
 /// The factor on the size of a load.
-const SCALE: Key = key("scale", &[Quantity(Number)], "scene-key-scale", "1.5").or("1").also(&["factor"]);
+const SCALE: Key = key("scale", &[Quantity(Number)], "scene-key-scale", "1.5").or("1").also("factor");
 /// The link of a load.
-const ON: Key =
-    key("link", &[Named("link")], "scene-key-load-link", "\"ram\"").needed().also(&["on", "body"]);
+const ON: Key = key("link", &[Named("link")], "scene-key-load-link", "\"ram\"").needed().also("on, body");
 const VALUES: &str = "value = { ... }";
 
 pub(crate) const FORCE: Table = Table {
@@ -19,20 +18,16 @@ pub(crate) const FORCE: Table = Table {
     keys: &[
         NAME,
         ON,
-        key("at", &[Place], "scene-key-force-at", "\"B\"").needed().also(&["point", "position"]),
-        key("angle", &[Quantity(Angle)], "scene-key-force-angle", "\"180 deg\"").also(&["direction", "axis"]),
+        key("at", &[Place], "scene-key-force-at", "\"B\"").needed().also("point, position"),
+        key("angle", &[Quantity(Angle)], "scene-key-force-angle", "\"180 deg\"").also("direction, axis"),
         key("frame", &[Word("ground"), Word("link")], "scene-key-force-frame", "\"link\"").or("\"ground\""),
-        key("value", &[Quantity(Force), Is(VALUES)], "scene-key-value", "\"1500 N\"").needed().also(&[
-            "magnitude",
-            "size",
-            "f",
-            "force",
-            "amount",
-        ]),
+        key("value", &[Quantity(Force), Is(VALUES)], "scene-key-value", "\"1500 N\"")
+            .needed()
+            .also("magnitude, size, f, force, amount"),
         SCALE,
         key("against_motion", &[Flag], "scene-key-against-motion", "true")
             .or("false")
-            .also(&["resistance", "against"]),
+            .also("resistance, against"),
     ],
 };
 
@@ -42,14 +37,9 @@ pub(crate) const MOMENT: Table = Table {
     keys: &[
         NAME,
         ON,
-        key("value", &[Quantity(Moment), Is(VALUES)], "scene-key-value", "\"25 N*m\"").needed().also(&[
-            "magnitude",
-            "size",
-            "m",
-            "moment",
-            "torque",
-            "amount",
-        ]),
+        key("value", &[Quantity(Moment), Is(VALUES)], "scene-key-value", "\"25 N*m\"")
+            .needed()
+            .also("magnitude, size, m, moment, torque, amount"),
         SCALE,
     ],
 };
@@ -61,18 +51,16 @@ pub(crate) const SPRING: Table = Table {
         NAME,
         key("between", &[Two(&Named("point"))], "scene-key-spring-between", "[\"C\", \"D\"]")
             .needed()
-            .also(&["points", "ends", "from", "to"]),
+            .also("points, ends, from, to"),
         key("stiffness", &[Quantity(Stiffness)], "scene-key-spring-stiffness", "\"4530 N/m\"")
             .or("0")
-            .also(&["k", "c", "rate"]),
-        key("length", &[Quantity(Length)], "scene-key-spring-length", "\"80 mm\"").or("0").also(&[
-            "free_length",
-            "rest_length",
-            "l0",
-        ]),
+            .also("k, c, rate"),
+        key("length", &[Quantity(Length)], "scene-key-spring-length", "\"80 mm\"")
+            .or("0")
+            .also("free_length, rest_length, l0"),
         key("damping", &[Quantity(Damping)], "scene-key-spring-damping", "\"12 N*s/m\"")
             .or("0")
-            .also(&["damper", "b"]),
+            .also("damper, b"),
     ],
 };
 
@@ -87,7 +75,7 @@ pub(crate) const CONTACT: Table = Table {
         key("angle", &[Quantity(Angle), Is(VALUES)], "scene-key-contact-angle", "\"4 deg\"").or("0"),
         key("force", &[Quantity(Force), Is(VALUES)], "scene-key-contact-force", "\"20 kN\"")
             .needed()
-            .also(&["value"]),
+            .also("value"),
         SCALE,
         key(
             "friction",
@@ -120,12 +108,10 @@ pub(crate) const BRAKE: Table = Table {
         key("radius", &[Quantity(Length)], "scene-key-brake-radius", "\"100 mm\"").needed(),
         key("force", &[Quantity(Force), Is(VALUES)], "scene-key-brake-force", "\"80 N\"")
             .needed()
-            .also(&["value"]),
+            .also("value"),
         key("lever", &[Quantity(Number)], "scene-key-brake-lever", "2").or("1"),
         SCALE,
-        key("friction", &[Quantity(Number)], "scene-key-brake-friction", "0.1")
-            .needed()
-            .also(&["coefficient"]),
+        key("friction", &[Quantity(Number)], "scene-key-brake-friction", "0.1").needed().also("coefficient"),
     ],
 };
 
@@ -141,35 +127,30 @@ pub(crate) const VALUE: Table = Table {
             "\"angle\"",
         )
         .needed()
-        .of(&["angle", "time", "speed", "stroke"])
-        .also(&["argument", "variable"]),
+        .of("angle, time, speed, stroke")
+        .also("argument, variable"),
         key("table", &[Rows], "scene-key-table", "[[0, 0], [\"180 deg\", 40]]")
             .needed()
-            .of(&["angle", "time", "speed"])
-            .also(&["rows", "values", "points", "data"]),
+            .of("angle, time, speed")
+            .also("rows, values, points, data"),
         key("shape", &[Word("linear"), Word("step")], "scene-key-shape", "\"step\"")
             .or("\"linear\"")
-            .of(&["angle", "time", "speed", "stroke"])
-            .also(&["interpolation"]),
-        key("repeat", &[Flag], "scene-key-repeat", "false").of(&["angle"]).also(&["periodic"]),
-        key("axis", &[Quantity(Angle)], "scene-key-axis", "\"180 deg\"")
-            .of(&["stroke", "formula"])
-            .also(&["angle"]),
+            .of("angle, time, speed, stroke")
+            .also("interpolation"),
+        key("repeat", &[Flag], "scene-key-repeat", "false").of("angle").also("periodic"),
+        key("axis", &[Quantity(Angle)], "scene-key-axis", "\"180 deg\"").of("stroke, formula").also("angle"),
         key("forward", &[Quantity(Force), Rows], "scene-key-forward", "[[0.05, 0], [0.05, 1500]]")
             .or("0")
-            .of(&["stroke"]),
-        key("back", &[Quantity(Force), Rows], "scene-key-back", "0")
-            .or("0")
-            .of(&["stroke"])
-            .also(&["return"]),
-        FORMULA.of(&["formula"]),
-        UNIT.of(&["formula"]),
+            .of("stroke"),
+        key("back", &[Quantity(Force), Rows], "scene-key-back", "0").or("0").of("stroke").also("return"),
+        FORMULA.of("formula"),
+        UNIT.of("formula"),
     ],
 };
 
 const FORMULA: Key = key("formula", &[Text], "scene-key-formula", "\"5000 + 600*sin(2*q)\"")
     .needed()
-    .also(&["expression", "function"]);
+    .also("expression, function");
 const UNIT: Key = key("unit", &[Text], "scene-key-unit", "\"N*m\"");
 
 pub(crate) const INERTIA: Table = Table {
@@ -187,15 +168,15 @@ pub(crate) const FRICTION: Table = Table {
     keys: &[
         key("pair", &[Named("pair")], "scene-key-friction-pair", "\"ram/ground\"")
             .needed()
-            .also(&["joint", "pin", "slide", "at", "point"]),
+            .also("joint, pin, slide, at, point"),
         key("coefficient", &[Quantity(Number)], "scene-key-friction-coefficient", "0.1")
             .needed()
-            .also(&["f", "mu", "value", "friction"]),
+            .also("f, mu, value, friction"),
         key("radius", &[Quantity(Length)], "scene-key-friction-radius", "\"15 mm\"")
             .needed()
             .of(PIN)
-            .also(&["diameter", "r"]),
-        key("owner", &[Named("link")], "scene-key-friction-owner", "\"crank\"").of(PIN).also(&["journal"]),
+            .also("diameter, r"),
+        key("owner", &[Named("link")], "scene-key-friction-owner", "\"crank\"").of(PIN).also("journal"),
         key("length", &[Quantity(Length)], "scene-key-friction-length", "\"120 mm\"").of(SLIDE),
         key("middle", &[Word("point"), Word("through")], "scene-key-friction-middle", "\"through\"")
             .or("\"point\"")
@@ -204,5 +185,5 @@ pub(crate) const FRICTION: Table = Table {
     ],
 };
 
-const PIN: &[&str] = &["pin"];
-const SLIDE: &[&str] = &["slide"];
+const PIN: &str = "pin";
+const SLIDE: &str = "slide";

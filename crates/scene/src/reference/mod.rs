@@ -64,10 +64,10 @@ pub struct Key {
     pub example: &'static str,
     /// The identity of a sentence that says what it is.
     pub about: &'static str,
-    /// Words by which people look for it, or which they write in its place.
-    pub also: &'static [&'static str],
-    /// The sorts of its table that have it: of a motion its kind; empty: all.
-    pub sorts: &'static [&'static str],
+    /// Words by which people look for it, or which they write in its place, with commas between them.
+    also: &'static str,
+    /// The sorts of its table that have it, with commas between them: of a motion its kind; empty: all.
+    pub sorts: &'static str,
 }
 
 /// What a value may be.
@@ -113,7 +113,7 @@ pub enum Default {
 }
 
 const fn key(name: &'static str, kinds: &'static [Kind], about: &'static str, example: &'static str) -> Key {
-    Key { name, kinds, default: Default::Absent, example, about, also: &[], sorts: &[] }
+    Key { name, kinds, default: Default::Absent, example, about, also: "", sorts: "" }
 }
 
 impl Key {
@@ -127,12 +127,12 @@ impl Key {
         self
     }
 
-    const fn also(mut self, words: &'static [&'static str]) -> Self {
+    const fn also(mut self, words: &'static str) -> Self {
         self.also = words;
         self
     }
 
-    const fn of(mut self, sorts: &'static [&'static str]) -> Self {
+    const fn of(mut self, sorts: &'static str) -> Self {
         self.sorts = sorts;
         self
     }
@@ -144,7 +144,7 @@ impl Key {
 
     /// Whether it, or the sentence on it, contains a word.
     fn speaks_of(&self, word: &str, language: &Language) -> bool {
-        let names = || self.also.iter().copied().chain([self.name]);
+        let names = || self.also.split(", ").chain([self.name]);
         let words =
             self.kinds.iter().filter_map(|kind| if let Kind::Word(word) = kind { Some(*word) } else { None });
         names().chain(words).any(|own| own.to_lowercase().contains(word))
@@ -189,12 +189,14 @@ impl Table {
 
     /// Names of its keys; with a sort those that a table of this sort has.
     pub(crate) fn names(&self, sort: Option<&str>) -> impl Iterator<Item = &'static str> {
-        let has = move |key: &&Key| key.sorts.is_empty() || sort.is_none_or(|sort| key.sorts.contains(&sort));
+        let has = move |key: &&Key| {
+            key.sorts.is_empty() || sort.is_none_or(|sort| key.sorts.split(", ").any(|own| own == sort))
+        };
         self.keys.iter().filter(has).map(|key| key.name)
     }
 
     /// The sorts of this table that have a key; `None` where all of them do, or none.
-    pub(crate) fn sorts(&self, word: &str) -> Option<&'static [&'static str]> {
+    pub(crate) fn sorts(&self, word: &str) -> Option<&'static str> {
         self.keys.iter().find(|key| key.name == word).map(|key| key.sorts).filter(|sorts| !sorts.is_empty())
     }
 
@@ -206,7 +208,7 @@ impl Table {
 
     /// The key that people mean by another word.
     pub(crate) fn meant(&self, word: &str) -> Option<&'static str> {
-        let meant = |key: &&Key| key.also.iter().any(|also| also.eq_ignore_ascii_case(word));
+        let meant = |key: &&Key| key.also.split(", ").any(|also| also.eq_ignore_ascii_case(word));
         self.keys.iter().find(meant).map(|key| key.name)
     }
 }

@@ -12,14 +12,14 @@ pub(crate) const BALANCE: Table = Table {
     what: "scene-the-balance",
     keys: &[
         key("link", &[Named("link")], "scene-key-balance-link", "\"ram\"").needed(),
-        key("at", &[Place], "scene-key-balance-at", "\"K\"").also(&["point"]),
-        key("angle", &[Quantity(Angle)], "scene-key-balance-angle", "\"180 deg\"").also(&["direction"]),
+        key("at", &[Place], "scene-key-balance-at", "\"K\"").also("point"),
+        key("angle", &[Quantity(Angle)], "scene-key-balance-angle", "\"180 deg\"").also("direction"),
     ],
 };
 
-const PRESCRIBED: &[&str] = &["prescribed"];
-const TRANSIENT: &[&str] = &["transient"];
-const STEADY: &[&str] = &["steady"];
+const PRESCRIBED: &str = "prescribed";
+const TRANSIENT: &str = "transient";
+const STEADY: &str = "steady";
 
 pub(crate) const MOTION: Table = Table {
     header: "[motion]",
@@ -32,10 +32,10 @@ pub(crate) const MOTION: Table = Table {
             "\"steady\"",
         )
         .or("\"prescribed\"")
-        .also(&["type"]),
+        .also("type"),
         key("speed", &[ByInput(AngularSpeed, Speed)], "scene-key-motion-speed", "\"60 rpm\"")
-            .of(&["prescribed", "transient"])
-            .also(&["omega", "rpm", "n", "w", "velocity", "angular_velocity", "w1"]),
+            .of("prescribed, transient")
+            .also("omega, rpm, n, w, velocity, angular_velocity, w1"),
         key(
             "acceleration",
             &[ByInput(AngularAcceleration, Acceleration)],
@@ -44,7 +44,7 @@ pub(crate) const MOTION: Table = Table {
         )
         .or("0")
         .of(PRESCRIBED)
-        .also(&["epsilon", "alpha"]),
+        .also("epsilon, alpha"),
         key(
             "until",
             &[Quantity(Time), ByInput(Angle, Length), Word("rest"), Word("turn")],
@@ -53,30 +53,30 @@ pub(crate) const MOTION: Table = Table {
         )
         .needed()
         .of(TRANSIENT)
-        .also(&["end", "time", "duration"]),
+        .also("end, time, duration"),
         key("samples", &[Count], "scene-key-motion-samples", "200")
             .or("100")
             .of(TRANSIENT)
-            .also(&["steps", "output"]),
+            .also("steps, output"),
         key("integrator", &[Named("plugin"), Word("auto")], "scene-key-motion-integrator", "\"dopri5\"")
             .or("\"auto\"")
             .of(TRANSIENT)
-            .also(&["method", "solver"]),
+            .also("method, solver"),
         key("tolerance", &[Quantity(Number)], "scene-key-motion-tolerance", "1e-9")
             .or("1e-9")
             .of(TRANSIENT)
-            .also(&["accuracy", "rtol"]),
+            .also("accuracy, rtol"),
         key("step", &[Quantity(Time), ByInput(Angle, Length)], "scene-key-motion-step", "\"1 ms\"")
             .of(TRANSIENT)
-            .also(&["dt"]),
+            .also("dt"),
         key("max_steps", &[Count], "scene-key-motion-max-steps", "1000000").of(TRANSIENT),
         key("mean_speed", &[ByInput(AngularSpeed, Speed)], "scene-key-motion-mean-speed", "\"60 rpm\"")
             .needed()
             .of(STEADY)
-            .also(&["average_speed"]),
+            .also("average_speed"),
         key("unevenness", &[Quantity(Number), Word("motor")], "scene-key-motion-unevenness", "0.05")
             .of(STEADY)
-            .also(&["fluctuation", "delta", "irregularity"]),
+            .also("fluctuation, delta, irregularity"),
     ],
 };
 
@@ -90,7 +90,7 @@ pub(crate) const DRIVE: Table = Table {
             "scene-key-drive-motor",
             "\"4A100L4\"",
         ),
-        key("catalogue", &[Named("plugin")], "scene-key-drive-catalogue", "\"4A\"").also(&["catalog"]),
+        key("catalogue", &[Named("plugin")], "scene-key-drive-catalogue", "\"4A\"").also("catalog"),
         key("max_motor_speed", &[Quantity(AngularSpeed)], "scene-key-drive-max-motor-speed", "\"1500 rpm\""),
         key(
             "characteristic",
@@ -101,12 +101,12 @@ pub(crate) const DRIVE: Table = Table {
         .or("\"kloss\""),
         key("ratio", &[Quantity(Number), Word("solve")], "scene-key-drive-ratio", "\"solve\"")
             .or("1")
-            .also(&["gear", "reducer"]),
-        key("efficiency", &[Quantity(Number)], "scene-key-drive-efficiency", "0.95").or("1").also(&["eta"]),
+            .also("gear, reducer"),
+        key("efficiency", &[Quantity(Number)], "scene-key-drive-efficiency", "0.95").or("1").also("eta"),
         key("torque", &[Word("balance"), ByInput(Moment, Force)], "scene-key-drive-torque", "\"balance\"")
-            .also(&["moment"]),
+            .also("moment"),
         key("flywheel", &[Quantity(Inertia), Word("solve")], "scene-key-drive-flywheel", "\"solve\"")
-            .also(&["inertia"]),
+            .also("inertia"),
         key("flywheel_on", &[Word("crank"), Word("motor")], "scene-key-drive-flywheel-on", "\"motor\"")
             .or("\"crank\""),
     ],
@@ -126,9 +126,9 @@ pub(crate) const MOTOR: Table = Table {
         .needed(),
         key("rated_speed", &[Quantity(AngularSpeed)], "scene-key-motor-rated-speed", "\"1410 rpm\"")
             .needed()
-            .also(&["speed"]),
+            .also("speed"),
         key("max_torque_ratio", &[Quantity(Number)], "scene-key-motor-max-torque-ratio", "2.2"),
-        key("inertia", &[Quantity(Inertia)], "scene-key-motor-inertia", "\"0.0045 kg*m^2\"").also(&["j"]),
+        key("inertia", &[Quantity(Inertia)], "scene-key-motor-inertia", "\"0.0045 kg*m^2\"").also("j"),
     ],
 };
 
@@ -147,7 +147,7 @@ pub(crate) const NOTE: Table = Table {
     header: "[note]",
     what: "scene-the-note",
     keys: &[
-        key("author", &[Text], "scene-key-note-author", "\"A. Student\"").also(&["name"]),
+        key("author", &[Text], "scene-key-note-author", "\"A. Student\"").also("name"),
         key("group", &[Text], "scene-key-note-group", "\"ME-21\""),
         key("variant", &[Text], "scene-key-note-variant", "\"12\""),
         key("language", &[Word("en"), Word("uk"), Word("ru")], "scene-key-note-language", "\"uk\"")

@@ -85,11 +85,6 @@ impl Dimension {
         ROWS.iter().find(|row| row.0 == self).unwrap_or(&ROWS[0])
     }
 
-    /// Its name with an article: "scene-dimension-mass".
-    pub fn name(self) -> &'static str {
-        self.row().2
-    }
-
     /// Its usual units, the SI unit first: "kg, g, t"; empty for a plain number.
     pub fn units(self) -> &'static str {
         self.row().3

@@ -15,10 +15,10 @@ use super::{ChartError, Measurement, Reference, Setting, Stage, Value};
 
 /// The positions with their loads, and the reference reactions.
 pub(crate) struct Loaded<'a> {
-    work: &'a Work<'a>,
-    positions: Vec<Position>,
+    pub(super) work: &'a Work<'a>,
+    pub(super) positions: Vec<Position>,
     /// By position: all loads about the origins of the links.
-    loads: Vec<Vec<Wrench<f64>>>,
+    pub(super) loads: Vec<Vec<Wrench<f64>>>,
     truth: Vec<Reactions<Dd>>,
     /// Greatest force, moment and balancing load over the work.
     sizes: [f64; 3],
@@ -57,19 +57,6 @@ impl<'a> Loaded<'a> {
         };
         loaded.find_truth()?;
         Ok(loaded)
-    }
-
-    pub(crate) fn work(&self) -> &'a Work<'a> {
-        self.work
-    }
-
-    pub(crate) fn positions(&self) -> &[Position] {
-        &self.positions
-    }
-
-    /// By position: all loads about the origins of the links.
-    pub(crate) fn loads(&self) -> &[Vec<Wrench<f64>>] {
-        &self.loads
     }
 
     /// The state of a position.

@@ -35,16 +35,16 @@ impl<'a> Rubbed<'a> {
     /// `None` where the pairs are ideal.
     pub(crate) fn new(loaded: &'a Loaded<'a>, loads: &'a Loads) -> Result<Option<Self>, ChartError> {
         let Some(frictions) = loads.frictions() else { return Ok(None) };
-        let linkage = loaded.work().linkage;
-        let states: Vec<State> = (0..loaded.positions().len()).map(|index| loaded.state(index)).collect();
+        let linkage = loaded.work.linkage;
+        let states: Vec<State> = (0..loaded.positions.len()).map(|index| loaded.state(index)).collect();
         let mut senses = vec![vec![0.0; frictions.rubs.len()]; states.len()];
         for ((state, position), senses) in states.iter().zip(loaded.positions()).zip(&mut senses) {
             loads.senses(state, &position.bodies, senses);
         }
         let speed = |position: &Position, rub: usize| frictions.rubs[rub].relative(&position.bodies).abs();
-        let most = |rub: usize| loaded.positions().iter().map(|one| speed(one, rub)).fold(0.0, f64::max);
+        let most = |rub: usize| loaded.positions.iter().map(|one| speed(one, rub)).fold(0.0, f64::max);
         let most: Vec<f64> = (0..frictions.rubs.len()).map(most).collect();
-        let senses = senses.iter().zip(loaded.positions()).map(|(senses, position)| {
+        let senses = senses.iter().zip(&loaded.positions).map(|(senses, position)| {
             let each = senses.iter().enumerate();
             each.map(|(rub, sense)| [*sense, speed(position, rub) / most[rub].max(f64::MIN_POSITIVE)])
                 .collect()
@@ -80,7 +80,7 @@ impl<'a> Rubbed<'a> {
     }
 
     fn linkage(&self) -> &'a Linkage {
-        self.loaded.work().linkage
+        self.loaded.work.linkage
     }
 
     fn method(&self, plugin: &AnalyzerPlugin) -> Kinetostatics<'a> {
@@ -90,7 +90,7 @@ impl<'a> Rubbed<'a> {
 
     /// Forces of friction and the balancing load of a position.
     fn solved(&self, forces: &mut Kinetostatics<'_>, index: usize) -> Result<Vec<f64>, Text> {
-        let solved = forces.solve(&self.states[index], &self.loaded.positions()[index]);
+        let solved = forces.solve(&self.states[index], &self.loaded.positions[index]);
         solved.map_err(|error| error.describe())?;
         let rubbing = forces.reactions.rubbing.iter().flat_map(|rubbing| &rubbing.forces);
         Ok(rubbing.copied().chain([forces.reactions.balancing]).collect())
@@ -106,10 +106,10 @@ impl<'a> Rubbed<'a> {
 
     /// The balancing load after some steps of the iteration; `width` of a regularized law, 0 of the law itself.
     fn iterated(&self, index: usize, steps: u32, width: f64, out: &mut Reactions) -> Result<f64, Text> {
-        let position = &self.loaded.positions()[index];
+        let position = &self.loaded.positions[index];
         let mut sizes = vec![0.0; self.frictions.unknowns.len()];
         for step in 0..=steps {
-            let mut own = self.loaded.loads()[index].clone();
+            let mut own = self.loaded.loads[index].clone();
             for (unknown, size) in self.frictions.unknowns.iter().zip(&sizes) {
                 let rub = &self.frictions.rubs[unknown.rub];
                 let [sense, speed] = self.senses[index][unknown.rub];
@@ -140,7 +140,7 @@ pub(crate) fn field<'a>(rubbed: &'a Rubbed<'a>) -> Result<Field<'a>, ChartError>
         .filter(|plugin| plugin.treats_friction && plugin.supports(rubbed.linkage()).is_ok())
     {
         let mut forces = rubbed.method(plugin);
-        entries.push(rubbed.loaded.work().entry(
+        entries.push(rubbed.loaded.work.entry(
             row(plugin.name, Setting::default()),
             1,
             move |index, judged| {
@@ -151,7 +151,7 @@ pub(crate) fn field<'a>(rubbed: &'a Rubbed<'a>) -> Result<Field<'a>, ChartError>
     }
     let mut iterated = |name: &str, setting, steps: u32, width: f64| {
         let mut out = Reactions::new(rubbed.linkage());
-        entries.push(rubbed.loaded.work().entry(row(name, setting), 1, move |index, judged| {
+        entries.push(rubbed.loaded.work.entry(row(name, setting), 1, move |index, judged| {
             let found = rubbed.iterated(index, steps, width, &mut out)?;
             Ok(if judged { rubbed.deviation(index, &[found]) } else { 0.0 })
         }));

@@ -144,14 +144,7 @@ fn mechanism_of(draft: &mut Draft, pair: InputPair, from: f64) -> Mechanism {
         slides: draft.slides.clone(),
         input,
         assembly,
-        gravity: None,
-        loads: Vec::new(),
-        frictions: Vec::new(),
-        balance: None,
-        motion: None,
-        drive: None,
-        output: None,
-        notes: Vec::new(),
+        ..Mechanism::default()
     }
 }
 

@@ -227,7 +227,6 @@ enum Ending {
     Speed,
     /// A coordinate, and whether it is the requested end.
     Coordinate(f64, bool),
-    /// A time.
     Time(f64),
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use assur_analysis::results::Owner;
 use assur_group::{GroupError, Order};
 use assur_kinematics::{Linkage, Modes, Position, PositionError};
-use assur_mechanism::{MOST_PARTS_DRAWN, Range};
+use assur_mechanism::MOST_PARTS_DRAWN;
 use assur_words::{Describe, Text, name, number, quantity, text};
 
 use super::found::Found;
@@ -77,7 +77,7 @@ impl Scene {
 
     /// Whether the positions are those of a cycle, whose end is no position of its own.
     pub(crate) fn is_cycle(&self) -> bool {
-        matches!(self.linkage.mechanism.input.range, Range::Cycle(_))
+        self.linkage.mechanism.input.is_cycle()
     }
 
     /// The least determinant of a group over the positions, and the position that has it.
@@ -140,7 +140,7 @@ fn refuse_large(session: &Session) -> Result<(), Text> {
 fn cycle_end(linkage: &Linkage) -> Option<Position> {
     let input = &linkage.mechanism.input;
     let mut pose = linkage.position();
-    let solved = matches!(input.range, Range::Cycle(_))
+    let solved = input.is_cycle()
         && linkage.solve(input.coordinate(input.positions), Order::Second, &mut pose).is_ok();
     solved.then_some(pose)
 }

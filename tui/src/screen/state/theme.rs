@@ -1,5 +1,6 @@
 //! Roles and their styles. Color is never the only sign: each role also has a modifier or a word.
 
+use assur_figure::Ink;
 use ratatui::style::{Color, Modifier, Style};
 use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 
@@ -23,19 +24,12 @@ pub(crate) enum Role {
     Header,
     Tab,
     Key,
-    /// A moving link, by its number.
-    Link(usize),
-    Ground,
     Chosen,
-    Trace,
-    Velocity,
-    Acceleration,
-    First,
-    Second,
-    Third,
     Cursor,
     Good,
     Bad,
+    /// What has an ink of its own in a figure.
+    Drawn(Ink),
 }
 
 impl Theme {
@@ -69,13 +63,13 @@ fn modifier(role: Role) -> Modifier {
 /// The color of a role among the 16 of the terminal, and in Okabe and Ito's palette.
 fn colors(role: Role) -> Option<[Color; 2]> {
     Some(match role {
-        Role::Dim | Role::Trace => [Color::DarkGray, Color::Indexed(245)],
-        Role::Key | Role::First => [Color::Cyan, Color::Rgb(86, 180, 233)],
-        Role::Velocity | Role::Good | Role::Second => [Color::Green, Color::Rgb(0, 158, 115)],
-        Role::Acceleration | Role::Third => [Color::Magenta, Color::Rgb(204, 121, 167)],
+        Role::Dim | Role::Drawn(Ink::Trace) => [Color::DarkGray, Color::Indexed(245)],
+        Role::Key | Role::Drawn(Ink::First) => [Color::Cyan, Color::Rgb(86, 180, 233)],
+        Role::Good | Role::Drawn(Ink::Velocity | Ink::Second) => [Color::Green, Color::Rgb(0, 158, 115)],
+        Role::Drawn(Ink::Acceleration | Ink::Third) => [Color::Magenta, Color::Rgb(204, 121, 167)],
         Role::Bad => [Color::Red, Color::Rgb(213, 94, 0)],
         Role::Chosen => [Color::Yellow, Color::Rgb(230, 159, 0)],
-        Role::Link(number) => {
+        Role::Drawn(Ink::Link(number)) => {
             let nth = number.saturating_sub(1);
             [LINKS[nth % LINKS.len()], OKABE_ITO_LINKS[nth % OKABE_ITO_LINKS.len()]]
         }

@@ -6,7 +6,6 @@ use assur_book::catalogue;
 use assur_book::{Course, Node};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position, continuous_angle, first_angle};
-use assur_mechanism::Range;
 
 use super::series::{Series, Transfer};
 
@@ -38,7 +37,7 @@ pub(crate) fn series(
 /// next one with what is solved there; a position without a solution is among them.
 fn between(linkage: &Linkage, poses: &[Option<Position>]) -> Vec<(usize, f64, Option<Position>)> {
     let input = &linkage.mechanism.input;
-    let intervals = poses.len() - usize::from(!matches!(input.range, Range::Cycle(_)));
+    let intervals = poses.len() - usize::from(!input.is_cycle());
     let parts = DRAWN.min(PARTS / linkage.mechanism.parts().max(1)).div_ceil(intervals.max(1)).max(1);
     let mut all = Vec::new();
     for (number, pose) in poses.iter().enumerate() {

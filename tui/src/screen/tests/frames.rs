@@ -139,7 +139,7 @@ fn a_circle_is_as_wide_as_twice_its_rows() {
         state.look.marker = marker;
         state.arrows = crate::screen::state::Arrows::None;
         let buffer = frame(&state, 80, 24);
-        let color = state.look.theme.style(crate::screen::state::Role::Trace).fg;
+        let color = state.look.theme.style(crate::screen::state::Role::Drawn(assur_figure::Ink::Trace)).fg;
         let is_path = |x: u16, y: u16| Some(buffer[(x, y)].fg) == color && buffer[(x, y)].symbol() != " ";
         // The last row of the drawing has the scale.
         let columns: Vec<u16> = (0..54).filter(|&x| (2..21).any(|y| is_path(x, y))).collect();

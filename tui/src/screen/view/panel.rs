@@ -54,8 +54,7 @@ fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(
     };
     let mut lines = Vec::new();
     for (what, size, length, ink) in arrows::scales(state, scene) {
-        let (role, dash) =
-            if ink == Ink::Velocity { (Role::Velocity, '-') } else { (Role::Acceleration, '.') };
+        let (role, dash) = (Role::Drawn(ink), if ink == Ink::Velocity { '-' } else { '.' });
         let shaft = (0..).take_while(|dash| f64::from(*dash) < (length / width).clamp(1.0, SHAFT));
         let shaft: String = shaft.map(|_| dash).collect();
         lines.extend([(role, state.told(what)), (role, format!(" {shaft}> {}", state.told(size)))]);
@@ -129,7 +128,7 @@ fn quantities(state: &State, scene: &Scene) -> Vec<(Role, String)> {
         let text = format!("{} {}", state.told(&scene.series[first].head), show(first));
         // A link has its number in the drawing.
         match other.owner {
-            Owner::Link(number) => (Role::Link(number), format!("{number} {text}")),
+            Owner::Link(number) => (Role::Drawn(Ink::Link(number)), format!("{number} {text}")),
             _ => (Role::Plain, text),
         }
     }));
