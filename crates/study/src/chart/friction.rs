@@ -38,7 +38,7 @@ impl<'a> Rubbed<'a> {
         let linkage = loaded.work.linkage;
         let states: Vec<State> = (0..loaded.positions.len()).map(|index| loaded.state(index)).collect();
         let mut senses = vec![vec![0.0; frictions.rubs.len()]; states.len()];
-        for ((state, position), senses) in states.iter().zip(loaded.positions()).zip(&mut senses) {
+        for ((state, position), senses) in states.iter().zip(&loaded.positions).zip(&mut senses) {
             loads.senses(state, &position.bodies, senses);
         }
         let speed = |position: &Position, rub: usize| frictions.rubs[rub].relative(&position.bodies).abs();
