@@ -177,19 +177,23 @@ fn stage_7(linkage: &Linkage, found: &Steady, index: usize) -> Done<String> {
     Ok(format!("inertia loads of the rocker {:.3} N, {:.3} N, {moment:.4} N m", force[0], force[1]))
 }
 
-/// Lagrange and d'Alembert: moment of the motor, all loads and inertia loads have no power together; the greatest residual, relative.
+/// Lagrange and d'Alembert: moment of the motor, all loads and inertia loads, link by link, have no power together; the greatest
+/// residual, relative.
 fn stage_8(linkage: &Linkage, loads: &Loads, found: &Steady) -> Done<f64> {
     let mut greatest = 0.0_f64;
     for index in 0..linkage.mechanism.input.positions {
         let q = linkage.mechanism.input.coordinate(index);
         let (state, bodies) = (state(found, q), bodies(linkage, q)?);
         let at = found.regime.state(q);
-        let [inertia, slope] = inertia(&linkage.mechanism, &bodies);
-        let moment = loads.reduced(&state, &bodies).moment;
-        let kinetic = (inertia + found.regime.drive_inertia) * state.acceleration
-            + 0.5 * slope * state.speed * state.speed;
-        let size = at.drive.abs() + moment.abs() + kinetic.abs();
-        greatest = greatest.max((at.drive + moment - kinetic).abs() / size);
+        let shaft = found.regime.drive_inertia * state.acceleration;
+        let (mut sum, mut size) = (at.drive - shaft, at.drive.abs() + shaft.abs());
+        loads.by_cause(&state, &bodies, &mut |_, link, load| {
+            let body = &bodies[link];
+            let power = load.fx * body.x1 + load.fy * body.y1 + load.m * body.w1;
+            sum += power;
+            size += power.abs();
+        });
+        greatest = greatest.max(sum.abs() / size);
     }
     Ok(greatest)
 }

@@ -660,6 +660,7 @@ regime-against = { $load }, against the motion
 regime-excess-area = A* = { $work }
 reduction-mechanism = the mechanism
 reduction-model = disc: M = { $moment }, J = { $inertia }
+reduction-at-rest = { $told } (at rest)
 structure-mode = shown: way { $way }, determinant { $determinant } ({ $key } takes it)
 structure-modes = { $key }: shows the others
 say-no-modes = The kind of this group can't list its modes.

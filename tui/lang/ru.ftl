@@ -653,6 +653,7 @@ regime-against = { $load }, против движения
 regime-excess-area = A* = { $work }
 reduction-mechanism = механизм
 reduction-model = диск: M = { $moment }, J = { $inertia }
+reduction-at-rest = { $told } (в покое)
 structure-mode = показан способ { $way }, определитель { $determinant } ({ $key } берёт его)
 structure-modes = { $key }: показывает другие
 say-no-modes = Вид этой группы не может перечислить её сборки.

@@ -650,6 +650,7 @@ regime-against = { $load }, проти руху
 regime-excess-area = A* = { $work }
 reduction-mechanism = механізм
 reduction-model = диск: M = { $moment }, J = { $inertia }
+reduction-at-rest = { $told } (у стані спокою)
 structure-mode = показано: спосіб { $way }, визначник { $determinant } ({ $key } бере його)
 structure-modes = { $key }: показує інші
 say-no-modes = Вид цієї групи не може перелічити її складань.

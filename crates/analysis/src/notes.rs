@@ -7,7 +7,7 @@ mod loads;
 
 use assur_integrator::Knob;
 use assur_mechanism::{Mechanism, Motion, Notice, Range};
-use assur_words::{Text, list, name, number, quantity, text};
+use assur_words::{Describe, Text, joined, list, name, number, quantity, text};
 
 use crate::trajectory::WithoutForces;
 use crate::{Calculation, InputMotion, Options};
@@ -91,6 +91,13 @@ impl Calculation {
             } else {
                 text!("analysis-other-mean-speed-by-moment", wanted, found)
             });
+        }
+        if let Some(motor) = &found.motor
+            && let (Some(designation), [_, ..]) = (&motor.motor.designation, &*motor.motor.passed_over)
+        {
+            let passed = motor.motor.passed_over.iter().map(Describe::describe);
+            let (motor, passed) = (name(designation.clone()), joined("; ", passed));
+            notes.push(text!("analysis-motors-passed-over", motor, passed));
         }
         if regime.figures.required_power < 0.0 {
             let size = |value: f64, unit| quantity(format_args!("{value:.6}"), unit);

@@ -252,6 +252,14 @@ impl Course {
         if turns.iter().all(|turn| (turn.value - turns[0].value).abs() <= same) { Vec::new() } else { turns }
     }
 
+    /// The highest and the lowest point of the line, coordinate and value, the first of equal ones; `None` where nothing is drawn.
+    pub fn highest_and_lowest(&self) -> Option<[[f64; 2]; 2]> {
+        let known = || self.line.iter().copied().filter(|at| !at[1].is_nan());
+        let highest = known().reduce(|best, next| if next[1] > best[1] { next } else { best })?;
+        let lowest = known().reduce(|best, next| if next[1] < best[1] { next } else { best })?;
+        Some([highest, lowest])
+    }
+
     /// Extremes and means over the positions; `None` where no position has a value.
     pub fn summary(&self) -> Option<Summary> {
         let extreme = |better: &dyn Fn(f64, f64) -> bool| {

@@ -2,9 +2,9 @@
 
 use assur_mechanism::{Motor as Asked, Torque};
 use assur_motor::{
-    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, RatedData,
+    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver, RatedData,
     SelectionRequest, catalogues, check_breakdown, check_rms, check_rotor_inertia, check_starting,
-    find_motor, list_motors, rms_torque, select,
+    find_motor, list_motors, nearest, rms_torque, select,
 };
 use assur_words::text;
 
@@ -23,6 +23,8 @@ pub struct DriveMotor {
     pub row: Option<&'static Motor>,
     /// Other suitable motors, with the ratio that each would need, the best first; only if the motor was chosen.
     pub runners_up: Vec<Candidate<'static>>,
+    /// The motors that were not taken, and why; only if the motor was chosen.
+    pub passed_over: Vec<PassedOver<'static>>,
 }
 
 impl DriveMotor {
@@ -40,15 +42,23 @@ impl DriveMotor {
         let Torque::Motor { motor, catalogue, max_speed, characteristic: kind } = torque else {
             return Ok(None);
         };
-        let (row, runners_up) = match motor {
+        let (row, runners_up, passed_over) = match motor {
             Asked::Rated(rated) => {
                 let inertia = rated.inertia.filter(|inertia| *inertia > 0.0);
                 let rated = RatedData { inertia, ..*rated };
                 let characteristic = Characteristic::new(*kind, &rated)?;
-                let runners_up = Vec::new();
-                return Ok(Some(Self { designation: None, rated, characteristic, row: None, runners_up }));
+                return Ok(Some(Self {
+                    designation: None,
+                    rated,
+                    characteristic,
+                    row: None,
+                    runners_up: Vec::new(),
+                    passed_over: Vec::new(),
+                }));
             }
-            Asked::Designation(designation) => (find_motor(catalogue.as_deref(), designation)?, Vec::new()),
+            Asked::Designation(designation) => {
+                (find_motor(catalogue.as_deref(), designation)?, Vec::new(), Vec::new())
+            }
             Asked::Auto => {
                 let [required_power, input_speed] = need()?;
                 let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
@@ -59,10 +69,10 @@ impl DriveMotor {
                     characteristic: *kind,
                 };
                 let found = select(list_motors(&catalogues()?, &filter)?, &request)?;
-                (found.chosen.motor, found.runners_up)
+                (found.chosen.motor, found.runners_up, found.passed_over)
             }
         };
-        Ok(Some(Self::of_row(row, *kind, runners_up)?))
+        Ok(Some(Self { passed_over, ..Self::of_row(row, *kind, runners_up)? }))
     }
 
     /// A row of a catalogue.
@@ -74,7 +84,7 @@ impl DriveMotor {
         let rated = row.rated_data();
         let characteristic = Characteristic::new(kind, &rated)?;
         let designation = Some(row.designation.clone());
-        Ok(Self { designation, rated, characteristic, row: Some(row), runners_up })
+        Ok(Self { designation, rated, characteristic, row: Some(row), runners_up, passed_over: Vec::new() })
     }
 
     /// The next of the other suitable motors in its place; `None` after the last one.
@@ -133,6 +143,13 @@ impl SteadyMotor {
         ];
         let warnings = warnings.into_iter().flatten().collect();
         Self { motor, speed, torque, rms_torque, starting_load, warnings }
+    }
+
+    /// Keeps of all motors that were `refused` those nearest before this one, if it was chosen.
+    pub(crate) fn passed_over(&mut self, refused: Vec<PassedOver<'static>>) {
+        if let Some(row) = self.motor.row {
+            self.motor.passed_over = nearest(refused, row);
+        }
     }
 
     /// Whether the motor does its work without being overloaded.

@@ -6,8 +6,9 @@ use assur_force::Loads;
 use assur_integrator::Motion as Equation;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, Motor as Asked, Solve, Torque};
-use assur_motor::{Characteristic, FlywheelSize, Motor, flywheel_sizes};
+use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, Refusal, flywheel_sizes};
 use assur_number::search;
+use assur_words::Describe;
 
 use crate::friction::Course;
 use crate::machine::{Watched, Watcher};
@@ -90,6 +91,17 @@ pub(crate) fn steady_motion(
 /// What works with a drive: the regime, and the motor in it.
 type Found = Result<(Regime, Option<SteadyMotor>), DynamicsError>;
 
+/// Why a motor that was tried is not taken; `None` for one that is.
+fn refusal(found: &Found) -> Option<Refusal> {
+    match found {
+        Ok((_, motor)) => {
+            let mut warnings = motor.iter().flat_map(|motor| &motor.warnings);
+            warnings.find(|warning| warning.is_unfit()).cloned().map(Refusal::Unfit)
+        }
+        Err(error) => Some(Refusal::NoRegime(error.describe())),
+    }
+}
+
 /// The regime with the motor of a scene; where it was chosen and does not fit its work, because it would become too hot or could
 /// not start, with the next motor that does. If none does, it is the first with its warnings.
 fn with_a_fit_motor(
@@ -97,15 +109,25 @@ fn with_a_fit_motor(
     motor: Option<&DriveMotor>,
     mut works: impl FnMut(&DriveRequest, Option<DriveMotor>) -> Found,
 ) -> Found {
-    let is_fit = |found: &(Regime, Option<SteadyMotor>)| found.1.as_ref().is_none_or(SteadyMotor::is_fit);
+    let mut refused = motor.map_or_else(Vec::new, |motor| motor.passed_over.clone());
+    let mut is_fit = |found: &mut Found, row: Option<&'static Motor>| {
+        let why = refusal(found);
+        let fit = why.is_none();
+        refused.extend(row.zip(why).map(|(motor, why)| PassedOver { motor, why }));
+        if let Ok((_, Some(motor))) = found {
+            motor.passed_over(refused.clone());
+        }
+        fit
+    };
     let others = std::iter::successors(motor.and_then(DriveMotor::next), DriveMotor::next);
-    let first = works(drive, motor.cloned());
-    if first.as_ref().is_ok_and(is_fit) {
+    let mut first = works(drive, motor.cloned());
+    if is_fit(&mut first, motor.and_then(|motor| motor.row)) {
         return first;
     }
     for other in others.take(MOST_TRIED) {
-        let found = works(&drive.with(&other.characteristic, other.rotor()), Some(other));
-        if found.as_ref().is_ok_and(is_fit) {
+        let row = other.row;
+        let mut found = works(&drive.with(&other.characteristic, other.rotor()), Some(other));
+        if is_fit(&mut found, row) {
             return found;
         }
     }

@@ -96,13 +96,18 @@ fn plain(title: &Text, language: &Language) -> String {
     title.render(language).replace('`', "")
 }
 
-/// The heading of a panel.
-fn heading(panel: &Panel, room: Room, language: &Language) -> Option<Element> {
-    let title = panel.heading();
-    (!title.is_empty()).then(|| {
-        let title = names::fitted(&plain(&title, language), room.width);
-        text([room.left, room.top + EM], &title, Ink::Title, "start")
-    })
+/// Most lines of the heading of a panel.
+const HEADING: usize = 2;
+
+/// The heading of a panel, one line below the other.
+fn heading(panel: &Panel, room: Room, language: &Language) -> Vec<Element> {
+    let title = plain(&panel.heading(), language);
+    let mut lines = names::wrapped(&title, room.width);
+    if lines.len() > HEADING {
+        lines = vec![names::fitted(&title, room.width)];
+    }
+    let place = |row: usize| [room.left, room.top + EM + row as f64 * LINE];
+    lines.iter().enumerate().map(|(row, line)| text(place(row), line, Ink::Title, "start")).collect()
 }
 
 /// The elements of marks: lines first, then signs, then names where they cover least.
@@ -112,6 +117,9 @@ fn drawn(marks: &[Mark], room: Room, language: &Language) -> Vec<Element> {
     for mark in marks {
         if let Mark::Line { points, stroke, ink, closed } = mark {
             names.avoid(points);
+            if let (true, [first, .., last]) = (closed, &**points) {
+                names.avoid(&[*last, *first]);
+            }
             elements.extend(stroked(points, *stroke, *ink, *closed));
         }
     }
@@ -145,7 +153,12 @@ fn stroked(points: &[Point], stroke: Stroke, ink: Ink, closed: bool) -> Vec<Elem
         return vec![polygon(points, Outline { ink, width: width::THICK, filled: Some(0.15) })];
     }
     let pieces = points.split(|at| !(at[0].is_finite() && at[1].is_finite()));
-    pieces.filter(|piece| !piece.is_empty()).map(|piece| polyline(piece, stroke, ink)).collect()
+    let drawn = |piece: &[Point]| match piece {
+        // A point without neighbors is no line, but a value.
+        [alone] => circle(*alone, width::THICK, Outline { ink, width: width::FINE, filled: Some(1.0) }),
+        line => polyline(line, stroke, ink),
+    };
+    pieces.filter(|piece| !piece.is_empty()).map(drawn).collect()
 }
 
 fn sign_elements(at: Point, along: Point, sign: Sign, ink: Ink) -> Vec<Element> {

@@ -70,6 +70,27 @@ fn a_column_of_a_chart_leads_back_to_its_value() {
     assert_eq!([value(3), value(51)], [None, None]);
 }
 
+#[test]
+fn a_name_is_not_beyond_the_neighbors_of_its_line() {
+    // Too close for a name between them; beyond its neighbors it would seem to be theirs.
+    let line = |y: f64| Item::line(vec![[0.0, y], [5.0, y], [10.0, y]], Stroke::Solid, Ink::First);
+    let items = [0.25, 0.0, -0.25].map(line).into_iter();
+    let figure = plane(items.chain([Item::name([5.0, 0.0], name("2"), Ink::Title)]).collect());
+    let text = svg::write(&figure, [160.0, 120.0], Language::english());
+    let baseline = text.lines().find(|line| line.contains(">2<")).unwrap();
+    let of = |text: &str, name: &str| attributes(text, "text", name)[0].parse::<f64>().unwrap();
+    // The middle of the page without the line of the scale, and its neighbors at 2.5 mm.
+    assert!((of(baseline, "y") - 0.4 * svg::EM - 57.75).abs() < 2.5, "{baseline}");
+}
+
+#[test]
+fn a_value_without_neighbors_is_a_dot() {
+    let alone = [[0.0, 1.0], [f64::NAN; 2], [1.0, 2.0], [f64::NAN; 2], [2.0, 0.0], [3.0, 1.0]];
+    let figure = plane(vec![Item::line(alone, Stroke::Solid, Ink::First)]);
+    let text = svg::write(&figure, [160.0, 120.0], Language::english());
+    assert_eq!([text.matches("<circle").count(), text.matches("<polyline").count()], [2, 1]);
+}
+
 /// The numbers of an attribute of the elements of a name.
 fn attributes(text: &str, element: &str, attribute: &str) -> Vec<String> {
     let lines = text.lines().filter(|line| line.starts_with(&format!("<{element} ")));

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use assur_words::{Describe, Text, name, number, text};
 
 use crate::motor::rpm;
-use crate::{CharacteristicKind, Motor};
+use crate::{CharacteristicKind, Motor, PassedOver, Refusal};
 
 /// Relative slack of comparisons with a rated value, so that the rounding of a unit conversion doesn't decide.
 const SLACK: f64 = 1e-9;
@@ -39,6 +39,8 @@ pub struct Selection<'a> {
     pub chosen: Candidate<'a>,
     /// The other suitable motors, the best first.
     pub runners_up: Vec<Candidate<'a>>,
+    /// The motors that are not suitable.
+    pub passed_over: Vec<PassedOver<'a>>,
 }
 
 /// Why no motor can be chosen.
@@ -116,16 +118,21 @@ where
 {
     request.validate()?;
     let motors: Vec<&Motor> = motors.into_iter().collect();
-    let enough = |m: &&Motor| m.rated_power >= request.required_power * (1.0 - SLACK);
-    let fit = |m: &&Motor| enough(m) && request.has_data(m) && request.keeps_limit(m);
-    let mut fits: Vec<&Motor> = motors.iter().copied().filter(fit).collect();
+    let (mut fits, mut passed_over) = (Vec::new(), Vec::new());
+    for motor in &motors {
+        match request.refusal(motor) {
+            Some(why) => passed_over.push(PassedOver { motor, why }),
+            None => fits.push(*motor),
+        }
+    }
     fits.sort_by(|a, b| better(a, b));
     let mut candidates = fits.into_iter().map(|motor| request.candidate(motor));
     let chosen = candidates.next().ok_or_else(|| request.why_none(&motors))?;
-    Ok(Selection { chosen, runners_up: candidates.collect() })
+    Ok(Selection { chosen, runners_up: candidates.collect(), passed_over })
 }
 
-fn better(a: &Motor, b: &Motor) -> Ordering {
+/// The order of preference of [`select`].
+pub(crate) fn better(a: &Motor, b: &Motor) -> Ordering {
     (a.rated_power.total_cmp(&b.rated_power))
         .then(b.synchronous_speed.total_cmp(&a.synchronous_speed))
         .then(b.rated_speed.total_cmp(&a.rated_speed))
@@ -150,6 +157,19 @@ impl SelectionRequest {
 
     fn keeps_limit(&self, motor: &Motor) -> bool {
         self.max_motor_speed.is_none_or(|limit| motor.synchronous_speed <= limit * (1.0 + SLACK))
+    }
+
+    /// The first demand that a motor does not meet.
+    fn refusal(&self, motor: &Motor) -> Option<Refusal> {
+        let required = self.required_power;
+        if motor.rated_power < required * (1.0 - SLACK) {
+            Some(Refusal::Weak { required })
+        } else if !self.has_data(motor) {
+            Some(Refusal::NoBreakdown)
+        } else {
+            let limit = self.max_motor_speed.filter(|_| !self.keeps_limit(motor));
+            limit.map(|limit| Refusal::Fast { limit })
+        }
     }
 
     fn candidate<'a>(&self, motor: &'a Motor) -> Candidate<'a> {

@@ -21,7 +21,8 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "NAME", default_value = "mechanism", value_parser = PossibleValuesParser::new(views()))]
     pub(crate) view: String,
     /// Part of the view: forces, velocities, accelerations, construction (plans); overview, causes, curves, hodograph
-    /// (forces); overview, course, iteration, reduction (motion); overview, curves, energy-mass, inertia, reduction (drive)
+    /// (forces); overview, course, iteration, reduction (motion); overview, curves, places, energy-mass, inertia, reduction
+    /// (drive)
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
     /// Quantity, pair, link, group or method of a construction that is shown, found as by `/` in the terminal UI; several
@@ -180,7 +181,9 @@ fn figure(state: &State) -> Result<Figure, StillError> {
         let text = state.scene.as_ref().map(|scene| view::advice(state, scene)).unwrap_or_default();
         StillError::Nothing(text)
     })?;
-    let Some(scene) = state.scene.as_ref().filter(|_| !matches!(state.view, View::Mechanism)) else {
+    let Some(scene) =
+        state.scene.as_ref().filter(|_| !matches!(state.view, View::Mechanism | View::Structure))
+    else {
         return Ok(figure);
     };
     let of_scene = name(scene.linkage.mechanism.title.clone());

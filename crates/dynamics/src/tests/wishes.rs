@@ -3,6 +3,7 @@
 use approx::assert_relative_eq;
 
 use assur_fixtures::scene;
+use assur_motor::{MotorWarning, Refusal};
 
 use super::compiled;
 use crate::steady;
@@ -60,7 +61,7 @@ fn a_grid_of_wishes_is_met() {
 /// A chosen motor is the first of those that have the power, in their order, that does its work without being overloaded.
 #[test]
 fn a_chosen_motor_is_fit_for_its_work() {
-    let mut passed_over = 0;
+    let (mut passed_over, mut told) = (0, 0);
     for catalogue in ["4A", "AIR"] {
         for speed in ["1000 rpm", "1500 rpm", "3000 rpm"] {
             let given = |motor: &str| {
@@ -76,6 +77,16 @@ fn a_chosen_motor_is_fit_for_its_work() {
             let chosen = given("auto").unwrap();
             assert!(chosen.is_fit(), "{catalogue} {speed}: {:?}", chosen.warnings);
             let power = chosen.motor.rated.power;
+            for passed in &chosen.motor.passed_over {
+                assert!(passed.motor.rated_power <= power, "{passed:?}");
+                let tried = matches!(passed.why, Refusal::Unfit(_));
+                let again = given(&passed.motor.designation).map(|other| other.warnings);
+                assert!(
+                    !tried || again.is_ok_and(|all| all.iter().any(MotorWarning::is_unfit)),
+                    "{passed:?}"
+                );
+                told += usize::from(tried);
+            }
             let all = assur_motor::list_motors(
                 &assur_motor::catalogues().unwrap(),
                 &assur_motor::MotorFilter {
@@ -97,5 +108,5 @@ fn a_chosen_motor_is_fit_for_its_work() {
             }
         }
     }
-    assert!(passed_over > 0);
+    assert!(passed_over > 0 && told > 0);
 }

@@ -29,11 +29,13 @@ pub(super) fn elements(
     let Frame::Axes { x, y, cursor } = &panel.frame else { return Vec::new() };
     let below = if shows_axis { BELOW } else { 0.0 };
     let vertical = widened(y);
-    let free = room.height - LINE - below - BORDER;
+    let mut elements = heading(panel, room, language);
+    let above = LINE * elements.len().max(1) as f64;
+    let free = room.height - above - below - BORDER;
     let ticks = upright_ticks(&vertical, free);
     let plot = Room {
         left: room.left + numbers + 0.5 * EM,
-        top: room.top + LINE,
+        top: room.top + above,
         width: room.width - numbers - 0.5 * EM - 2.0 * BORDER,
         height: free,
     };
@@ -42,7 +44,6 @@ pub(super) fn elements(
     };
     let [low, high] = vertical.range;
     let upright = |at: f64| [place([at, low]), place([at, high])];
-    let mut elements: Vec<Element> = heading(panel, room, language).into_iter().collect();
     for (at, number) in ticks {
         let ends = x.range.map(|end| place([end, at]));
         elements.push(grid(&ends, at == 0.0));

@@ -59,6 +59,8 @@ const CLEAR: f64 = 0.12;
 const RINGS: usize = 12;
 /// Up to this one, a place where it covers nothing is looked for.
 const NEAR: usize = 5;
+/// What a line between a name and its point counts, in covered lines: the name seems to belong to that line.
+const CUT: usize = 4;
 /// What covering a text or a sign counts, in covered lines.
 const WRITTEN: usize = 1000;
 
@@ -131,28 +133,46 @@ impl Names {
         if !needed && self.compared > MOST_COMPARED {
             return (at, false);
         }
-        let mut best: Option<(usize, [f64; 4])> = None;
+        // What it covers, what lies between it and its point, and the place.
+        let mut best: Option<(usize, usize, [f64; 4])> = None;
         for ring in 1..=if needed { RINGS } else { NEAR } {
             for spot in around(at, [width, ring as f64 * away]) {
                 self.compared += self.lines.len() + self.texts.len();
                 let Some(covered) = self.covered(spot) else { continue };
-                if best.is_none_or(|(least, _)| covered < least) {
-                    best = Some((covered, spot));
+                let cut = if covered < WRITTEN { CUT * self.between(at, spot) } else { 0 };
+                if best.is_none_or(|(least, hides, _)| covered + cut < least + hides) {
+                    best = Some((covered, cut, spot));
                 }
             }
             // Near the point a line may be covered rather than go far away; a text or a sign may not.
-            if best.is_some_and(|(least, _)| least == 0 || (ring >= NEAR && least < WRITTEN)) {
+            if best.is_some_and(|(least, cut, _)| least + cut == 0 || (ring >= NEAR && least < WRITTEN)) {
                 break;
             }
         }
-        let seen = |(covered, _): &(usize, [f64; 4])| *covered == 0 || needed;
+        let seen = |(covered, ..): &(usize, usize, [f64; 4])| *covered == 0 || needed;
         match best.filter(seen) {
-            Some((_, spot)) => {
+            Some((.., spot)) => {
                 self.texts.push(spot);
                 ([spot[0], spot[3]], true)
             }
             None => (at, false),
         }
+    }
+
+    /// Number of lines between a point and a text beside it: the text seems to belong to them. The lines of the point itself don't
+    /// count.
+    fn between(&self, at: Point, [left, top, right, bottom]: [f64; 4]) -> usize {
+        let to = [at[0].clamp(left, right), at[1].clamp(top, bottom)];
+        let apart = |line: &&[Point; 2]| {
+            let side = |of: Point, [from, to]: [Point; 2]| {
+                (to[0] - from[0]) * (of[1] - from[1]) - (to[1] - from[1]) * (of[0] - from[0])
+            };
+            let own = APART * EM * (line[1][0] - line[0][0]).hypot(line[1][1] - line[0][1]);
+            // A corner of a line counts for one of its two pieces.
+            let parted = |two: [Point; 2], by| (side(two[0], by) < 0.0) != (side(two[1], by) < 0.0);
+            side(at, **line).abs() > 0.1 * own && parted([at, to], **line) && parted(**line, [at, to])
+        };
+        self.lines.iter().filter(apart).count()
     }
 
     /// Number of lines and texts that a text would cover; `None` outside the room.

@@ -16,7 +16,8 @@ const SCALES: [f64; 5] = [1.0, 2.0, 2.5, 4.0, 5.0];
 /// The elements of a panel, and its scale: units of the plane in a millimeter.
 pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> (Vec<Element>, f64) {
     let Frame::Plane { bounds, scale: (symbol, unit), .. } = &panel.frame else { return (Vec::new(), 1.0) };
-    let above = if panel.title.is_empty() { 0.0 } else { LINE };
+    let mut elements = heading(panel, room, language);
+    let above = LINE * elements.len() as f64;
     let plot = Room { top: room.top + above, height: room.height - above - LINE, ..room };
     let least = fit(bounds, plot);
     let scale = if symbol.is_empty() { least } else { round_up(least, &SCALES) };
@@ -26,7 +27,6 @@ pub(super) fn elements(panel: &Panel, room: Room, language: &Language) -> (Vec<E
         |at: Point| [middle[0] + (at[0] - center[0]) / scale, middle[1] - (at[1] - center[1]) / scale];
     let paper = Paper { place, em: EM, gap: 0.1 * EM };
     let marks: Vec<_> = panel.items.iter().flat_map(|item| paper.marks(item)).collect();
-    let mut elements: Vec<Element> = heading(panel, room, language).into_iter().collect();
     elements.extend(drawn(&marks, plot, language));
     // What lies in one place has no scale.
     if !symbol.is_empty() && bounds.size().iter().any(|side| *side != 0.0) {

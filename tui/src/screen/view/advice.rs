@@ -42,6 +42,9 @@ pub(crate) fn text(state: &State, scene: &Scene) -> Text {
             joined("\n", [text!("no-forces-found"), reason.clone()])
         }
         (View::Motion, None) => text!("add-motion", key = key()),
+        (View::Drive, None) if state.found().is_some_and(|found| found.analysis.dynamics.is_some()) => {
+            text!("drive-no-motor")
+        }
         (View::Drive, None) => text!("add-drive", key = key()),
         (View::Forces | View::Plans, None) => text!("add-loads", key = key()),
         _ => text!("nothing-here"),

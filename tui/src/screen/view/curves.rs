@@ -3,7 +3,7 @@
 
 use assur_analysis::results::{Owner, Quantity};
 use assur_book::{Column, Extreme, Table, catalogue, row};
-use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Sample, Sign, Stroke};
+use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_report::text::Line;
 use assur_words::{self as words, Text, joined, list, name, quantity, text, unit};
 use ratatui::buffer::Buffer;
@@ -193,6 +193,9 @@ fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
     together(state, scene, &all.iter().collect::<Vec<_>>())
 }
 
+/// Relative size of a change that is rounding.
+const CONSTANT: f64 = 1e-9;
+
 /// A panel for each unit, with a ring at the greatest and the least value of each curve.
 pub(super) fn together(state: &State, scene: &Scene, all: &[&Series]) -> Figure {
     let mut units: Vec<&str> = Vec::new();
@@ -236,6 +239,7 @@ fn without_radians(unit: &str) -> &str {
 
 /// The quantities of one unit but for radians; each has its number in the list of all.
 fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> Panel {
+    let (_, coordinate) = coordinate_unit(&scene.linkage);
     let (mut curves, mut signs, mut names) = (Vec::new(), Vec::new(), Vec::new());
     for (number, series) in all.iter().enumerate().filter(|(_, series)| without_radians(&series.unit) == unit)
     {
@@ -243,20 +247,21 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
         let before = state.compared.as_ref().and_then(|compared| compared.series(series));
         curves.extend(before.map(|before| (before, Stroke::Dotted, Ink::Trace)));
         curves.push((*series, stroke, ink));
-        if let Some(summary) = series.summary() {
-            for extreme in [summary.greatest, summary.least] {
-                let at = scene.coordinate_at(extreme.number as f64);
-                signs.push(Item::sign([at, extreme.value], Sign::Ring, Ink::Text));
+        let place = |[at, value]: Point| [coordinate * at, series.factor * value];
+        if let Some(ends) = series.course.highest_and_lowest() {
+            // A course that is constant to its rounding has no extremes.
+            if series.factor * (ends[0][1] - ends[1][1]) > series.least().max(CONSTANT * series.size()) {
+                signs.extend(ends.map(|end| Item::sign(place(end), Sign::Ring, Ink::Text)));
             }
             if all.len() > 1 {
                 // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
                 let nodes = series.course.nodes();
                 let node = nodes[(2 * number + 1) * nodes.len() / (2 * all.len())];
-                let place = [scene.coordinate_at(node.number as f64), series.factor * node.value];
-                signs.push(Item::name(place, name((number + 1).to_string()), Ink::Title));
+                let number = name((number + 1).to_string());
+                signs.push(Item::name(place([node.at, node.value]), number, Ink::Title));
             }
         }
-        names.push(joined(" ", [name((number + 1).to_string()), series.of.clone()]));
+        names.push(plots::numbered(number, series.told()));
     }
     let mut units: Vec<&str> = Vec::new();
     for (series, ..) in curves.iter().filter(|(series, ..)| !series.unit.is_empty()) {
@@ -265,9 +270,14 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
         }
     }
     let units = list(units.into_iter().map(|symbol| words::unit(symbol.to_owned())));
-    let title = if all.len() > 1 { joined("  ", names) } else { all[0].told() };
-    let title = list([title, units].into_iter().filter(|text| !text.is_empty()));
-    let mut panel = over_positions(state, scene, [title, Text::default()], &curves, signs);
+    // The value at the cursor stands in the legend of several, else in the heading.
+    let heading = match all {
+        [alone] => [alone.told(), alone.show(state.position)],
+        _ => {
+            [list([joined("  ", names), units].into_iter().filter(|text| !text.is_empty())), Text::default()]
+        }
+    };
+    let mut panel = over_positions(state, scene, heading, &curves, signs);
     if let Frame::Axes { y, .. } = &mut panel.frame {
         // The heading says it.
         y.label = Text::default();

@@ -123,7 +123,10 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
     let panels = match state.part(View::Drive) {
         Part::EnergyMass => vec![regime::energy_mass(&dynamics.energy_mass)],
         Part::Reduction => reduction::link(state, scene, found).into_iter().collect(),
-        Part::Inertia => vec![regime::shares(state, scene, found, dynamics)],
+        Part::Inertia => {
+            let (panel, legend) = regime::shares(state, scene, found, dynamics);
+            return Figure { title: text!("drive-title"), panels: vec![panel], columns, legend };
+        }
         Part::Places => places::panels(scene, dynamics),
         _ => {
             let moments = regime::moments(state, scene, found, &dynamics.regime);

@@ -3,9 +3,10 @@
 use assur_analysis::results::{Analysis, Column, Owner, Quantity};
 use assur_book::{Course, catalogue};
 use assur_figure::{Axis, Cursor, Figure, Panel};
+use assur_mechanism::Notice;
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
-use assur_words::{self as words, Text, list, quantity, text};
+use assur_words::{self as words, Text, joined, list, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -52,10 +53,14 @@ fn iteration(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &m
     }
 }
 
-/// How the regime was found, in lines of a width.
+/// How the regime was found and its motor chosen, in lines of a width.
 pub(super) fn told(state: &State, scene: &Scene, found: &Found, width: u16) -> Vec<Line> {
     let source = Source::of(&found.analysis, &scene.linkage, Some(&[]));
-    page::told(state, width.saturating_sub(2), |page| topic::iteration(&source, page))
+    let of_motor = |note: &&Notice| note.text.identity() == Some("analysis-motors-passed-over");
+    page::told(state, width.saturating_sub(2), |page| {
+        topic::iteration(&source, page);
+        found.analysis.notes.iter().filter(of_motor).for_each(|note| page.paragraph(Text::from(note)));
+    })
 }
 
 /// Speed, acceleration, J, J', Q over the positions (at most `most`), or the course over time.
@@ -140,7 +145,10 @@ fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
     let unit = if analysis.input.angular { "rad" } else { "m" };
     let told = list([text!("motion-coordinate"), words::unit(unit)]);
     let x = Axis::around(told, (0..table.len()).filter_map(|row| table.get(row, place)), 0.0);
-    Some(plots::curves(text!("motion-loads"), curves, (x, 1.0), Some(now.into())))
+    // Several curves name themselves.
+    let alone = curves.iter().map(|(told, _)| told.clone()).filter(|_| curves.len() == 1);
+    let title = joined(": ", std::iter::once(text!("motion-loads")).chain(alone));
+    Some(plots::curves(title, curves, (x, 1.0), Some(now.into())))
 }
 
 /// The numbers of the regime that have room beside its curves.

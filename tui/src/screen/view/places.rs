@@ -5,7 +5,7 @@ use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, St
 use assur_mechanism::InputPair;
 use assur_motor::{FlywheelSize, Motor, RatedData, catalogues};
 use assur_report::topic::flywheel_shaft;
-use assur_words::{Text, joined, name, number, quantity, text};
+use assur_words::{Text, joined, list, name, number, quantity, text};
 
 use crate::number::digits;
 use crate::screen::state::Scene;
@@ -62,7 +62,7 @@ impl Row {
             let closed: Vec<Point> = outline.iter().chain(outline.first()).copied().collect();
             Item::line(closed, Stroke::Dashed, ink)
         });
-        self.items.extend(told.map(|told| Item::name([from, high], told, Ink::Title)));
+        self.items.extend(told.map(|told| Item::name([0.5 * (from + to), high], told, Ink::Title)));
         self.shaft(to);
     }
 
@@ -103,13 +103,14 @@ fn kilograms(mass: f64) -> Text {
     quantity(digits(mass, 3), "kg")
 }
 
-/// What the parts are; those without a known size of their own are dashed.
+/// What the parts are, with the ratio of the gear; those without a known size of their own are dashed.
 pub(super) fn legend(dynamics: &Dynamics) -> Vec<Key> {
     let motor = Drawn::of(dynamics);
     let stroke = if motor.own { Stroke::Thick } else { Stroke::Dashed };
+    let ratio = dynamics.figures.ratio.map(|ratio| joined("", [name("u = "), number(digits(ratio, 4))]));
     let keys = [
         (stroke, MOTOR, motor.name),
-        (Stroke::Dashed, Ink::Dim, text!("places-gear")),
+        (Stroke::Dashed, Ink::Dim, list(std::iter::once(text!("places-gear")).chain(ratio))),
         (Stroke::Thick, FLYWHEEL, text!("regime-flywheel")),
         (Stroke::Thick, CRANK, text!("places-crank")),
     ];
@@ -128,8 +129,7 @@ fn drive(scene: &Scene, dynamics: &Dynamics, wheel: &FlywheelSize) -> (Text, Vec
     if on_motor {
         flywheel(&mut row);
     }
-    let ratio = dynamics.figures.ratio.map(|ratio| joined("", [name("u = "), number(digits(ratio, 4))]));
-    row.part([GEAR[1] * height, GEAR[0] * height], ratio, false, Ink::Dim);
+    row.part([GEAR[1] * height, GEAR[0] * height], None, false, Ink::Dim);
     if !on_motor {
         flywheel(&mut row);
     }

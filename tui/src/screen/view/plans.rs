@@ -118,16 +118,19 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 fn keys(part: Part, plan: &Plan) -> Vec<Key> {
     /// Entries of a legend that leave room for the plan.
     const MOST: usize = 16;
-    let named = labelled(part, plan).into_iter().filter(|(_, item)| ink_of(part, item) != Ink::Trace);
+    let inner = |item: &PlanVector| item.kind == VectorKind::Inner;
+    let named =
+        labelled(part, plan).into_iter().filter(|(_, item)| inner(item) || ink_of(part, item) != Ink::Trace);
     let key = |(label, item): (String, &PlanVector)| {
         let size = quantity(digits(item.size, 5), item.unit.clone());
         // An absolute vector is called by its point already.
-        let what = if item.kind == VectorKind::Absolute {
-            name(label)
-        } else {
-            joined(" ", [name(label), item.name.clone()])
+        let what = match item.kind {
+            VectorKind::Absolute => name(label),
+            VectorKind::Inner => item.name.clone(),
+            _ => joined(" ", [name(label), item.name.clone()]),
         };
-        Key { sample: Sample::Line(Stroke::Solid, ink_of(part, item)), text: joined("  ", [what, size]) }
+        let stroke = if inner(item) { Stroke::Dotted } else { Stroke::Solid };
+        Key { sample: Sample::Line(stroke, ink_of(part, item)), text: joined("  ", [what, size]) }
     };
     named.take(MOST).map(key).collect()
 }

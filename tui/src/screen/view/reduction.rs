@@ -3,10 +3,11 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use assur_analysis::InputMotion;
 use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_mechanism::{InputPair, PointId};
-use assur_words::{Text, quantity, text};
+use assur_words::{Text, name, quantity, text};
 
 use super::{mechanism, plans};
 use crate::number::digits;
@@ -19,7 +20,7 @@ const PIECES: usize = 48;
 /// Radius of the arc of a moment, in radii.
 const ARC: f64 = 1.2;
 /// Part of that arc under its head.
-const HEAD: f64 = 0.3;
+const HEAD: f64 = 0.15;
 
 /// What is reduced in a position, to the input link and to its farthest point.
 struct Reduced {
@@ -35,13 +36,16 @@ struct Reduced {
     most: f64,
     /// With that of flywheel and rotor.
     inertia: f64,
+    /// Whether the speed belongs to instants and not to the positions, so that the moment is that at rest.
+    at_rest: bool,
 }
 
 impl Reduced {
     /// Of a mechanism whose input link turns, where its reduction is calculated.
     fn of(state: &State, scene: &Scene, found: &Found) -> Option<Self> {
         let table = &found.analysis.positions;
-        let (point, row) = (found.plans.calculation().reduction_point()?, table.row_of(state.position)?);
+        let calculation = found.plans.calculation();
+        let (point, row) = (calculation.reduction_point()?, table.row_of(state.position)?);
         let InputPair::Pin(pin) = scene.linkage.mechanism.input.pair else { return None };
         let pose = scene.pose(state.position, 0.0)?;
         let motion = |id: PointId| scene.linkage.point_motion(id, &pose);
@@ -58,6 +62,7 @@ impl Reduced {
             moment: table.at(row, moments)?,
             most: table.each(moments).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())),
             inertia: table.at(row, of(Quantity::ReducedInertia)?)? + shaft,
+            at_rest: matches!(calculation.motion, InputMotion::Transient(_)),
         })
     }
 
@@ -66,6 +71,7 @@ impl Reduced {
         let corner = |side: f64| self.pin.map(|at| at + side * ROOM * self.radius);
         let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
         let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
+        let title = if self.at_rest { text!("reduction-at-rest", told = title) } else { title };
         Panel { title, frame, items }
     }
 
@@ -79,13 +85,14 @@ impl Reduced {
     fn link(&self) -> Panel {
         let length = if self.most > 0.0 { self.moment / self.most } else { 0.0 };
         let to = [0, 1].map(|axis| self.tip[axis] + length * self.along[axis]);
-        let items = vec![
+        let mut items = vec![
             Item::line(vec![self.pin, self.tip], Stroke::Solid, Ink::First),
             Item::sign(self.pin, Sign::Bearing, Ink::Ground),
             Item::sign(self.tip, Sign::Dot, Ink::First),
             Item::Arrow { from: self.tip, to, stroke: Stroke::Solid, ink: Ink::Second },
             Item::name(self.tip, self.name.clone(), Ink::Title),
         ];
+        items.extend((length != 0.0).then(|| Item::name(to, name("F"), Ink::Title)));
         let force = quantity(digits(self.moment / self.radius, 5), "N");
         let mass = quantity(digits(self.inertia / (self.radius * self.radius), 5), "kg");
         self.panel(text!("regime-reduced", point = &self.name, force = force, mass = mass), items)
@@ -104,6 +111,7 @@ impl Reduced {
             let at = |part: f64| self.polar(ARC, angle + self.moment.signum() * FRAC_PI_2 * part);
             let arc = (0..=PIECES).map(|piece| at((1.0 - HEAD) * piece as f64 / PIECES as f64));
             items.push(Item::line(arc.collect::<Vec<_>>(), Stroke::Solid, Ink::Second));
+            items.push(Item::name(at(0.5), name("M"), Ink::Title));
             let head = (at(1.0 - HEAD), at(1.0));
             items.push(Item::Arrow { from: head.0, to: head.1, stroke: Stroke::Solid, ink: Ink::Second });
         }

@@ -5,7 +5,7 @@ use assur_analysis::results::{
     Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
 };
 use assur_book::{Course, Step};
-use assur_figure::{Axis, Bounds, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
+use assur_figure::{Axis, Bounds, Frame, Ink, Item, Key, Kind, Panel, Point, Sample, Sign, Stroke};
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
 use super::plots;
@@ -167,7 +167,7 @@ pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
 }
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
-pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> Panel {
+pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> (Panel, Vec<Key>) {
     let positions = &found.analysis.positions;
     let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
     let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
@@ -178,26 +178,34 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         Some(dynamics.regime.shaft_inertia + sum)
     };
     let (_, factor) = coordinate_unit(&scene.linkage);
-    let mut items = Vec::new();
+    let (mut items, mut samples) = (Vec::new(), Vec::new());
     for count in 0..=links.len() {
         let value = |table: &Table, row: usize| level(table, row, count);
         let course = Course::read(positions, Some(&found.edges), Column::COORDINATE, value);
         let points = course.points([factor, 1.0]);
         let stroke = if count == links.len() { Stroke::Solid } else { Stroke::Dashed };
         let at = points.get((2 * count + 1) * points.len() / (2 * (links.len() + 1))).copied();
-        items.push(Item::line(points, stroke, Ink::Link(count + 1)));
+        let ink = Ink::Link(count + 1);
+        let now = positions.row_of(state.position).and_then(|row| level(positions, row, count));
+        samples.push((Sample::Line(stroke, ink), now));
+        items.push(Item::line(points, stroke, ink));
         items.extend(at.map(|at| Item::name(at, name((count + 1).to_string()), Ink::Title)));
     }
     let values = items.iter().flat_map(Item::points).map(|at| at[1]).collect::<Vec<_>>();
     let links = links.iter().filter_map(|owner| positions.schema().named(*owner));
     let names = links.map(|link| joined("", [name("+"), link.into()]));
     let names = std::iter::once(text!("regime-drive")).chain(names);
-    let names = names.enumerate().map(|(at, told)| plots::numbered(at, told));
-    let title = text!("regime-shares", names = joined("  ", names));
+    let names: Vec<Text> = names.enumerate().map(|(at, told)| plots::numbered(at, told)).collect();
+    let title = text!("regime-shares", names = joined("  ", names.iter().cloned()));
+    let key = |((sample, now), told): ((Sample, Option<f64>), Text)| {
+        let now = now.map(|now| quantity(digits(now, 6), "kg m2"));
+        Key { sample, text: joined(": ", std::iter::once(told).chain(now)) }
+    };
+    let legend = samples.into_iter().zip(names).map(key).collect();
     let y = Axis::around(unit("kg m2"), values, 0.0);
     let frame =
         Frame::Axes { x: plots::coordinate_axis(scene), y, cursor: Some(cursor(state, scene).into()) };
-    Panel { title, frame, items }
+    (Panel { title, frame, items }, legend)
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
