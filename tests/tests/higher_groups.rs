@@ -89,3 +89,49 @@ fn solving_depends_on_the_coordinate_alone() {
         assert_eq!(one.bodies, other.bodies, "{name}");
     }
 }
+
+/// An eight-bar whose group of six links has seven inner pins; two of them are told.
+const TWO_PLACES: &str = "
+[ground]
+points = { P0 = [0.11, -0.32], P1 = [0.12, 0.04] }
+[link.crank]
+points = { P0 = 0, P6 = [0, 0.07] }
+[link.l1]
+points = { P2 = [0.01, -0.03], P3 = [-0.2, 0.23] }
+[link.l2]
+points = { P4 = [-0.03, 0.01], P5 = [-0.21, 0.3] }
+[link.l4]
+points = { P6 = [-0.02, 0.03], P7 = [-0.21, 0.38], P8 = [-0.12, 0.3] }
+[link.l5]
+points = { P1 = [0, 0.03], P2 = [-0.29, -0.07], P4 = [0.29, -0.22], P9 = [0.1, -0.14] }
+[link.l6]
+points = { P7 = [0.01, -0.01], P9 = [0.18, -0.03] }
+[link.l7]
+points = { P3 = [-0.04, 0.02], P5 = [0, 0.05], P8 = [0.07, 0.16] }
+[assembly]
+P2 = [-0.12, -0.15]
+P3 = [0.13, 0.07]
+[input]
+link = \"crank\"
+from = -1.39
+to = -1.38
+positions = 2
+";
+
+#[test]
+fn a_few_places_are_enough_for_the_assembly_that_has_them() {
+    let linkage = compiled("eight", TWO_PLACES);
+    let mut position = linkage.position();
+    linkage.solve_index(0, Order::Place, &mut position).unwrap();
+    // By Newton's method on the loops alone, in another program.
+    let known = [
+        ("P2", [-0.119_943_706_928_997_6, -0.151_120_426_708_322_57]),
+        ("P5", [0.161_329_852_789_442_9, 0.031_407_013_067_478_77]),
+        ("P9", [0.271_038_956_290_664_2, -0.086_835_459_090_219_84]),
+    ];
+    for (name, [x, y]) in known {
+        let point = linkage.mechanism.points.iter().find(|point| &*point.name == name).unwrap();
+        let [u, v] = position.bodies[point.places[0].link].point(point.places[0].at);
+        assert!((u - x).hypot(v - y) < 1e-12, "{name}: {u} {v}");
+    }
+}

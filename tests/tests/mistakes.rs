@@ -138,6 +138,47 @@ fn each_mistake_is_told_once_at_its_key() {
             "15 m",
         ),
         ("[output]\n[motion]", "[motion]", "output", "scene-empty-output", "names nothing"),
+        ("gravity = [0, 9.81]\n[ground]", "[ground]", "gravity", "scene-gravity-up", "upward"),
+        ("mass = \"2 g\"", "mass = \"2 kg\"", "link.rod.mass", "scene-far-lighter", "0.002 kg"),
+        ("to = \"360 deg\"", "from = \"10 deg\"", "input.to", "scene-list-repeats", "positions = 13"),
+        ("cycle = \"180 deg\"", "from = \"10 deg\"", "input.cycle", "scene-part-of-a-turn", "180 deg"),
+        (
+            "center = [\"1500 mm\", 0]",
+            "center = [\"150 mm\", 0]",
+            "link.rod.center",
+            "scene-far-center",
+            "1.1 m",
+        ),
+        (
+            "center = [\"150 mm\", 0]",
+            "mass = \"2 kg\"\ncenter = [\"150 mm\", 0]",
+            "link.rod.inertia",
+            "scene-inertia-without-mass",
+            "`mass`",
+        ),
+        (
+            "direction = \"cw\"\n[assembly]\nB = [\"500 mm\", 0]\n[motion]\nspeed = \"-60 rpm\"",
+            "[assembly]\nB = [\"500 mm\", 0]\n[motion]\nspeed = \"60 rpm\"",
+            "motion.speed",
+            "scene-turned-twice",
+            "minus",
+        ),
+        (
+            "O = 0, A = [\"98.4808 mm\", \"17.3648 mm\"]",
+            "O = 0, A = \"100 mm\"",
+            "input.from",
+            "scene-counted-twice",
+            "20 deg",
+        ),
+        (
+            "kind = \"steady\"\nmean_speed = \"60 rpm\"\nunevenness = 0.05\n[drive]\ntorque = \"balance\"\nflywheel = 20",
+            "speed = \"60 rpm\"",
+            "motion.unevenness",
+            "scene-unevenness-unused",
+            "solve",
+        ),
+        // A place of a point that the crank alone carries chooses nothing.
+        ("A = [\"98 mm\", \"17 mm\"]", "B = [\"500 mm\", 0]", "assembly", "analysis-any-way", "B is at"),
     ];
     assert_eq!(mistakes(SCENE), []);
     for (wrong, right, key, id, part) in table {
@@ -160,6 +201,17 @@ fn what_never_moves_is_told() {
     let found = mistakes(scene);
     let of = |id: &str| found.iter().filter(|notice| notice.text.identity() == Some(id)).count();
     assert_eq!((of("analysis-link-rests"), of("analysis-slide-rests")), (1, 1), "{found:?}");
+}
+
+/// A motion from rest that nothing drives stays there.
+#[test]
+fn a_motion_that_never_starts_is_told() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0 }\ninertia = 1\n\
+        [input]\nlink = 'crank'\n[motion]\nkind = 'transient'\nuntil = '1 s'\n";
+    let told =
+        |scene: &str| mistakes(scene).iter().any(|one| one.text.identity() == Some("analysis-never-starts"));
+    assert!(told(scene));
+    assert!(!told(&scene.replace("until", "speed = 1\nuntil")));
 }
 
 /// A radian is a radian where nobody would take it for a degree: quarters of a turn in all digits, turns of an engine.
@@ -187,6 +239,16 @@ fn what_is_right_is_not_doubted() {
         ("[[force]]", "[[friction]]\npair = \"A\"\ncoefficient = 0.8\nradius = \"5 mm\"\n[[force]]"),
         ("[[force]]", "[[spring]]\nbetween = [\"O\", \"B\"]\nstiffness = 100\nlength = 1\n[[force]]"),
         ("points = { O = [0, 0] }", "points = { O = [0, 0], Far = [3, 0] }"),
+        ("from = \"10 deg\"\npositions = 12", "to = \"360 deg\"\npositions = 13"),
+        ("from = \"10 deg\"\npositions = 12", "from = \"-30 deg\"\nto = \"60 deg\"\npositions = 12"),
+        ("positions = 12", "positions = 1"),
+        ("positions = 12", "positions = 12\ndirection = \"cw\""),
+        ("speed = \"60 rpm\"", "speed = \"-60 rpm\""),
+        ("mass = \"4 kg\"\ncenter = \"O\"", "mass = \"4 kg\"\ncenter = [\"-200 mm\", 0]"),
+        ("mass = \"4 kg\"\n", ""),
+        ("center = [\"150 mm\", 0]\ninertia = \"0.03 kg*m^2\"", "center = [\"150 mm\", 0]"),
+        ("mass = \"2 kg\"", "mass = \"500 g\""),
+        ("[ground]", "gravity = [9.81, 0]\n[ground]"),
     ] {
         assert!(SCENE.contains(right), "{right}");
         assert_eq!(mistakes(&SCENE.replacen(right, also, 1)), [], "{also}");
@@ -225,6 +287,28 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
         ("positions = 12\nspeed = 6", "positions = 12", "it belongs in [motion]"),
         ("on = \"ground\"\nmass = 5", "on = \"ground\"", "it belongs in [link.NAME]"),
         ("kind = \"transient\"\nuntil = \"1 zz\"", "speed = \"60 rpm\"", "\"rest\" or \"turn\""),
+        ("A = \"100 мм\"", "A = \"100 mm\"", "did you mean `mm`?"),
+        ("speed = \"60 об/мин\"", "speed = \"60 rpm\"", "did you mean `rev/min`?"),
+        ("from = \"10 degrees\"", "from = \"10 deg\"", "did you mean `deg`?"),
+        ("value = \"1 000 N\"", "value = \"1 kN\"", "digits together"),
+        ("mass = \"2 kg\" // rod", "mass = \"2 kg\"", "a comment begins with `#`"),
+        ("mass: \"2 kg\"", "mass = \"2 kg\"", "joined by `=`"),
+        ("mass = \"2 kg\";", "mass = \"2 kg\"", "without `;`"),
+        ("mass = 2,5", "mass = \"2 kg\"", "is a comma meant as the decimal sign?"),
+        ("O = 0 A = \"100 mm\" }", "O = 0, A = \"100 mm\" }", "a comma is missing"),
+        ("O = 0, A = \"100 mm\"", "O = 0, A = \"100 mm\" }", "has no closing one"),
+        ("O = (0, 0)", "O = [0, 0]", "square brackets"),
+        ("mass\u{a0}= \"2 kg\"", "mass = \"2 kg\"", "U+00A0"),
+        ("on = \"ground\"\ngravity = 9.81", "on = \"ground\"", "at the top of the file"),
+        (
+            "value = { over = \"angle\", table = [[0, 0], [180, 9], [360, 0]] }",
+            "value = \"1 kN\"",
+            "write \"360 deg\"",
+        ),
+        ("value = { formula = \"sin(2q)\" }", "value = \"1 kN\"", "write `*`"),
+        ("value = { formula = \"q**2\" }", "value = \"1 kN\"", "written with `^`"),
+        ("value = { formula = \"sin(phi)\" }", "value = \"1 kN\"", "did you mean `q`?"),
+        ("value = { formula = \"sin(\u{445})\" }", "value = \"1 kN\"", "Latin letters"),
         (
             "value = { over = \"time\", table = [[0, 0]], repeat = true }",
             "value = \"1 kN\"",

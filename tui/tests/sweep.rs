@@ -118,6 +118,10 @@ fn a_sweep_that_is_killed_again_and_again_ends_as_if_it_had_not_been() {
                 .stderr(std::process::Stdio::piped())
                 .spawn()
                 .unwrap();
+            // On a busy machine the first rows take their time.
+            while !part.exists() && child.try_wait().unwrap().is_none() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
             // Later kills come later, so that there is always some progress.
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             std::thread::sleep(Duration::from_millis(20 + seed % 97 + 20 * kills));

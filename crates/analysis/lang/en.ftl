@@ -111,4 +111,5 @@ analysis-passive-pair = pair { $pair } of { $link }
 analysis-least-norm = Reactions that the passive links leave undetermined are those of least norm (forces, and moments divided by the size of the mechanism).
 analysis-open-reactions = Reactions that the passive links leave undetermined are left open; `{ $option }` gives those of least norm.
 analysis-driving-loads = Over the cycle the loads drive the mechanism, and the balancing load holds it back: { $loads }. If one of them is a resistance, turn its direction.
+analysis-never-starts = The mechanism rests all the time: the motion begins at rest, and no load or drive starts it. Give a `speed`, a load or [drive].
 analysis-motors-passed-over = Motor { $motor } was chosen; the nearest ones before it were passed over: { $passed }.

@@ -76,8 +76,8 @@ impl Calculation {
 
     /// Requirements on a regime that are not met, and whether its loads drive.
     fn regime_notes(&self) -> Vec<Text> {
-        /// Mean speeds are computed to 1e-10.
-        const MET: f64 = 1e-9;
+        /// A ratio is written with four digits.
+        const MET: f64 = 1e-3;
         let InputMotion::Steady(found) = &self.motion else { return Vec::new() };
         let (mechanism, regime) = (&self.linkage.mechanism, &found.regime);
         let Some(Motion::Steady { mean_speed: wanted, .. }) = mechanism.motion else { return Vec::new() };

@@ -37,6 +37,7 @@ quantity-force = сила
 quantity-moment = момент
 quantity-offset = смещение силы
 quantity-balancing = уравновешивающая нагрузка
+    .short = уравновешивание
 quantity-holding = удерживающая нагрузка
 quantity-holding-bound = наибольшая удерживающая нагрузка
 quantity-friction-moment = момент трения

@@ -37,6 +37,7 @@ quantity-force = сила
 quantity-moment = момент
 quantity-offset = зміщення сили
 quantity-balancing = зрівноважувальне навантаження
+    .short = зрівноваження
 quantity-holding = утримувальне навантаження
 quantity-holding-bound = найбільше утримувальне навантаження
 quantity-friction-moment = момент тертя

@@ -11,3 +11,7 @@ formula-arguments = `{ $name }` takes { $count ->
    *[other] { $count } arguments
  }, got { $got }
 formula-many-switches = a formula has at most { $most } of sign, step, abs, min, max and atan2
+formula-foreign-sign = `{ $sign }` does not stand in a formula: it has Latin letters, digits and + - * / ^
+formula-power-sign = a power is written with `^`: q^2
+formula-missing-sign = a sign is missing after { $number }: write `*` between a number and a name; units stand in `unit`
+formula-meant = `{ $name }` is unknown in a formula: did you mean `{ $meant }`?

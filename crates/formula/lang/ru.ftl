@@ -8,3 +8,7 @@ formula-great-number = с числом { $number } нельзя вычислят
 formula-unknown-name = `{ $name }` в формуле неизвестно; известны { $known }
 formula-arguments = `{ $name }`: аргументов должно быть { $count }, а задано { $got }
 formula-many-switches = в формуле не более { $most } функций sign, step, abs, min, max и atan2
+formula-foreign-sign = `{ $sign }` в формуле не стоит: в ней латинские буквы, цифры и + - * / ^
+formula-power-sign = степень пишут через `^`: q^2
+formula-missing-sign = после { $number } не хватает знака: между числом и именем пишите `*`; единицы стоят в `unit`
+formula-meant = `{ $name }` в формуле неизвестно: имелось в виду `{ $meant }`?

@@ -8,3 +8,7 @@ formula-great-number = з числом { $number } не можна обчисл�
 formula-unknown-name = `{ $name }` у формулі невідоме; відомі { $known }
 formula-arguments = `{ $name }`: аргументів має бути { $count }, а задано { $got }
 formula-many-switches = у формулі щонайбільше { $most } функцій sign, step, abs, min, max і atan2
+formula-foreign-sign = `{ $sign }` у формулі не стоїть: у ній латинські літери, цифри та + - * / ^
+formula-power-sign = степінь пишуть через `^`: q^2
+formula-missing-sign = після { $number } бракує знака: між числом і назвою пишіть `*`; одиниці стоять у `unit`
+formula-meant = `{ $name }` у формулі невідоме: чи мали ви на увазі `{ $meant }`?

@@ -74,6 +74,9 @@ pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {
     if text.bytes().filter(|byte| b"(^-+".contains(byte)).count() > MOST_NESTED {
         return fault(0..text.len(), text!("formula-many-signs", most = MOST_NESTED));
     }
+    if let Some(found) = slip(text) {
+        return Err(found);
+    }
     match delimited(space0, whole, space0).parse(LocatingSlice::new(text)) {
         Ok(tree) => {
             let mut writer = Writer { text, operations: Vec::new(), switches: Vec::new() };
@@ -95,6 +98,28 @@ pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {
             fault(at..end.max(at), what)
         }
     }
+}
+
+/// What people write in a formula by habit: letters of another alphabet, `**`, `2q`.
+fn slip(text: &str) -> Option<FormulaError> {
+    let fault = |at: usize, long: usize, what: Text| Some(FormulaError { span: at..at + long, what });
+    if let Some((at, sign)) = text.char_indices().find(|(_, c)| !c.is_ascii()) {
+        return fault(at, sign.len_utf8(), text!("formula-foreign-sign", sign = letters(sign)));
+    }
+    if let Some(at) = text.find("**") {
+        return fault(at, 2, text!("formula-power-sign"));
+    }
+    let is_part = |c: char| c.is_ascii_alphanumeric() || "._".contains(c);
+    text.char_indices().filter(|(_, c)| c.is_ascii_alphabetic()).find_map(|(at, _)| {
+        let before = text[..at].trim_end();
+        let number = &before[before.trim_end_matches(is_part).len()..];
+        let is_exponent = text[at..].starts_with(['e', 'E'])
+            && text[at + 1..].starts_with(|c: char| c.is_ascii_digit() || "+-".contains(c));
+        let is_number =
+            number.parse::<f64>().is_ok() && number.starts_with(|c: char| !c.is_ascii_alphabetic());
+        let fault = || fault(at, 1, text!("formula-missing-sign", number = letters(number)));
+        if is_number && !is_exponent { fault() } else { None }
+    })
 }
 
 fn two(operation: Operation) -> impl Fn(Tree, Tree) -> Tree {
@@ -148,6 +173,23 @@ fn name(input: &mut Input<'_>) -> Result<Tree, Failure> {
         None => Tree::Name(span),
     })
 }
+
+/// Names that people write by habit, and what stands for them here.
+const HABITS: [(&str, &str); 13] = [
+    ("phi", "q"),
+    ("fi", "q"),
+    ("angle", "q"),
+    ("omega", "w"),
+    ("time", "t"),
+    ("tg", "tan"),
+    ("arctg", "atan"),
+    ("arctan", "atan"),
+    ("arcsin", "asin"),
+    ("arccos", "acos"),
+    ("log", "ln"),
+    ("sgn", "sign"),
+    ("if", "step"),
+];
 
 /// What a name stands for, with its number of arguments.
 fn operation(name: &str) -> Option<(usize, Operation)> {
@@ -218,6 +260,9 @@ impl Writer<'_> {
         let name = &self.text[span.clone()];
         let fault = |what| Err(FormulaError { span: span.clone(), what });
         let Some((count, operation)) = operation(name) else {
+            if let Some((_, meant)) = HABITS.iter().find(|habit| habit.0.eq_ignore_ascii_case(name)) {
+                return fault(text!("formula-meant", name = letters(name), meant = letters(*meant)));
+            }
             return fault(text!("formula-unknown-name", name = letters(name), known = letters(FUNCTIONS)));
         };
         if arguments.len() != count {

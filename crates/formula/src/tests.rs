@@ -71,10 +71,10 @@ fn faults_point_into_the_text() {
         ("5 + sin", 4..7, "takes 1 argument, got 0"),
         ("q(2)", 0..1, "takes 0 arguments, got 1"),
         ("2 $ 3", 2..3, "`$` does not fit"),
-        ("3 q", 2..3, "`q` does not fit"),
+        ("3 q", 2..3, "write `*`"),
         ("min(q)", 0..3, "takes 2 arguments"),
         ("(1))", 3..4, "`)` does not fit"),
-        ("1 · 2", 2..4, "`·` does not fit"),
+        ("1 · 2", 2..4, "`·` does not stand"),
     ] {
         let error = Formula::read(text).unwrap_err();
         assert!(error.to_string().contains(part), "{text}: {error:?}");

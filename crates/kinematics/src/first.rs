@@ -20,6 +20,9 @@ const CLEARLY: f64 = 1e-6;
 /// ... unless the determinant of a group up to there is below this: its place has only half of the digits or less.
 const WELL_PLACED: f64 = 1e-3;
 
+/// Guesses of directions that the known places of a group leave open.
+const GUESSES: u32 = 48;
+
 /// The way of each group, and the placed links.
 pub(crate) type First = (Vec<u8>, Vec<Body<f64>>);
 
@@ -50,7 +53,7 @@ pub(crate) fn first_ways(
             continue;
         }
         if iterates {
-            start(mechanism, kernel.frame(), &placed, &mut bodies);
+            best_start(mechanism, kernel.as_ref(), (&placed, &wanted), &mut bodies);
         }
         let mut candidates: Vec<(u8, f64)> = Vec::new();
         let mut failure = None;
@@ -90,6 +93,28 @@ pub(crate) fn first_ways(
         }
     }
     Ok((ways, bodies))
+}
+
+/// Sets the links of a group that iterates to a starting pose; where the known places leave directions open, to that of several
+/// guesses whose assembly comes closest to the wanted places.
+fn best_start(
+    mechanism: &Mechanism,
+    kernel: &dyn AssurGroup<f64>,
+    (placed, wanted): (&[bool], &[Vec<Wanted>]),
+    bodies: &mut [Body<f64>],
+) {
+    let is_open = start(mechanism, kernel.frame(), (placed, 0), bodies);
+    let mut best = (f64::INFINITY, 0);
+    for guess in (0..GUESSES).filter(|_| is_open) {
+        start(mechanism, kernel.frame(), (placed, guess), bodies);
+        let found =
+            (0..kernel.ways()).filter_map(|way| miss(wanted, kernel, way.try_into().ok()?, bodies).ok());
+        let off = found.map(|(off, _)| off).fold(f64::INFINITY, f64::min);
+        if off < best.0 - SAME * kernel.frame().scale {
+            best = (off, guess);
+        }
+    }
+    start(mechanism, kernel.frame(), (placed, best.1), bodies);
 }
 
 /// Places the links of a group in the mode that is closest to the wanted places, of equal ones in the first; returns its way.

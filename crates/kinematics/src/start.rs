@@ -18,19 +18,37 @@ const MOST_TURNS: u32 = 6;
 /// angles between two assemblies.
 const TURN: f64 = 0.02;
 
+/// Certainty of a link of which one point is known, and no direction.
+const OPEN: u8 = 2;
+
+/// Between two guesses of an open direction, rad: the golden angle, so that few guesses are spread evenly.
+const GUESS: f64 = 2.399_963_229_728_653;
+
 /// Sets the links of a group to a starting pose: from the points whose places are known, because `[assembly]` gives
 /// them or a placed link (the ground, the input link, a link of an earlier group) has them, and from the slides.
 ///
-/// `placed` says of each link whether it is placed. A start that is singular is changed a little where that helps.
-pub(crate) fn start(mechanism: &Mechanism, frame: &GroupFrame, placed: &[bool], bodies: &mut [Body<f64>]) {
+/// `placed` says of each link whether it is placed. A start that is singular is changed a little where that helps. Returns
+/// whether the direction of a link remained open; `guess` numbers the guesses of such directions.
+pub(crate) fn start(
+    mechanism: &Mechanism,
+    frame: &GroupFrame,
+    (placed, guess): (&[bool], u32),
+    bodies: &mut [Body<f64>],
+) -> bool {
     let mut known = Known::new(mechanism, frame, placed, bodies);
+    let mut is_open = false;
     let mut left = frame.links.clone();
     // The link about which most is known first: its points are then known to its neighbors. Of equals the first.
     while let Some(next) = (0..left.len()).rev().max_by_key(|&next| known.certainty(left[next], bodies)) {
         let link = left.remove(next);
+        if matches!(known.certainty(link, bodies), OPEN | 0) {
+            is_open = true;
+            [bodies[link].c, bodies[link].s] = direction(GUESS * f64::from(guess) * (left.len() + 1) as f64);
+        }
         known.put(link, bodies);
     }
     leave_singular(frame, bodies);
+    is_open
 }
 
 /// Returns an error for a group that is solved, can't list its assemblies, and has no place in `[assembly]`.
@@ -121,7 +139,7 @@ impl<'a> Known<'a> {
         match (self.two(link), self.guided(link, bodies)) {
             (Some((_, Some(_))), _) => 4,
             (Some((_, None)), Some(_)) => 3,
-            (Some((_, None)), None) => 2,
+            (Some((_, None)), None) => OPEN,
             (None, Some(_)) => 1,
             (None, None) => 0,
         }
@@ -139,7 +157,7 @@ impl<'a> Known<'a> {
                 bodies[link].put(along, own, place);
             }
             (Some(((own, place), None)), None) => {
-                bodies[link].put([1.0, 0.0], own, place);
+                bodies[link].put([bodies[link].c, bodies[link].s], own, place);
             }
             (None, None) => {}
         }

@@ -453,3 +453,22 @@ scene-strong = The load is that of a force of { $force } on a mechanism of { $si
 scene-long-time = The table over time goes up to { $last }, and the motion lasts { $lasts }: is the time meant in another unit?
 scene-degrees-in-formula = `{ $function }` takes radians, and here its argument looks like degrees: write 30*pi/180 for 30 degrees, and q is in radians already.
 scene-negative-against = A negative `value` against the motion drives: leave the minus sign out.
+scene-key-at-top = it belongs at the top of the file, before the first [table]
+scene-comment-sign = not TOML: a comment begins with `#`
+scene-colon = not TOML: a key and its value are joined by `=`
+scene-semicolon = not TOML: a line ends without `;`
+scene-round-brackets = not TOML: coordinates and lists stand in square brackets: [x, y]
+scene-invisible-sign = not TOML: here stands the invisible character { $code }: write a space in its place
+scene-missing-comma = not TOML: a comma is missing between two values
+scene-unclosed-brace = not TOML: this brace has no closing one in its line
+scene-grouped-digits = has a space in the number: `{ $text }`; write its digits together
+scene-degrees-in-table = a bare number is in radians: write "360 deg" for degrees
+scene-list-repeats = With `to`, { $positions } positions are { $apart } apart and the last one repeats the first: leave `to` out, or write positions = { $more }.
+scene-part-of-a-turn = A cycle of { $cycle } is no whole number of turns: after it the mechanism is not where it began. Positions of a part of a turn are written with `to`.
+scene-gravity-up = Gravity points up: y grows upward. Write "9.81 m/s^2", or [0, "-9.81 m/s^2"].
+scene-inertia-without-mass = Link `{ $link }` turns about no fixed pin and has a moment of inertia, but no mass: is `mass` missing?
+scene-far-lighter = Link `{ $link }` has a mass of { $mass }, the others about { $others }: is a unit wrong?
+scene-turned-twice = A negative speed along direction = "cw" turns counter-clockwise: leave the minus sign out.
+scene-odd-ratio = `ratio` is motor speed / input speed; with { $ratio } the motor is far from its rated speed, { $needed } would reach it.
+scene-unevenness-unused = `unevenness` has no effect: it determines a flywheel, and none is to be found. Write flywheel = "solve" under [drive], or leave it out.
+scene-counted-twice = { $point } stands at { $angle } in the frame of the input link, and `from` turns this frame by as much again: { $point } begins at { $twice }. Put { $point } on the x axis of its link, or leave `from` out.

@@ -11,7 +11,7 @@ pub use crate::walk::{Entry, Section};
 
 use crate::SceneErrors;
 use crate::error::Faults;
-use crate::text::shown;
+use crate::text::{is_unprintable, shown};
 use crate::walk::Known;
 
 /// The greatest file that is read, in bytes: a scene has some kilobytes, a table of a hundred thousand rows some
@@ -112,9 +112,50 @@ fn syntax_faults<'m>(text: &str, errors: impl Iterator<Item = (Range<usize>, &'m
             faults.push(fault.label(text!("scene-begins-here")));
             break;
         }
+        if let Some((at, words)) = slip(text, span.start, message) {
+            // What follows is read as something else than it is.
+            faults.push(Fault::new(at..at + 1, words));
+            break;
+        }
         faults.push(Fault::new(span.clone(), syntax_words(message, text.get(span))));
     }
     faults
+}
+
+/// A slip of those who write TOML for the first time, and where it is.
+fn slip(text: &str, at: usize, message: &str) -> Option<(usize, Text)> {
+    let (before, rest) = (text.get(..at)?, text.get(at..)?);
+    let line = &before[before.rfind('\n').map_or(0, |end| end + 1)..];
+    let next = |pattern: &str| rest.trim_start().starts_with(pattern);
+    let words = if next("//") {
+        text!("scene-comment-sign")
+    } else if next(":") {
+        text!("scene-colon")
+    } else if next(";") {
+        text!("scene-semicolon")
+    } else if next("(") {
+        text!("scene-round-brackets")
+    } else if next(",") && line.ends_with(|c: char| c.is_ascii_digit()) && !line.contains(['[', '{']) {
+        text!("scene-decimal-comma")
+    } else if let Some(sign) =
+        rest.chars().next().filter(|c| !c.is_ascii() && (c.is_whitespace() || is_unprintable(*c)))
+    {
+        text!("scene-invisible-sign", code = name(format!("U+{:04X}", u32::from(sign))))
+    } else if message.starts_with("string values must be quoted") && is_before_a_key(rest) {
+        text!("scene-missing-comma")
+    } else if message.starts_with("missing comma between key-value pairs") && line.trim().is_empty() {
+        return before.rfind('{').map(|brace| (brace, text!("scene-unclosed-brace")));
+    } else {
+        return None;
+    };
+    Some((at + rest.len() - rest.trim_start().len(), words))
+}
+
+/// Whether a value of one word without its comma stands before the next key: `0 A = `.
+fn is_before_a_key(rest: &str) -> bool {
+    let mut words = rest.lines().next().unwrap_or_default().split_whitespace();
+    let is_number = words.next().is_some_and(|word| word.parse::<f64>().is_ok());
+    is_number && (words.next(), words.next()).1.is_some_and(|word| word.starts_with('='))
 }
 
 /// Where the text begins whose closing quote the parser misses; `None` for another fault.

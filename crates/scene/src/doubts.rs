@@ -19,28 +19,32 @@ const LONGEST: f64 = 20.0;
 /// belongs to no link; flywheels and counterweights are smaller.
 const MOST_TIMES_THE_SIZE: f64 = 10.0;
 
+/// A counterweight or a pendulum lies at most so many sizes of the mechanism from the points of its link.
+const FARTHEST_COUNTERWEIGHT: f64 = 4.0;
 /// A link that turns about no fixed pin can't carry a rotor or a flywheel: its mass lies within its mechanism.
 const MOST_OF_A_COUPLER: f64 = 1.5;
 /// A radius of gyration of less than this part of the length of its link is that of a needle: g*mm^2 for kg*mm^2.
 const LEAST_OF_THE_LENGTH: f64 = 2e-3;
-/// A link so many times as heavy as the middle one of the others has a wrong unit: g for kg gives a thousand times.
+/// A link so many times as heavy, or as light, as the others has a wrong unit: g for kg gives a thousand times.
 const MOST_TIMES_HEAVIER: f64 = 300.0;
 
-/// Everything that is hardly meant.
-pub(crate) fn of(mechanism: &Mechanism) -> Vec<Notice> {
+/// Everything that is hardly meant; `units`: whether lengths of links have units.
+pub(crate) fn of(mechanism: &Mechanism, units: bool) -> Vec<Notice> {
     let mut notices = names(mechanism);
     notices.extend(masses(mechanism));
     let extents: Vec<f64> = (0..mechanism.links.len()).map(|link| extent(mechanism, link)).collect();
     for link in 0..mechanism.links.len() {
         notices.extend(length(mechanism, link, &extents));
     }
-    notices.extend(all_lengths(mechanism, &extents));
+    // A boom of "30 m" is one.
+    notices.extend(all_lengths(mechanism, &extents).filter(|_| !units));
     let size = extents.iter().copied().fold(0.0, f64::max);
     if notices.is_empty() && size > 0.0 {
         notices.extend(task::of(mechanism, size));
         for (link, length) in extents.iter().enumerate().skip(GROUND + 1) {
             notices.extend(inertia(mechanism, link, size, *length));
             notices.extend(center(mechanism, link, size));
+            notices.extend(without_mass(mechanism, link));
         }
     }
     notices
@@ -119,14 +123,17 @@ fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice
     })
 }
 
+/// Whether a pin joins a link to the ground.
+fn is_pinned(mechanism: &Mechanism, link: LinkId) -> bool {
+    let is_on = |places: &[Place], link: LinkId| places.iter().any(|place| place.link == link);
+    mechanism.points.iter().any(|point| is_on(&point.places, GROUND) && is_on(&point.places, link))
+}
+
 /// A moment of inertia that belongs to a far greater body.
 fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Option<Notice> {
     let body = &mechanism.links[link];
     let radius = (body.inertia.constant() / body.mass).sqrt();
-    let mut points = mechanism.points.iter().map(|point| &point.places);
-    let is_on = |places: &Vec<Place>, link: LinkId| places.iter().any(|place| place.link == link);
-    let is_pinned = points.any(|places| is_on(places, GROUND) && is_on(places, link));
-    let most = if is_pinned { MOST_TIMES_THE_SIZE } else { MOST_OF_A_COUPLER };
+    let most = if is_pinned(mechanism, link) { MOST_TIMES_THE_SIZE } else { MOST_OF_A_COUPLER };
     if !radius.is_finite() || radius <= 0.0 {
         return None;
     }
@@ -143,23 +150,41 @@ fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Optio
     Some(Notice::mistake(key(mechanism, link, &["inertia"]), text))
 }
 
-/// Links that are far heavier than the others.
+/// Links whose mass has another unit than those of the others: far from every other one, or else far above the middle one.
 fn masses(mechanism: &Mechanism) -> Vec<Notice> {
-    let heavy = |link: LinkId| {
-        let others =
-            mechanism.links.iter().enumerate().filter(|(other, body)| *other != link && body.mass > 0.0);
-        let masses: Vec<f64> = others.map(|(_, body)| body.mass).collect();
-        // Of one other link it is not known which of both is wrong.
-        let middle = middle(masses.iter().copied()).filter(|_| masses.len() > 1)?;
+    let links = || mechanism.links.iter().enumerate().skip(GROUND + 1).filter(|(_, body)| body.mass > 0.0);
+    let doubt = |link: LinkId, alone: bool| {
         let mass = mechanism.links[link].mass;
-        (mass > MOST_TIMES_HEAVIER * middle).then(|| {
+        let others = || links().filter(move |(other, _)| *other != link).map(|(_, body)| body.mass);
+        // Of one other link it is not known which of both is wrong.
+        let middle = middle(others()).filter(|_| others().count() > 1)?;
+        let heavy = mass > MOST_TIMES_HEAVIER * middle;
+        let light = mass * MOST_TIMES_HEAVIER < middle;
+        let is_odd = if alone {
+            others().all(|other| (mass / other).ln().abs() > MOST_TIMES_HEAVIER.ln()) && (heavy || light)
+        } else {
+            heavy
+        };
+        is_odd.then(|| {
             let [own, others] = [mass, middle].map(|mass| quantity(rounded(mass), "kg"));
+            let id = if heavy { "scene-far-heavier" } else { "scene-far-lighter" };
             let link_name = shown(&mechanism.links[link].name);
-            let text = text!("scene-far-heavier", link = link_name, mass = own, others = others);
+            let text = text!(id, link = link_name, mass = own, others = others);
             Notice::mistake(key(mechanism, link, &["mass"]), text)
         })
     };
-    (GROUND + 1..mechanism.links.len()).filter_map(heavy).collect()
+    let found = |alone: bool| links().filter_map(|(link, _)| doubt(link, alone)).collect::<Vec<_>>();
+    let alone = found(true);
+    if alone.is_empty() { found(false) } else { alone }
+}
+
+/// A link that is pinned to nothing fixed moves as a whole: what has a moment of inertia has a mass there.
+fn without_mass(mechanism: &Mechanism, link: LinkId) -> Option<Notice> {
+    let body = &mechanism.links[link];
+    (body.mass == 0.0 && !is_pinned(mechanism, link) && body.inertia.constant() > 0.0).then(|| {
+        let text = text!("scene-inertia-without-mass", link = shown(&body.name));
+        Notice::mistake(key(mechanism, link, &["inertia"]), text)
+    })
 }
 
 /// A center of mass far outside of its link.
@@ -168,7 +193,8 @@ fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
     let places = mechanism.points.iter().flat_map(|point| &point.places).filter(|place| place.link == link);
     let away = places.map(|place| (place.at[0] - body.center[0]).hypot(place.at[1] - body.center[1]));
     let away = away.fold(f64::INFINITY, f64::min);
-    (body.mass > 0.0 && away.is_finite() && away > MOST_TIMES_THE_SIZE * size).then(|| {
+    let most = if is_pinned(mechanism, link) { FARTHEST_COUNTERWEIGHT } else { MOST_OF_A_COUPLER };
+    (body.mass > 0.0 && away.is_finite() && away > most * size).then(|| {
         let [away, size] = [away, size].map(|length| quantity(rounded(length), "m"));
         let text = text!("scene-far-center", link = shown(&body.name), distance = away, size = size);
         Notice::mistake(key(mechanism, link, &["center"]), text)

@@ -4,19 +4,22 @@ use std::f64::consts::TAU;
 
 use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
 
-use assur_words::{name, number, text};
+use assur_words::{name, number, quantity, text};
 
 use crate::linkage::Linkage;
 use crate::links::on_ground;
 use crate::loads::exclude;
 use crate::numbers::Bound;
 use crate::reference;
-use crate::text::{row, shown};
+use crate::text::{rounded, row, shown};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
 /// Positions take no memory, but time and a place on a disk: more would fill terabytes.
 const MOST: usize = 1_000_000_000;
+
+/// Angles of less difference than this are rounding, rad or turns.
+const SAME_TURN: f64 = 1e-6;
 
 /// Reads the input; `None` if its link or pair is not known.
 pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {
@@ -85,10 +88,37 @@ fn range(section: &Section<'_>, dimension: Option<Dimension>, from: f64, positio
                 text!("scene-one-position-or-another-end"),
             );
         }
+        if dimension == Some(Dimension::Angle) && repeats_the_first(to - from, positions) {
+            #[expect(clippy::cast_precision_loss, reason = "few positions divide a turn into whole degrees")]
+            let apart = quantity(rounded(360.0 / (positions - 1) as f64), "deg");
+            let (count, more) = (number(positions), number(positions + 1));
+            let text = text!("scene-list-repeats", positions = count, apart = apart, more = more);
+            entry.faults.mistake(entry.span.clone(), text);
+        }
         return Range::To(to);
     }
     if section.get("cycle").is_none() && dimension == Some(Dimension::Length) {
         section.missing("to", text!("scene-why-to"));
     }
-    Range::Cycle(section.quantity_or("cycle", dimension, Bound::Positive, TAU))
+    let cycle = section.quantity_or("cycle", dimension, Bound::Positive, TAU);
+    if let Some(entry) = section.get("cycle").filter(|_| dimension == Some(Dimension::Angle)) {
+        let turns = cycle / TAU;
+        if (turns - turns.round()).abs() > SAME_TURN {
+            let text = text!("scene-part-of-a-turn", cycle = quantity(rounded(cycle.to_degrees()), "deg"));
+            entry.faults.mistake(entry.span.clone(), text);
+        }
+    }
+    Range::Cycle(cycle)
+}
+
+/// Whether positions, both ends included, run over one turn as if its end were left out: 12 of them are 30 degrees apart
+/// without the end, and 32.7 with it.
+#[expect(clippy::cast_precision_loss, reason = "far fewer than 2^52 positions")]
+fn repeats_the_first(range: f64, positions: usize) -> bool {
+    let is_whole = |degrees: f64| (degrees - degrees.round()).abs() < SAME_TURN;
+    let is_turn = (range.abs() - TAU).abs() < SAME_TURN;
+    is_turn
+        && positions > 2
+        && is_whole(360.0 / positions as f64)
+        && !is_whole(360.0 / (positions - 1) as f64)
 }

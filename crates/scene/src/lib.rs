@@ -139,7 +139,7 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
         inertia::refuse_not_positive(root, &mechanism);
-        mechanism.notes.extend(doubts::of(&mechanism));
+        mechanism.notes.extend(doubts::of(&mechanism, links::have_units(root)));
     }
     (mechanism, note)
 }

@@ -232,7 +232,10 @@ fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
         };
         let rounded = |value: f64| joined(" ", [brief((value * scale * 1e6).round() / 1e6), unit(symbol)]);
         let message = text!("scene-long-table", span = rounded(span), cycle = rounded(cycle));
-        entry.fault(message, text!("scene-shorten-table"));
+        let in_degrees = context.coordinate() == Some(Dimension::Angle)
+            && table.rows.iter().all(|row| row[0].fract() == 0.0 && row[0].abs() <= 1440.0);
+        entry
+            .fault(message, text!(if in_degrees { "scene-degrees-in-table" } else { "scene-shorten-table" }));
     }
 }
 

@@ -54,6 +54,7 @@ impl Known {
             None if !elsewhere.is_empty() => {
                 text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
             }
+            None if Table::is_of_the_file(word) => text!("scene-key-at-top"),
             near => did_you_mean(near),
         }
     }

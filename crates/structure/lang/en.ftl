@@ -16,7 +16,7 @@ structure-loose-also = {" "}(while the pairs { $pairs } have one constraint too 
 structure-surplus = mobility { $mobility } ({ $formula }), must be 1: { $pairs } { $count ->
         [one] gives
        *[other] give
-    } one constraint too many on { $links }; take one pair or one link away there{ $cause }
+    } one constraint too many on { $links }; take one pair or one link away there ({ structure-what-joins }: points that are no pins have names of their own){ $cause }
 structure-no-plugin = { $links } form a group of class { $class }, order { $order } ({ $pattern }); no plugin is registered for it (see `assur plugins`; another input link may give other groups)
 structure-pattern = inner { $inner }; outer { $outer }
 structure-what-joins = a point name that stands in two links makes a pin there

@@ -19,7 +19,7 @@ structure-loose-also = {" "}(в то же время пары { $pairs } име�
 structure-surplus = подвижность { $mobility } ({ $formula }), а должна быть 1: { $pairs } { $count ->
         [one] даёт
        *[other] дают
-    } одну лишнюю связь; там { $links }; уберите оттуда одну пару или одно звено{ $cause }
+    } одну лишнюю связь; там { $links }; уберите оттуда одну пару или одно звено ({ structure-what-joins }: у точек, которые не шарниры, свои имена){ $cause }
 structure-no-plugin = { $links } образуют группу класса { $class }, порядка { $order } ({ $pattern }); для неё не зарегистрирован плагин (см. `assur plugins`; другое входное звено может дать другие группы)
 structure-pattern = внутренние { $inner }; внешние { $outer }
 structure-what-joins = имя точки, стоящее в двух звеньях, образует там шарнир

@@ -19,7 +19,7 @@ structure-loose-also = {" "}(водночас пари { $pairs } мають о�
 structure-surplus = рухомість { $mobility } ({ $formula }), а має бути 1: { $pairs } { $count ->
         [one] дає
        *[other] дають
-    } одну зайву в’язь; там { $links }; приберіть звідти одну пару або одну ланку{ $cause }
+    } одну зайву в’язь; там { $links }; приберіть звідти одну пару або одну ланку ({ structure-what-joins }: точки, що не є шарнірами, мають власні імена){ $cause }
 structure-no-plugin = { $links } утворюють групу класу { $class }, порядку { $order } ({ $pattern }); для неї не зареєстровано плагіна (див. `assur plugins`; інша вхідна ланка може дати інші групи)
 structure-pattern = внутрішні { $inner }; зовнішні { $outer }
 structure-what-joins = ім’я точки, що стоїть у двох ланках, утворює там шарнір

@@ -6,6 +6,11 @@ use assur_kinematics::decompose;
 use assur_mechanism::{LinkId, Mechanism, Motion, PointId, SlideId, Torque};
 use assur_structure::name_of;
 
+use assur_words::{list, name, text};
+
+use crate::reach::Reach;
+use crate::{SweepError, Target};
+
 /// What of a mechanism is measured; the same at every point of a sweep.
 #[derive(Debug, Clone)]
 pub(crate) struct Layout {
@@ -21,6 +26,8 @@ pub(crate) struct Layout {
     pub(crate) slides: Vec<Named<SlideId>>,
     /// Moving links.
     pub(crate) links: Vec<Named<LinkId>>,
+    /// Places from which a point's distance is measured: the number of the point among `points`, and the place, m.
+    pub(crate) targets: Vec<(usize, [f64; 2])>,
     /// Whether there is dry friction in pairs.
     pub(crate) friction: bool,
     /// The motion, unless it is prescribed.
@@ -34,6 +41,8 @@ pub(crate) struct Layout {
 pub(crate) struct Named<T> {
     pub(crate) name: String,
     pub(crate) id: T,
+    /// Whether a parameter can change it.
+    pub(crate) reached: bool,
 }
 
 /// A motion that is found.
@@ -66,6 +75,7 @@ impl Layout {
             points: Vec::new(),
             slides: Vec::new(),
             links: Vec::new(),
+            targets: Vec::new(),
             friction: !mechanism.frictions.is_empty(),
             motion: sought(mechanism),
             units: Units { coordinate, speed, balancing },
@@ -92,6 +102,29 @@ impl Layout {
         layout
     }
 
+    /// Adds places from which the distance of a point is measured.
+    pub(crate) fn aim(&mut self, targets: &[Target]) -> Result<(), SweepError> {
+        for target in targets {
+            let Some(point) = self.points.iter().position(|point| point.name == target.point) else {
+                let points = list(self.points.iter().map(|point| name(point.name.clone())));
+                return Err(SweepError::vary(&target.text, text!("sweep-no-point", points = points)));
+            };
+            self.targets.push((point, target.at));
+        }
+        Ok(())
+    }
+
+    /// The same with what parameters can change marked; without groups where they can't change a place.
+    pub(crate) fn reached(&self, reach: &Reach, mechanism: &Mechanism) -> Self {
+        let mut layout = self.clone();
+        layout.groups &= reach.moves_anything();
+        layout.joints.iter_mut().for_each(|joint| joint.reached = reach.pair(joint.id.id, mechanism));
+        layout.points.iter_mut().for_each(|point| point.reached = reach.point(point.id.0, mechanism));
+        layout.slides.iter_mut().for_each(|slide| slide.reached = reach.slide(slide.id, mechanism));
+        layout.links.iter_mut().for_each(|link| link.reached = reach.link(link.id));
+        layout
+    }
+
     /// Whether a motor is chosen or given.
     pub(crate) fn has_motor(&self) -> bool {
         matches!(self.motion, Some(Sought::Steady { motor: true, .. }))
@@ -99,7 +132,7 @@ impl Layout {
 }
 
 fn named<'m, T>(ids: impl Iterator<Item = T>, name: impl Fn(&T) -> &'m str) -> Vec<Named<T>> {
-    ids.map(|id| Named { name: name(&id).to_owned(), id }).collect()
+    ids.map(|id| Named { name: name(&id).to_owned(), id, reached: true }).collect()
 }
 
 fn sought(mechanism: &Mechanism) -> Option<Sought> {

@@ -32,6 +32,7 @@ mod measure;
 mod point;
 mod points;
 mod positions;
+mod reach;
 mod rows;
 mod statistics;
 mod sweep;
@@ -44,7 +45,7 @@ pub use measure::{MEASURES, Measure};
 pub use points::Points;
 pub use rows::{Columns, Rows, Status, Tally};
 pub use sweep::{MOST_POINTS, Request, Sweep};
-pub use vary::{Tie, Vary};
+pub use vary::{Target, Tie, Vary};
 
 assur_words::resources!();
 

@@ -36,6 +36,8 @@ pub struct Measure {
     summary: &'static str,
     /// Whether it is written where no measures are named.
     pub by_default: bool,
+    /// Whether it is named, and written whole then: else without the columns that no parameter can change.
+    pub(crate) whole: bool,
     /// What must be found for it beside the positions, their loads and their motion.
     pub(crate) need: Option<Need>,
     put: fn(&Layout, &Measured, &mut Sink<'_>),
@@ -50,6 +52,7 @@ pub const MEASURES: &[Measure] = &[
     Measure::new("reactions", "sweep-measure-reactions", reactions),
     Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms).asked(None),
     Measure { need: Some(Need::Angles), ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
+    Measure::new("distance", "sweep-measure-distance", distance),
     Measure::new("stroke", "sweep-measure-stroke", stroke).asked(Some(Need::Courses)),
     Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio).asked(Some(Need::Courses)),
     Measure::new("pf", "sweep-measure-pf", transfer).asked(Some(Need::Courses)),
@@ -76,6 +79,8 @@ pub(crate) struct Measured {
     /// Of each joint: modulus of its moment.
     pub(crate) moments: Vec<Statistics>,
     pub(crate) points: Vec<[Statistics; 2]>,
+    /// Squares of the distances of points from places.
+    pub(crate) distances: Vec<Statistics>,
     pub(crate) slides: Vec<Statistics>,
     /// Angles of links.
     pub(crate) links: Vec<Statistics>,
@@ -117,6 +122,7 @@ impl Measured {
             forces: many(layout.joints.len()),
             moments: many(layout.joints.len()),
             points: vec![[Statistics::NONE; 2]; layout.points.len()],
+            distances: many(layout.targets.len()),
             slides: many(layout.slides.len()),
             links: many(layout.links.len()),
             input: None,
@@ -131,9 +137,10 @@ impl Measured {
 
     /// Forgets what belongs to the positions whatever the loads.
     pub(crate) fn clear_positions(&mut self) {
-        let Self { health, transmission, points, slides, links, input, courses, .. } = self;
+        let Self { health, transmission, points, distances, slides, links, input, courses, .. } = self;
         (*health, *transmission, *input, *courses) = (Statistics::NONE, Statistics::NONE, None, None);
         points.fill([Statistics::NONE; 2]);
+        distances.fill(Statistics::NONE);
         slides.fill(Statistics::NONE);
         links.fill(Statistics::NONE);
     }
@@ -161,7 +168,7 @@ impl Measure {
         summary: &'static str,
         put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
-        Self { name, summary, by_default: true, need: None, put }
+        Self { name, summary, by_default: true, whole: false, need: None, put }
     }
 
     /// Written only where it is named, with what must be found for it.
@@ -185,7 +192,11 @@ impl Measure {
             let mut names = names.iter().map(AsRef::as_ref);
             names.any(|name| name == "all" || name == measure.name || name == "default" && measure.by_default)
         };
-        Ok(MEASURES.iter().filter(wanted).copied().collect())
+        let is_asked = |measure: &Self| {
+            names.iter().map(AsRef::as_ref).any(|name| name == "all" || name == measure.name)
+        };
+        let each = MEASURES.iter().filter(wanted);
+        Ok(each.map(|measure| Self { whole: is_asked(measure), ..*measure }).collect())
     }
 
     /// Puts its columns into a sink.
@@ -257,7 +268,7 @@ fn balancing_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
 
 fn reactions(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
-    for ((joint, force), moment) in each {
+    for ((joint, force), moment) in each.filter(|((joint, _), _)| joint.reached) {
         let name = &joint.name;
         sink.of(force, |square| square.greatest().sqrt(), || format!("reaction_{name}_greatest_N"));
         if matches!(joint.id.id, PairId::Slide(_)) {
@@ -278,20 +289,31 @@ fn reaction_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
 }
 
 fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    for (point, place) in layout.points.iter().zip(&found.points) {
+    for (point, place) in layout.points.iter().zip(&found.points).filter(|(point, _)| point.reached) {
         for (axis, of) in ["x", "y"].into_iter().zip(place) {
             sink.of(of, Statistics::least, || format!("{}_{axis}_min_m", point.name));
             sink.of(of, Statistics::greatest, || format!("{}_{axis}_max_m", point.name));
         }
     }
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides) {
+    for (slide, displacement) in layout.slides.iter().zip(&found.slides).filter(|(slide, _)| slide.reached) {
         sink.of(displacement, Statistics::least, || format!("{}_min_m", slide.name));
         sink.of(displacement, Statistics::greatest, || format!("{}_max_m", slide.name));
         sink.of(displacement, Statistics::range, || format!("{}_travel_m", slide.name));
     }
-    for (link, angle) in layout.links.iter().zip(&found.links) {
+    for (link, angle) in layout.links.iter().zip(&found.links).filter(|(link, _)| link.reached) {
         sink.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
         sink.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
+    }
+}
+
+fn distance(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
+    for (number, ((point, _), square)) in layout.targets.iter().zip(&found.distances).enumerate() {
+        let column = |what: &str| format!("{}_distance_{}_{what}", layout.points[*point].name, number + 1);
+        let at = layout.units.coordinate;
+        sink.of(square, |square| square.least().sqrt(), || column("least_m"));
+        sink.put(found.coordinate(square, Statistics::at_least), || column(&format!("least_at_{at}")));
+        sink.of(square, |square| square.greatest().sqrt(), || column("greatest_m"));
+        sink.put(found.coordinate(square, Statistics::at_greatest), || column(&format!("greatest_at_{at}")));
     }
 }
 

@@ -80,7 +80,7 @@ impl<'a> Worker<'a> {
         let mut wrong = None;
         let mut sink = Sink::Values(&mut self.values, &mut wrong);
         for measure in &self.sweep.measures {
-            measure.put(&self.sweep.layout, &self.found, &mut sink);
+            measure.put(self.sweep.layout_of(measure), &self.found, &mut sink);
         }
         if let Some(value) = wrong {
             self.values.clear();

@@ -201,6 +201,12 @@ impl<'a, 'w> Positions<'a, 'w> {
             let at = bodies[place.link].point(vector(place.at));
             (0..2).for_each(|axis| extent[axis].add(block.valid, numbers, at[axis]));
         }
+        for ((point, from), square) in layout.targets.iter().zip(&mut found.distances) {
+            let (_, place) = &plan.wanted.points[*point];
+            let (at, from) = (bodies[place.link].point(vector(place.at)), vector(*from));
+            let [x, y] = [at[0] - from[0], at[1] - from[1]];
+            square.add(block.valid, numbers, x * x + y * y);
+        }
         for (slide, displacement) in layout.slides.iter().zip(&mut found.slides) {
             let along = along(&linkage.mechanism.slides[slide.id], bodies);
             displacement.add(block.valid, numbers, along);

@@ -14,9 +14,10 @@ use crate::layout::Layout;
 use crate::measure::{Measure, Measured, Sink};
 use crate::point::Worker;
 use crate::points::MOST_SAMPLED;
+use crate::reach::Reach;
 use crate::rows::{Columns, Rows};
 use crate::variants::Variants;
-use crate::{Points, Refusal, SweepError, Tie, Vary};
+use crate::{Points, Refusal, SweepError, Target, Tie, Vary};
 
 /// Most points of a sweep: at a million points a second they would take eleven days.
 pub const MOST_POINTS: usize = 1_000_000_000_000;
@@ -47,6 +48,8 @@ pub struct Request {
     pub points: Points,
     /// Keys that follow parameters.
     pub ties: Vec<Tie>,
+    /// Places from which the distance of a point is measured.
+    pub targets: Vec<Target>,
     /// The families of columns.
     pub measures: Vec<Measure>,
     /// The methods.
@@ -58,6 +61,7 @@ impl Default for Request {
         Self {
             points: Points::Grid,
             ties: Vec::new(),
+            targets: Vec::new(),
             measures: Measure::defaults(),
             options: Options::default(),
         }
@@ -71,6 +75,8 @@ pub struct Sweep {
     pub(crate) points: Points,
     pub(crate) variants: Variants,
     pub(crate) layout: Layout,
+    /// The same with what no parameter can change marked.
+    reached: Layout,
     pub(crate) measures: Vec<Measure>,
     pub(crate) options: Options,
     pub(crate) columns: Arc<Columns>,
@@ -84,7 +90,7 @@ impl Sweep {
         if vary.is_empty() {
             return Err(SweepError::Nothing);
         }
-        let Request { points, ties, measures, options } = request;
+        let Request { points, ties, targets, measures, options } = request;
         let count = count(points, vary)?;
         let document = Document::of(scene);
         let axis = |vary| Axis::of(vary, &document, file_name, scene);
@@ -98,20 +104,29 @@ impl Sweep {
             }
         }
         let variants = Variants::of(file_name, scene, &axes);
-        let layout = Layout::of(&variants.richest(&axes).unwrap_or(base), &options);
+        let richest = variants.richest(&axes).unwrap_or(base);
+        let mut layout = Layout::of(&richest, &options);
+        layout.aim(&targets)?;
+        let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);
         let mut names = Vec::new();
         let mut sink = Sink::Names(&mut names);
         for measure in &measures {
-            measure.put(&layout, &Measured::new(&layout), &mut sink);
+            let layout = if measure.whole { &layout } else { &reached };
+            measure.put(layout, &Measured::new(layout), &mut sink);
         }
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
-        Ok(Self { axes, points, variants, layout, measures, options, columns, count })
+        Ok(Self { axes, points, variants, layout, reached, measures, options, columns, count })
     }
 
     /// The columns of its rows.
     pub fn columns(&self) -> &Columns {
         &self.columns
+    }
+
+    /// What a measure has columns of.
+    pub(crate) fn layout_of(&self, measure: &Measure) -> &Layout {
+        if measure.whole { &self.layout } else { &self.reached }
     }
 
     /// The text of the scene.

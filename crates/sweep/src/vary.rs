@@ -81,6 +81,41 @@ impl Tie {
     }
 }
 
+/// A place in the ground's frame whose distance from a point is measured.
+///
+/// # Examples
+///
+/// ```
+/// use assur_sweep::Target;
+///
+/// assert!(Target::parse("E=100 mm,-20 mm").is_ok());
+/// assert!(Target::parse("E=100 mm").is_err());
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Target {
+    /// As it is written.
+    pub(crate) text: String,
+    pub(crate) point: String,
+    pub(crate) at: [f64; 2],
+}
+
+impl Target {
+    /// Reads `POINT=X,Y`, lengths with a unit, or in m.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Vary`] where it is written otherwise.
+    pub fn parse(text: &str) -> Result<Self, SweepError> {
+        let length = |text: &str| assur_scene::quantity(text.trim(), assur_scene::Dimension::Length).ok();
+        let read = || {
+            let (point, place) = text.split_once('=')?;
+            let (x, y) = place.trim().trim_matches(['[', ']']).split_once(',')?;
+            Some(Self { text: text.to_owned(), point: point.trim().to_owned(), at: [length(x)?, length(y)?] })
+        };
+        read().ok_or_else(|| SweepError::vary(text, text!("sweep-write-target")))
+    }
+}
+
 /// The values of a parameter as they are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Range {

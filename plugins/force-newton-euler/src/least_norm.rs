@@ -1,9 +1,9 @@
 //! The solution of least norm of fewer equations than unknowns.
 //!
 //! The unknowns are forces in N: moments are divided by the size of the mechanism. Of A x = b, with Aᵀ = Q R, the solution of least
-//! norm is Q R⁻ᵀ b; what lies outside of the columns of Q is open.
-
-use nalgebra::{DMatrix, DVector};
+//! norm is Q R⁻ᵀ b; what lies outside of the columns of Q is open. The equations are orthogonalized one after the other, short ones
+//! first (Gram and Schmidt, twice each, so that rounding leaves them orthogonal): those of a link meet only those that share a
+//! joint with it, so Q stays sparse.
 
 use crate::elimination::Row;
 
@@ -17,44 +17,54 @@ pub(crate) struct LeastNorm {
     pub(crate) solution: Vec<f64>,
     /// Ratio of least to greatest pivot.
     pub(crate) health: f64,
-    /// Orthonormal directions that the equations determine, in columns.
-    determined: DMatrix<f64>,
+    /// By unknown: its parts in the orthonormal directions that the equations determine.
+    determined: Vec<Row>,
 }
 
 /// Solves equations in this number of unknowns; the right side of each stands after the last unknown.
 pub(crate) fn solve(rows: &[Row], unknowns: usize) -> LeastNorm {
-    let (mut transposed, mut right) = (DMatrix::zeros(unknowns, rows.len()), DVector::zeros(rows.len()));
-    for (row, entries) in rows.iter().enumerate() {
-        for &(unknown, factor) in entries {
-            if unknown == unknowns {
-                right[row] += factor;
-            } else {
-                transposed[(unknown, row)] += factor;
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    order.sort_by_key(|row| rows[*row].len());
+    // Each with the part of the solution along it.
+    let mut directions: Vec<(Row, f64)> = Vec::with_capacity(rows.len());
+    let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
+    let mut solution = vec![0.0; unknowns];
+    let mut determined = vec![Row::new(); unknowns];
+    for row in order {
+        let (mut parts, mut right) = (vec![0.0; unknowns], 0.0);
+        for &(unknown, factor) in &rows[row] {
+            *parts.get_mut(unknown).unwrap_or(&mut right) += factor;
+        }
+        for (direction, along) in directions.iter().chain(&directions) {
+            let shared: f64 = direction.iter().map(|&(unknown, part)| parts[unknown] * part).sum();
+            if shared != 0.0 {
+                for &(unknown, part) in direction {
+                    parts[unknown] -= shared * part;
+                }
+                right -= shared * along;
             }
         }
+        let pivot = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
+        (least, greatest) = (least.min(pivot), greatest.max(pivot));
+        let unit = parts.into_iter().map(|part| part / pivot).enumerate();
+        let (direction, along): (Row, f64) = (unit.filter(|(_, part)| *part != 0.0).collect(), right / pivot);
+        for &(unknown, part) in &direction {
+            solution[unknown] += along * part;
+            determined[unknown].push((directions.len(), part));
+        }
+        directions.push((direction, along));
     }
-    let decomposed = transposed.clone().qr();
-    let (q, r) = (decomposed.q(), decomposed.r());
-    let pivots = r.diagonal().abs();
-    let health = pivots.min() / pivots.max();
-    let by = |right: &DVector<f64>| r.tr_solve_upper_triangular(right).map(|parts| &q * parts);
-    let mut x = by(&right).unwrap_or_else(|| DVector::from_element(unknowns, f64::NAN));
-    // What rounding left is solved once more.
-    let rest = &right - transposed.tr_mul(&x);
-    if let Some(more) = by(&rest) {
-        x += more;
-    }
-    LeastNorm { solution: x.iter().copied().collect(), health, determined: q }
+    LeastNorm { solution, health: least / greatest, determined }
 }
 
 impl LeastNorm {
     /// Whether the sum of some unknowns is open.
     pub(crate) fn is_open(&self, unknowns: &[usize]) -> bool {
-        let parts = self.determined.column_iter().map(|column| {
-            let sum: f64 = unknowns.iter().map(|unknown| column[*unknown]).sum();
-            sum * sum
-        });
+        let mut sums = std::collections::BTreeMap::new();
+        for (direction, part) in unknowns.iter().flat_map(|unknown| &self.determined[*unknown]) {
+            *sums.entry(direction).or_insert(0.0) += part;
+        }
         let all = unknowns.len() as f64;
-        all - parts.sum::<f64>() > OPEN * all
+        all - sums.values().map(|sum: &f64| sum * sum).sum::<f64>() > OPEN * all
     }
 }

@@ -133,7 +133,8 @@ impl<T: Real> Legged<T> {
                 self.put_core(core, bodies);
                 Ok(())
             }
-            _ => Err(GroupError::NoAssembly { gap_m: self.loci(bodies).gap() }),
+            // Other modes remain: no length misses.
+            _ => Err(GroupError::NoAssembly { gap_m: 0.0 }),
         }
     }
 

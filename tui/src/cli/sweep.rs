@@ -9,7 +9,7 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use assur_sweep::{MEASURES, Measure, Points, Request, Sweep, SweepError, Tally, Tie, Vary};
+use assur_sweep::{MEASURES, Measure, Points, Request, Sweep, SweepError, Tally, Target, Tie, Vary};
 use assur_words::{Describe, Told, name, number, text};
 use clap::Args;
 
@@ -55,6 +55,9 @@ pub(crate) struct SweepArgs {
     /// A key of the scene that follows a varied one: KEY=KEY gives it the same value, KEY=KEY*FACTOR a multiple
     #[arg(long, value_name = "KEY=KEY[*FACTOR]", allow_hyphen_values = true)]
     tie: Vec<String>,
+    /// Measure the distance of a point from a place of the ground, such as "E=100 mm,50 mm"; once more for each further place
+    #[arg(long, value_name = "POINT=X,Y", allow_hyphen_values = true)]
+    target: Vec<String>,
     /// Instead of a grid N points that fill the ranges evenly (a Sobol sequence)
     #[arg(long, value_name = "N")]
     sample: Option<NonZeroUsize>,
@@ -109,7 +112,9 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let fault = |error| fault(&args.scene, error);
     let measures = Measure::named(&args.measure).map_err(fault)?;
     let ties = args.tie.iter().map(|tie| Tie::parse(tie)).collect::<Result<_, _>>().map_err(fault)?;
-    let request = Request { points, ties, measures, options: scene::options(&args.methods, false)? };
+    let targets = args.target.iter().map(|target| Target::parse(target)).collect::<Result<_, _>>();
+    let targets = targets.map_err(fault)?;
+    let request = Request { points, ties, targets, measures, options: scene::options(&args.methods, false)? };
     let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();

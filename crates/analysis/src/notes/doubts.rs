@@ -9,7 +9,7 @@ use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LoadId, Mechanism, Motion, Notice};
 use assur_words::{Text, joined, name, quantity, text};
 
-use crate::Calculation;
+use crate::{Calculation, InputMotion};
 
 /// A transfer function below this part of what the size of the mechanism gives is rounding.
 const STILL: f64 = 1e-9;
@@ -24,6 +24,7 @@ impl Calculation {
     /// Everything in the scene that is hardly meant: what reading it told, then what its motion tells.
     pub fn doubts(&self) -> Vec<Notice> {
         let mut notices = self.linkage.mechanism.notes.clone();
+        notices.extend(self.never_starts());
         let mut first = self.linkage.position();
         if self.linkage.solve_index(0, Order::Place, &mut first).is_ok() {
             notices.extend(self.groups_in_any_way(&first));
@@ -35,20 +36,35 @@ impl Calculation {
         notices
     }
 
+    /// A transient motion that stays where it begins.
+    fn never_starts(&self) -> Option<Notice> {
+        let InputMotion::Transient(found) = &self.motion else { return None };
+        let samples = &found.trajectory.samples;
+        let stays = samples.iter().all(|sample| sample.speed == 0.0);
+        stays.then(|| Notice::mistake("motion".to_owned(), text!("analysis-never-starts")))
+    }
+
     /// Groups with several ways of which no place in `[assembly]` chooses one.
     fn groups_in_any_way(&self, first: &Position) -> Vec<Notice> {
         let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
-        let is_hinted = |link: usize| {
-            let on_link =
-                |point: usize| mechanism.points[point].places.iter().any(|place| place.link == link);
-            mechanism.assembly.iter().any(|(point, _)| on_link(*point))
+        // A place tells of a group what the links before it don't tell already.
+        let is_placed_before = |group: usize, link: usize| {
+            let mut later = linkage.groups()[group..].iter();
+            !later.any(|kernel| kernel.frame().links.contains(&link))
+        };
+        let is_hinted = |group: usize, links: &[usize]| {
+            mechanism.assembly.iter().any(|(point, _)| {
+                let mut places = mechanism.points[*point].places.iter().map(|place| place.link);
+                places.clone().any(|link| links.contains(&link))
+                    && places.all(|link| !is_placed_before(group, link))
+            })
         };
         let mut notices = Vec::new();
         for (group, kernel) in
             linkage.groups().iter().enumerate().filter(|(group, _)| linkage.chain.is_needed(*group))
         {
             let links = &kernel.frame().links;
-            if kernel.ways() < 2 || links.iter().any(|link| is_hinted(*link)) {
+            if kernel.ways() < 2 || is_hinted(group, links) {
                 continue;
             }
             let mut poses = vec![first.bodies.clone()];

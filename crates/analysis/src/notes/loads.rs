@@ -81,26 +81,24 @@ impl Calculation {
 /// Loads drive if their net work over the cycle is more than this part of all their work: the works of a constant force cancel, but for
 /// what few positions leave.
 const NET: f64 = 0.1;
-/// Of more positions than this no work is summed.
-const MOST_POSITIONS: usize = 3600;
+/// The works are summed at so many places of the cycle: few positions of a scene say little of it.
+const PLACES: u32 = 144;
 
 impl Calculation {
     /// Loads that drive, where all loads together do.
     pub(super) fn driving_loads(&self) -> Option<Text> {
         let mechanism = &self.linkage.mechanism;
         let loads = self.loads.as_ref()?;
-        let (Range::Cycle(_), Some(Motion::Prescribed { speed, .. })) =
+        let (Range::Cycle(cycle), Some(Motion::Prescribed { speed, .. })) =
             (mechanism.input.range, &mechanism.motion)
         else {
             return None;
         };
-        if mechanism.input.positions > MOST_POSITIONS {
-            return None;
-        }
         let mut works: BTreeMap<LoadId, [f64; 2]> = BTreeMap::new();
         let mut position = self.linkage.position();
-        for index in 0..mechanism.input.positions {
-            self.linkage.solve_index(index, Order::First, &mut position).ok()?;
+        for place in 0..PLACES {
+            let way = mechanism.input.sign() * cycle * f64::from(place) / f64::from(PLACES);
+            self.linkage.solve(mechanism.input.from + way, Order::First, &mut position).ok()?;
             let state = State::prescribed(mechanism, position.coordinate);
             loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
                 let Cause::Load(load) = cause else { return };

@@ -1,7 +1,7 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
 use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Turn};
-use assur_book::{Fact, Unit, Value};
+use assur_book::{Fact, Unit};
 use assur_geometry::overview;
 use assur_kinematics::Linkage;
 use assur_words::{Text, count, joined, list, name, number, text};
@@ -9,14 +9,6 @@ use assur_words::{Text, count, joined, list, name, number, text};
 use super::forces::{force, shown};
 use super::units::{ANGLE, FORCE, LENGTH, MOMENT, MOVING, POWER, SECOND, TURN, TURNING};
 use super::{Units, regime};
-
-/// What stands in a list on a page: reactions, moments of guides; and how many of each.
-const LISTED: [&str; 2] = ["fact-greatest-reaction", "fact-greatest-moment"];
-const MOST_LISTED: [usize; 2] = [5, 2];
-/// Reactions beside the numbers of a regime.
-const MOST_IN_REGIME: usize = 4;
-/// A formula of more groups is no line of a page.
-const MOST_GROUPS: usize = 6;
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,42 +59,6 @@ pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
 /// The results that are asked for first, one below the other.
 pub fn summary(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
     results(analysis, linkage).into_iter().map(|(_, fact)| fact).collect()
-}
-
-/// The same on a page of a terminal: the outputs of the machine without the links that rock between, and reactions and moments of
-/// guides in a list of the greatest.
-pub fn on_a_page(analysis: &Analysis, linkage: &Linkage) -> Vec<Fact> {
-    let (mut listed, mut rows): (Vec<Fact>, Vec<Fact>) =
-        summary(analysis, linkage).into_iter().partition(|fact| LISTED.contains(&fact.id));
-    let owner = |fact: &Fact| fact.column.map(|column| column.owner);
-    let has_output = rows.iter().any(|fact| matches!(owner(fact), Some(Owner::Slide(_))));
-    let is_left_out = |fact: &Fact| {
-        // The formula tells the class.
-        let told = if analysis.structure.groups.len() <= MOST_GROUPS { "fact-class" } else { "fact-formula" };
-        let between = has_output && matches!(owner(fact), Some(Owner::Link(_)));
-        fact.id == told || between || fact.id == "fact-fastest" && analysis.dynamics.is_some()
-    };
-    rows.retain(|fact| !is_left_out(fact));
-    let size = |fact: &Fact| if let Value::Number(value) = fact.value { value.abs() } else { 0.0 };
-    let kinds: Vec<_> = LISTED.into_iter().zip(MOST_LISTED).collect();
-    let mut more = 0;
-    for (id, most) in kinds {
-        let most = if analysis.dynamics.is_some() { most.min(MOST_IN_REGIME) } else { most };
-        let mut sizes: Vec<f64> = listed.iter().filter(|fact| fact.id == id).map(size).collect();
-        sizes.sort_by(|one, other| other.total_cmp(one));
-        let Some(least) = sizes.get(most) else { continue };
-        more += sizes.len() - sizes.iter().filter(|size| *size > least).count();
-        listed.retain(|fact| fact.id != id || size(fact) > *least);
-    }
-    if !listed.is_empty() {
-        let items = listed.iter().map(|fact| {
-            text!("fact-listed", what = fact.what().short(), value = fact.with_unit(), place = fact.place())
-        });
-        let more = (more > 0).then(|| text!("fact-more-reactions", count = more));
-        let all = joined("; ", items.chain(more));
-        rows.insert(rows.len().min(1), Fact::text("fact-greatest-forces", all));
-    }
-    rows
 }
 
 fn structure(analysis: &Analysis) -> Vec<Fact> {

@@ -29,7 +29,7 @@ pub use contact::contacts;
 pub use course::{motion_over_time, no_motion};
 pub use drive::{advice, drive, flywheel_methods, flywheel_shaft, motor_facts};
 pub use explain::explain;
-pub use facts::{About, checks_fact, on_a_page, results, summary};
+pub use facts::{About, checks_fact, results, summary};
 pub use forces::{
     balancing, balancing_at_positions, causes, direction, inertia_loads, loads, reactions,
     reactions_at_positions, reduction,
@@ -113,7 +113,7 @@ pub fn report(source: &Source<'_>) -> Document {
         page.title(name(analysis.title.clone()));
     }
     page.heading(text!("report-results-between"));
-    page.facts(Text::default(), on_a_page(analysis, source.linkage));
+    page.facts(Text::default(), summary(analysis, source.linkage));
     page.heading(text!("report-structure"));
     mobility(source, &mut page);
     pairs(source, &mut page);

@@ -1,9 +1,14 @@
 //! What of loads, motion and results is hardly meant, by sizes alone.
 
-use assur_mechanism::{Load, LoadKind, Mechanism, Motion, Notice, Over, Range, Rubbing, Value};
+use std::f64::consts::TAU;
+
+use assur_mechanism::{
+    InputPair, Load, LoadKind, Mechanism, Motion, Motor, Notice, Over, Point, Range, Rubbing, Solve, Torque,
+    Value,
+};
 use assur_words::{Text, quantity, text};
 
-use crate::text::rounded;
+use crate::text::{rounded, shown};
 
 /// Gravity between these, m/s^2, is that of a planet: 9810 was meant in mm, 0.00981 written in mm.
 const GRAVITY: [f64; 2] = [0.5, 30.0];
@@ -13,6 +18,10 @@ const FASTEST: f64 = 1000.0;
 const STRONGEST: f64 = 2e9;
 /// Coefficients of friction above this are those of no pair of solids.
 const ROUGHEST: f64 = 2.0;
+/// Directions that differ by less are the same to the digits in which coordinates are written, rad.
+const SAME_DIRECTION: f64 = 2e-3;
+/// A ratio so many times as great, or as small, as motor and mean speed need is meant the other way round.
+const MOST_TIMES_THE_RATIO: f64 = 2.0;
 /// A table over time that is so many times as long as the motion was meant in another unit.
 const MOST_TIMES_THE_MOTION: f64 = 100.0;
 /// A spring so many times as long as the mechanism was meant in another unit.
@@ -29,6 +38,7 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
     if let Some([x, y]) = mechanism.gravity {
         let size = x.hypot(y);
         let is_odd = size > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&size);
+        doubt(!is_odd && y > 0.0 && x.abs() < y, "gravity", text!("scene-gravity-up"));
         doubt(is_odd, "gravity", text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2")));
     }
     let speed = match mechanism.motion {
@@ -70,7 +80,67 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
             doubt(true, &key(name), text);
         }
     }
+    notices.extend(of_input_and_drive(mechanism, speed));
     notices
+}
+
+/// What contradicts itself in the input, the motion and the drive; `speed`: its key and size.
+fn of_input_and_drive(mechanism: &Mechanism, speed: (&str, f64)) -> Vec<Notice> {
+    let mut notices = Vec::new();
+    let mut doubt = |is: bool, key: &str, text: Text| {
+        if is {
+            notices.push(Notice::mistake(key.to_owned(), text));
+        }
+    };
+    let turned_twice = mechanism.input.sign() < 0.0
+        && matches!(mechanism.motion, Some(Motion::Prescribed { speed, .. }) if speed > 0.0);
+    doubt(turned_twice, speed.0, text!("scene-turned-twice"));
+    let finds_flywheel =
+        mechanism.drive.as_ref().is_some_and(|drive| matches!(drive.flywheel, Some(Solve::Wanted)));
+    let is_wanted = matches!(mechanism.motion, Some(Motion::Steady { unevenness: Some(_), .. }));
+    doubt(is_wanted && !finds_flywheel, "motion.unevenness", text!("scene-unevenness-unused"));
+    if let Some((key, angle)) = turned_by_frame_and_from(mechanism) {
+        let [angle, twice] = [angle, 2.0 * angle].map(|angle| quantity(rounded(angle.to_degrees()), "deg"));
+        doubt(
+            true,
+            "input.from",
+            text!("scene-counted-twice", point = shown(key), angle = angle, twice = twice),
+        );
+    }
+    if let Some((ratio, needed)) = odd_ratio(mechanism, speed.1) {
+        let [ratio, needed] = [ratio, needed].map(rounded);
+        doubt(true, "drive.ratio", text!("scene-odd-ratio", ratio = ratio, needed = needed));
+    }
+    notices
+}
+
+/// A pin of the crank that stands at the angle `from` in the crank's own frame too: places in the ground's frame were given.
+fn turned_by_frame_and_from(mechanism: &Mechanism) -> Option<(&str, f64)> {
+    let (input, InputPair::Pin(pivot)) = (&mechanism.input, mechanism.input.pair) else { return None };
+    let place =
+        |point: &Point| point.places.iter().find(|place| place.link == input.link).map(|place| place.at);
+    let origin = place(&mechanism.points[pivot])?;
+    let others = mechanism.points.iter().enumerate().filter(|(id, point)| *id != pivot && point.is_pin());
+    others.map(|(_, point)| point).find_map(|point| {
+        let at = place(point)?;
+        let angle = (at[1] - origin[1]).atan2(at[0] - origin[0]);
+        let apart = (input.from - angle).rem_euclid(TAU);
+        let is_same = apart.min(TAU - apart) < SAME_DIRECTION && angle.abs() > SAME_DIRECTION;
+        is_same.then_some((point.name.as_str(), angle))
+    })
+}
+
+/// A given ratio that takes a motor of given data far from its speed, and the one that would not.
+fn odd_ratio(mechanism: &Mechanism, speed: f64) -> Option<(f64, f64)> {
+    let drive = mechanism.drive.as_ref()?;
+    let (Solve::Given(ratio), Torque::Motor { motor: Motor::Rated(motor), .. }) =
+        (drive.ratio, &drive.torque)
+    else {
+        return None;
+    };
+    let needed = motor.rated_speed / speed;
+    let steady = matches!(mechanism.motion, Some(Motion::Steady { .. }));
+    (steady && (ratio / needed).ln().abs() > MOST_TIMES_THE_RATIO.ln()).then_some((ratio, needed))
 }
 
 /// What is odd in a load, and the key of it.

@@ -206,6 +206,14 @@ impl Table {
         TABLES.iter().filter(has).map(|table| table.header).filter(|header| !header.is_empty()).collect()
     }
 
+    /// Whether this key stands before all tables.
+    pub(crate) fn is_of_the_file(word: &str) -> bool {
+        TABLES
+            .iter()
+            .filter(|table| table.header.is_empty())
+            .any(|table| table.names(None).any(|key| key == word))
+    }
+
     /// The key that people mean by another word.
     pub(crate) fn meant(&self, word: &str) -> Option<&'static str> {
         let meant = |key: &&Key| key.also.split(", ").any(|also| also.eq_ignore_ascii_case(word));

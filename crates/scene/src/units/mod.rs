@@ -25,6 +25,8 @@ pub enum UnitError {
     },
     /// The number contains a comma (the text).
     Comma(String),
+    /// The digits of the number stand in groups (the text).
+    Grouped(String),
     /// The number is so great that results would have no correct digits.
     TooLarge {
         /// The text.
@@ -70,6 +72,7 @@ impl Describe for UnitError {
                 wants(wanted, text!("scene-got-no-number", text = shown(text)))
             }
             Self::Comma(number) => text!("scene-comma", number = shown(number)),
+            Self::Grouped(number) => text!("scene-grouped-digits", text = shown(number)),
             Self::TooLarge { text, wanted } => {
                 let most = name(format!("{:e} {}", wanted.most(), wanted.si()));
                 text!("scene-too-large", text = shown(text), most = most)

@@ -75,6 +75,46 @@ const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
     ("hp", 550.0 * 0.3048 * POUND * GRAVITY, 1.0, 0, W),
 ];
 
+/// Units as people write them in words and in other alphabets, and their signs here.
+const SPOKEN: &[(&str, &str)] = &[
+    ("мм", "mm"),
+    ("см", "cm"),
+    ("м", "m"),
+    ("км", "km"),
+    ("кг", "kg"),
+    ("г", "g"),
+    ("т", "t"),
+    ("с", "s"),
+    ("мин", "min"),
+    ("хв", "min"),
+    ("Н", "N"),
+    ("кН", "kN"),
+    ("Нм", "Nm"),
+    ("Вт", "W"),
+    ("кВт", "kW"),
+    ("рад", "rad"),
+    ("град", "deg"),
+    ("об", "rev"),
+    ("grad", "deg"),
+    ("degree", "deg"),
+    ("degrees", "deg"),
+    ("sec", "s"),
+    ("Hz", "rev/s"),
+];
+
+/// A unit as it is written here, for one in other words: `rev/min` for `об/мин`.
+fn spoken(text: &str, wanted: Dimension) -> Option<String> {
+    let mut written = String::new();
+    for piece in text.split_inclusive(|c| is_operator(c) || c == '^') {
+        let end = piece.trim_end_matches(|c| is_operator(c) || c == '^');
+        let own = SPOKEN.iter().find(|spoken| spoken.0 == end).map_or(end, |spoken| spoken.1);
+        written += own;
+        written += &piece[end.len()..];
+    }
+    let is_unit = written != text && unit(&written, wanted).is_ok_and(|scale| wanted.accepts(scale.powers));
+    is_unit.then_some(written)
+}
+
 /// The number that a text begins with, and the unit after it, both without white space around.
 pub(super) fn split(text: &str, wanted: Dimension) -> Result<(f64, &str), UnitError> {
     let text = text.trim();
@@ -82,6 +122,9 @@ pub(super) fn split(text: &str, wanted: Dimension) -> Result<(f64, &str), UnitEr
     let unit = unit.trim();
     if unit.starts_with(',') && !number.is_empty() {
         return Err(UnitError::Comma(text.to_owned()));
+    }
+    if unit.starts_with(|c: char| c.is_ascii_digit()) && !unit.starts_with("1/") && !number.is_empty() {
+        return Err(UnitError::Grouped(text.to_owned()));
     }
     let value: f64 = number
         .replace('\u{2212}', "-")
@@ -174,5 +217,6 @@ fn unknown_unit(part: &str, whole: &str, wanted: Dimension) -> UnitError {
     let unit = if part.is_empty() { whole } else { part };
     let kin = NAMED.iter().filter(|named| wanted.accepts(named.4)).map(|named| named.0);
     let near = nearest(whole, wanted.units().split(", ").chain(kin));
-    UnitError::UnknownUnit { unit: unit.to_owned(), near: near.map(str::to_owned), wanted }
+    let near = spoken(whole, wanted).or_else(|| near.map(str::to_owned));
+    UnitError::UnknownUnit { unit: unit.to_owned(), near, wanted }
 }

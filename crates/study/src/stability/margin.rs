@@ -11,7 +11,7 @@ mod survey;
 
 use std::ops::ControlFlow;
 
-use assur_kinematics::Linkage;
+use assur_kinematics::{Linkage, Misfit};
 use assur_words::Text;
 use serde::Serialize;
 
@@ -26,7 +26,8 @@ pub struct Margin {
     pub length: Text,
     /// Its value, m.
     pub value: f64,
-    /// Least increase at which assembly fails, m; `None`: none was found. 0 at a change point.
+    /// Least increase at which assembly fails, m; `None`: none was found. 0 at a change point, and where a passive part fits no
+    /// longer.
     pub increase: Option<f64>,
     /// Least decrease, m; `None`: none was found.
     pub decrease: Option<f64>,
@@ -51,6 +52,9 @@ pub(crate) const MOST_LENGTHS: usize = 60;
 
 /// Longest length that is tried, in sizes of the mechanism.
 const FARTHEST: f64 = 100.0;
+
+/// By this part a length is changed to see whether passive parts fit whatever it is: far more than what counts as fitting.
+const SLIGHT: f64 = 1e-3;
 
 /// Changes below this part of the size count as zero: lengths and positions are rounded.
 const ZERO: f64 = 4e-12;
@@ -89,6 +93,9 @@ fn margin(linkage: &Linkage, length: &Length, grid: &[f64]) -> Margin {
         longer
     };
     let found = |reach: Reach, sign: f64| {
+        if !keeps_fit(linkage, length, sign * SLIGHT * size) {
+            return Some(0.0);
+        }
         let mut survey = Survey::of(linkage, length, grid);
         let change = least(reach, |change| survey.clearance(sign * change));
         change.map(|change| if change < ZERO * scale { 0.0 } else { change })
@@ -101,6 +108,12 @@ fn margin(linkage: &Linkage, length: &Length, grid: &[f64]) -> Margin {
         increase_searched: longer.last,
         decrease_searched: shorter.last,
     }
+}
+
+/// Whether the passive parts fit with a changed length too.
+fn keeps_fit(linkage: &Linkage, length: &Length, change: f64) -> bool {
+    let fits = |changed: Linkage| changed.misfits.iter().all(Misfit::fits);
+    linkage.misfits.is_empty() || Linkage::compile(length.changed(&linkage.mechanism, change)).is_ok_and(fits)
 }
 
 #[cfg(test)]

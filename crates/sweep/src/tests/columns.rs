@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::{SLIDER, column, failures, numbers, rows, run, sweep};
+use super::{SLIDER, column, failures, numbers, requested, rows, run, sweep};
 use assur_report::csv::Cell;
 
-use crate::{Status, Tally};
+use crate::{Measure, Request, Status, Tally};
 
 fn close(found: f64, known: f64) {
     assert!((found - known).abs() <= 1e-12 * (1.0 + known.abs()), "{found} is not {known}");
@@ -94,7 +94,6 @@ fn a_column_that_only_some_points_have_stands_in_the_table() {
     assert_eq!(table.cell(0, greatest), Cell::Empty);
     assert_eq!(table.cell(1, greatest), Cell::Number(1.0 * 9.81 * 0.5));
     assert_eq!(table.cell(2, greatest), Cell::Number(2.0 * 9.81 * 0.5));
-    assert_eq!(numbers(&table, "C_x_max_m"), [0.5; 3]);
 }
 
 /// A crank without mass under 0-40-0 N m over a turn and the constant resistance that balances it: the excess work is
@@ -150,5 +149,41 @@ fn a_run_up_ends_where_the_work_says() {
         assert!((at("end_speed_rad_per_s") / speed - 1.0).abs() < 1e-8, "{}", at("end_speed_rad_per_s"));
         close(at("end_coordinate_rad"), TAU * turns);
         assert!((at("end_time_s") / (inertia * speed / 20.0) - 1.0).abs() < 1e-8);
+    }
+}
+
+/// What no parameter can change by structure is left out unless its measure is named, and is constant there; what moves stays.
+#[test]
+fn columns_that_no_parameter_reaches_are_left_out() {
+    let shaper = assur_fixtures::scene("shaper");
+    for (scene, vary, out, kept) in [
+        (SLIDER, "link.piston.mass=1 kg..2 kg:2", "B_x_min_m", "reaction_B_greatest_N"),
+        (shaper, "link.rocker.points.D=600 mm..700 mm:2", "rocker_angle_min_rad", "E_x_min_m"),
+        (shaper, "link.rocker.points.C=-10 mm..10 mm:2", "A_y_max_m", "D_x_min_m"),
+        (shaper, "ground.points.C[1]=-410 mm..-400 mm:2", "A_y_max_m", "C_y_min_m"),
+        (shaper, "link.crank.points.A=90 mm..100 mm:2", "C_x_min_m", "A_y_max_m"),
+        (shaper, "link.ram.mass=20 kg..30 kg:2", "smallest_health", "reaction_A_greatest_N"),
+        (shaper, "link.crank.mass=2 kg..4 kg:2", "reaction_D_greatest_N", "reaction_O_greatest_N"),
+        (
+            shaper,
+            "link.stone2.mass=2 kg..4 kg:2",
+            "reaction_ram/ground_moment_greatest_Nm",
+            "reaction_C_greatest_N",
+        ),
+        (shaper, "link.ram.points.K[0]=200 mm..250 mm:2", "E_x_max_m", "K_x_max_m"),
+        (shaper, "motion.speed=30 rpm..60 rpm:2", "E_x_max_m", "reaction_ram/ground_greatest_N"),
+    ] {
+        let table = run(scene, &[vary], 2);
+        let names = ["health", "balancing", "reactions", "extremes"];
+        let request = Request { measures: Measure::named(&names).unwrap(), ..Request::default() };
+        let whole = rows(&requested(scene, &[vary], request).unwrap(), 1);
+        assert!(
+            !table.header().contains(&out.to_owned()) && table.header().contains(&kept.to_owned()),
+            "{vary}"
+        );
+        for name in whole.header().iter().filter(|name| !table.header().contains(name)) {
+            let [one, other] = numbers(&whole, name)[..] else { panic!("{name}") };
+            assert!((one - other).abs() <= 1e-12 * one.abs().max(1.0), "{vary}: {name} is {one} and {other}");
+        }
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::{SLIDER, numbers, requested, rows};
 use assur_report::csv::Cell;
 
-use crate::{MEASURES, Measure, Request, Rows, Tie};
+use crate::{MEASURES, Measure, Request, Rows, Target, Tie};
 
 fn measured(scene: &str, vary: &[&str], names: &[&str]) -> Rows {
     let request = Request { measures: Measure::named(names).unwrap(), ..Request::default() };
@@ -136,4 +136,28 @@ fn a_tied_key_follows_its_parameter() {
     );
     let own = request("link.crank.points.A=link.crank.points.A");
     assert!(requested(SLIDER, &vary, own).unwrap_err().to_string().contains("are the same value"));
+}
+
+/// The pin A of the crank runs round O at r: from a place on the x axis at 300 mm it is 300 mm - r and 300 mm + r away.
+#[test]
+fn distances_from_places_are_those_of_a_circle() {
+    let targets = vec![Target::parse("A=300 mm, 0").unwrap(), Target::parse("A=0,0").unwrap()];
+    let request = Request { targets, ..Request::default() };
+    let vary = ["link.crank.points.A=50 mm..100 mm:2"];
+    let table = rows(&requested(SLIDER, &vary, request).unwrap(), 1);
+    for (row, r) in [0.05, 0.1].into_iter().enumerate() {
+        for (name, known) in [
+            ("A_distance_1_least_m", 0.3 - r),
+            ("A_distance_1_least_at_rad", 0.0),
+            ("A_distance_1_greatest_m", 0.3 + r),
+            ("A_distance_1_greatest_at_rad", TAU / 2.0),
+            ("A_distance_2_least_m", r),
+        ] {
+            let found = numbers(&table, name)[row];
+            assert!((found - known).abs() < 1e-12, "{name}: {found}, {known}");
+        }
+    }
+    let request = Request { targets: vec![Target::parse("X=0,0").unwrap()], ..Request::default() };
+    let error = requested(SLIDER, &vary, request).unwrap_err().to_string();
+    assert!(error.contains("points: O, A, B"), "{error}");
 }

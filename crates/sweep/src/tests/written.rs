@@ -2,10 +2,10 @@
 
 use std::num::NonZeroUsize;
 
-use super::{SLIDER, failures, rows, run, sweep};
+use super::{SLIDER, failures, requested, rows, run, sweep};
 use assur_report::csv::Cell;
 
-use crate::{Rows, SweepError};
+use crate::{Measure, Request, Rows, SweepError};
 
 const GRID: [&str; 2] = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
 
@@ -74,7 +74,8 @@ fn the_writer_can_end_a_run() {
 fn the_more_columns_the_fewer_rows_are_in_memory() {
     let points = (0..200).fold(String::new(), |text, i| text + &format!(", P{i} = [0.1, 0.{i:03}]"));
     let scene = SLIDER.replace("A = \"100 mm\"", &format!("A = \"100 mm\"{points}"));
-    let (wide, narrow) = (sweep(&scene, &GRID).unwrap(), sweep(SLIDER, &GRID).unwrap());
+    let asked = Request { measures: Measure::named(&["default", "extremes"]).unwrap(), ..Request::default() };
+    let (wide, narrow) = (requested(&scene, &GRID, asked).unwrap(), sweep(SLIDER, &GRID).unwrap());
     let columns = wide.columns.names().len();
     assert!(columns > 800, "blocks have fewer than 64 points: {columns}");
     let most = 1_usize << 23;
@@ -84,7 +85,7 @@ fn the_more_columns_the_fewer_rows_are_in_memory() {
     );
     assert_eq!(narrow.rows_of_part(1_000_000_000), 65_536);
     // The rows are those of the points one by one.
-    let table = run(&scene, &GRID, 3);
+    let table = rows(&wide, 3);
     let single: String = (0..35).map(|point| wide.row(point).to_csv(false).unwrap()).collect();
     assert_eq!(table.to_csv(false).unwrap(), single);
 }

@@ -80,6 +80,24 @@ pub(super) fn column(state: &State, wanted: &str) -> Option<usize> {
     next(&|name| name == wanted).or_else(|| next(&|name| name.contains(wanted)))
 }
 
+/// The next row behind `now` in which a text occurs as a word of its own, written alike; else as a word; else anywhere.
+pub(super) fn next(rows: &[impl AsRef<str>], now: usize, wanted: &str) -> Option<usize> {
+    let lower = wanted.to_lowercase();
+    let is_word = |row: &str, wanted: &str| {
+        let mut places = row.match_indices(wanted);
+        places.any(|(at, _)| {
+            let (before, after) = (&row[..at], &row[at + wanted.len()..]);
+            !before.ends_with(char::is_alphanumeric) && !after.starts_with(char::is_alphanumeric)
+        })
+    };
+    let fits: [&dyn Fn(&str) -> bool; 3] =
+        [&|row| is_word(row, wanted), &|row| is_word(&row.to_lowercase(), &lower), &|row| {
+            row.to_lowercase().contains(&lower)
+        }];
+    let after = || (1..=rows.len()).map(|step| (now + step) % rows.len());
+    fits.iter().find_map(|fits| after().find(|row| fits(rows[*row].as_ref())))
+}
+
 /// Chooses the next row of the list of the view in which a text occurs; false if there is none.
 pub(super) fn row(state: &mut State, wanted: &str) -> bool {
     let Some((scene, found)) = state.scene.as_ref().zip(state.found()) else { return false };
@@ -97,10 +115,9 @@ pub(super) fn row(state: &mut State, wanted: &str) -> bool {
             (groups.map(name).collect(), |state| &mut state.chosen.group)
         }
     };
-    let rows: Vec<String> = rows.into_iter().map(|row| state.told(row).to_lowercase()).collect();
+    let rows: Vec<String> = rows.into_iter().map(|row| state.told(row)).collect();
     let now = *chosen(state);
-    let mut after = (1..=rows.len()).map(|step| (now + step) % rows.len());
-    let next = after.find(|row| rows[*row].contains(wanted));
+    let next = next(&rows, now, wanted);
     *chosen(state) = next.unwrap_or(now);
     next.is_some()
 }

@@ -29,8 +29,10 @@ fn takers(state: &State) -> Vec<(String, Vec<String>)> {
     let list = |values: &[&str]| values.iter().map(|value| (*value).to_owned()).collect::<Vec<_>>();
     let views = state.commands.iter().filter(|command| command.group == Group::Views);
     let scenes: Vec<_> = SCENES.iter().map(|(name, _)| format!("{name}.toml")).collect();
-    let settings =
-        SETTINGS.iter().map(|setting| (format!("set {}", setting.name), list(setting.kind.words())));
+    // A setting is a word of the line by itself, too.
+    let settings = ["set ", ""].into_iter().flat_map(|set| {
+        SETTINGS.iter().map(move |setting| (format!("{set}{}", setting.name), list(setting.kind.words())))
+    });
     let others = [
         ("point", of_scene("point")),
         ("link", of_scene("link")),
@@ -125,6 +127,7 @@ pub(super) fn run(state: &mut State, line: &str) {
             }
             _ => unknown(state, name),
         },
+        (word, _) if SETTINGS.iter().any(|setting| setting.name == word) => set(state, line),
         _ => unknown(state, word),
     }
 }
@@ -246,7 +249,7 @@ pub(crate) fn search(state: &mut State, text: &str) {
         View::Forces => Some(find::reaction(state, &wanted)),
         View::Plans => Some(find::plan(state, &wanted)),
         View::Working | View::Accuracy => Some(report::find(state, &wanted)),
-        View::Results | View::Checks | View::Structure => Some(find::row(state, &wanted)),
+        View::Results | View::Checks | View::Structure => Some(find::row(state, text)),
         _ => None,
     };
     let not_found = || text!("say-not-found", text = words::name(text.to_owned()));

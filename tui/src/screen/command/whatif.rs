@@ -187,10 +187,9 @@ pub(super) fn set(state: &mut State, rest: &str) -> bool {
 
 /// The next value whose key contains the text.
 pub(super) fn search(state: &mut State, text: &str) {
-    let (wanted, what) = (text.to_lowercase(), &mut state.what_if);
-    let count = what.values.len();
-    let fits = |index: &usize| what.values[*index].key.to_lowercase().contains(&wanted);
-    match (1..=count).map(|step| (what.chosen + step) % count).find(fits) {
+    let what = &mut state.what_if;
+    let keys: Vec<&str> = what.values.iter().map(|value| value.key.as_str()).collect();
+    match super::find::next(&keys, what.chosen, text) {
         Some(index) => what.chosen = index,
         None => state.say(Role::Bad, text!("say-not-found", text = name(text.to_owned()))),
     }

@@ -315,3 +315,25 @@ fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
         assert!(!assembly || text(&state, 80, 24) == before);
     }
 }
+
+/// Of the four modes of the fixture two are left where the strut is 60 mm longer than 0.5 m.
+#[test]
+fn a_changed_length_keeps_the_mode_while_it_exists_and_its_end_is_told() {
+    let strut = |state: &mut State, length: &str| {
+        write(state, &format!(":value link.strut.points.E {length}"));
+        let modes = state.scene.as_ref().and_then(|scene| scene.first_modes(0)).unwrap();
+        let told = text(state, 80, 24).contains("has vanished");
+        (modes.number(modes.present), modes.all.len(), told)
+    };
+    // Way 2 meets way 1 between 0.5 m and 0.56 m.
+    let mut state = scene(assur_fixtures::scene("triad"));
+    assert_eq!(strut(&mut state, "500 mm"), (2, 4, false));
+    assert_eq!(strut(&mut state, "560 mm"), (1, 2, true));
+    // Way 3 goes on, as way 1 of the two that are left.
+    let mut state = scene(assur_fixtures::scene("triad"));
+    state.view = View::Structure;
+    press(&mut state, "] A");
+    assert_eq!(strut(&mut state, "500 mm"), (3, 4, false));
+    assert_eq!(strut(&mut state, "560 mm"), (1, 2, false));
+    assert_eq!(strut(&mut state, "620 mm"), (1, 2, false));
+}

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::UnicodeWidthStr;
 
-use crate::screen::draw::{folded, put, short};
+use crate::screen::draw::{folded, put, short, wrapped};
 use crate::screen::state::{Command, Key, PickerKind, PromptKind, Role, Running, State, View};
 
 /// A command that applies in at most this many views belongs to them.
@@ -28,7 +28,15 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
         let file = name(file.path.display().to_string());
         put(buffer, area, 1, 1, &state.told(text!("overwrite", file = file)), theme.style(Role::Bad));
     } else if let Some((role, text)) = &state.message {
-        put(buffer, area, 1, 1, &state.told(text), theme.style(*role));
+        let told = state.told(text);
+        let lines = wrapped(&told, usize::from(area.width.saturating_sub(2)).max(1));
+        // A long message takes the row of the keys too.
+        if let ([one, other, ..], None) = (&lines[..], &state.picker) {
+            put(buffer, area, 1, 0, one, theme.style(*role));
+            put(buffer, area, 1, 1, other, theme.style(*role));
+            return;
+        }
+        put(buffer, area, 1, 1, &told, theme.style(*role));
     } else if let Some(failure) = failure(state) {
         put(buffer, area, 1, 0, &state.told(failure), theme.style(Role::Bad));
     } else if let Some(running) = state.analyzing() {

@@ -106,7 +106,7 @@ fn cells(state: &State, scene: &Scene, found: &Found, reaction: &Reaction) -> [C
     if let [index] = reaction.series[..] {
         let series = &found.series[index];
         let load = apart.unwrap_or_else(|| Cell::Text(series.show(state.position)));
-        return causes::row(own, None, load);
+        return causes::row(own.short(), None, load);
     }
     let force = value(reaction.series[0]).zip(value(reaction.series[1])).map(|(x, y)| [x, y]);
     let moment = || reaction.moment.map_or_else(|| Text::default().into(), |index| value(index).into());

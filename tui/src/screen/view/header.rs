@@ -10,6 +10,9 @@ use crate::number::digits;
 use crate::screen::draw::{put, short};
 use crate::screen::state::{Role, Scene, State, View, coordinate_unit};
 
+/// Columns that the key of a changed value can spare.
+const KEY_ROOM: usize = 20;
+
 /// Draws the header.
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let style = state.look.theme.style(Role::Header);
@@ -49,7 +52,9 @@ fn changed(state: &State, room: usize) -> Option<String> {
     };
     let refused =
         if what.refused() { " ".to_owned() + &state.told(text!("header-not-taken")) } else { String::new() };
-    let value = format!(" {}{more}{refused}", what.shown(last));
+    // A table of values, such as a motor's, has no room beside its key.
+    let shown = Some(format!(" {}", what.shown(last))).filter(|shown| 2 * shown.width() <= room + KEY_ROOM);
+    let value = format!("{}{more}{refused}", shown.unwrap_or_default());
     let key = values::tail(&what.values[last].key, room.saturating_sub(value.width() + 2).max(6));
     Some(format!("* {key}{value}"))
 }

@@ -85,6 +85,10 @@ fn rows(state: &State, help: &Help) -> Vec<Pieces> {
         rows.extend(glossary);
         rows.push(Vec::new());
     }
+    if rows.is_empty() && !wanted.is_empty() {
+        let sought = name(help.filter.text.to_string());
+        rows.push(vec![(0, Role::Bad, state.told(text!("say-not-found", text = sought)))]);
+    }
     rows.push(vec![(0, Role::Plain, state.told(text!("help-linear")))]);
     rows
 }

@@ -55,7 +55,8 @@ pub(super) fn draw(
     }
 }
 
-/// Draws a table of which a row is chosen: its head and the last `pinned` lines stay, and the chosen row is in sight.
+/// Draws a table of which a row is chosen: its head and the last `pinned` rows or paragraphs stay, and the chosen row is
+/// in sight.
 pub(super) fn draw_chosen(
     state: &State,
     lines: &[Line],
@@ -66,7 +67,9 @@ pub(super) fn draw_chosen(
 ) {
     let (head, rest) = parts(lines);
     let height = usize::from(area.height).saturating_sub(head.len());
-    let (rest, pinned) = rest.split_at(rest.len() - pinned.min(rest.len()).min(height));
+    let last: usize =
+        rest.chunk_by(|one, next| one.kind == next.kind).rev().take(pinned).map(<[Line]>::len).sum();
+    let (rest, pinned) = rest.split_at(rest.len() - last.min(height));
     let height = height - pinned.len();
     // What stands below the rows is in sight with the last one.
     let next = rest.iter().position(|line| line.kind == Kind::Row(chosen + 1));

@@ -145,9 +145,10 @@ pub(super) struct Trial {
 }
 
 impl Trial {
-    /// Decomposes the changed mechanism; `None` if its lengths make no groups.
+    /// Decomposes the changed mechanism without the passive parts; `None` if its lengths make no groups.
     pub(super) fn of(linkage: &Linkage, mechanism: &Mechanism) -> Option<Self> {
-        let structure = Structure::of(mechanism).ok()?;
+        let passive: Vec<_> = linkage.structure.passive.iter().map(|passive| passive.part).collect();
+        let structure = Structure::without(mechanism, &passive).ok()?;
         let chain = Chain::<f64>::compile(mechanism, &structure).ok()?;
         let (ways, closed) = if linkage.change_points().next().is_none() {
             (linkage.ways.clone(), 0.0)

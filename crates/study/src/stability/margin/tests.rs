@@ -150,3 +150,14 @@ fn a_guide_through_a_joint_moves_with_it() {
     check(&found, "bar: C to T", Some(longest - 0.4), None);
     assert!((longest - 0.4 - 0.012).abs() < 1e-4, "{longest}");
 }
+
+/// A second guide is passive: crank and rod may change as with one guide, the guides not at all.
+#[test]
+fn a_passive_guide_takes_no_margin_from_other_lengths() {
+    let second = "B = 0, R = 0.1 }\n[[slide]]\nname = \"rear\"\npoint = \"R\"\nlink = \"slider\"\non = \"ground\"\n[[slide]]";
+    let found = margins(&slider_crank(0.06, 0.24, 0.0).replace("B = 0 }\n[[slide]]", second));
+    check(&found, "crank", Some(0.18), None);
+    check(&found, "rod", None, Some(0.18));
+    check(&found, "rear", Some(0.0), Some(0.0));
+    check(&found, "slider", Some(0.0), Some(0.0));
+}
