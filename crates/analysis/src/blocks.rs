@@ -10,9 +10,10 @@ use rayon::prelude::*;
 
 use crate::families::Columns;
 use crate::filler::{Filler, Obstacle};
-use crate::friction::{Several, jammed};
+use crate::friction::jammed;
 use crate::progress::{Stopped, Watch, step};
 use crate::results::{Failure, Table};
+use crate::several::Several;
 use crate::{Calculation, Progress};
 
 /// Numbers in a block: a quarter of a megabyte, which the cache of a core holds together with their text.

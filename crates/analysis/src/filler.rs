@@ -10,9 +10,9 @@ use assur_number::Lanes;
 
 use crate::Calculation;
 use crate::families::{Columns, Motions, Rows};
-use crate::friction::Several;
 use crate::joints::Joints;
 use crate::results::{Mask, Table};
+use crate::several::Several;
 
 /// Fills tables; the scratch memory of one thread.
 pub(crate) struct Filler<'a> {

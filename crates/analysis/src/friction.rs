@@ -1,8 +1,8 @@
-//! Dry friction over the cycle: works, efficiency, where it brakes itself and where it jams; positions with several solutions.
+//! Dry friction over the cycle: works, efficiency, where it brakes itself and where it jams.
 
-use assur_force::{Doubt, ForceError, FrictionSolution, Kinetostatics, Loads, UnitBalance, joints};
+use assur_force::{ForceError, Kinetostatics, Loads, UnitBalance};
 use assur_group::Order;
-use assur_kinematics::{Linkage, Position};
+use assur_kinematics::Position;
 use assur_mechanism::{Mechanism, PairId};
 use assur_number::search::{bisect, least};
 use assur_structure::name_of;
@@ -28,40 +28,6 @@ pub struct FrictionCycle {
     pub certificate: f64,
 }
 
-/// A position with several solutions.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Several {
-    /// Number of the position.
-    pub index: usize,
-    /// All solutions, ascending by the balancing load.
-    pub solutions: Vec<SolutionReport>,
-    /// Whether there are certainly no others.
-    pub proved: bool,
-    /// Whether they are the ends of a continuum.
-    pub continuum: bool,
-}
-
-/// One of several solutions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SolutionReport {
-    /// The balancing load, N m or N.
-    pub balancing: f64,
-    /// Whether it is the one that all other results are those of.
-    pub taken: bool,
-    /// Forces and moments by pair, as in the results of a position.
-    pub reactions: IndexMap<String, IndexMap<String, Load>>,
-}
-
-/// A force or a moment.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum Load {
-    /// A force, N.
-    Force([f64; 2]),
-    /// A moment, N m.
-    Moment(f64),
-}
-
 /// What is said where a position jams: with one pair its coefficient too.
 pub(crate) fn jammed(mechanism: &Mechanism, error: Text, limit: Option<f64>) -> Text {
     let Some(limit) = limit else { return error };
@@ -72,32 +38,6 @@ pub(crate) fn jammed(mechanism: &Mechanism, error: Text, limit: Option<f64>) -> 
             text!("analysis-jammed-coefficient", error, factor, coefficient)
         }
         _ => text!("analysis-jammed", error, factor),
-    }
-}
-
-impl Several {
-    /// What is told of a position.
-    pub(crate) fn of(linkage: &Linkage, index: usize, doubt: &Doubt) -> Self {
-        let solutions = doubt.solutions.iter().map(|solution| SolutionReport::of(linkage, solution));
-        Self { index, solutions: solutions.collect(), proved: doubt.proved, continuum: doubt.continuum }
-    }
-}
-
-impl SolutionReport {
-    fn of(linkage: &Linkage, solution: &FrictionSolution) -> Self {
-        let mechanism = &linkage.mechanism;
-        let reactions = joints(mechanism, &linkage.structure).into_iter().map(|joint| {
-            let found = joint.reaction(&solution.pairs);
-            let forces = found.forces.iter();
-            let mut all: IndexMap<String, Load> = forces
-                .map(|(link, force)| (mechanism.links[*link].name.to_string(), Load::Force(*force)))
-                .collect();
-            if let Some(moment) = found.moment {
-                all.insert("moment".to_owned(), Load::Moment(moment));
-            }
-            (name_of(mechanism, joint.id).to_string(), all)
-        });
-        Self { balancing: solution.balancing, taken: solution.taken, reactions: reactions.collect() }
     }
 }
 

@@ -27,6 +27,7 @@ mod positions;
 mod progress;
 mod proof;
 pub mod results;
+mod several;
 mod stops;
 mod trajectory;
 

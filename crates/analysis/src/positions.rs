@@ -9,10 +9,10 @@ use assur_words::{Describe, text};
 
 use crate::angles::{Angles, Starts};
 use crate::blocks::{Block, Blocks};
-use crate::friction::Several;
 use crate::notes::Listed;
 use crate::progress::{Stopped, Watch};
 use crate::results::{Analysis, Failure, InputReport, Peaks, Survey, Table};
+use crate::several::Several;
 use crate::{Calculation, Progress};
 
 /// Most failures that are kept in full.

@@ -109,7 +109,7 @@ impl Subject<'_> {
         let mut wrenches = loads.total(state, &position.bodies);
         let mut reactions = Reactions::new(self.linkage).with_friction(loads, self.linkage);
         if let Some(rubbing) = &mut reactions.rubbing {
-            loads.senses(state, &mut rubbing.senses);
+            loads.senses(state, &position.bodies, &mut rubbing.senses);
         }
         method.instance.solve(self.linkage, position, &mut wrenches, &mut reactions).ok()?;
         Some(reactions)

@@ -27,6 +27,7 @@ force-parallel = coordinate { $coordinate }: { $lines } are parallel (angle betw
 force-unsupported = force analyzer `{ $method }` can't treat this mechanism: { $reason }
 force-unlocated-sliding = contact `{ $load }`: its friction is against the sliding, but its angle does not repeat with the cycle of the input, so where the sliding turns can't be found in advance in a motion that is calculated; let the angle repeat with the cycle
 force-jammed = coordinate { $coordinate }: with friction { $what } has no equilibrium, it jams
+force-jammed-unproved = coordinate { $coordinate }: with friction no equilibrium of { $what } was found; it is not proved that there is none
 force-without-friction = it does not treat the friction of pairs
 vector-load = load
 vector-weight = weight

@@ -160,6 +160,8 @@ pub enum ForceError {
         what: Text,
         /// The coordinate, rad or m.
         coordinate: f64,
+        /// Whether there is certainly none; else none was found.
+        proved: bool,
     },
     /// The method can't treat this mechanism.
     Unsupported {
@@ -216,8 +218,11 @@ impl Describe for ForceError {
                 angle = quantity(format_args!("{angle:.3e}"), "rad"),
                 instead = name(*instead)
             ),
-            Self::Jammed { what, coordinate } => {
+            Self::Jammed { what, coordinate, proved: true } => {
                 text!("force-jammed", what, coordinate = at(*coordinate))
+            }
+            Self::Jammed { what, coordinate, proved: false } => {
+                text!("force-jammed-unproved", what, coordinate = at(*coordinate))
             }
             Self::Unsupported { analyzer, reason } => {
                 text!("force-unsupported", method = name(*analyzer), reason)

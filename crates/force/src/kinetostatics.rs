@@ -40,7 +40,7 @@ impl<'a> Kinetostatics<'a> {
         }
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         if let Some(rubbing) = &mut self.reactions.rubbing {
-            self.loads.senses(state, &mut rubbing.senses);
+            self.loads.senses(state, &position.bodies, &mut rubbing.senses);
         }
         let found = self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions);
         if found.is_ok() && self.reactions.balancing.is_finite() {
@@ -56,7 +56,7 @@ impl<'a> Kinetostatics<'a> {
     pub fn jamming_limit(&mut self, state: &State, position: &Position) -> Option<f64> {
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         if let Some(rubbing) = &mut self.reactions.rubbing {
-            self.loads.senses(state, &mut rubbing.senses);
+            self.loads.senses(state, &position.bodies, &mut rubbing.senses);
         }
         self.analyzer.jamming_limit(self.linkage, position, &self.wrenches, &self.reactions)
     }
@@ -65,7 +65,7 @@ impl<'a> Kinetostatics<'a> {
     pub fn iteration(&mut self, state: &State, position: &Position) -> Vec<Iteration> {
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         if let Some(rubbing) = &mut self.reactions.rubbing {
-            self.loads.senses(state, &mut rubbing.senses);
+            self.loads.senses(state, &position.bodies, &mut rubbing.senses);
         }
         self.analyzer.iteration(self.linkage, position, &self.wrenches, &self.reactions)
     }
@@ -135,8 +135,9 @@ impl<'a> LaneKinetostatics<'a> {
         loads.evaluate(states, &position.bodies, &mut self.wrenches);
         if let Some(rubbing) = &mut self.reactions.rubbing {
             rubbing.doubts.clear();
+            loads.write_relative(&position.bodies, &mut rubbing.senses);
             for (lane, state) in states.iter().enumerate() {
-                loads.each_sense(state, |rub, sense| rubbing.senses[rub].0[lane] = sense);
+                loads.turn_to_senses(state, &mut rubbing.senses, |all| &mut all.0[lane]);
             }
         }
         let together = analyzer.solve_lanes(linkage, position, &mut self.wrenches, &mut self.reactions);

@@ -11,10 +11,15 @@ use crate::grid::Span;
 /// PF1 of the sliding below this part of its greatest size is rounding.
 const STILL: f64 = 1e-12;
 
+/// PF1 of the sliding above this part of its greatest size is so far from zero that its own sign is that of the interval.
+const CLEAR: f64 = 1e-6;
+
 /// The intervals of the coordinate in which an arc slides in one sense.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Sliding {
     breaks: Breaks,
+    /// Greatest size of PF1.
+    greatest: f64,
     /// Sign of PF1 of the sliding in each interval; 0 where the arc rolls throughout.
     signs: Vec<f64>,
 }
@@ -81,9 +86,9 @@ impl Sliding {
         }
         if signs.iter().all(|sign| *sign == 0.0) {
             // What never moves has no turns either.
-            return Self { breaks: Breaks::new(Vec::new(), span.period()), signs: vec![0.0] };
+            return Self { breaks: Breaks::new(Vec::new(), span.period()), greatest, signs: vec![0.0] };
         }
-        Self { breaks, signs }
+        Self { breaks, greatest, signs }
     }
 
     /// The coordinates within an interval at which the sliding turns.
@@ -103,6 +108,13 @@ impl Sliding {
     /// Whether nothing slides at any coordinate.
     pub(crate) fn never_moves(&self) -> bool {
         self.signs.iter().all(|sign| *sign == 0.0)
+    }
+
+    /// The sign of PF1 of the sliding, given it at a coordinate or nearby, where the sign is that of the interval of `coordinate`.
+    #[inline(always)]
+    pub(crate) fn sign(&self, first: f64, coordinate: f64) -> f64 {
+        let clear = first.abs() > CLEAR * self.greatest;
+        if clear { first.signum() } else { self.at(coordinate).1 }
     }
 
     /// The interval that holds a coordinate, and the sign of PF1 of the sliding in it.

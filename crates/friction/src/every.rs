@@ -14,6 +14,9 @@ const SIGN: f64 = 1e-9;
 /// for a choice of signs, from microseconds to milliseconds. Groups of two links have no more.
 const MOST: [usize; 4] = [8, 6, 4, 2];
 
+/// Places from which Newton's method looks for solutions where algebra does not give all of them.
+const TRIALS: u32 = 64;
+
 /// All solutions that were found.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Solutions {
@@ -33,6 +36,7 @@ impl Moduli {
         let mut found = Solutions { complete: true, ..Solutions::default() };
         if MOST.get(planes.len()).is_none_or(|most| lines.len() > *most) {
             found.complete = false;
+            self.seek(&mut found);
             return found;
         }
         for signs in 0..1_u32 << lines.len() {
@@ -40,7 +44,24 @@ impl Moduli {
                 (0..lines.len()).map(|i| if signs >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
             self.with_signs(&lines, &planes, &signs, &mut found);
         }
+        if !found.complete {
+            self.seek(&mut found);
+        }
         found
+    }
+
+    /// Adds the solutions to which Newton's method leads from moduli of many sizes.
+    fn seek(&self, found: &mut Solutions) {
+        let size = self.size(&vec![0.0; self.count()]);
+        for trial in 0..TRIALS {
+            // Each modulus has a sequence of its own: the fractions of the multiples of an irrational number.
+            let part = |j: usize| (f64::from(trial) * (1.0 + j as f64).sin()).rem_euclid(1.0);
+            let start: Vec<f64> =
+                (0..self.count()).map(|j| size * 10_f64.powf(4.0 * part(j) - 2.0)).collect();
+            if let Some(z) = self.newton(&start) {
+                self.add(z, found);
+            }
+        }
     }
 
     /// Adds the solutions in which the vectors of one component have these signs.

@@ -11,21 +11,24 @@
 //! Rheinboldt 1970, section 13.1): where the spectral radius of L is below 1 there is exactly one solution, and the textbook
 //! iteration converges to it at this rate. From 1 on there may be none (jamming), one, or several; [`Moduli::solutions`] finds
 //! them all by algebra: the signs of vectors of one component are enumerated, and the remaining equations are quadrics, whose
-//! common points are the eigenvalues of a multiplication matrix.
+//! common points are the eigenvalues of a multiplication matrix. Where these are too many, Newton's method looks for solutions from many
+//! places, and a [`path`] leads to one from small friction.
 //!
 //! Nothing here knows of mechanisms; numbers may have any unit.
 
 mod dense;
 mod every;
 mod moduli;
+mod path;
 mod quadrics;
 mod radius;
 mod unique;
 
 pub use every::Solutions;
 pub use moduli::{Moduli, Width};
+pub use path::{Node, path};
 pub use radius::spectral_radius;
-pub use unique::{MOST, Unique, Vector};
+pub use unique::{Sum, Unique};
 
 #[cfg(test)]
 mod tests;

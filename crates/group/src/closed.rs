@@ -146,6 +146,24 @@ impl<T: Real, K: ClosedForm<T>> Formula for Balance<'_, T, K> {
     }
 }
 
+/// Reactions of a placed group under several sets of loads.
+struct BalanceEach<'a, T, K>(Balance<'a, T, K>, usize);
+
+impl<T: Real, K: ClosedForm<T>> Formula for BalanceEach<'_, T, K> {
+    type Value = Result<(), GroupError>;
+
+    #[inline(always)]
+    fn evaluate(self) -> Result<(), GroupError> {
+        let Self(Balance { form, bodies, loads, reactions }, sets) = self;
+        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
+        let position = form.read(bodies);
+        for (loads, reactions) in loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs)) {
+            form.balance(bodies, &position, loads, reactions)?;
+        }
+        Ok(())
+    }
+}
+
 impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     fn frame(&self) -> &GroupFrame {
         &self.frame
@@ -182,5 +200,15 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
         T::evaluate(Balance { form: &self.form, bodies, loads, reactions })
+    }
+
+    fn reactions_under(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+        sets: usize,
+    ) -> Result<(), GroupError> {
+        T::evaluate(BalanceEach(Balance { form: &self.form, bodies, loads, reactions }, sets))
     }
 }

@@ -124,4 +124,22 @@ pub trait AssurGroup<T: Real = f64>: std::fmt::Debug + Send + Sync {
     ) -> Result<(), GroupError> {
         reactions_generally(self.frame(), bodies, loads, reactions)
     }
+
+    /// Computes the reactions under several sets of loads: `loads` and `reactions` hold, set after set, what
+    /// [`reactions`](Self::reactions) takes. Closed forms share what does not depend on loads.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`reactions`](Self::reactions).
+    fn reactions_under(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+        sets: usize,
+    ) -> Result<(), GroupError> {
+        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
+        let mut each = loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs));
+        each.try_for_each(|(loads, reactions)| self.reactions(bodies, loads, reactions))
+    }
 }

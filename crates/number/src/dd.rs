@@ -148,6 +148,9 @@ impl Real for Dd {
     fn clamp_negative(self) -> Self {
         if self.hi < 0.0 { Self::ZERO } else { self }
     }
+    fn sign(self) -> Self {
+        if self.hi < 0.0 { -Self::ONE } else { Self::ONE }
+    }
     fn sin_cos(self) -> (Self, Self) {
         let turns = (self.hi / HALF_PI[0]).round();
         let n = Self::from_f64(turns);

@@ -120,6 +120,12 @@ impl Real for Intervals {
         Self { middle: self.middle.clamp_negative(), ..self }
     }
     #[inline(always)]
+    fn sign(self) -> Self {
+        let known = |lane: usize| self.middle.0[lane].abs() > self.radius.0[lane];
+        let radius = Lanes::of(|lane| if known(lane) { 0.0 } else { f64::NAN });
+        Self { middle: self.middle.sign(), radius }
+    }
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.middle.sin_cos();
         (Self { middle: sine, ..self }, Self { middle: cosine, ..self })

@@ -113,6 +113,10 @@ impl Real for Lanes {
         self.map(|a| if a < 0.0 { 0.0 } else { a })
     }
     #[inline(always)]
+    fn sign(self) -> Self {
+        self.map(Real::sign)
+    }
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (mut sine, mut cosine, mut all_right) = (self, self, true);
         for lane in 0..Self::WIDTH {

@@ -87,6 +87,9 @@ pub trait Real:
     /// The greater of this number and zero, lane by lane.
     #[must_use]
     fn clamp_negative(self) -> Self;
+    /// -1 for a negative number, else 1, lane by lane.
+    #[must_use]
+    fn sign(self) -> Self;
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
@@ -151,6 +154,10 @@ macro_rules! primitive {
             #[inline(always)]
             fn clamp_negative(self) -> Self {
                 if self < 0.0 { 0.0 } else { self }
+            }
+            #[inline(always)]
+            fn sign(self) -> Self {
+                if self < 0.0 { -1.0 } else { 1.0 }
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {

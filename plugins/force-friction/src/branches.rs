@@ -1,7 +1,7 @@
 //! All solutions of a mechanism: those of the last block, and from each of them on those of the blocks before it.
 
 use assur_force::{Block, ForceError, Iteration};
-use assur_friction::Moduli;
+use assur_friction::{Moduli, Node, path};
 use assur_group::Wrench;
 
 use crate::chain::{Chain, Prepared};
@@ -33,9 +33,6 @@ pub(crate) struct Found {
     /// Spectral radius by group, NaN without friction.
     pub(crate) certificates: Vec<f64>,
 }
-
-/// Steps from no friction to all of it where a block is too large for all of its solutions to be found.
-const STEPS: u32 = 64;
 
 /// Most solutions that are followed from block to block, each of which may have several for each of them.
 const MOST: usize = 64;
@@ -98,31 +95,22 @@ impl Chain<'_> {
         found.continuum |= all.continuum;
         if !all.complete {
             found.proved = false;
-            all.points.extend(self.continued(block, &branch, scale)?);
+            let continued = self.continued(block, &branch, scale)?;
+            all.points.extend(continued.filter(|z| all.points.iter().all(|known| !same(known, z))));
         }
         found.branches.extend(all.points.iter().map(|point| branch.clone().with(block, &prepared, point)));
         Ok(())
     }
 
-    /// The moduli of a solution near expected ones, with all coefficients times `scale`; `near`: greatest deviation as part of them.
-    pub(crate) fn near(
-        &self,
-        loads: &[Wrench<f64>],
-        scale: f64,
-        expected: &[f64],
-        near: f64,
-    ) -> Option<Vec<f64>> {
+    /// The moduli of a solution near expected ones, with all coefficients times `scale`.
+    pub(crate) fn near(&self, loads: &[Wrench<f64>], scale: f64, expected: &[f64]) -> Option<Vec<f64>> {
         let pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
         let mut branch = Branch { loads: loads.to_vec(), pairs, balancing: 0.0, moduli: Vec::new() };
         for block in self.blocks() {
             let prepared = self.prepare(block, (&branch.loads, &branch.pairs), scale).ok()??;
             let known = branch.moduli.len();
             let expected = expected.get(known..known + prepared.moduli.count())?;
-            let found = prepared.moduli.newton(expected)?;
-            let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
-            if found.iter().zip(expected).any(|(z, expected)| (z - expected).abs() > near * size) {
-                return None;
-            }
+            let found = prepared.moduli.near(expected)?;
             branch = branch.with(block, &prepared, &found);
         }
         Some(branch.moduli)
@@ -154,19 +142,20 @@ impl Chain<'_> {
 
     /// The solution of a block to which that without friction leads as the coefficients grow; `None` where it ends before.
     fn continued(&self, block: &Block, branch: &Branch, scale: f64) -> Result<Option<Vec<f64>>, ForceError> {
-        let mut z: Option<Vec<f64>> = None;
-        for step in 1..=STEPS {
-            let part = scale * f64::from(step) / f64::from(STEPS);
-            let Some(prepared) = self.prepare(block, (&branch.loads, &branch.pairs), part)? else {
-                return Ok(None);
-            };
-            let start = z.unwrap_or_else(|| vec![0.0; prepared.moduli.count()]);
-            let next = prepared.moduli.newton(&start).or_else(|| prepared.moduli.follow(&start));
-            let Some(next) = next else { return Ok(None) };
-            z = Some(next);
-        }
-        Ok(z)
+        let moduli = |part: f64| self.prepare(block, (&branch.loads, &branch.pairs), scale * part);
+        let Some(ideal) = moduli(0.0)? else { return Ok(None) };
+        let start = Node { part: 0.0, moduli: ideal.moduli.step(&vec![0.0; ideal.moduli.count()]) };
+        Ok(path(start, |part, expected| moduli(part).ok()??.moduli.near(expected)))
     }
+}
+
+/// Relative difference up to which two solutions are one.
+const SAME: f64 = 1e-6;
+
+/// Whether two solutions are one.
+pub(crate) fn same(one: &[f64], other: &[f64]) -> bool {
+    let size = one.iter().chain(other).fold(0.0_f64, |most, z| most.max(z.abs()));
+    one.iter().zip(other).all(|(a, b)| (a - b).abs() <= SAME * size)
 }
 
 /// Most steps of the iteration that are told, and the relative change at which it stands still.

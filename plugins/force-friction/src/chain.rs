@@ -129,7 +129,7 @@ impl<'a> Chain<'a> {
         for &unknown in &block.unknowns {
             let (mut own, found) = (nothing.clone(), &self.frictions.unknowns[unknown]);
             let factor = self.factor(found, scale);
-            found.load(&self.frictions.rubs[found.rub], &self.position.bodies, factor, &mut own);
+            found.kind.load(&self.frictions.rubs[found.rub], &self.position.bodies, factor, &mut own);
             all.push(self.respond(block, own, no_pairs.clone())?);
         }
         if let Some(unit) = self.unit {

@@ -85,7 +85,7 @@ impl ForceAnalyzer for Friction {
         let Some(taken) = choice::taken(&chain, loads, &found) else {
             let what =
                 found.jammed.map_or_else(|| text!("force-friction-balance"), |block| chain.name(block));
-            return Err(ForceError::Jammed { what, coordinate: position.coordinate });
+            return Err(ForceError::Jammed { what, coordinate: position.coordinate, proved: found.proved });
         };
         let doubt = (found.branches.len() > 1 || !found.proved || found.continuum).then(|| {
             let each = found.branches.iter().enumerate();

@@ -3,64 +3,92 @@
 //! It keeps to small fixed memory. What it can't treat (a certificate of 1 or more, groups that are solved together, a
 //! balancing load elsewhere) is left to [`Chain`](crate::chain::Chain).
 
-use assur_force::{Block, Reactions, Rubbing, Unknown, UnknownKind, input_link};
-use assur_friction::{MOST, Unique, Vector};
+use assur_force::{Block, Frictions, Reactions, Rub, Rubbing, Unknown, UnknownKind, input_link};
+use assur_friction::{Sum, Unique};
 use assur_group::{AssurGroup, Body, Number, Wrench};
 use assur_kinematics::Linkage;
-use assur_number::Real;
-
-/// Most columns of what answers the loads: those without friction, sums of moduli, and normal forces.
-const COLUMNS: usize = 1 + MOST[0] + MOST[2];
-
-/// Most rows: vectors whose moduli count, and normal forces.
-const ROWS: usize = MOST[1] + MOST[2];
+use assur_number::{Formula, Real};
 
 /// A determinant of the linear part below this is zero.
 const SINGULAR: f64 = 1e-14;
 
 /// A mechanism at a position, or eight.
+#[derive(Clone, Copy)]
 pub(crate) struct Quick<'a, T: Real> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) groups: &'a [Box<dyn AssurGroup<T>>],
     pub(crate) bodies: &'a [Body<T>],
 }
 
-/// What is unknown in a block: sums of moduli by rub, then normal forces.
-struct Columns {
-    of: [usize; COLUMNS],
-    sums: usize,
-    count: usize,
+/// What presses in a rub: two parts of its unknown, and the normal force of a slide.
+type Pressing<T> = [T; 3];
+
+/// What presses in each of N rubs by column: without friction, by each sum of moduli of size 1, and by each normal force of size 1
+/// whose friction has a moment; C is 1 + 2 N.
+struct Table<T, const N: usize, const C: usize>([[Pressing<T>; C]; N]);
+
+/// The rubs of a block.
+struct Rubs<'a, T> {
+    frictions: &'a Frictions,
+    senses: &'a [T],
+    bodies: &'a [Body<T>],
+    block: &'a Block,
 }
 
-impl Columns {
-    /// The columns of a block; `None` where there are too many.
-    fn of(block: &Block, unknowns: &[Unknown]) -> Option<Self> {
-        let mut found = Self { of: [0; COLUMNS], sums: 0, count: 1 };
-        for modulus in [true, false] {
-            for &unknown in block.unknowns.iter().filter(|one| unknowns[**one].is_modulus() == modulus) {
-                let again = found.count > 1 && {
-                    let last = &unknowns[found.of[found.count - 1]];
-                    last.rub == unknowns[unknown].rub && modulus && last.is_modulus()
-                };
-                if !again {
-                    *found.of.get_mut(found.count)? = unknown;
-                    found.count += 1;
-                }
-            }
-            if modulus {
-                found.sums = found.count - 1;
-            }
-        }
-        (found.sums <= MOST[0]).then_some(found)
+impl<T: Real> Rubs<'_, T> {
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.block.firsts.len()
+    }
+
+    /// A rub, with the first of what its friction depends on.
+    #[inline(always)]
+    fn rub(&self, index: usize) -> (&Rub, &Unknown) {
+        let unknown = &self.frictions.unknowns[self.block.firsts[index]];
+        (&self.frictions.rubs[unknown.rub], unknown)
+    }
+
+    /// The rubs whose friction has a moment that is linear in the normal force.
+    #[inline(always)]
+    fn shifted(&self) -> impl Iterator<Item = usize> {
+        (0..self.count()).filter(|index| self.rub(*index).0.is_shifted())
+    }
+
+    #[inline(always)]
+    fn factor(&self, index: usize) -> T {
+        let (rub, unknown) = self.rub(index);
+        self.senses[unknown.rub] * T::from_f64(rub.coefficient)
+    }
+
+    /// Adds the load of a sum of moduli, or of a normal force.
+    #[inline(always)]
+    fn load(&self, index: usize, is_normal: bool, size: T, loads: &mut [Wrench<T>]) {
+        let (rub, unknown) = self.rub(index);
+        let kind = if is_normal { UnknownKind::Shift } else { unknown.kind };
+        kind.load(rub, self.bodies, self.factor(index) * size, loads);
     }
 }
 
-/// For each unknown of a block, as rows, the vector by each column.
-type Table<T> = [[[T; 2]; COLUMNS]; ROWS];
+/// Everything, as a formula for the widest instructions.
+struct Whole<'a, 'b, T: Real>(&'a Quick<'a, T>, &'b mut [Wrench<T>], &'b mut Reactions<T>);
+
+impl<T: Number> Formula for Whole<'_, '_, T> {
+    type Value = Option<()>;
+
+    #[inline(always)]
+    fn evaluate(self) -> Option<()> {
+        self.0.blocks(self.1, self.2)
+    }
+}
 
 impl<T: Number> Quick<'_, T> {
     /// Finds reactions and friction; `None`, with loads and results in any state, where it can't.
     pub(crate) fn solve(&self, loads: &mut [Wrench<T>], out: &mut Reactions<T>) -> Option<()> {
+        T::evaluate(Whole(self, loads, out))
+    }
+
+    #[inline(always)]
+    fn blocks(&self, loads: &mut [Wrench<T>], out: &mut Reactions<T>) -> Option<()> {
         let frictions = out.rubbing.as_ref()?.frictions.clone();
         if out.unit.is_some() {
             return None;
@@ -68,12 +96,15 @@ impl<T: Number> Quick<'_, T> {
         out.pairs.fill(Wrench::ZERO);
         for block in &frictions.blocks {
             let [stage] = block.stages[..] else { return None };
-            if block.unknowns.is_empty() {
-                let drive = self.respond(stage, &out.solved, loads, &mut out.pairs)?;
-                out.balancing = if stage == 0 { drive } else { out.balancing };
-            } else {
-                self.block(block, stage, loads, out)?;
+            match block.firsts.len() {
+                0 => {}
+                1 => self.block::<1, 3>(block, stage, loads, out)?,
+                2..=3 => self.block::<3, 7>(block, stage, loads, out)?,
+                4..=6 => self.block::<6, 13>(block, stage, loads, out)?,
+                _ => return None,
             }
+            let drive = self.respond(stage, &out.solved, loads, &mut out.pairs)?;
+            out.balancing = if stage == 0 { drive } else { out.balancing };
         }
         let Reactions { rubbing: Some(rubbing), pairs, .. } = out else { return None };
         self.tell(rubbing, pairs);
@@ -81,7 +112,7 @@ impl<T: Number> Quick<'_, T> {
     }
 
     /// Finds the reactions of a stage; the load of the drive where it is the input link.
-    #[inline]
+    #[inline(always)]
     fn respond(
         &self,
         stage: usize,
@@ -89,95 +120,114 @@ impl<T: Number> Quick<'_, T> {
         loads: &mut [Wrench<T>],
         pairs: &mut [Wrench<T>],
     ) -> Option<T> {
-        match stage.checked_sub(1) {
-            None => {
-                let (pair, input) =
-                    (&self.linkage.structure.pairs[0].pair, self.linkage.mechanism.input.link);
-                let drive;
-                (pairs[0], drive) = input_link(pair, input, self.bodies, loads);
-                Some(drive)
-            }
-            Some(group) => {
-                if solved[group] {
-                    self.groups[group].reactions(self.bodies, loads, pairs).ok()?;
-                }
-                Some(T::ZERO)
-            }
+        let Some(group) = stage.checked_sub(1) else {
+            let pair = &self.linkage.structure.pairs[0].pair;
+            let drive;
+            (pairs[0], drive) = input_link(pair, self.linkage.mechanism.input.link, self.bodies, loads);
+            return Some(drive);
+        };
+        if solved[group] {
+            self.groups[group].reactions(self.bodies, loads, pairs).ok()?;
         }
+        Some(T::ZERO)
+    }
+
+    /// The links of a stage.
+    #[inline(always)]
+    fn links(&self, stage: usize) -> &[usize] {
+        let input = std::slice::from_ref(&self.linkage.mechanism.input.link);
+        stage.checked_sub(1).map_or(input, |group| &self.linkage.structure.groups[group].frame.links)
     }
 
     /// Solves a block of one stage and adds its friction to the loads.
-    fn block(
+    #[inline(always)]
+    fn block<const N: usize, const C: usize>(
         &self,
         block: &Block,
         stage: usize,
         loads: &mut [Wrench<T>],
         out: &mut Reactions<T>,
     ) -> Option<()> {
-        let Reactions { rubbing: Some(rubbing), pairs, solved, scratch_pairs, scratch_bodies, .. } = out
-        else {
-            return None;
-        };
-        let Rubbing { frictions, senses, forces, certificates, .. } = rubbing;
-        let columns = Columns::of(block, &frictions.unknowns)?;
-        let factor = |column: usize| {
-            let rub = frictions.unknowns[columns.of[column]].rub;
-            senses[rub] * T::from_f64(frictions.rubs[rub].coefficient)
-        };
-        let load = |column: usize, size: T, loads: &mut [Wrench<T>]| {
-            let unknown = &frictions.unknowns[columns.of[column]];
-            unknown.load(&frictions.rubs[unknown.rub], self.bodies, factor(column) * size, loads);
-        };
-        let mut table: Table<T> = [[[T::ZERO; 2]; COLUMNS]; ROWS];
-        for column in 0..columns.count {
-            if column == 0 {
-                scratch_bodies.copy_from_slice(loads);
-                scratch_pairs.copy_from_slice(pairs);
-            } else {
-                scratch_bodies.fill(Wrench::ZERO);
-                scratch_pairs.fill(Wrench::ZERO);
-                load(column, T::ONE, scratch_bodies);
-            }
-            self.respond(stage, solved, scratch_bodies, scratch_pairs)?;
-            for (row, &unknown) in block.unknowns.iter().enumerate() {
-                let unknown = &frictions.unknowns[unknown];
-                let rub = &frictions.rubs[unknown.rub];
-                table.get_mut(row)?[column] = unknown.vector(rub, self.bodies, scratch_pairs);
-            }
-        }
-        columns.without_normals(block, &mut table)?;
-        let mut equations = Unique::new(columns.sums);
-        for (row, &unknown) in table.iter().zip(&block.unknowns) {
-            let unknown = &frictions.unknowns[unknown];
-            if unknown.is_modulus() {
-                let of =
-                    (1..=columns.sums).find(|c| frictions.unknowns[columns.of[*c]].rub == unknown.rub)?;
-                let slopes = std::array::from_fn(|k| row[k + 1]);
-                equations.push(Vector { unknown: of - 1, constant: row[0], slopes });
-            }
-        }
-        let (radius, z) = equations.solve()?;
+        let mut table = self.table::<N, C>(block, stage, loads, out)?;
+        let Rubbing { frictions, senses, forces, certificates, .. } = out.rubbing.as_mut()?;
+        let rubs = Rubs { frictions, senses: &senses[..], bodies: self.bodies, block };
+        table.without_normals(&rubs)?;
+        let (radius, z) = table.equations(&rubs).solve()?;
         if let Some(group) = stage.checked_sub(1) {
             certificates[group] = radius;
         }
-        for column in 1..columns.count {
-            let (index, rub) = (column - 1, frictions.unknowns[columns.of[column]].rub);
-            let size = if index < columns.sums {
-                let share = frictions.unknowns[columns.of[column]].share(&frictions.rubs[rub]);
-                forces[rub] = factor(column) * T::from_f64(share) * z[index] + T::ZERO;
-                z[index]
-            } else {
-                let row = &table[block.unknowns.iter().position(|one| *one == columns.of[column])?];
-                (1..=columns.sums).fold(row[0][0], |sum, k| sum + row[k][0] * z[k - 1])
-            };
-            load(column, size, loads);
+        for (index, z) in z.into_iter().enumerate().take(rubs.count()) {
+            let (rub, unknown) = rubs.rub(index);
+            forces[unknown.rub] = rubs.factor(index) * T::from_f64(unknown.share(rub)) * z + T::ZERO;
+            rubs.load(index, false, z, loads);
         }
-        let drive = self.respond(stage, solved, loads, pairs)?;
-        out.balancing = if stage == 0 { drive } else { out.balancing };
+        for index in rubs.shifted() {
+            let row = &table.0[index];
+            let normal = row[1..=N].iter().zip(z).fold(row[0][2], |sum, (by, z)| sum + by[2] * z);
+            rubs.load(index, true, normal, loads);
+        }
         Some(())
     }
 
+    /// What the stage of a block answers to its loads and to the friction of each unknown.
+    #[inline(always)]
+    fn table<const N: usize, const C: usize>(
+        &self,
+        block: &Block,
+        stage: usize,
+        loads: &[Wrench<T>],
+        out: &mut Reactions<T>,
+    ) -> Option<Table<T, N, C>> {
+        let Reactions { rubbing, pairs, solved, scratch_pairs, scratch_bodies, .. } = out;
+        let Rubbing { frictions, senses, .. } = rubbing.as_ref()?;
+        let rubs = Rubs { frictions, senses: &senses[..], bodies: self.bodies, block };
+        let sums = (0..rubs.count()).map(|index| (1 + index, (index, false)));
+        let normals = rubs.shifted().enumerate().map(|(nth, index)| (1 + N + nth, (index, true)));
+        let (links, count) = (loads.len(), pairs.len());
+        let sets = 1 + N + rubs.shifted().count();
+        scratch_bodies.resize(scratch_bodies.len().max(sets * links), Wrench::ZERO);
+        scratch_pairs.resize(scratch_pairs.len().max(sets * count), Wrench::ZERO);
+        // A stage reads the loads of its own links only; a joint may have reactions that are known before.
+        for (set, (own, found)) in scratch_bodies
+            .chunks_exact_mut(links)
+            .zip(scratch_pairs.chunks_exact_mut(count))
+            .enumerate()
+            .take(sets)
+        {
+            for &link in self.links(stage) {
+                own[link] = if set == 0 { loads[link] } else { Wrench::ZERO };
+            }
+            for &(pair, _) in (0..rubs.count()).flat_map(|index| &rubs.rub(index).1.pairs) {
+                found[pair] = if set == 0 { pairs[pair] } else { Wrench::ZERO };
+            }
+        }
+        for (column, (index, is_normal)) in sums.chain(normals) {
+            rubs.load(index, is_normal, T::ONE, &mut scratch_bodies[column * links..]);
+        }
+        let (own, found) = (&mut scratch_bodies[..sets * links], &mut scratch_pairs[..sets * count]);
+        match stage.checked_sub(1) {
+            Some(group) if !solved[group] => {}
+            Some(group) => self.groups[group].reactions_under(self.bodies, own, found, sets).ok()?,
+            None => {
+                for (own, found) in own.chunks_exact_mut(links).zip(found.chunks_exact_mut(count)) {
+                    self.respond(stage, solved, own, found)?;
+                }
+            }
+        }
+        let mut table = Table([[[T::ZERO; 3]; C]; N]);
+        for (index, row) in table.0.iter_mut().enumerate().take(rubs.count()) {
+            let (rub, unknown) = rubs.rub(index);
+            let pressing = unknown.pressing(rub, self.bodies);
+            for (entry, found) in row.iter_mut().zip(found.chunks_exact(count)) {
+                let ([one, other], normal) = pressing.of(&unknown.load_on(found));
+                *entry = [one, other, normal];
+            }
+        }
+        Some(table)
+    }
+
     /// Adds friction to the reactions in its pairs.
+    #[inline(always)]
     fn tell(&self, rubbing: &Rubbing<T>, pairs: &mut [Wrench<T>]) {
         let Rubbing { frictions, senses, forces, .. } = rubbing;
         for unknown in frictions.unknowns.iter().filter(|unknown| unknown.kind == UnknownKind::Shift) {
@@ -204,29 +254,46 @@ impl<T: Number> Quick<'_, T> {
     }
 }
 
-impl Columns {
+impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
     /// Expresses the normal forces by the sums of moduli; `None` where these determine none.
-    fn without_normals<T: Real>(&self, block: &Block, table: &mut Table<T>) -> Option<()> {
-        for column in self.sums + 1..self.count {
-            let own = block.unknowns.iter().position(|one| *one == self.of[column])?;
-            let left = T::ONE - table[own][column][0];
+    #[inline(always)]
+    fn without_normals(&mut self, rubs: &Rubs<'_, T>) -> Option<()> {
+        for (nth, own) in rubs.shifted().enumerate() {
+            let column = 1 + N + nth;
+            let left = T::ONE - self.0[own][column][2];
             if !left.abs().at_least(SINGULAR) {
                 return None;
             }
-            let gains: [T; COLUMNS] =
-                std::array::from_fn(|c| if c == column { T::ZERO } else { table[own][c][0] / left });
-            for row in &mut table[..block.unknowns.len()] {
+            let inverse = T::ONE / left;
+            let gains: [T; C] = std::array::from_fn(|c| self.0[own][c][2] * inverse);
+            for row in &mut self.0 {
                 let by = row[column];
-                for (entry, gain) in row[..self.count].iter_mut().zip(gains) {
-                    entry[0] += by[0] * gain;
-                    entry[1] += by[1] * gain;
+                row[column] = [T::ZERO; 3];
+                for (c, (entry, gain)) in row.iter_mut().zip(gains).enumerate() {
+                    if c != column {
+                        entry.iter_mut().zip(by).for_each(|(entry, by)| *entry += by * gain);
+                    }
                 }
-                row[column] = [T::ZERO; 2];
-            }
-            for (entry, gain) in table[own].iter_mut().zip(gains) {
-                entry[0] = gain;
             }
         }
         Some(())
+    }
+
+    /// The equations of the sums of moduli.
+    #[inline(always)]
+    fn equations(&self, rubs: &Rubs<'_, T>) -> Unique<T, N> {
+        let parts = |[one, other, _]: Pressing<T>| [one, other];
+        let of = |index: usize| {
+            if index >= rubs.count() {
+                return Sum::NONE;
+            }
+            let row = &self.0[index];
+            Sum {
+                is_vector: !rubs.rub(index).0.slides(),
+                constant: parts(row[0]),
+                slopes: std::array::from_fn(|k| parts(row[k + 1])),
+            }
+        };
+        Unique(std::array::from_fn(of))
     }
 }

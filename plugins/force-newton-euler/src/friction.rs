@@ -5,7 +5,7 @@
 //! force and stands in the system itself.
 
 use assur_force::{Reactions, Rubbing as Found};
-use assur_friction::{Moduli, Width};
+use assur_friction::{Moduli, Node, Width, path};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{LinkId, Mechanism, Middle, PairId, Rubbing};
 
@@ -27,9 +27,6 @@ enum Kind {
     /// Normal force of a slide: its part, and the factor of the moment about the middle.
     Press { part: f64, by_moment: f64, middle: Middle },
 }
-
-/// Steps from no friction to all of it, where a solution is not the only one.
-const STEPS: u32 = 256;
 
 /// Moments of the faces of all slides by unit of normal force: what stands in the system.
 pub(crate) fn shifts(mechanism: &Mechanism, senses: &[f64]) -> Vec<f64> {
@@ -70,6 +67,15 @@ fn moduli(mechanism: &Mechanism, senses: &[f64]) -> Vec<Modulus> {
     all
 }
 
+/// Whether a mechanism with friction has an equilibrium.
+pub(crate) enum Equilibrium {
+    Found,
+    /// None was found; whether there is certainly none.
+    None {
+        proved: bool,
+    },
+}
+
 /// What a mechanism is at a position.
 pub(crate) struct Frictional<'a> {
     pub(crate) system: &'a System<'a>,
@@ -78,8 +84,8 @@ pub(crate) struct Frictional<'a> {
 }
 
 impl Frictional<'_> {
-    /// Reactions with friction; `None` where there is no solution. Where several may exist, the one that follows from
-    /// small coefficients, else that of the least balancing load.
+    /// Reactions with friction. Where several may exist, those of the one that follows from small coefficients, else of that of the
+    /// least balancing load.
     ///
     /// # Errors
     ///
@@ -90,13 +96,13 @@ impl Frictional<'_> {
         found: &mut Found,
         put: impl Fn(&Solution, &mut Reactions),
         out: &mut Reactions,
-    ) -> Result<bool, f64> {
+    ) -> Result<Equilibrium, f64> {
         if found.senses.iter().any(|sense| sense.is_nan()) {
             // At rest friction is not determined.
             out.pairs.fill(Wrench { fx: f64::NAN, fy: f64::NAN, m: f64::NAN });
             out.balancing = f64::NAN;
             found.forces.fill(f64::NAN);
-            return Ok(true);
+            return Ok(Equilibrium::Found);
         }
         let unknowns = moduli(self.mechanism, &found.senses);
         let prepared = |part: f64| self.equations(loads, &found.senses, &unknowns, part);
@@ -104,21 +110,21 @@ impl Frictional<'_> {
         let radius = system.certificate();
         let zero = vec![0.0; unknowns.len()];
         let sum = |z: &[f64]| each.iter().zip(z).fold(base.clone(), |sum, (one, z)| sum.plus(*z, one));
+        let mut proved = true;
         let z = if radius < 1.0 {
             system.follow(&zero)
         } else {
-            let by_steps = (1..=STEPS).try_fold(zero, |z, step| {
-                let (_, _, system) = prepared(f64::from(step) / f64::from(STEPS)).ok()?;
-                system.newton(&z)
-            });
+            let near = |part: f64, expected: &[f64]| prepared(part).ok()?.2.near(expected);
+            let by_steps = path(Node { part: 0.0, moduli: prepared(0.0)?.2.step(&zero) }, near);
             let least = || {
-                let all = system.solutions().points;
+                let all = system.solutions();
+                proved = all.complete;
                 let size = |z: &[f64]| sum(z).balancing.abs();
-                all.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)))
+                all.points.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)))
             };
             by_steps.or_else(least)
         };
-        let Some(z) = z else { return Ok(false) };
+        let Some(z) = z else { return Ok(Equilibrium::None { proved }) };
         put(&sum(&z), out);
         found.forces.fill(0.0);
         for (unknown, z) in unknowns.iter().zip(&z) {
@@ -128,7 +134,7 @@ impl Frictional<'_> {
             };
             found.forces[unknown.rub] += size;
         }
-        Ok(true)
+        Ok(Equilibrium::Found)
     }
 
     /// The solution without moduli, that by each, and the equations of the moduli, with all coefficients times `part`.

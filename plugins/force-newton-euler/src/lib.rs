@@ -16,7 +16,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_mechanism::PairId;
 use assur_words::{Text, text};
 
-use friction::{Frictional, add_to_pairs};
+use friction::{Equilibrium, Frictional, add_to_pairs};
 use system::{Solution, System};
 
 assur_words::resources!();
@@ -81,14 +81,16 @@ impl ForceAnalyzer for NewtonEuler {
         let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
         let frictional = Frictional { system: &system, mechanism, bodies };
         let found = frictional.solve(loads, &mut rubbing, put, out);
-        if matches!(found, Ok(true)) {
+        if matches!(found, Ok(Equilibrium::Found)) {
             add_to_pairs(mechanism, bodies, &rubbing, &mut out.pairs);
         }
         out.rubbing = Some(rubbing);
-        if !found.map_err(singular)? {
-            return Err(ForceError::Jammed { what: text!("force-newton-euler-all"), coordinate });
+        match found.map_err(singular)? {
+            Equilibrium::Found => Ok(()),
+            Equilibrium::None { proved } => {
+                Err(ForceError::Jammed { what: text!("force-newton-euler-all"), coordinate, proved })
+            }
         }
-        Ok(())
     }
 }
 

@@ -8,7 +8,7 @@ use assur_words::{Text, number, text};
 
 use super::Listed;
 use crate::Calculation;
-use crate::friction::Several;
+use crate::several::Several;
 
 impl Calculation {
     /// Pairs with friction that rest, always or in some positions, and positions with several solutions.

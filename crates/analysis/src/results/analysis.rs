@@ -9,8 +9,9 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 use super::Owner;
-use crate::friction::{FrictionCycle, Several};
+use crate::friction::FrictionCycle;
 use crate::results::{Dynamics, Peaks, Starts, StructureReport, Survey, Table};
+use crate::several::Several;
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.
 #[derive(Debug, Clone, PartialEq)]

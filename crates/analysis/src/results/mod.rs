@@ -31,7 +31,8 @@ mod table;
 pub use crate::angles::Starts;
 pub use crate::edges::Edges;
 pub use crate::extremes::{Peaks, Turn};
-pub use crate::friction::{FrictionCycle, Load, Several, SolutionReport};
+pub use crate::friction::FrictionCycle;
+pub use crate::several::{Load, Several, SolutionReport};
 pub use analysis::{
     Analysis, Checks, Cycle, Energy, Failure, InputReport, Integration, PositionPlans, Residual,
 };

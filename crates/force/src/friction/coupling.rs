@@ -15,12 +15,18 @@ pub struct Block {
     pub stages: Vec<usize>,
     /// Indices of the unknowns of friction that are found with it.
     pub unknowns: Vec<usize>,
+    /// Of these, the first of each rub.
+    pub firsts: Vec<usize>,
 }
 
 impl Block {
     /// The groups of the block, in solving order of the forces.
     pub fn groups(&self) -> impl Iterator<Item = usize> {
         self.stages.iter().filter_map(|stage| stage.checked_sub(1))
+    }
+
+    fn of(stages: impl Iterator<Item = usize>) -> Self {
+        Self { stages: stages.collect(), unknowns: Vec::new(), firsts: Vec::new() }
     }
 
     /// The blocks of a mechanism in solving order, and the whole of it as one.
@@ -59,7 +65,11 @@ impl Block {
                 block.unknowns.push(index);
             }
         }
-        let whole = Self { stages: (0..count).rev().collect(), unknowns: (0..unknowns.len()).collect() };
+        let mut whole = Self { unknowns: (0..unknowns.len()).collect(), ..Self::of((0..count).rev()) };
+        for block in blocks.iter_mut().chain([&mut whole]) {
+            block.firsts.clone_from(&block.unknowns);
+            block.firsts.dedup_by_key(|unknown| unknowns[*unknown].rub);
+        }
         (blocks, whole)
     }
 }
@@ -99,10 +109,7 @@ fn components(depends: &[Vec<bool>]) -> Vec<Block> {
         left.iter().all(|&other| !reaches[stage][other] || reaches[other][stage] || other == stage)
     }) {
         let together = |stage: &usize| *stage == first || reaches[first][*stage] && reaches[*stage][first];
-        blocks.push(Block {
-            stages: left.iter().copied().filter(|stage| together(stage)).collect(),
-            unknowns: Vec::new(),
-        });
+        blocks.push(Block::of(left.iter().copied().filter(together)));
         left.retain(|stage| !together(stage));
     }
     blocks

@@ -151,19 +151,32 @@ impl Loads {
     /// it is as if the input moved along its direction, and a motion that starts has the sense of its acceleration; where the
     /// relative speed is zero, the sign just after the state holds (just before the end of a motion). Where a motion is held at
     /// rest, the friction of what else would move is not determined: NaN.
-    pub fn senses(&self, state: &State, senses: &mut [f64]) {
-        self.each_sense(state, |rub, sense| senses[rub] = sense);
+    pub fn senses(&self, state: &State, bodies: &[Body<f64>], senses: &mut [f64]) {
+        self.write_relative(bodies, senses);
+        self.turn_to_senses(state, senses, |speed| speed);
     }
 
-    /// Tells for each rub what [`senses`](Self::senses) writes.
-    pub(crate) fn each_sense(&self, state: &State, mut put: impl FnMut(usize, f64)) {
+    /// Writes the relative speed of each rub at dq/dt = 1.
+    pub(crate) fn write_relative<T: Real>(&self, bodies: &[Body<T>], speeds: &mut [T]) {
+        let rubs = self.frictions.iter().flat_map(|frictions| &frictions.rubs);
+        speeds.iter_mut().zip(rubs).for_each(|(speed, rub)| *speed = rub.relative(bodies));
+    }
+
+    /// Puts the [`senses`](Self::senses) of a state (of a lane) in the place of the relative speeds.
+    pub(crate) fn turn_to_senses<T>(
+        &self,
+        state: &State,
+        speeds: &mut [T],
+        lane: impl Fn(&mut T) -> &mut f64,
+    ) {
         let Some(frictions) = &self.frictions else { return };
         let side = self.side_of_friction(state);
         let ahead = side.coordinate(state, self.period);
         let rests = state.speed == 0.0 && matches!(state.side, Side::Held { .. });
-        for (index, rub) in frictions.rubs.iter().enumerate() {
-            let sign = rub.sliding.at(ahead).1;
-            put(index, if rests && !rub.rests() { f64::NAN } else { side.sense * sign });
+        for (rub, speed) in frictions.rubs.iter().zip(speeds) {
+            let speed = lane(speed);
+            let sign = rub.sliding.sign(*speed, ahead);
+            *speed = if rests && !rub.rests() { f64::NAN } else { side.sense * sign };
         }
     }
 

@@ -26,8 +26,8 @@ pub struct Rub {
     pub coefficient: f64,
     /// What rubs.
     pub rubbing: Rubbing,
-    /// Of a slide: the point of the sliding link, and a point and the direction (rad) of the guide.
-    pub(crate) guide: ([f64; 2], [f64; 2], f64),
+    /// Of a slide: the point of the sliding link, and a point and the direction of the guide.
+    pub(crate) guide: [[f64; 2]; 3],
     /// The pairs of the structure from the link to the other, each with 1 where the load on its body `a` is that on the link, else
     /// -1.
     pub path: Vec<(usize, f64)>,
@@ -43,10 +43,10 @@ impl Rub {
         for (index, friction) in mechanism.frictions.iter().enumerate() {
             for [link, on] in mechanism.rubbing(friction) {
                 let guide = match friction.pair {
-                    PairId::Pin(_) => ([0.0; 2], [0.0; 2], 0.0),
+                    PairId::Pin(_) => [[0.0; 2]; 3],
                     PairId::Slide(id) => {
                         let slide = &mechanism.slides[id];
-                        (slide.point, slide.through, slide.angle)
+                        [slide.point, slide.through, direction(slide.angle)]
                     }
                 };
                 let slides = matches!(friction.pair, PairId::Slide(_));
@@ -78,6 +78,11 @@ impl Rub {
         matches!(self.pair, PairId::Slide(_))
     }
 
+    /// Whether it slides on faces beside the guide line, so that its friction has a moment about the line.
+    pub fn is_shifted(&self) -> bool {
+        matches!(self.rubbing, Rubbing::Faces { offset, .. } if offset != 0.0)
+    }
+
     /// Whether the two links never move on each other.
     pub fn rests(&self) -> bool {
         self.sliding.never_moves()
@@ -91,35 +96,37 @@ impl Rub {
     }
 
     /// Relative speed at dq/dt = 1, of the turning (rad) or of the sliding along the guide (m).
+    #[inline(always)]
     pub fn relative<T: Real>(&self, bodies: &[Body<T>]) -> T {
         let (link, on) = (&bodies[self.link], &bodies[self.on]);
         match self.pair {
             PairId::Pin(_) => link.w1 - on.w1,
             PairId::Slide(_) => {
-                let (point, through, angle) = self.guide;
-                let difference =
-                    minus(link.first(link.arm(vector(point))), on.first(on.arm(vector(through))));
-                dot(difference, on.turned(direction(angle)))
+                let [point, through, along] = self.guide.map(vector);
+                dot(minus(link.first(link.arm(point)), on.first(on.arm(through))), on.turned(along))
             }
         }
     }
 
     /// The unit vector along the guide of a slide.
+    #[inline(always)]
     pub fn along<T: Real>(&self, bodies: &[Body<T>]) -> [T; 2] {
-        bodies[self.on].turned(direction(self.guide.2))
+        bodies[self.on].turned(vector(self.guide[2]))
     }
 
     /// Displacement of a slide: the distance of its point from that of the guide, m.
+    #[inline(always)]
     pub fn displacement<T: Real>(&self, bodies: &[Body<T>]) -> T {
-        let [point, through] =
-            [bodies[self.link].point(vector(self.guide.0)), bodies[self.on].point(vector(self.guide.1))];
+        let [point, through, _] = self.guide.map(vector);
+        let [point, through] = [bodies[self.link].point(point), bodies[self.on].point(through)];
         dot(minus(point, through), self.along(bodies))
     }
 
     /// Arms of the point of a slide, from the origin of the sliding link and of the link that carries the guide.
+    #[inline(always)]
     pub fn arms<T: Real>(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
         let (link, on) = (&bodies[self.link], &bodies[self.on]);
-        let arm = link.arm(vector(self.guide.0));
+        let arm = link.arm(vector(self.guide[0]));
         [arm, [link.x + arm[0] - on.x, link.y + arm[1] - on.y]]
     }
 }
@@ -130,8 +137,8 @@ fn turning(link: &Body<f64>, on: &Body<f64>) -> Rate {
 }
 
 /// The sliding of a link along the guide of another.
-fn along(link: &Body<f64>, on: &Body<f64>, (point, through, angle): ([f64; 2], [f64; 2], f64)) -> Rate {
-    let guide: [f64; 2] = on.turned(direction(angle));
+fn along(link: &Body<f64>, on: &Body<f64>, [point, through, guide]: [[f64; 2]; 3]) -> Rate {
+    let guide = on.turned(guide);
     let [v, a] = link.motion(link.arm(point));
     let [v_on, a_on] = on.motion(on.arm(through));
     let (relative, change) = (minus(v, v_on), minus(a, a_on));

@@ -1,6 +1,6 @@
 //! What friction depends on, and the loads that it gives.
 
-use assur_group::plane::{perp, scaled};
+use assur_group::plane::{dot, perp, scaled};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Mechanism, Middle, Rubbing};
 use assur_number::Real;
@@ -48,10 +48,10 @@ impl Unknown {
             match rub.rubbing {
                 Rubbing::Journal { .. } => add(UnknownKind::Force),
                 Rubbing::Place => add(UnknownKind::Normal),
-                Rubbing::Faces { offset, .. } => {
+                Rubbing::Faces { .. } => {
                     add(UnknownKind::End(1.0));
                     add(UnknownKind::End(-1.0));
-                    if offset != 0.0 {
+                    if rub.is_shifted() {
                         add(UnknownKind::Shift);
                     }
                 }
@@ -66,8 +66,19 @@ impl Unknown {
     }
 
     /// The vector whose modulus it is, from reactions without the loads of friction; of a slide its first component.
-    #[inline]
+    #[inline(always)]
     pub fn vector<T: Real>(&self, rub: &Rub, bodies: &[Body<T>], reactions: &[Wrench<T>]) -> [T; 2] {
+        let (parts, normal) = self.pressing(rub, bodies).of(&self.load_on(reactions));
+        match self.kind {
+            UnknownKind::Force => parts,
+            UnknownKind::Normal | UnknownKind::Shift => [normal, T::ZERO],
+            UnknownKind::End(sign) => [parts[usize::from(sign < 0.0)], T::ZERO],
+        }
+    }
+
+    /// The load on the link of its rub, from reactions.
+    #[inline(always)]
+    pub fn load_on<T: Real>(&self, reactions: &[Wrench<T>]) -> Wrench<T> {
         let mut sum = Wrench::ZERO;
         for &(pair, factor) in &self.pairs {
             let (factor, one) = (T::from_f64(factor), &reactions[pair]);
@@ -75,38 +86,23 @@ impl Unknown {
             sum.fy += factor * one.fy;
             sum.m += factor * one.m;
         }
-        if self.kind == UnknownKind::Force {
-            return [sum.fx, sum.fy];
-        }
-        let [x, y] = perp(rub.along(bodies));
-        let normal = x * sum.fx + y * sum.fy;
-        let (UnknownKind::End(sign), Rubbing::Faces { length, middle, .. }) = (self.kind, rub.rubbing) else {
-            return [normal, T::ZERO];
-        };
-        let moment = match middle {
-            Middle::Point => sum.m,
-            Middle::Through => sum.m + rub.displacement(bodies) * normal,
-        };
-        [normal.half() + moment * T::from_f64(sign / length), T::ZERO]
+        sum
     }
 
-    /// Adds the loads that it gives where it has size 1, the coefficient is 1 and the relative speed positive, times a factor.
-    #[inline]
-    pub fn load<T: Real>(&self, rub: &Rub, bodies: &[Body<T>], factor: T, loads: &mut [Wrench<T>]) {
-        match (self.kind, rub.rubbing) {
-            (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
-            | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => {
-                let moment = -(factor * T::from_f64(lever));
-                loads[rub.link].m += moment;
-                loads[rub.on].m += -moment;
-            }
-            (UnknownKind::Normal | UnknownKind::End(_), _) => {
-                let force = scaled(-factor, rub.along(bodies));
-                let [arm, arm_on] = rub.arms(bodies);
-                loads[rub.link].add_at(arm, force, T::ZERO);
-                loads[rub.on].add_at(arm_on, [-force[0], -force[1]], T::ZERO);
-            }
-            _ => {}
+    /// How a load presses in its rub.
+    #[inline(always)]
+    pub fn pressing<T: Real>(&self, rub: &Rub, bodies: &[Body<T>]) -> Pressing<T> {
+        match rub.rubbing {
+            Rubbing::Journal { .. } => Pressing::Pin,
+            Rubbing::Place => Pressing::Place { across: perp(rub.along(bodies)) },
+            Rubbing::Faces { length, middle, .. } => Pressing::Ends {
+                across: perp(rub.along(bodies)),
+                shift: match middle {
+                    Middle::Point => T::ZERO,
+                    Middle::Through => rub.displacement(bodies),
+                },
+                length,
+            },
         }
     }
 
@@ -127,6 +123,69 @@ impl Unknown {
             (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
             | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => -lever,
             _ => 0.0,
+        }
+    }
+}
+
+impl UnknownKind {
+    /// Adds the loads that it gives where it has size 1, the coefficient is 1 and the relative speed positive, times a factor.
+    #[inline(always)]
+    pub fn load<T: Real>(self, rub: &Rub, bodies: &[Body<T>], factor: T, loads: &mut [Wrench<T>]) {
+        match (self, rub.rubbing) {
+            (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
+            | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => {
+                let moment = -(factor * T::from_f64(lever));
+                loads[rub.link].m += moment;
+                loads[rub.on].m += -moment;
+            }
+            (UnknownKind::Normal | UnknownKind::End(_), _) => {
+                let force = scaled(-factor, rub.along(bodies));
+                let [arm, arm_on] = rub.arms(bodies);
+                loads[rub.link].add_at(arm, force, T::ZERO);
+                loads[rub.on].add_at(arm_on, [-force[0], -force[1]], T::ZERO);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// How a load presses in a rub.
+#[derive(Debug, Clone, Copy)]
+pub enum Pressing<T> {
+    /// By its force.
+    Pin,
+    /// By its component across the guide.
+    Place {
+        /// The left normal of the guide.
+        across: [T; 2],
+    },
+    /// By the forces on both ends.
+    Ends {
+        /// The left normal of the guide.
+        across: [T; 2],
+        /// From the middle of the contact to the point of the slide, m.
+        shift: T,
+        /// Length of the contact, m.
+        length: f64,
+    },
+}
+
+impl<T: Real> Pressing<T> {
+    /// What presses without the loads of friction: the force of a pin, or the forces on both ends of a slide (all of it first where
+    /// it is pressed in one place); and the normal force of a slide.
+    #[inline(always)]
+    pub fn of(&self, load: &Wrench<T>) -> ([T; 2], T) {
+        match *self {
+            Self::Pin => ([load.fx, load.fy], T::ZERO),
+            Self::Place { across } => {
+                let normal = dot(across, load.force());
+                ([normal, T::ZERO], normal)
+            }
+            Self::Ends { across, shift, length } => {
+                let normal = dot(across, load.force());
+                let part = (load.m + shift * normal) * T::from_f64(1.0 / length);
+                ([normal.half() + part, normal.half() - part], normal)
+            }
         }
     }
 }

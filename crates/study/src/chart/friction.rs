@@ -38,8 +38,8 @@ impl<'a> Rubbed<'a> {
         let linkage = loaded.work.linkage;
         let states: Vec<State> = (0..loaded.positions.len()).map(|index| loaded.state(index)).collect();
         let mut senses = vec![vec![0.0; frictions.rubs.len()]; states.len()];
-        for (state, senses) in states.iter().zip(&mut senses) {
-            loads.senses(state, senses);
+        for ((state, position), senses) in states.iter().zip(&loaded.positions).zip(&mut senses) {
+            loads.senses(state, &position.bodies, senses);
         }
         let speed = |position: &Position, rub: usize| frictions.rubs[rub].relative(&position.bodies).abs();
         let most = |rub: usize| loaded.positions.iter().map(|one| speed(one, rub)).fold(0.0, f64::max);
@@ -114,7 +114,7 @@ impl<'a> Rubbed<'a> {
                 let rub = &self.frictions.rubs[unknown.rub];
                 let [sense, speed] = self.senses[index][unknown.rub];
                 let smooth = if width > 0.0 { speed / speed.hypot(width) } else { 1.0 };
-                unknown.load(rub, &position.bodies, sense * smooth * rub.coefficient * size, &mut own);
+                unknown.kind.load(rub, &position.bodies, sense * smooth * rub.coefficient * size, &mut own);
             }
             let solved = self.ideal.instance.solve(self.linkage(), position, &mut own, out);
             solved.map_err(|error| error.describe())?;

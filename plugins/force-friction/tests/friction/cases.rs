@@ -391,14 +391,15 @@ fn little_friction_costs_the_powers_of_the_ideal_reactions() {
         let state = State::prescribed(&linkage.mechanism, coordinate);
         ideal.solve(&state, &position).unwrap();
         let mut senses = vec![0.0; frictions.rubs.len()];
-        loads.senses(&state, &mut senses);
+        loads.senses(&state, &position.bodies, &mut senses);
         let mut sum = ideal.reactions.balancing;
         for unknown in &frictions.unknowns {
             let rub = &frictions.rubs[unknown.rub];
             let [x, y] = unknown.vector(rub, &position.bodies, &ideal.reactions.pairs);
             let factor = senses[unknown.rub] * rub.coefficient * x.hypot(y);
             let mut own = vec![assur_group::Wrench::ZERO; position.bodies.len()];
-            unknown.load(rub, &position.bodies, if unknown.is_modulus() { factor } else { 0.0 }, &mut own);
+            let factor = if unknown.is_modulus() { factor } else { 0.0 };
+            unknown.kind.load(rub, &position.bodies, factor, &mut own);
             sum -= own.iter().zip(&position.bodies).map(|(load, body)| power(load, body)).sum::<f64>();
         }
         let (found, ..) = solved(&linkage, "coulomb", coordinate).unwrap();
