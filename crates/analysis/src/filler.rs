@@ -138,8 +138,14 @@ impl<'a> Filler<'a> {
         joints.sum(&forces.reactions);
         if let Some(rubbing) = &mut forces.reactions.rubbing {
             let doubts = rubbing.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
+            let open = |lane: usize| {
+                let open = forces.reactions.open.iter();
+                open.map(|open| !calculation.least_norm && open.0[lane] > 0.0).collect::<Vec<_>>()
+            };
             let linkage = &calculation.linkage;
-            several.extend(doubts.map(|(lane, doubt)| Several::of(linkage, first + lane, &doubt)));
+            several.extend(
+                doubts.map(|(lane, doubt)| Several::of(linkage, first + lane, &doubt, &open(lane))),
+            );
         }
         let (mut determined, mut balancing) = (rows, forces.reactions.balancing.0.map(Some));
         let obstacle = |(lane, error): (usize, ForceError)| {

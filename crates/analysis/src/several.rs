@@ -38,27 +38,33 @@ pub enum Load {
     Force([f64; 2]),
     /// A moment, N m.
     Moment(f64),
+    /// What passive links leave undetermined.
+    Open,
 }
 
 impl Several {
-    /// What is told of a position.
-    pub(crate) fn of(linkage: &Linkage, index: usize, doubt: &Doubt) -> Self {
-        let solutions = doubt.solutions.iter().map(|solution| SolutionReport::of(linkage, solution));
+    /// What is told of a position; `open`: which reactions are undetermined, by [`Joint::open`](assur_force::Joint::open).
+    pub(crate) fn of(linkage: &Linkage, index: usize, doubt: &Doubt, open: &[bool]) -> Self {
+        let solutions = doubt.solutions.iter().map(|solution| SolutionReport::of(linkage, solution, open));
         Self { index, solutions: solutions.collect(), proved: doubt.proved, continuum: doubt.continuum }
     }
 }
 
 impl SolutionReport {
-    fn of(linkage: &Linkage, solution: &FrictionSolution) -> Self {
+    fn of(linkage: &Linkage, solution: &FrictionSolution, open: &[bool]) -> Self {
         let mechanism = &linkage.mechanism;
         let reactions = joints(mechanism, &linkage.structure).into_iter().map(|joint| {
             let found = joint.reaction(&solution.pairs);
-            let forces = found.forces.iter();
+            let open = joint.open(open);
+            let or_open = |nth: usize, load| if open.get(nth) == Some(&true) { Load::Open } else { load };
+            let forces = found.forces.iter().enumerate();
             let mut all: IndexMap<String, Load> = forces
-                .map(|(link, force)| (mechanism.links[*link].name.to_string(), Load::Force(*force)))
+                .map(|(nth, (link, force))| {
+                    (mechanism.links[*link].name.to_string(), or_open(nth, Load::Force(*force)))
+                })
                 .collect();
             if let Some(moment) = found.moment {
-                all.insert("moment".to_owned(), Load::Moment(moment));
+                all.insert("moment".to_owned(), or_open(found.forces.len(), Load::Moment(moment)));
             }
             (name_of(mechanism, joint.id).to_string(), all)
         });

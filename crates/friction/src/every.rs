@@ -28,6 +28,22 @@ pub struct Solutions {
     pub continuum: bool,
 }
 
+/// Relative difference up to which a solution that was found in another way is one of those found.
+const FOUND: f64 = 1e-6;
+
+impl Solutions {
+    /// The index of a solution that was found in another way. One that is missing among these joins them: they were not all.
+    pub fn index_of(&mut self, z: Vec<f64>) -> usize {
+        let size = z.iter().fold(0.0_f64, |most, z| most.max(*z));
+        if let Some(known) = self.points.iter().position(|known| distance(known, &z) <= FOUND * size) {
+            return known;
+        }
+        self.complete = false;
+        self.points.push(z);
+        self.points.len() - 1
+    }
+}
+
 impl Moduli {
     /// All solutions: none, one, or several; for at most three vectors of two components and few of one.
     pub fn solutions(&self) -> Solutions {

@@ -4,8 +4,8 @@
 //! gives the equations z = |a + W z| of all moduli together. The moment of faces beside the guide line is linear in the normal
 //! force and stands in the system itself.
 
-use assur_force::{Reactions, Rubbing as Found};
-use assur_friction::{Moduli, Node, Width, path};
+use assur_force::{Doubt, FrictionSolution, Reactions, Rubbing as Found};
+use assur_friction::{Moduli, Node, Solutions, Width, path};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{LinkId, Mechanism, Middle, PairId, Rubbing};
 
@@ -84,8 +84,8 @@ pub(crate) struct Frictional<'a> {
 }
 
 impl Frictional<'_> {
-    /// Reactions with friction. Where several may exist, those of the one that follows from small coefficients, else of that of the
-    /// least balancing load.
+    /// Reactions with friction. Where several exist all are told; taken is the one that follows from small coefficients, else that of
+    /// the least balancing load.
     ///
     /// # Errors
     ///
@@ -97,6 +97,7 @@ impl Frictional<'_> {
         put: impl Fn(&Solution, &mut Reactions),
         out: &mut Reactions,
     ) -> Result<Equilibrium, f64> {
+        found.doubts.clear();
         if found.senses.iter().any(|sense| sense.is_nan()) {
             // At rest friction is not determined.
             out.pairs.fill(Wrench { fx: f64::NAN, fy: f64::NAN, m: f64::NAN });
@@ -107,34 +108,51 @@ impl Frictional<'_> {
         let unknowns = moduli(self.mechanism, &found.senses);
         let prepared = |part: f64| self.equations(loads, &found.senses, &unknowns, part);
         let (base, each, system) = prepared(1.0)?;
-        let radius = system.certificate();
         let zero = vec![0.0; unknowns.len()];
-        let sum = |z: &[f64]| each.iter().zip(z).fold(base.clone(), |sum, (one, z)| sum.plus(*z, one));
-        let mut proved = true;
-        let z = if radius < 1.0 {
-            system.follow(&zero)
+        let only = if system.certificate() < 1.0 { system.follow(&zero) } else { None };
+        let mut taken = None;
+        let all = if let Some(only) = only {
+            Solutions { points: vec![only], complete: true, continuum: false }
         } else {
             let near = |part: f64, expected: &[f64]| prepared(part).ok()?.2.near(expected);
-            let by_steps = path(Node { part: 0.0, moduli: prepared(0.0)?.2.step(&zero) }, near);
-            let least = || {
-                let all = system.solutions();
-                proved = all.complete;
-                let size = |z: &[f64]| sum(z).balancing.abs();
-                all.points.into_iter().min_by(|a, b| size(a).total_cmp(&size(b)))
-            };
-            by_steps.or_else(least)
+            let start = Node { part: 0.0, moduli: prepared(0.0)?.2.step(&zero) };
+            let mut all = system.solutions();
+            taken = path(start, near).map(|z| all.index_of(z));
+            all
         };
-        let Some(z) = z else { return Ok(Equilibrium::None { proved }) };
-        put(&sum(&z), out);
+        let sums: Vec<Solution> = (all.points.iter())
+            .map(|z| each.iter().zip(z).fold(base.clone(), |sum, (one, z)| sum.plus(*z, one)))
+            .collect();
+        let size = |i: &usize| sums[*i].balancing.abs();
+        let Some(taken) = taken.or_else(|| (0..sums.len()).min_by(|a, b| size(a).total_cmp(&size(b)))) else {
+            return Ok(Equilibrium::None { proved: all.complete });
+        };
+        let mut solutions = Vec::new();
+        // The one that is taken comes last: it stays in `out`.
+        for i in (0..sums.len()).filter(|i| *i != taken).chain([taken]) {
+            put(&sums[i], out);
+            self.rub(&unknowns, &all.points[i], found, &mut out.pairs);
+            let (balancing, pairs, forces) = (out.balancing, out.pairs.clone(), found.forces.clone());
+            solutions.push(FrictionSolution { balancing, pairs, forces, taken: i == taken });
+        }
+        if solutions.len() > 1 || !all.complete || all.continuum {
+            solutions.sort_by(|a, b| a.balancing.total_cmp(&b.balancing));
+            found.doubts.push((0, Doubt { solutions, proved: all.complete, continuum: all.continuum }));
+        }
+        Ok(Equilibrium::Found)
+    }
+
+    /// The friction of a solution, and its part in the reactions.
+    fn rub(&self, unknowns: &[Modulus], moduli: &[f64], found: &mut Found, pairs: &mut [Wrench<f64>]) {
         found.forces.fill(0.0);
-        for (unknown, z) in unknowns.iter().zip(&z) {
+        for (unknown, z) in unknowns.iter().zip(moduli) {
             let size = match unknown.kind {
                 Kind::Journal(radius) => -unknown.factor * radius * z,
                 Kind::Press { .. } => -unknown.factor * z,
             };
             found.forces[unknown.rub] += size;
         }
-        Ok(Equilibrium::Found)
+        add_to_pairs(self.mechanism, self.bodies, found, pairs);
     }
 
     /// The solution without moduli, that by each, and the equations of the moduli, with all coefficients times `part`.
@@ -212,7 +230,7 @@ impl Frictional<'_> {
 }
 
 /// Adds the forces and moments of friction to the reactions in the pairs.
-pub(crate) fn add_to_pairs(
+fn add_to_pairs(
     mechanism: &Mechanism,
     bodies: &[Body<f64>],
     found: &Found,

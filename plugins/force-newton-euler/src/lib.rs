@@ -16,7 +16,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_mechanism::PairId;
 use assur_words::{Text, text};
 
-use friction::{Equilibrium, Frictional, add_to_pairs};
+use friction::{Equilibrium, Frictional};
 use system::{Solution, System};
 
 assur_words::resources!();
@@ -78,12 +78,9 @@ impl ForceAnalyzer for NewtonEuler {
             put(&solution, out);
             return Ok(());
         };
-        let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
-        let frictional = Frictional { system: &system, mechanism, bodies };
+        let frictional =
+            Frictional { system: &system, mechanism: &linkage.mechanism, bodies: &position.bodies };
         let found = frictional.solve(loads, &mut rubbing, put, out);
-        if matches!(found, Ok(Equilibrium::Found)) {
-            add_to_pairs(mechanism, bodies, &rubbing, &mut out.pairs);
-        }
         out.rubbing = Some(rubbing);
         match found.map_err(singular)? {
             Equilibrium::Found => Ok(()),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Loads, Reactions, State};
 use assur_group::{Anchor, Order, Wrench};
 use assur_kinematics::{Input, Linkage, Position};
-use assur_mechanism::{Direction, Mechanism, Spring, Value};
+use assur_mechanism::{Direction, Friction, Mechanism, PairId, Rubbing, Spring, Value};
 
 use super::mutants::{Mutant, SLIP, SLIPS, Slip};
 use crate::{Chosen, Subject, methods};
@@ -159,6 +159,60 @@ fn every_slip_in_the_loads_is_caught() {
         let caught = failed(&linkage, &loads, methods(&linkage, None));
         println!("{name}: {what}: caught by {caught:?}");
         assert!(caught.iter().any(|name| name == "loads"), "{name}: {what}: {caught:?}");
+    }
+}
+
+/// Journals in all pins of a scene with a group of class III, IV.
+fn with_journals(name: &str) -> Mechanism {
+    let mut mechanism = fixture(name);
+    let pins = mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin());
+    mechanism.frictions = pins
+        .map(|(id, point)| Friction {
+            pair: PairId::Pin(id),
+            coefficient: 0.3,
+            rubbing: Rubbing::Journal { radius: 0.03, owner: point.places[0].link },
+        })
+        .collect();
+    mechanism
+}
+
+#[test]
+fn every_slip_in_the_friction_is_caught() {
+    let changes: [(&str, fn(&mut Friction)); 5] = [
+        ("turned round", |one| one.coefficient *= -1.0),
+        ("coefficient by 1e-6", |one| one.coefficient *= SLIP),
+        ("coefficients of slides forgotten", |one| {
+            one.coefficient *= f64::from(u8::from(matches!(one.rubbing, Rubbing::Journal { .. })));
+        }),
+        ("radius by 1e-6", |one| {
+            if let Rubbing::Journal { radius, .. } = &mut one.rubbing {
+                *radius *= SLIP;
+            }
+        }),
+        ("length by 1e-6", |one| {
+            if let Rubbing::Faces { length, .. } = &mut one.rubbing {
+                *length *= SLIP;
+            }
+        }),
+    ];
+    for mechanism in [fixture("shaper-friction"), with_journals("triad"), with_journals("contour")] {
+        let linkage = compiled(&mechanism);
+        let loads = Loads::compile(&linkage).unwrap();
+        let title = mechanism.title.clone();
+        assert_eq!(failed(&linkage, &loads, methods(&linkage, None)), [""; 0], "{title:?}");
+        for (what, change) in changes {
+            let mut changed = mechanism.clone();
+            changed.frictions.iter_mut().for_each(change);
+            if changed == mechanism {
+                continue;
+            }
+            let loads = Loads::compile(&compiled(&changed)).unwrap();
+            let caught = failed(&linkage, &loads, methods(&linkage, None));
+            assert!(
+                caught.iter().any(|name| name == "friction of pairs"),
+                "{title:?}: {what}: caught by {caught:?}"
+            );
+        }
     }
 }
 

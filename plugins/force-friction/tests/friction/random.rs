@@ -18,7 +18,7 @@ fn by(linkage: &Linkage, loads: &Loads, method: &str, coordinate: f64) -> Result
     Ok(forces.reactions)
 }
 
-/// How often there was one solution, were several, and none; and the greatest deviation of the two methods where there is one.
+/// How often there was one solution, were several, and none.
 #[derive(Debug, Default)]
 struct Count {
     one: usize,
@@ -26,15 +26,17 @@ struct Count {
     none: usize,
     /// One method finds a solution, and the other neither one nor a proof that there is none.
     unknown: usize,
-    apart: f64,
+    /// Seeds of which the methods differ, and how.
+    apart: Vec<(u64, String)>,
 }
 
-/// Compares the two methods on random mechanisms.
+/// Compares the two methods on random mechanisms, one in five with groups of any kind.
 fn compare(seeds: std::ops::Range<u64>) -> Count {
     let mut count = Count::default();
     for seed in seeds {
         let recipe = Recipe { groups: 1 + (seed % 4) as usize, only: None, loads: true };
-        let Some(specimen) = recipe.specimen(seed) else { continue };
+        let specimen = if seed % 5 == 4 { recipe.mixed(seed) } else { recipe.specimen(seed) };
+        let Some(specimen) = specimen else { continue };
         let mut dice = Dice(seed);
         let strength = [0.02, 0.1, 0.25][(seed % 3) as usize];
         let mut mechanism = rubbed(specimen.mechanism, strength, &mut dice);
@@ -52,7 +54,7 @@ fn compare(seeds: std::ops::Range<u64>) -> Count {
             (Err(ForceError::Jammed { proved: false, .. }), Ok(_))
             | (Ok(_), Err(ForceError::Jammed { proved: false, .. })) => count.unknown += 1,
             (Err(ForceError::Jammed { .. }), Ok(_)) | (Ok(_), Err(ForceError::Jammed { .. })) => {
-                panic!("{seed}: one method finds a solution")
+                count.apart.push((seed, "one method finds a solution".to_owned()));
             }
             _ => {}
         }
@@ -60,42 +62,58 @@ fn compare(seeds: std::ops::Range<u64>) -> Count {
     count
 }
 
+/// The balancing load and the friction of each solution, and whether there are certainly no others.
+fn solutions(found: &Reactions) -> (Vec<Vec<f64>>, bool) {
+    let rubbing = found.rubbing.as_ref().unwrap();
+    let numbers = |balancing: f64, forces: &[f64]| [&[balancing], forces].concat();
+    rubbing.doubts.first().map_or_else(
+        || (vec![numbers(found.balancing, &rubbing.forces)], true),
+        |(_, doubt)| {
+            let each = doubt.solutions.iter().map(|one| numbers(one.balancing, &one.forces));
+            (each.collect(), doubt.proved)
+        },
+    )
+}
+
 fn judge(seed: u64, own: &Reactions, whole: &Reactions, count: &mut Count) {
-    let rubbing = own.rubbing.as_ref().unwrap();
-    let other = whole.rubbing.as_ref().unwrap();
-    let size = other.forces.iter().fold(whole.balancing.abs(), |most, force| most.max(force.abs()));
-    let size = size.max(f64::MIN_POSITIVE);
-    let apart = |balancing: f64, forces: &[f64]| {
-        let each = forces.iter().zip(&other.forces).map(|(a, b)| (a - b).abs());
-        each.fold((balancing - whole.balancing).abs(), f64::max) / size
+    let pairs = whole.pairs.iter().map(|pair| pair.fx.hypot(pair.fy));
+    let size = pairs.fold(f64::MIN_POSITIVE, f64::max);
+    let ([own, whole], [all, all_too]) = {
+        let (own, whole) = (solutions(own), solutions(whole));
+        ([own.0, whole.0], [own.1, whole.1])
     };
-    match rubbing.doubts.first() {
-        Some((_, doubt)) if doubt.solutions.len() > 1 => {
-            count.several += 1;
-            let near = doubt.solutions.iter().any(|one| apart(one.balancing, &one.forces) < 1e-7);
-            assert!(near || !doubt.proved, "{seed}: the other method finds another solution");
+    let near = |one: &[f64], other: &[f64]| {
+        let size = one.iter().fold(size, |most, number| most.max(number.abs()));
+        one.iter().zip(other).all(|(a, b)| (a - b).abs() <= 1e-10 * size)
+    };
+    let missing = |some: &[Vec<f64>], among: &[Vec<f64>]| {
+        some.iter().find(|one| !among.iter().any(|other| near(one, other))).cloned()
+    };
+    // Who knows all solutions knows those of the other.
+    for (knows, some, among) in [(all, &whole, &own), (all_too, &own, &whole)] {
+        if let Some(one) = missing(some, among).filter(|_| knows) {
+            count.apart.push((seed, format!("{one:?} is not among {among:?}")));
         }
-        _ => {
-            let apart = apart(own.balancing, &rubbing.forces);
-            // The conditions of the groups magnify rounding, and so does a certificate near 1.
-            assert!(apart < 1e-8, "{seed}: {apart} {:?}", rubbing.certificates);
-            count.apart = count.apart.max(apart);
-            count.one += usize::from(apart < 1e-10);
-        }
+    }
+    match own.len() {
+        1 => count.one += 1,
+        _ => count.several += 1,
     }
 }
 
 #[test]
 fn both_methods_agree_on_random_mechanisms() {
     let found = compare(0..60);
-    assert!(found.one > 35 && found.none > 0, "{found:?}");
+    assert!(found.apart.is_empty() && found.one > 30 && found.several > 5 && found.none > 5, "{found:?}");
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn both_methods_agree_on_two_thousand_random_mechanisms() {
     let found = compare(100..2400);
-    assert!(found.one + found.several + found.none > 2000 && found.unknown == 0, "{found:?}");
+    assert!(found.apart.is_empty() && found.unknown == 0, "{found:?}");
+    eprintln!("{} {} {}", found.one, found.several, found.none);
+    assert!(found.one + found.several + found.none > 2000, "{found:?}");
 }
 
 #[test]
