@@ -143,9 +143,8 @@ impl<'a> Filler<'a> {
                 open.map(|open| !calculation.least_norm && open.0[lane] > 0.0).collect::<Vec<_>>()
             };
             let linkage = &calculation.linkage;
-            several.extend(
-                doubts.map(|(lane, doubt)| Several::of(linkage, first + lane, &doubt, &open(lane))),
-            );
+            several
+                .extend(doubts.map(|(lane, doubt)| Several::of(linkage, first + lane, &doubt, &open(lane))));
         }
         let (mut determined, mut balancing) = (rows, forces.reactions.balancing.0.map(Some));
         let obstacle = |(lane, error): (usize, ForceError)| {

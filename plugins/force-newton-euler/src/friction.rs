@@ -230,12 +230,7 @@ impl Frictional<'_> {
 }
 
 /// Adds the forces and moments of friction to the reactions in the pairs.
-fn add_to_pairs(
-    mechanism: &Mechanism,
-    bodies: &[Body<f64>],
-    found: &Found,
-    pairs: &mut [Wrench<f64>],
-) {
+fn add_to_pairs(mechanism: &Mechanism, bodies: &[Body<f64>], found: &Found, pairs: &mut [Wrench<f64>]) {
     let shifts = shifts(mechanism, &found.senses);
     for (rub, force) in found.frictions.rubs.iter().zip(&found.forces) {
         for &(pair, sign) in &rub.path {

@@ -408,3 +408,80 @@ fn little_friction_costs_the_powers_of_the_ideal_reactions() {
         assert!(loss.abs() > 1e-11 * sum.abs(), "{name}");
     }
 }
+
+/// A parallelogram that drives a slider, whose pairs rub; a third crank is passive.
+fn parallelogram(third: &str) -> Linkage {
+    scene(&format!(
+        r#"
+        [ground]
+        points = {{ O1 = [0, 0], O2 = [0.3, 0], O3 = [0.15, 0.1] }}
+        [link.crank]
+        points = {{ O1 = 0, A = 0.1 }}
+        [link.coupler]
+        points = {{ A = [0, 0], B = [0.3, 0], C = [0.15, 0.1], D = [0.2, 0.05] }}
+        [link.crank2]
+        points = {{ O2 = 0, B = 0.1 }}
+        {third}
+        [link.rod]
+        points = {{ D = 0, E = 0.5 }}
+        [link.piston]
+        points = {{ E = 0 }}
+        [[slide]]
+        link = "piston"
+        on = "ground"
+        through = [0, 0.15]
+        [assembly]
+        B = [0.398, 0.017]
+        E = [0.7, 0.15]
+        [input]
+        link = "crank"
+        from = "10 deg"
+        positions = 24
+        [[force]]
+        link = "rod"
+        at = [0.2, 0]
+        angle = "-80 deg"
+        value = 200
+        [[force]]
+        link = "piston"
+        at = "E"
+        angle = 0
+        value = 300
+        [[friction]]
+        pair = "D"
+        coefficient = 2.5
+        radius = 0.03
+        [[friction]]
+        pair = "E"
+        coefficient = 2.5
+        radius = 0.03
+        [[friction]]
+        pair = "piston/ground"
+        coefficient = 2.5
+        "#
+    ))
+}
+
+#[test]
+fn a_passive_link_leaves_all_solutions_as_they_are() {
+    let [without, with] =
+        ["", "[link.crank3]\npoints = { O3 = 0, C = 0.1 }"].map(|third| parallelogram(third));
+    assert_eq!(with.structure.passive.len(), 1);
+    let mut counts = [0; 3];
+    for index in 0..24 {
+        let coordinate = without.mechanism.input.coordinate(index);
+        match (solved(&without, "coulomb", coordinate), solved(&with, "newton-euler", coordinate)) {
+            (Ok((one, forces, count)), Ok((other, others, too))) => {
+                assert_eq!(count, too, "{index}");
+                let all = std::iter::zip([&[one], &forces[..]].concat(), [&[other], &others[..]].concat());
+                for (a, b) in all {
+                    assert!((a - b).abs() < 1e-9 * 500.0, "{index}: {a} {b}");
+                }
+                counts[count.min(2)] += 1;
+            }
+            (Err(ForceError::Jammed { .. }), Err(ForceError::Jammed { .. })) => counts[0] += 1,
+            (one, other) => panic!("{index}: {one:?} {other:?}"),
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 1), "{counts:?}");
+}
