@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use assur_force::{
-    ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, Rub, State, tolerance,
+    Bearing, ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, State, tolerance,
 };
 use assur_group::{Body, Wrench};
 use assur_integrator::{MotionError, Reduced};
@@ -126,8 +126,8 @@ impl Friction {
 
     /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.
     pub(crate) fn enter(&mut self, loads: &Loads, state: &State, piece: &mut Piece) {
-        if let Some(rubbing) = &mut self.out.rubbing {
-            loads.enter_friction(state, &mut rubbing.senses, piece);
+        if let Some(friction) = &mut self.out.friction {
+            loads.enter_friction(state, &mut friction.senses, piece);
         }
         self.cut(state, &mut piece.coordinate);
         self.piece = piece.coordinate;
@@ -175,9 +175,9 @@ impl Friction {
         let method = self.method.ok_or_else(no_method)?;
         let solved = method.solve(linkage, position, &mut self.wrenches, &mut self.out);
         solved.map_err(|error| MotionError::mechanism(&error))?;
-        let Some(rubbing) = &self.out.rubbing else { return Ok(0.0) };
-        self.pressing = rubbing.pressing(&position.bodies, &self.out.pairs);
-        Ok(power(&rubbing.frictions.rubs, &rubbing.forces, &position.bodies))
+        let Some(friction) = &self.out.friction else { return Ok(0.0) };
+        self.pressing = friction.pressing(&position.bodies, &self.out.pairs);
+        Ok(power(&friction.frictions.bearings, &friction.forces, &position.bodies))
     }
 
     /// The accelerations that are possible under the loads evaluated last.
@@ -223,11 +223,11 @@ impl Friction {
         let shown = |one: &FrictionSolution| number(format_args!("{:.6e}", one.balancing));
         match &all[..] {
             [only] => {
-                if let Some(rubbing) = &self.out.rubbing {
-                    self.pressing = rubbing.pressing(&place.position.bodies, &only.pairs);
+                if let Some(friction) = &self.out.friction {
+                    self.pressing = friction.pressing(&place.position.bodies, &only.pairs);
                 }
-                let rubs = place.loads.frictions().map_or(&[][..], |frictions| &frictions.rubs[..]);
-                Ok(Found { moment: power(rubs, &only.forces, &place.position.bodies), jams: false })
+                let bearings = place.loads.frictions().map_or(&[][..], |frictions| &frictions.bearings[..]);
+                Ok(Found { moment: power(bearings, &only.forces, &place.position.bodies), jams: false })
             }
             [] => Err(MotionError::Undetermined(text!("dynamics-friction-none"))),
             [first, .., last] => Err(MotionError::Undetermined(text!(
@@ -255,7 +255,7 @@ fn no_method() -> MotionError {
     MotionError::Mechanism(text!("dynamics-friction-no-method"))
 }
 
-/// Virtual power of the friction of all rubs for dq = 1.
-fn power(rubs: &[Rub], forces: &[f64], bodies: &[Body<f64>]) -> f64 {
-    rubs.iter().zip(forces).map(|(rub, force)| force * rub.relative(bodies)).sum()
+/// Virtual power of the friction of all bearings for dq = 1.
+fn power(bearings: &[Bearing], forces: &[f64], bodies: &[Body<f64>]) -> f64 {
+    bearings.iter().zip(forces).map(|(bearing, force)| force * bearing.relative(bodies)).sum()
 }

@@ -61,7 +61,7 @@ impl Driven<Machine<'_>> {
         let jump = down - up;
         let mut upper = if jump > 0.0 { down / jump } else { 0.5 };
         let mut friction = 0.0;
-        if self.machine().rubs() && speed != 0.0 {
+        if self.machine().has_friction() && speed != 0.0 {
             (upper, friction) = self.held_with_friction(&at)?;
         }
         let [net_up, net_down] = [up, down].map(|acceleration| above.inertia * acceleration);

@@ -61,7 +61,7 @@ impl<'a> Machine<'a> {
     }
 
     /// Whether pairs have dry friction.
-    pub(crate) fn rubs(&self) -> bool {
+    pub(crate) fn has_friction(&self) -> bool {
         self.friction.is_some()
     }
 

@@ -53,8 +53,8 @@ pub(crate) fn steady_of(
     watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Steady, DynamicsError> {
     let mut machine = Machine::new(linkage, loads);
-    if machine.rubs() {
-        return crate::rubbing::regime(machine, mechanism, watcher);
+    if machine.has_friction() {
+        return crate::friction_regime::regime(machine, mechanism, watcher);
     }
     steady_motion(&mut machine, mechanism, watcher)
 }

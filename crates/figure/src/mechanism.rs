@@ -7,7 +7,7 @@ mod tests;
 
 use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{GROUND, LinkId, PairId, Rubbing, Slide};
+use assur_mechanism::{GROUND, LinkId, PairId, Slide, Surfaces};
 use assur_words::name;
 
 pub use brake::brakes;
@@ -188,7 +188,7 @@ impl Drawing<'_> {
     fn friction_circles(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
         let mechanism = &self.linkage.mechanism;
         mechanism.frictions.iter().filter_map(|friction| {
-            let (PairId::Pin(point), Rubbing::Journal { radius, .. }) = (friction.pair, friction.rubbing)
+            let (PairId::Pin(point), Surfaces::Journal { radius, .. }) = (friction.pair, friction.surfaces)
             else {
                 return None;
             };

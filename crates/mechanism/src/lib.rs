@@ -19,7 +19,7 @@ pub use drive::{
     Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, StepLength, Torque, Until,
     passage,
 };
-pub use friction::{Friction, Middle, Rubbing};
+pub use friction::{Friction, Middle, Surfaces};
 pub use inertia::{Inertia, VaryingInertia};
 pub use load::{
     Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Over, Shape, Spring, Table, Value,

@@ -129,10 +129,12 @@ impl Chain<'_> {
         if block.stages.contains(&0) {
             (branch.pairs[0], branch.balancing) = (unknown, f64::NAN);
         }
-        for rub in
-            block.unknowns.iter().map(|&index| &self.frictions.rubs[self.frictions.unknowns[index].rub])
+        for bearing in block
+            .unknowns
+            .iter()
+            .map(|&index| &self.frictions.bearings[self.frictions.unknowns[index].bearing])
         {
-            for link in [rub.link, rub.on] {
+            for link in [bearing.link, bearing.on] {
                 branch.loads[link] = unknown;
             }
         }

@@ -49,8 +49,8 @@ const SINGULAR: f64 = 1e-14;
 impl<'a> Chain<'a> {
     /// `None` where all pairs are ideal.
     pub(crate) fn of(linkage: &'a Linkage, position: &'a Position, out: &'a Reactions) -> Option<Self> {
-        let rubbing = out.rubbing.as_ref()?;
-        let (frictions, senses) = (rubbing.frictions.as_ref(), &rubbing.senses[..]);
+        let friction = out.friction.as_ref()?;
+        let (frictions, senses) = (friction.frictions.as_ref(), &friction.senses[..]);
         Some(Self { linkage, position, frictions, senses, solved: &out.solved, unit: out.unit, free: None })
     }
 
@@ -80,13 +80,13 @@ impl<'a> Chain<'a> {
 
     /// Coefficient and sense of an unknown, where all coefficients are taken times `scale`.
     pub(crate) fn factor(&self, unknown: &Unknown, scale: f64) -> f64 {
-        scale * self.senses[unknown.rub] * self.frictions.rubs[unknown.rub].coefficient
+        scale * self.senses[unknown.bearing] * self.frictions.bearings[unknown.bearing].coefficient
     }
 
     /// The vector of an unknown from reactions.
     fn vector(&self, unknown: usize, response: &Response) -> [f64; 2] {
         let unknown = &self.frictions.unknowns[unknown];
-        unknown.vector(&self.frictions.rubs[unknown.rub], &self.position.bodies, &response.pairs)
+        unknown.vector(&self.frictions.bearings[unknown.bearing], &self.position.bodies, &response.pairs)
     }
 
     /// What a block answers to loads; `pairs`: the reactions in the others.
@@ -129,7 +129,7 @@ impl<'a> Chain<'a> {
         for &unknown in &block.unknowns {
             let (mut own, found) = (nothing.clone(), &self.frictions.unknowns[unknown]);
             let factor = self.factor(found, scale);
-            found.kind.load(&self.frictions.rubs[found.rub], &self.position.bodies, factor, &mut own);
+            found.kind.load(&self.frictions.bearings[found.bearing], &self.position.bodies, factor, &mut own);
             all.push(self.respond(block, own, no_pairs.clone())?);
         }
         if let Some(unit) = self.unit {
