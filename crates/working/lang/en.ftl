@@ -142,7 +142,7 @@ working-energy-neglects = This neglects the inertia of the links beside that of 
 working-energy-artobolevsky = Coefficient of dynamic unevenness
 
 ## dry friction
-working-friction = Friction in the pairs
+working-friction-in-pairs = Friction in the pairs
 working-friction-text = The friction depends on the moduli of the reactions. First these are found without friction, then with the friction of the step before, and so on; Newton's method finishes. Each step divides the error by about the spectral radius. The friction found is then a load like others: the reactions below are those without the forces and moments of friction in their pairs.
 working-friction-block = { $what }: spectral radius { $radius }, below 1: exactly one solution
 working-friction-block-not-proved = { $what }: spectral radius { $radius }, not below 1: the iteration may lead nowhere, so that all solutions are found by algebra

@@ -24,7 +24,7 @@ impl Work<'_> {
         let carrying = vec![true; self.linkage.groups().len()];
         let mut forces = Kinetostatics::new(self.linkage, loads, plugin.instance, &carrying);
         let solved = forces.solve(&self.state, position).is_ok();
-        self.sheet.section(text!("working-friction"));
+        self.sheet.section(text!("working-friction-in-pairs"));
         self.sheet.note(text!("working-friction-text"));
         let known =
             forces.reactions.friction.iter().all(|found| found.forces.iter().all(|force| force.is_finite()));
