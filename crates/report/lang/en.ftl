@@ -225,8 +225,8 @@ head-unevenness = Unevenness
 head-unit = Unit
 head-value = Value
 head-vector = Vector
-head-way = Way
-head-ways = Ways
+head-way = Mode
+head-ways = Modes
 head-what = What
 head-width = Width
 
@@ -245,7 +245,7 @@ report-formula = Formula: { $formula }
 report-class = Class of the mechanism: { $class }
 report-pairs = Pairs (R: turning, P: sliding)
 report-multiple-joint = R, multiple joint
-report-groups = Assur groups in solving order (way: the assembly in the first position, counted from 0)
+report-groups = Assur groups in solving order (mode: the assembly mode in the first position, counted from 0)
 report-task = Task
 report-task-text = The mechanism is calculated in { $positions ->
         [one] { $positions } position
@@ -700,7 +700,7 @@ report-simpler-inputs = With { $count ->
        *[other] one of the links { $links }
     } as the input the groups would be of a lower class.
 head-structure = Structural formula
-report-passive = Passive: { $what } repeats what others say and is left out of the motion
+report-passive = Passive: { $what } repeats constraints of other parts; positions are solved without it
 report-misfit = { $what } is passive by count, but misses by { $misfit } mm at { $place } (limit { $limit } mm){ $closes }
 report-closes = ; it closes with { $key } = { $value } (SI)
 report-formula-without = { $formula }; passive: { $parts }
@@ -727,4 +727,4 @@ report-modes-meet = Modes that meet and both go on: { $meetings }.
 mode-end-cycle = with the cycle
 mode-end-with = together with { $way }
 mode-end-infinity = links run to infinity
-mode-end-barrier = groups before it have no place
+mode-end-barrier = groups solved before it can't be assembled

@@ -232,8 +232,8 @@ head-unevenness = Неравномерность
 head-unit = Единица
 head-value = Значение
 head-vector = Вектор
-head-way = Способ
-head-ways = Способов
+head-way = Сборка
+head-ways = Сборок
 head-what = Что
 head-width = Ширина
 
@@ -252,7 +252,7 @@ report-formula = Формула строения: { $formula }
 report-class = Класс механизма: { $class }
 report-pairs = Кинематические пары (R — вращательная, P — поступательная)
 report-multiple-joint = R, сложный шарнир
-report-groups = Группы Ассура в порядке решения (способ: сборка в первом положении, от 0)
+report-groups = Группы Ассура в порядке решения (сборка: её номер в первом положении, от 0)
 report-task = Задание
 report-task-text = Механизм рассчитан в { $positions ->
         [one] { $positions } положении

@@ -232,8 +232,8 @@ head-unevenness = Нерівномірність
 head-unit = Одиниця
 head-value = Значення
 head-vector = Вектор
-head-way = Спосіб
-head-ways = Способів
+head-way = Складання
+head-ways = Складань
 head-what = Що
 head-width = Ширина
 
@@ -252,7 +252,7 @@ report-formula = Формула будови: { $formula }
 report-class = Клас механізму: { $class }
 report-pairs = Кінематичні пари (R — обертальна, P — поступальна)
 report-multiple-joint = R, складний шарнір
-report-groups = Групи Ассура в порядку розв'язання (спосіб: складання в першому положенні, від 0)
+report-groups = Групи Ассура в порядку розв'язання (складання: його номер у першому положенні, від 0)
 report-task = Завдання
 report-task-text = Механізм розраховано в { $positions ->
         [one] { $positions } положенні

@@ -116,7 +116,7 @@ working-no-method = This method has no solution in this position.
 working-method-and-groups = Check: `{ $method }` against the groups
 working-differences = What the method gives, less what was found group by group: zero except for rounding.
 # The energy form.
-working-energy-way = Way of the input
+working-energy-way = Displacement of the input
 working-energy-turns = in turns:
 working-energy-works = Works of the loads
 working-energy-work-is = The work of a load is the integral of its moment on the input over the coordinate: the area under the graph of the moment. A load that resists does negative work.
@@ -159,5 +159,5 @@ working-energy-uniform = Uniformly accelerated motion (D eqs. 3.12, 3.13)
 working-energy-speed-at-start = speed at the start
 working-energy-speed-at-end = speed at the end
 working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, from which the time:
-working-energy-way-by-time = (3.13) The way in this time, from the start on:
+working-energy-way-by-time = (3.13) The displacement in this time, from the start on:
 working-energy-balance-resists = Constant moment of the resistance

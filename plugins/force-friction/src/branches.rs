@@ -22,7 +22,7 @@ pub(crate) struct Branch {
 
 /// All solutions.
 #[derive(Debug)]
-pub(crate) struct Found {
+pub(crate) struct Solutions {
     pub(crate) branches: Vec<Branch>,
     /// Whether there are certainly no others.
     pub(crate) proved: bool,
@@ -39,10 +39,10 @@ const MOST: usize = 64;
 
 impl Chain<'_> {
     /// All solutions under these loads with all coefficients times `scale`.
-    pub(crate) fn solutions(&self, loads: &[Wrench<f64>], scale: f64) -> Result<Found, ForceError> {
+    pub(crate) fn solutions(&self, loads: &[Wrench<f64>], scale: f64) -> Result<Solutions, ForceError> {
         let pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
         let start = Branch { loads: loads.to_vec(), pairs, balancing: 0.0, moduli: Vec::new() };
-        let mut found = Found {
+        let mut found = Solutions {
             branches: vec![start],
             proved: true,
             continuum: false,
@@ -67,7 +67,13 @@ impl Chain<'_> {
     }
 
     /// Adds the solutions of a block that follow from a solution of those after it.
-    fn go_on(&self, block: &Block, branch: Branch, scale: f64, found: &mut Found) -> Result<(), ForceError> {
+    fn go_on(
+        &self,
+        block: &Block,
+        branch: Branch,
+        scale: f64,
+        found: &mut Solutions,
+    ) -> Result<(), ForceError> {
         if block
             .unknowns
             .iter()
