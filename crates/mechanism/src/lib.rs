@@ -77,7 +77,7 @@ pub struct Mechanism {
     pub drive: Option<Drive>,
     /// The wanted results; `None`: everything.
     pub output: Option<Output>,
-    /// What is hardly meant, as far as reading the scene tells.
+    /// What is probably not meant, as far as reading the scene tells.
     pub notes: Vec<Notice>,
 }
 

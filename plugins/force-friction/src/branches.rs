@@ -1,4 +1,4 @@
-//! All solutions of a mechanism: those of the last block, and from each of them on those of the blocks before it.
+//! All solutions with friction of a mechanism: those of the last block, and for each of them those of the blocks before it.
 
 use assur_force::{Block, ForceError, Iteration};
 use assur_friction::{Moduli, Node, path};
@@ -10,7 +10,7 @@ use crate::choice;
 /// A solution of all blocks.
 #[derive(Debug, Clone)]
 pub(crate) struct Branch {
-    /// Loads with all that was handed on.
+    /// Loads on all links, with the reactions and the friction of the blocks that are solved.
     loads: Vec<Wrench<f64>>,
     /// Reactions without the forces and moments of friction.
     pub(crate) pairs: Vec<Wrench<f64>>,
@@ -34,7 +34,7 @@ pub(crate) struct Solutions {
     pub(crate) certificates: Vec<f64>,
 }
 
-/// Most solutions that are followed from block to block, each of which may have several for each of them.
+/// Most solutions that are followed from block to block: each of them may lead to several in the next block.
 const MOST: usize = 64;
 
 impl Chain<'_> {
@@ -166,7 +166,7 @@ pub(crate) fn same(one: &[f64], other: &[f64]) -> bool {
     one.iter().zip(other).all(|(a, b)| (a - b).abs() <= SAME * size)
 }
 
-/// Most steps of the iteration that are told, and the relative change at which it stands still.
+/// Most steps of the iteration that are reported, and the relative change at which it stands still.
 const TOLD: (usize, f64) = (12, 1e-10);
 
 impl Chain<'_> {

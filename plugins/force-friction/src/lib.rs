@@ -158,7 +158,7 @@ impl ForceAnalyzer for Friction {
 }
 
 impl Chain<'_> {
-    /// A solution as it is told: reactions with friction.
+    /// A solution as it is reported: reactions with friction.
     fn told(&self, branch: &Branch, taken: bool) -> FrictionSolution {
         let (mut pairs, mut forces) = (branch.pairs.clone(), vec![0.0; self.frictions.bearings.len()]);
         for unknown in &self.frictions.unknowns {

@@ -69,7 +69,7 @@ impl<T: Real> Bearings<'_, T> {
     }
 }
 
-/// Everything, as a formula for the widest instructions.
+/// The whole solution, as a formula for the widest instructions.
 struct Whole<'a, 'b, T: Real>(&'a Quick<'a, T>, &'b mut [Wrench<T>], &'b mut Reactions<T>);
 
 impl<T: Number> Formula for Whole<'_, '_, T> {
@@ -170,7 +170,7 @@ impl<T: Number> Quick<'_, T> {
         Some(())
     }
 
-    /// What the stage of a block answers to its loads and to the friction of each unknown.
+    /// The response of the stage of a block to its loads and to the friction of each unknown.
     #[inline(always)]
     fn table<const N: usize, const C: usize>(
         &self,

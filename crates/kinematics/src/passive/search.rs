@@ -45,18 +45,18 @@ pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, Surplu
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Fits,
-    /// Those that don't would with one other length each.
+    /// Each part that does not fit would fit with one other length.
     Closes,
-    /// They nearly fit.
+    /// The parts nearly fit.
     Near,
-    /// They don't: the mechanism is locked.
+    /// The parts don't fit: the mechanism is locked.
     Misses,
 }
 
 /// The best choice so far.
 struct Choice {
     rank: Rank,
-    /// The greatest one, m.
+    /// The greatest misfit, m.
     misfit: f64,
     linkage: Linkage,
 }

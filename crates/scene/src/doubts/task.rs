@@ -1,4 +1,4 @@
-//! What of loads, motion and results is hardly meant, by sizes alone.
+//! What of loads, motion and results is probably not meant, by sizes alone.
 
 use std::f64::consts::TAU;
 

@@ -139,7 +139,7 @@ fn a_text_that_is_typed_or_pasted_ends_at_its_limit_and_that_is_told() {
         command::prepare(&mut state);
         let frame = text(&state, 80, 24);
         assert!(keys.starts_with('?') || frame.contains("no more than 1024 bytes"), "{keys}: {frame}");
-        // What was left out is told no more where there is room again.
+        // What was left out is reported no more where there is room again.
         for _ in before..LONGEST {
             command::press(&mut state, KeyEvent::from(KeyCode::Backspace));
         }
