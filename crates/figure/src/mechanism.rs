@@ -112,7 +112,8 @@ impl Drawing<'_> {
         !self.hidden.contains(&link)
     }
 
-    fn ink(&self, link: LinkId) -> Ink {
+    /// The ink of a link: its own, or that of what is highlighted.
+    pub fn ink(&self, link: LinkId) -> Ink {
         match link {
             GROUND => Ink::Ground,
             _ if self.marked.contains(&link) => Ink::Marked,
