@@ -136,8 +136,8 @@ impl<'a> Filler<'a> {
         let Some((forces, joints)) = forces else { return (rows, [None; Lanes::WIDTH], Vec::new()) };
         let refused = forces.solve(states, position).err().unwrap_or_default();
         joints.sum(&forces.reactions);
-        if let Some(rubbing) = &mut forces.reactions.rubbing {
-            let doubts = rubbing.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
+        if let Some(friction) = &mut forces.reactions.friction {
+            let doubts = friction.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
             let open = |lane: usize| {
                 let open = forces.reactions.open.iter();
                 open.map(|open| !calculation.least_norm && open.0[lane] > 0.0).collect::<Vec<_>>()

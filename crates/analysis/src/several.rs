@@ -43,7 +43,7 @@ pub enum Load {
 }
 
 impl Several {
-    /// What is told of a position; `open`: which reactions are undetermined, by [`Joint::open`](assur_force::Joint::open).
+    /// What is reported of a position; `open`: which reactions are undetermined, by [`Joint::open`](assur_force::Joint::open).
     pub(crate) fn of(linkage: &Linkage, index: usize, doubt: &Doubt, open: &[bool]) -> Self {
         let solutions = doubt.solutions.iter().map(|solution| SolutionReport::of(linkage, solution, open));
         Self { index, solutions: solutions.collect(), proved: doubt.proved, continuum: doubt.continuum }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Loads, Reactions, State};
 use assur_group::{Anchor, Order, Wrench};
 use assur_kinematics::{Input, Linkage, Position};
-use assur_mechanism::{Direction, Friction, Mechanism, PairId, Rubbing, Spring, Value};
+use assur_mechanism::{Direction, Friction, Mechanism, PairId, Spring, Surfaces, Value};
 
 use super::mutants::{Mutant, SLIP, SLIPS, Slip};
 use crate::{Chosen, Subject, methods};
@@ -170,7 +170,7 @@ fn with_journals(name: &str) -> Mechanism {
         .map(|(id, point)| Friction {
             pair: PairId::Pin(id),
             coefficient: 0.3,
-            rubbing: Rubbing::Journal { radius: 0.03, owner: point.places[0].link },
+            surfaces: Surfaces::Journal { radius: 0.03, owner: point.places[0].link },
         })
         .collect();
     mechanism
@@ -182,15 +182,15 @@ fn every_slip_in_the_friction_is_caught() {
         ("turned round", |one| one.coefficient *= -1.0),
         ("coefficient by 1e-6", |one| one.coefficient *= SLIP),
         ("coefficients of slides forgotten", |one| {
-            one.coefficient *= f64::from(u8::from(matches!(one.rubbing, Rubbing::Journal { .. })));
+            one.coefficient *= f64::from(u8::from(matches!(one.surfaces, Surfaces::Journal { .. })));
         }),
         ("radius by 1e-6", |one| {
-            if let Rubbing::Journal { radius, .. } = &mut one.rubbing {
+            if let Surfaces::Journal { radius, .. } = &mut one.surfaces {
                 *radius *= SLIP;
             }
         }),
         ("length by 1e-6", |one| {
-            if let Rubbing::Faces { length, .. } = &mut one.rubbing {
+            if let Surfaces::Faces { length, .. } = &mut one.surfaces {
                 *length *= SLIP;
             }
         }),

@@ -6,7 +6,7 @@ use assur_kinematics::Linkage;
 use assur_number::Lanes;
 use assur_testkit::specimen::Recipe;
 
-use super::cases::{Dice, fixture, rubbed};
+use super::cases::{Dice, fixture, with_friction};
 
 /// What a method finds at a coordinate.
 fn by(linkage: &Linkage, loads: &Loads, method: &str, coordinate: f64) -> Result<Reactions, ForceError> {
@@ -39,7 +39,7 @@ fn compare(seeds: std::ops::Range<u64>) -> Count {
         let Some(specimen) = specimen else { continue };
         let mut dice = Dice(seed);
         let strength = [0.02, 0.1, 0.25][(seed % 3) as usize];
-        let mut mechanism = rubbed(specimen.mechanism, strength, &mut dice);
+        let mut mechanism = with_friction(specimen.mechanism, strength, &mut dice);
         if seed % 2 == 0 {
             mechanism.balance = None;
         }
@@ -64,10 +64,10 @@ fn compare(seeds: std::ops::Range<u64>) -> Count {
 
 /// The balancing load and the friction of each solution, and whether there are certainly no others.
 fn solutions(found: &Reactions) -> (Vec<Vec<f64>>, bool) {
-    let rubbing = found.rubbing.as_ref().unwrap();
+    let friction = found.friction.as_ref().unwrap();
     let numbers = |balancing: f64, forces: &[f64]| [&[balancing], forces].concat();
-    rubbing.doubts.first().map_or_else(
-        || (vec![numbers(found.balancing, &rubbing.forces)], true),
+    friction.doubts.first().map_or_else(
+        || (vec![numbers(found.balancing, &friction.forces)], true),
         |(_, doubt)| {
             let each = doubt.solutions.iter().map(|one| numbers(one.balancing, &one.forces));
             (each.collect(), doubt.proved)
@@ -112,7 +112,6 @@ fn both_methods_agree_on_random_mechanisms() {
 fn both_methods_agree_on_two_thousand_random_mechanisms() {
     let found = compare(100..2400);
     assert!(found.apart.is_empty() && found.unknown == 0, "{found:?}");
-    eprintln!("{} {} {}", found.one, found.several, found.none);
     assert!(found.one + found.several + found.none > 2000, "{found:?}");
 }
 
@@ -120,7 +119,7 @@ fn both_methods_agree_on_two_thousand_random_mechanisms() {
 fn eight_positions_at_once_have_the_bits_of_each() {
     let mut dice = Dice(23);
     for name in ["shaper", "guide-shaper", "conveyor"] {
-        let linkage = Linkage::compile(rubbed(fixture(name), 0.02, &mut dice)).unwrap();
+        let linkage = Linkage::compile(with_friction(fixture(name), 0.02, &mut dice)).unwrap();
         let loads = Loads::compile(&linkage).unwrap();
         let analyzer = find("coulomb").unwrap().instance;
         let carrying = vec![true; linkage.groups().len()];
@@ -131,12 +130,12 @@ fn eight_positions_at_once_have_the_bits_of_each() {
         let mut eight = linkage.lane_position();
         linkage.solve_lanes(coordinates, Order::Second, &mut eight).unwrap();
         lanes.solve(&states, &eight).unwrap();
-        let together = lanes.reactions.rubbing.as_ref().unwrap();
+        let together = lanes.reactions.friction.as_ref().unwrap();
         let mut position = linkage.position();
         for (lane, state) in states.iter().enumerate() {
             linkage.solve(coordinates.0[lane], Order::Second, &mut position).unwrap();
             forces.solve(state, &position).unwrap();
-            let alone = forces.reactions.rubbing.as_ref().unwrap();
+            let alone = forces.reactions.friction.as_ref().unwrap();
             let of = |all: &[Lanes]| all.iter().map(|one| one.0[lane].to_bits()).collect::<Vec<_>>();
             let bits = |all: &[f64]| all.iter().map(|one| one.to_bits()).collect::<Vec<_>>();
             assert_eq!(of(&together.forces), bits(&alone.forces), "{name} {lane}");
