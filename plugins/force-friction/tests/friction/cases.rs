@@ -464,8 +464,7 @@ fn parallelogram(third: &str) -> Linkage {
 
 #[test]
 fn a_passive_link_leaves_all_solutions_as_they_are() {
-    let [without, with] =
-        ["", "[link.crank3]\npoints = { O3 = 0, C = 0.1 }"].map(|third| parallelogram(third));
+    let [without, with] = ["", "[link.crank3]\npoints = { O3 = 0, C = 0.1 }"].map(parallelogram);
     assert_eq!(with.structure.passive.len(), 1);
     let mut counts = [0; 3];
     for index in 0..24 {

@@ -95,10 +95,8 @@ fn judge(seed: u64, own: &Reactions, whole: &Reactions, count: &mut Count) {
             count.apart.push((seed, format!("{one:?} is not among {among:?}")));
         }
     }
-    match own.len() {
-        1 => count.one += 1,
-        _ => count.several += 1,
-    }
+    let counted = if own.len() == 1 { &mut count.one } else { &mut count.several };
+    *counted += 1;
 }
 
 #[test]
