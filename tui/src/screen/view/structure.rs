@@ -32,7 +32,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     };
     let theme = state.look.theme;
     let structure = &scene.linkage.structure;
-    put(buffer, top, 1, 0, &structure.formula, theme.style(Role::Header));
+    put(buffer, top, 1, 0, &state.told((&structure.formula).into()), theme.style(Role::Header));
     let w = &structure.mobility;
     let mobility = text!(
         "structure-mobility",
@@ -106,7 +106,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
         let named = state.told(linkage.structure.group_name(mechanism, index));
-        lines.push((chosen, format!("{sign}{named}")));
+        lines.push((chosen, cut(&format!("{sign}{named}"), width.into())));
         if let Some((health, at)) = scene.least_health(index) {
             let (least, at) = (number(digits(health, LEAST)), number(at));
             let least = state.told(text!("structure-least", determinant = least, position = at));
