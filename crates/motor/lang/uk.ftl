@@ -9,7 +9,7 @@ motor-bad-synchronous = synchronous_speed_rpm = { $rpm } не відповіда
 motor-row-twice = позначення трапляється в таблиці двічі
 motor-not-found = немає двигуна `{ $designation }` { $catalogue }; { $hint }
 motor-hint-list = усі перелічує `assur motors`
-motor-hint-power = двигун задають позначенням або словом "auto"; двигунів на { $power } кВт — { $count }, їх перелічує `assur motors --min-power "{ $power } kW" --max-power "{ $power } kW"`: { $candidates }{ $more }
+motor-hint-power = двигун задають позначенням або словом "auto"; двигунів такої потужності — { $count }, їх перелічує `assur motors --min-power "{ $power } kW" --max-power "{ $power } kW"`: { $candidates }{ $more }
 motor-hint-nearest = найближчі: { $nearest }
 motor-ambiguous = позначенню `{ $designation }` відповідає двигунів { $catalogue } — { $count }: { $candidates }{ $more }; вкажіть позначення повністю
 motor-in-catalogue = у каталозі { $name }

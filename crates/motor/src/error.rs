@@ -132,7 +132,8 @@ impl Describe for LookupHint {
             Self::Nearest(nearest) => text!("motor-hint-nearest", nearest = names(nearest)),
             Self::OfPower { power, count, candidates } => text!(
                 "motor-hint-power",
-                power = number(power / 1e3),
+                // As the command line reads it, in every language.
+                power = name((power / 1e3).to_string()),
                 count = *count,
                 candidates = names(candidates),
                 more = more(*count, candidates)

@@ -82,6 +82,10 @@ fn a_power_in_place_of_a_designation_is_answered_with_its_motors() {
         let told = tell(text);
         assert!(told.contains("of 1.1 kW there are 2") && told.ends_with(": A4, B2"), "{told}");
     }
+    // What is to be typed is the same in a language with a decimal comma.
+    let error = find_designation(&rows, "1,1 kW", &name("TEST")).unwrap_err();
+    let told = assur_words::Describe::describe(&error).render(assur_words::Language::find("uk").unwrap());
+    assert!(told.contains("--min-power \"1.1 kW\" --max-power \"1.1 kW\"`"), "{told}");
     // No motor has that power.
     assert!(tell("5 kW").ends_with("lists them all"));
 }
