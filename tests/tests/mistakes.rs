@@ -1,4 +1,4 @@
-//! What newcomers write by mistake and a scene allows: each is told with its key, and no shipped scene has any.
+//! What newcomers write by mistake and a scene allows: each is reported with its key, and no shipped scene has any.
 
 use assur_all as _;
 use assur_analysis::{Calculation, Options, unwatched};
@@ -49,7 +49,7 @@ fn mistakes(scene: &str) -> Vec<Notice> {
     doubts
 }
 
-/// What is written, in place of what; the key and the identity of what is told, and a part of its text.
+/// What is written, in place of what; the key and the identity of what is reported, and a part of its text.
 const MISTAKES: &[(&str, &str, &str, &str, &str)] = &[
     ("from = 30", "from = \"10 deg\"", "input.from", "scene-hardly-meant", "1718.87"),
     ("angle = 180", "angle = \"180 deg\"", "force.cutting.angle", "scene-hardly-meant", "\"180 deg\""),
