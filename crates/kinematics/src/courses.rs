@@ -205,7 +205,8 @@ impl<'a> Walk<'a> {
     fn beside_free(&self, to: f64) -> f64 {
         let count = |q: f64| self.linkage.modes_at(self.group, q).map(|all| all.len());
         let present = self.now.1.as_ref().map(Vec::len).filter(|count| *count > 0);
-        let beside = to + SHORTEST_EQUAL * self.linkage.coordinate_unit() * self.linkage.mechanism.input.sign();
+        let beside =
+            to + SHORTEST_EQUAL * self.linkage.coordinate_unit() * self.linkage.mechanism.input.sign();
         if present.is_some() && count(to) == Some(0) && count(beside) == present { beside } else { to }
     }
 

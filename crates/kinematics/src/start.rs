@@ -61,7 +61,8 @@ pub(crate) fn refuse_without_start(
         let is_free = !group.plugin.iterates || chain.groups[index].lists_modes() || !chain.is_needed(index);
         let is_known = |link: usize| {
             let mut before = structure.groups[..index].iter();
-            [GROUND, mechanism.input.link].contains(&link) || before.any(|one| one.frame.column(link).is_some())
+            [GROUND, mechanism.input.link].contains(&link)
+                || before.any(|one| one.frame.column(link).is_some())
         };
         // A point that joins the group to what is known says nothing new.
         let is_own = |point: &&Point| {

@@ -1,6 +1,6 @@
 //! `[assembly]`, `[balance]`, `[output]`: the wanted assembly, balancing load and results.
 
-use assur_mechanism::{Balance, GROUND, LinkId, Output, PairId, PointId, SlideId};
+use assur_mechanism::{Balance, LinkId, Output, PairId, PointId, SlideId};
 
 use assur_words::{name, text};
 

@@ -108,37 +108,6 @@ fn modes_over_a_cycle_are_born_and_end_in_pairs_at_the_ends_of_ranges() {
     assert_eq!(found.counts.first().unwrap().1, found.counts.last().unwrap().1);
 }
 
-/// A triad of which two modes meet and vanish at two places; there they run apart by more than a thousandth within a millionth of
-/// a radian.
-const FAST: &str = r#"
-[ground]
-points = { O = [-0.49, -0.063], A2 = [-0.677, -0.533] }
-[link.crank]
-points = { O = 0, A0 = [0.192, 0.223], A1 = [0.077, 0.121] }
-[link.l1]
-points = { A0 = [0.625, 1.277], B0 = [0.074, 0.144] }
-[link.plate]
-points = { B0 = [0.05, 1.03], B1 = [-0.397, 0.201], B2 = [1.275, 0.458] }
-[link.l3]
-points = { A2 = [0.104, 0.193], B2 = [0.244, 0.265] }
-[link.l2]
-points = { A1 = [1.282, 0.061], B1 = [0.144, -0.148] }
-[input]
-link = "crank"
-from = FROM
-"#;
-
-#[test]
-fn modes_that_run_fast_before_they_vanish_end_together_and_not_at_infinity() {
-    for from in ["0.897", "0.947", "1.177", "1.457"] {
-        let text = FAST.replace("FROM", from);
-        let found = linkage_of(assur_scene::read("fast", &text).unwrap()).courses(0).unwrap();
-        assert_eq!((found.courses.len(), found.circuits), (4, 1), "from {from}: {:?}", found.courses);
-        let is_pair = |end| matches!(end, CourseEnd::With(_) | CourseEnd::Cycle);
-        assert!(found.courses.iter().all(|course| course.ends.into_iter().all(is_pair)));
-    }
-}
-
 /// The pin of the crank runs through the pivot of the rocker, about which coupler and rocker can turn freely then.
 const KITE: &str = r#"
 [ground]
