@@ -93,7 +93,7 @@ fn solving_depends_on_the_coordinate_alone() {
     }
 }
 
-/// An eight-bar whose group of six links has seven inner pins; two of them are told.
+/// An eight-bar whose group of six links has seven inner pins; two of them are reported.
 const TWO_PLACES: &str = "
 [ground]
 points = { P0 = [0.11, -0.32], P1 = [0.12, 0.04] }

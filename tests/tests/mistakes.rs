@@ -1,4 +1,4 @@
-//! What newcomers write by mistake and a scene allows: each is told with its key, and no shipped scene has any.
+//! What newcomers write by mistake and a scene allows: each is reported with its key, and no shipped scene has any.
 
 use assur_all as _;
 use assur_analysis::{Calculation, Options, unwatched};
@@ -49,139 +49,122 @@ fn mistakes(scene: &str) -> Vec<Notice> {
     doubts
 }
 
+/// What is written, in place of what; the key and the identity of what is reported, and a part of its text.
+const MISTAKES: &[(&str, &str, &str, &str, &str)] = &[
+    ("from = 30", "from = \"10 deg\"", "input.from", "scene-hardly-meant", "1718.87"),
+    ("angle = 180", "angle = \"180 deg\"", "force.cutting.angle", "scene-hardly-meant", "\"180 deg\""),
+    ("speed = 1500", "speed = \"60 rpm\"", "motion.speed", "scene-hardly-meant", "\"1500 rpm\""),
+    ("O = 0, A = 100 }", "O = 0, A = \"100 mm\" }", "link.crank.points", "scene-far-longer", "100 m long"),
+    ("inertia = 400", "inertia = \"0.04 kg*m^2\"", "link.crank.inertia", "scene-great-inertia", "10 m"),
+    ("center = [150, 0]", "center = [\"150 mm\", 0]", "link.rod.center", "scene-far-center", "149.6 m"),
+    ("", "[assembly]\nB = [\"500 mm\", 0]\n", "assembly", "analysis-any-way", "B is at"),
+    ("B = [\"300 mm\", 0]", "B = [\"500 mm\", 0]", "assembly.B", "analysis-place-missed", "198"),
+    (
+        "angle = \"90 deg\"\nvalue",
+        "angle = \"180 deg\"\nvalue",
+        "force[0]",
+        "analysis-load-without-work",
+        "cutting",
+    ),
+    ("value = 0", "value = \"1 kN\"", "force[0]", "analysis-load-idle", "cutting"),
+    ("gravity = 9810\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "9810 m/s^2"),
+    ("gravity = \"9.81 mm/s^2\"\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "0.00981 m/s^2"),
+    ("mass = 2000", "mass = \"2 kg\"", "link.rod.mass", "scene-far-heavier", "2000 kg"),
+    ("inertia = 3", "inertia = \"0.03 kg*m^2\"", "link.rod.inertia", "scene-great-inertia", "1.225 m"),
+    ("inertia = 3e-7", "inertia = \"0.03 kg*m^2\"", "link.rod.inertia", "scene-small-inertia", "0.0003873 m"),
+    ("speed = \"600000 rpm\"", "speed = \"60 rpm\"", "motion.speed", "scene-fast", "25130 m/s"),
+    (
+        "against_motion = true\nvalue = \"-1 kN\"",
+        "angle = \"180 deg\"\nvalue = \"1 kN\"",
+        "force.cutting.value",
+        "scene-negative-against",
+        "minus",
+    ),
+    (
+        "value = { formula = \"1000*sin(90)*cos(q)\" }",
+        "value = \"1 kN\"",
+        "force.cutting.value.formula",
+        "scene-degrees-in-formula",
+        "`sin`",
+    ),
+    (
+        "value = { formula = \"1000*cos(q*180/pi)\" }",
+        "value = \"1 kN\"",
+        "force.cutting.value.formula",
+        "scene-degrees-in-formula",
+        "`cos`",
+    ),
+    ("value = 1e9", "value = \"1 kN\"", "force[0].value", "scene-strong", "1000000000 N"),
+    (
+        "value = { over = \"time\", table = [[0, 0], [500, 1000]] }",
+        "value = \"1 kN\"",
+        "force[0].value.table",
+        "scene-long-time",
+        "500 s",
+    ),
+    (
+        "[[spring]]\nbetween = [\"O\", \"B\"]\nstiffness = 100\nlength = 300\n[[force]]",
+        "[[force]]",
+        "spring[0].length",
+        "scene-long-spring",
+        "300 m",
+    ),
+    (
+        "[[friction]]\npair = \"A\"\ncoefficient = 10\nradius = 0.015\n[[force]]",
+        "[[force]]",
+        "friction[0].coefficient",
+        "scene-rough",
+        "10",
+    ),
+    (
+        "[[friction]]\npair = \"A\"\ncoefficient = 0.1\nradius = 15\n[[force]]",
+        "[[force]]",
+        "friction[0].radius",
+        "scene-great-journal",
+        "15 m",
+    ),
+    ("[output]\n[motion]", "[motion]", "output", "scene-empty-output", "names nothing"),
+    ("gravity = [0, 9.81]\n[ground]", "[ground]", "gravity", "scene-gravity-up", "upward"),
+    ("mass = \"2 g\"", "mass = \"2 kg\"", "link.rod.mass", "scene-far-lighter", "0.002 kg"),
+    ("to = \"360 deg\"", "from = \"10 deg\"", "input.to", "scene-list-repeats", "positions = 13"),
+    ("cycle = \"180 deg\"", "from = \"10 deg\"", "input.cycle", "scene-part-of-a-turn", "180 deg"),
+    ("center = [\"1500 mm\", 0]", "center = [\"150 mm\", 0]", "link.rod.center", "scene-far-center", "1.1 m"),
+    (
+        "center = [\"150 mm\", 0]",
+        "mass = \"2 kg\"\ncenter = [\"150 mm\", 0]",
+        "link.rod.inertia",
+        "scene-inertia-without-mass",
+        "`mass`",
+    ),
+    (
+        "direction = \"cw\"\n[assembly]\nB = [\"500 mm\", 0]\n[motion]\nspeed = \"-60 rpm\"",
+        "[assembly]\nB = [\"500 mm\", 0]\n[motion]\nspeed = \"60 rpm\"",
+        "motion.speed",
+        "scene-turned-twice",
+        "minus",
+    ),
+    (
+        "O = 0, A = [\"98.4808 mm\", \"17.3648 mm\"]",
+        "O = 0, A = \"100 mm\"",
+        "input.from",
+        "scene-counted-twice",
+        "20 deg",
+    ),
+    (
+        "kind = \"steady\"\nmean_speed = \"60 rpm\"\nunevenness = 0.05\n[drive]\ntorque = \"balance\"\nflywheel = 20",
+        "speed = \"60 rpm\"",
+        "motion.unevenness",
+        "scene-unevenness-unused",
+        "solve",
+    ),
+    // A place of a point that the crank alone carries chooses nothing.
+    ("A = [\"98 mm\", \"17 mm\"]", "B = [\"500 mm\", 0]", "assembly", "analysis-any-way", "B is at"),
+];
+
 #[test]
 fn each_mistake_is_told_once_at_its_key() {
-    // What is written, in place of what; the key and the identity of what is told, and a part of its text.
-    let table = [
-        ("from = 30", "from = \"10 deg\"", "input.from", "scene-hardly-meant", "1718.87"),
-        ("angle = 180", "angle = \"180 deg\"", "force.cutting.angle", "scene-hardly-meant", "\"180 deg\""),
-        ("speed = 1500", "speed = \"60 rpm\"", "motion.speed", "scene-hardly-meant", "\"1500 rpm\""),
-        (
-            "O = 0, A = 100 }",
-            "O = 0, A = \"100 mm\" }",
-            "link.crank.points",
-            "scene-far-longer",
-            "100 m long",
-        ),
-        ("inertia = 400", "inertia = \"0.04 kg*m^2\"", "link.crank.inertia", "scene-great-inertia", "10 m"),
-        ("center = [150, 0]", "center = [\"150 mm\", 0]", "link.rod.center", "scene-far-center", "149.6 m"),
-        ("", "[assembly]\nB = [\"500 mm\", 0]\n", "assembly", "analysis-any-way", "B is at"),
-        ("B = [\"300 mm\", 0]", "B = [\"500 mm\", 0]", "assembly.B", "analysis-place-missed", "198"),
-        (
-            "angle = \"90 deg\"\nvalue",
-            "angle = \"180 deg\"\nvalue",
-            "force[0]",
-            "analysis-load-without-work",
-            "cutting",
-        ),
-        ("value = 0", "value = \"1 kN\"", "force[0]", "analysis-load-idle", "cutting"),
-        ("gravity = 9810\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "9810 m/s^2"),
-        ("gravity = \"9.81 mm/s^2\"\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "0.00981 m/s^2"),
-        ("mass = 2000", "mass = \"2 kg\"", "link.rod.mass", "scene-far-heavier", "2000 kg"),
-        ("inertia = 3", "inertia = \"0.03 kg*m^2\"", "link.rod.inertia", "scene-great-inertia", "1.225 m"),
-        (
-            "inertia = 3e-7",
-            "inertia = \"0.03 kg*m^2\"",
-            "link.rod.inertia",
-            "scene-small-inertia",
-            "0.0003873 m",
-        ),
-        ("speed = \"600000 rpm\"", "speed = \"60 rpm\"", "motion.speed", "scene-fast", "25130 m/s"),
-        (
-            "against_motion = true\nvalue = \"-1 kN\"",
-            "angle = \"180 deg\"\nvalue = \"1 kN\"",
-            "force.cutting.value",
-            "scene-negative-against",
-            "minus",
-        ),
-        (
-            "value = { formula = \"1000*sin(90)*cos(q)\" }",
-            "value = \"1 kN\"",
-            "force.cutting.value.formula",
-            "scene-degrees-in-formula",
-            "`sin`",
-        ),
-        (
-            "value = { formula = \"1000*cos(q*180/pi)\" }",
-            "value = \"1 kN\"",
-            "force.cutting.value.formula",
-            "scene-degrees-in-formula",
-            "`cos`",
-        ),
-        ("value = 1e9", "value = \"1 kN\"", "force[0].value", "scene-strong", "1000000000 N"),
-        (
-            "value = { over = \"time\", table = [[0, 0], [500, 1000]] }",
-            "value = \"1 kN\"",
-            "force[0].value.table",
-            "scene-long-time",
-            "500 s",
-        ),
-        (
-            "[[spring]]\nbetween = [\"O\", \"B\"]\nstiffness = 100\nlength = 300\n[[force]]",
-            "[[force]]",
-            "spring[0].length",
-            "scene-long-spring",
-            "300 m",
-        ),
-        (
-            "[[friction]]\npair = \"A\"\ncoefficient = 10\nradius = 0.015\n[[force]]",
-            "[[force]]",
-            "friction[0].coefficient",
-            "scene-rough",
-            "10",
-        ),
-        (
-            "[[friction]]\npair = \"A\"\ncoefficient = 0.1\nradius = 15\n[[force]]",
-            "[[force]]",
-            "friction[0].radius",
-            "scene-great-journal",
-            "15 m",
-        ),
-        ("[output]\n[motion]", "[motion]", "output", "scene-empty-output", "names nothing"),
-        ("gravity = [0, 9.81]\n[ground]", "[ground]", "gravity", "scene-gravity-up", "upward"),
-        ("mass = \"2 g\"", "mass = \"2 kg\"", "link.rod.mass", "scene-far-lighter", "0.002 kg"),
-        ("to = \"360 deg\"", "from = \"10 deg\"", "input.to", "scene-list-repeats", "positions = 13"),
-        ("cycle = \"180 deg\"", "from = \"10 deg\"", "input.cycle", "scene-part-of-a-turn", "180 deg"),
-        (
-            "center = [\"1500 mm\", 0]",
-            "center = [\"150 mm\", 0]",
-            "link.rod.center",
-            "scene-far-center",
-            "1.1 m",
-        ),
-        (
-            "center = [\"150 mm\", 0]",
-            "mass = \"2 kg\"\ncenter = [\"150 mm\", 0]",
-            "link.rod.inertia",
-            "scene-inertia-without-mass",
-            "`mass`",
-        ),
-        (
-            "direction = \"cw\"\n[assembly]\nB = [\"500 mm\", 0]\n[motion]\nspeed = \"-60 rpm\"",
-            "[assembly]\nB = [\"500 mm\", 0]\n[motion]\nspeed = \"60 rpm\"",
-            "motion.speed",
-            "scene-turned-twice",
-            "minus",
-        ),
-        (
-            "O = 0, A = [\"98.4808 mm\", \"17.3648 mm\"]",
-            "O = 0, A = \"100 mm\"",
-            "input.from",
-            "scene-counted-twice",
-            "20 deg",
-        ),
-        (
-            "kind = \"steady\"\nmean_speed = \"60 rpm\"\nunevenness = 0.05\n[drive]\ntorque = \"balance\"\nflywheel = 20",
-            "speed = \"60 rpm\"",
-            "motion.unevenness",
-            "scene-unevenness-unused",
-            "solve",
-        ),
-        // A place of a point that the crank alone carries chooses nothing.
-        ("A = [\"98 mm\", \"17 mm\"]", "B = [\"500 mm\", 0]", "assembly", "analysis-any-way", "B is at"),
-    ];
     assert_eq!(mistakes(SCENE), []);
-    for (wrong, right, key, id, part) in table {
+    for &(wrong, right, key, id, part) in MISTAKES {
         assert!(SCENE.contains(right), "{right}");
         let found = mistakes(&SCENE.replacen(right, wrong, 1));
         // A wrong place of the first position, for one, has a wrong place of the assembly as its consequence.

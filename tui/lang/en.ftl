@@ -313,7 +313,7 @@ places-motor = motor
 places-motor-as = motor, size and mass of { $other }
 places-gear = gear
 places-crank = crank
-places-heading = drive with its flywheel in two places
+places-heading = drive with its flywheel on either shaft
 places-title = on the { $shaft }
 places-with-mass = on the { $shaft }: { $sum } in all
 regime-unevenness = unevenness
@@ -389,7 +389,7 @@ structure-kind = class { $class }, type { $kind }, order { $order }
 structure-view-links = links: { $links }
 structure-inner = inner pairs: { $pairs }
 structure-outer = outer pairs: { $pairs }
-structure-way = assembly: way { $way } of { $count }
+structure-way = assembly mode { $way } of { $count }
 structure-determinant = determinant here: { $determinant }
 structure-plugin = plugin: { $name } ({ $crate_name })
 structure-source = source: { $source }
@@ -424,7 +424,7 @@ say-extreme-greatest = greatest { $quantity }: { $value } { $place }
 say-extreme-next = next extreme of { $quantity }: { $value } { $place }
 place-in = in position { $position }
 place-between = at { $at } (between { $one } and { $other })
-say-nowhere-back = no view was left before
+say-nowhere-back = there is no earlier view to go back to
 say-nothing-searched = nothing was searched yet: { $key } searches
 say-one-analyzer = no other force analyzer suits this scene
 say-motor-replaced = the motor of the scene is replaced by { $motor }; { $undo } takes it back
@@ -602,7 +602,7 @@ word-mobility = mobility W
     .meaning = number of independent motions: 3 n - 2 p for n links and p pairs with one freedom each
 word-determinant = determinant
     .meaning = of the equations of a group, without dimension: 0 in a singular position, where it is indeterminate
-word-way = way
+word-way = mode
     .meaning = one of the assemblies that a group has with the same lengths
 word-residual = residual
     .meaning = what is left of an equation with the numbers found; it should be rounding
@@ -653,7 +653,7 @@ progress-counted = { $done } of { $all }, { $rate }, { $left } left
 cli-mistake = { $place }: note: { $text }
 cli-strict =
     { $notes }
-    error: --strict takes notes on the scene for errors; nothing is calculated or written
+    error: --strict treats notes on the scene as errors; nothing is calculated or written
 work-of-drive = drive
 work-of-weights = weights
 regime-against = { $load }, against the motion
@@ -661,14 +661,14 @@ regime-excess-area = A* = { $work }
 reduction-mechanism = the mechanism
 reduction-model = disc: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (at rest)
-structure-mode = shown: way { $way }, determinant { $determinant } ({ $key } takes it)
+structure-mode = shown: mode { $way }, determinant { $determinant } ({ $key } takes it)
 structure-modes = { $key }: shows the others
 say-no-modes = The kind of this group can't list its modes.
 say-no-mode-shown = No mode is shown.
 say-mode-without-points = No point of the group has a name: none can stand under [assembly].
-say-mode-taken = Way { $way } is taken: its places stand under [assembly].
-say-mode-is-taken = Way { $way } is taken already.
-say-mode-vanished = The mode of { $group } has vanished; way { $way } is taken.
+say-mode-taken = Mode { $way } is taken: its points stand under [assembly].
+say-mode-is-taken = Mode { $way } is taken already.
+say-mode-vanished = The mode of { $group } has vanished; mode { $way } is taken.
 
 ## reference of the keys, other numbers of a scene
 cli-keys-near = did you mean `{ $near }`?

@@ -82,7 +82,7 @@ impl Session {
     pub(crate) fn read(source: Source, text: String) -> Result<Self, Text> {
         let (mechanism, note) = read(&source, &text)?;
         let structure = decompose(&mechanism).map_err(|error| {
-            // What is hardly meant may be why the links don't form a mechanism.
+            // What is probably not meant may be why the links don't form a mechanism.
             let doubts = mechanism.notes.iter().map(|doubt| doubt_at(&source, &text, doubt));
             joined("\n", doubts.chain([uncompiled(&source, &text, &error.into())]))
         })?;
@@ -150,7 +150,7 @@ impl Session {
         at_key(&self.source, &self.text, &key, message)
     }
 
-    /// What is hardly meant in the scene, with its place.
+    /// What is probably not meant in the scene, with its place.
     pub(crate) fn doubt(&self, doubt: &Notice) -> Text {
         doubt_at(&self.source, &self.text, doubt)
     }
@@ -180,7 +180,7 @@ fn read(source: &Source, text: &str) -> Result<(Mechanism, Note), Text> {
     fault.map_or(Ok((mechanism, note)), Err)
 }
 
-/// What is hardly meant in a scene, with file, line and column where it has a key.
+/// What is probably not meant in a scene, with file, line and column where it has a key.
 fn doubt_at(source: &Source, text: &str, doubt: &Notice) -> Text {
     let key = doubt.key.as_deref().unwrap_or_default().replace(['"', ']'], "").replace('[', ".");
     let steps: Vec<&str> = key.split('.').collect();

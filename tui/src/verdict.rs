@@ -1,4 +1,4 @@
-//! What of the results of a scene is missing or not proved: the one place in which what was calculated becomes what is told, by
+//! What of the results of a scene is missing or not proved: the one place in which what was calculated becomes what is reported, by
 //! commands and in the terminal UI. No position or motion is lost in silence.
 
 use std::collections::BTreeSet;
@@ -12,12 +12,12 @@ use assur_words::{Describe, Text, list, name, number, text};
 
 use crate::session::Session;
 
-/// Most failures that are told in full; of the others only the numbers.
+/// Most failures that are reported in full; of the others only the numbers.
 const MOST: usize = 3;
 /// Most numbers of further failures.
 const MOST_NUMBERS: usize = 100;
 
-/// What is to be told of results, and how a command that has them ends.
+/// What is to be reported of results, and how a command that has them ends.
 #[derive(Debug, Default)]
 pub(crate) struct Verdict {
     /// Positions, a motion, or numbers that there are not; the first is the reason for the exit status.
@@ -31,7 +31,7 @@ pub(crate) struct Verdict {
 }
 
 impl Verdict {
-    /// Of the results of a scene, with the checks that were made. With a session, faults are told at their lines.
+    /// Of the results of a scene, with the checks that were made. With a session, faults are reported at their lines.
     pub(crate) fn of(analysis: &Analysis, calculation: &Calculation, session: Option<&Session>) -> Self {
         let mut losses = failures(&analysis.failures, analysis.survey.failures, session);
         losses.extend(no_motion(calculation, session));
@@ -81,7 +81,7 @@ impl Verdict {
         self.is_complete() && !self.unproved
     }
 
-    /// Everything that is to be told, what is missing first.
+    /// Everything that is to be reported, what is missing first.
     pub(crate) fn messages(&self) -> impl Iterator<Item = &Text> {
         self.losses.iter().chain(&self.checks)
     }

@@ -1,4 +1,4 @@
-//! What has no solution is told by every command: with the exit status and the first reason of `analyze`, and without a number
+//! What has no solution is reported by every command: with the exit status and the first reason of `analyze`, and without a number
 //! that is not finite.
 
 #![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]

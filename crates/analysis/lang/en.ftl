@@ -69,7 +69,7 @@ analysis-never-reached = The prescribed motion never reaches { $count ->
        *[other] { $count } positions
     }: it turns back before; loads over time take there the time of the turning point.
 analysis-spring-without-direction = The ends of spring `{ $spring }` meet in { $positions }: it has no direction and gives no force there, though its free length is { $length }; place one end elsewhere.
-analysis-change-points = Change points, where two ways of assembly meet: { $places }. A real mechanism may go on in either way there; calculated is the smooth motion.
+analysis-change-points = Change points, where two assembly modes meet: { $places }. A real mechanism may go on in either mode there; calculated is the smooth motion.
 analysis-interpolated = In { $positions } the group is singular, its equations have the form 0/0: the motion there is interpolated from both sides.
 analysis-place = { $place } ({ $group })
 analysis-place-of-several = { $place } ({ $group } and { $more } more)
@@ -96,12 +96,12 @@ analysis-arc-rolls = The arc of `{ $contact }` rolls without sliding in { $posit
 analysis-friction-pushes = The friction of `{ $contact }` pushes with the sliding in { $positions }: its sign is the one given. With `friction = { "{" } against_sliding = { $friction } { "}" }` it is found.
 analysis-jammed = { $error }; there is a solution up to { $factor } times all coefficients of friction
 analysis-jammed-coefficient = { $error }; there is a solution up to { $factor } times the coefficient of friction, { $coefficient }
-analysis-friction-rests = friction of { $pair }: { $link } never moves on { $on }, so it has no friction there
-analysis-friction-turns = friction of { $pair }: { $link } rests on { $on } in { $positions }; the friction is that just after
-analysis-friction-several = friction: there are several solutions in { $positions }; taken is the one that follows from small coefficients, without one that of the least balancing load, and the JSON has all of them
+analysis-friction-rests = friction of { $pair }: { $link } never moves relative to { $on }, so no friction acts there
+analysis-friction-turns = friction of { $pair }: { $link } is at rest relative to { $on } in { $positions }; the friction given there is that just after
+analysis-friction-several = friction: there are several solutions in { $positions }; the results are those of the solution reached when the coefficients grow from zero, or, where there is none, of the one with the least balancing load; the JSON has all of them
 analysis-friction-continuum = friction: there is a continuum of solutions in { $positions }; given are its ends
 analysis-friction-not-proved = friction: it is not proved that no other solution exists in { $positions }
-analysis-any-way = No place in [assembly] tells how { $group } is assembled: { $point } is at { $taken }, but might as well be at { $others }. Write its place under [assembly].
+analysis-any-way = No point in [assembly] chooses the assembly mode of { $group }: { $point } was put at { $taken }, but could equally be at { $others }. Write roughly where it is under [assembly].
 analysis-place-missed = [assembly] has { $point } at { $wanted }; the assembly taken has it at { $found }, { $distance } away.
 analysis-link-rests = Link `{ $link }` never moves.
 analysis-slide-rests = Nothing ever slides in `{ $slide }`.

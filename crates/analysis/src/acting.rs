@@ -12,27 +12,27 @@ pub(crate) struct Acting {
     time: f64,
     coordinate: f64,
     speed: f64,
-    /// Of the drive, of all weights, of each load of the scene in the order of the results.
+    /// The moments of the drive, of all weights, and of each load of the scene in the order of the results.
     pub(crate) each: Vec<f64>,
-    /// Of the dry friction of all pairs.
+    /// The moment of the dry friction of all pairs.
     friction: f64,
 }
 
 /// Works of the driving and of the resisting moments, and of each moment, J; or the moments or powers of which they are.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Works {
-    /// Of the driving and of the resisting moments, and of the dry friction of all pairs, which is neither.
+    /// The work of the driving and of the resisting moments, and of the dry friction of all pairs, which is neither.
     pub(crate) sums: [f64; 3],
-    /// In the order of [`Acting::each`].
+    /// The works of the moments in the order of [`Acting::each`].
     pub(crate) each: Vec<f64>,
 }
 
 impl Acting {
-    /// The place of the drive.
+    /// Index of the drive in [`Acting::each`].
     pub(crate) const DRIVE: usize = 0;
-    /// The place of the weights.
+    /// Index of the weights in [`Acting::each`].
     pub(crate) const WEIGHTS: usize = 1;
-    /// The place of the first load.
+    /// Index of the first load in [`Acting::each`].
     pub(crate) const LOADS: usize = 2;
 
     /// What acts at a state, with these moments of the drive and of the dry friction of all pairs.
@@ -70,7 +70,7 @@ impl Acting {
 }
 
 impl Works {
-    /// No work of so many moments.
+    /// Zero for so many moments.
     pub(crate) fn none(count: usize) -> Self {
         Self { each: vec![0.0; count], ..Self::default() }
     }

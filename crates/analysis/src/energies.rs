@@ -50,8 +50,8 @@ impl Calculation {
         let mut schema = Schema::new(mechanism);
         let section = schema.section();
         let all = [Quantity::DrivingWork, Quantity::ResistingWork, Quantity::KineticEnergy];
-        let rubs = !mechanism.frictions.is_empty();
-        let all = all.into_iter().chain(rubs.then_some(Quantity::FrictionWork));
+        let has_friction = !mechanism.frictions.is_empty();
+        let all = all.into_iter().chain(has_friction.then_some(Quantity::FrictionWork));
         schema.add(section, all.map(|quantity| Column::of(quantity, Owner::Input)));
         let by_load = by_load(mechanism, schema.loads());
         schema.add(section, by_load.iter().map(|(owner, _)| Column::of(Quantity::Work, *owner)));
@@ -67,7 +67,7 @@ impl Calculation {
             let works = by_load.iter().map(|(_, place)| works.each[*place]);
             let row: Vec<f64> = [driving, resisting, *kinetic]
                 .into_iter()
-                .chain(rubs.then_some(friction))
+                .chain(has_friction.then_some(friction))
                 .chain(works)
                 .chain(links.iter().copied())
                 .chain(moments)
@@ -137,11 +137,11 @@ impl Calculation {
         let (intervals, kinetic) = (intervals.collect::<Option<_>>()?, kinetic.collect());
         let mut position = self.linkage.position();
         let mechanism = &self.linkage.mechanism;
-        let mut rubs = self.rubs_of_motion(loads);
+        let mut frictional = self.friction_of_motion(loads);
         let samples = (0..=CYCLE_INTERVALS).map(|i| {
-            self.linkage.solve(at(i), order(rubs.is_some()), &mut position).ok()?;
+            self.linkage.solve(at(i), order(frictional.is_some()), &mut position).ok()?;
             let state = State { side: Side::After, ..self.state(at(i)) };
-            let moments = self.moments_in(found, &state, &position, &mut rubs)?;
+            let moments = self.moments_in(found, &state, &position, &mut frictional)?;
             let links = energies_of_links(mechanism, &state, &position.bodies);
             Some((Acting::of(loads, mechanism, &state, &position.bodies, moments), links))
         });
@@ -150,7 +150,7 @@ impl Calculation {
     }
 
     /// The force analysis of the dry friction in a regime; `None` where all pairs are ideal.
-    fn rubs_of_motion<'a>(&'a self, loads: &'a Loads) -> Option<Kinetostatics<'a>> {
+    fn friction_of_motion<'a>(&'a self, loads: &'a Loads) -> Option<Kinetostatics<'a>> {
         loads.frictions()?;
         let method =
             assur_force::choose(None, true, !self.linkage.structure.passive.is_empty()).ok()?.instance;
@@ -163,30 +163,30 @@ impl Calculation {
         found: &Steady,
         state: &State,
         position: &Position,
-        rubs: &mut Option<Kinetostatics<'_>>,
+        frictional: &mut Option<Kinetostatics<'_>>,
     ) -> Option<[f64; 2]> {
         let torque = found.regime.state(state.coordinate).drive;
-        let Some(rubs) = rubs else { return Some([torque, 0.0]) };
+        let Some(frictional) = frictional else { return Some([torque, 0.0]) };
         let period = self.linkage.mechanism.input.period();
         let behind = state.coordinate - state.speed.signum() * 2.0 * tolerance(state.coordinate, period);
         let acceleration = match state.side {
             Side::Before => self.state(behind).acceleration,
             _ => state.acceleration,
         };
-        rubs.solve(&State { acceleration, ..*state }, position).ok()?;
-        let rubbing = rubs.reactions.rubbing.as_ref()?;
-        let each = rubbing.frictions.rubs.iter().zip(&rubbing.forces);
-        Some([torque, each.map(|(rub, force)| force * rub.relative(&position.bodies)).sum()])
+        frictional.solve(&State { acceleration, ..*state }, position).ok()?;
+        let friction = frictional.reactions.friction.as_ref()?;
+        let each = friction.frictions.bearings.iter().zip(&friction.forces);
+        Some([torque, each.map(|(bearing, force)| force * bearing.relative(&position.bodies)).sum()])
     }
 
     /// The works in a regime between two coordinates, by Simpson's rule between the jumps of the loads.
     fn over_coordinate(&self, loads: &Loads, found: &Steady, [from, to]: [f64; 2]) -> Option<[Works; 2]> {
         let sense = (to - from).signum();
         let mut position = self.linkage.position();
-        let mut friction = self.rubs_of_motion(loads);
-        let rubs = friction.is_some();
+        let mut friction = self.friction_of_motion(loads);
+        let has_friction = friction.is_some();
         let mut moments = |coordinate: f64, side| {
-            self.linkage.solve(coordinate, order(rubs), &mut position).ok()?;
+            self.linkage.solve(coordinate, order(has_friction), &mut position).ok()?;
             let state = State { side, ..self.state(coordinate) };
             let given = self.moments_in(found, &state, &position, &mut friction)?;
             let acting = Acting::of(loads, &self.linkage.mechanism, &state, &position.bodies, given);
@@ -207,7 +207,7 @@ impl Calculation {
                     _ => (Side::After, 0.0),
                 };
                 // A load against a motion that rests just there is none, and the friction that it gives would be none.
-                let inward = if rubs { inward } else { 0.0 };
+                let inward = if has_friction { inward } else { 0.0 };
                 moments(start + step * (f64::from(i) + inward), side)
             });
             let nodes = nodes.collect::<Option<Vec<_>>>()?;
@@ -220,8 +220,8 @@ impl Calculation {
 }
 
 /// The order of the transfer functions that works need: friction depends on inertia loads.
-fn order(rubs: bool) -> Order {
-    if rubs { Order::Second } else { Order::First }
+fn order(has_friction: bool) -> Order {
+    if has_friction { Order::Second } else { Order::First }
 }
 
 /// The drive, the weights and the loads of the scene that have a work, each with its place among what acts.

@@ -32,14 +32,14 @@ pub struct Turn {
 pub struct Peaks {
     /// Of each quantity.
     pub farthest: Vec<(Column, Turn)>,
-    /// Of the power of the balancing load, W.
+    /// The extreme of the power of the balancing load, W.
     pub power: Option<Turn>,
     /// Mean and root mean square of the balancing load over the whole cycle.
     pub balancing: Option<[f64; 2]>,
 }
 
 impl Turn {
-    /// A value at a coordinate, as it is.
+    /// A value at a coordinate, with its sign.
     pub const fn at(at: f64, value: f64) -> Self {
         Self { at, value, is_greatest: value >= 0.0, within: [at; 2] }
     }
@@ -104,7 +104,7 @@ impl Calculation {
     }
 }
 
-/// By sections around the best of eight places.
+/// Finds an extreme by sections around the best of eight coordinates.
 fn refined(turn: Turn, values: &mut dyn FnMut([f64; Lanes::WIDTH]) -> [f64; Lanes::WIDTH]) -> Turn {
     let sign = if turn.is_greatest { 1.0 } else { -1.0 };
     let ([mut low, mut high], mut best) = (turn.within, turn);

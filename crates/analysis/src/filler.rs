@@ -136,8 +136,8 @@ impl<'a> Filler<'a> {
         let Some((forces, joints)) = forces else { return (rows, [None; Lanes::WIDTH], Vec::new()) };
         let refused = forces.solve(states, position).err().unwrap_or_default();
         joints.sum(&forces.reactions);
-        if let Some(rubbing) = &mut forces.reactions.rubbing {
-            let doubts = rubbing.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
+        if let Some(friction) = &mut forces.reactions.friction {
+            let doubts = friction.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
             let linkage = &calculation.linkage;
             several.extend(doubts.map(|(lane, doubt)| Several::of(linkage, first + lane, &doubt)));
         }

@@ -156,11 +156,17 @@ impl Cycle<'_> {
         };
         let lever = UnitBalance::of(&linkage.mechanism).map_or(1.0, |unit| unit.power(bodies));
         let mut powers = vec![self.forces.reactions.balancing * lever * way];
-        if let Some(rubbing) = &self.forces.reactions.rubbing {
+        if let Some(friction) = &self.forces.reactions.friction {
             let of = |pair: PairId| {
-                let rubs =
-                    rubbing.frictions.rubs.iter().zip(&rubbing.forces).filter(|(rub, _)| rub.pair == pair);
-                rubs.map(|(rub, force)| (force * rub.relative(bodies) * way).min(0.0)).sum::<f64>()
+                let bearings = friction
+                    .frictions
+                    .bearings
+                    .iter()
+                    .zip(&friction.forces)
+                    .filter(|(bearing, _)| bearing.pair == pair);
+                bearings
+                    .map(|(bearing, force)| (force * bearing.relative(bodies) * way).min(0.0))
+                    .sum::<f64>()
             };
             powers.extend(linkage.mechanism.frictions.iter().map(|friction| of(friction.pair)));
         }
@@ -178,7 +184,7 @@ impl Cycle<'_> {
         };
         let (driving, loss) = (powers[0], -powers[1..].iter().sum::<f64>());
         let state = if driving > 0.0 && driving < loss { State::Braking } else { State::Working };
-        let radii = self.forces.reactions.rubbing.iter().flat_map(|rubbing| &rubbing.certificates);
+        let radii = self.forces.reactions.friction.iter().flat_map(|friction| &friction.certificates);
         let radius = radii.copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
         self.certificate = self.certificate.max(radius);
         let of = |holds: bool, room: f64| if holds { room } else { f64::INFINITY };

@@ -20,7 +20,7 @@ pub struct StructureStudy {
     pub format: u8,
     /// Title of the scene; may be empty.
     pub title: String,
-    /// With the input of the scene; `None` where it gives no mechanism.
+    /// The structure with the input of the scene; `None` where it gives no mechanism.
     pub structure: Option<StructureReport>,
     /// Why it gives none.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -67,7 +67,7 @@ impl StructureStudy {
         Self { format: 1, title, structure, why: None, inputs: Vec::new(), angular, modes: Vec::new() }
     }
 
-    /// Of a mechanism whose input gives none.
+    /// The structure of a mechanism whose input leaves links loose or locked.
     pub fn without(mechanism: &Mechanism, error: &StructureError) -> Self {
         let why = Some(error.describe());
         let (title, angular) = (mechanism.title.clone(), mechanism.input.is_angle());

@@ -13,7 +13,7 @@ use crate::trajectory::WithoutForces;
 use crate::{Calculation, InputMotion, Options};
 
 impl Calculation {
-    /// Everything that is told beside the results; `positions` at which forces are not determined, and `samples` of a motion without them.
+    /// Everything that is reported beside the results; `positions` at which forces are not determined, and `samples` of a motion without them.
     pub(crate) fn notes(&self, positions: &Listed, samples: &WithoutForces) -> Vec<Notice> {
         let remarks = self.remarks(positions, samples).into_iter().map(Notice::from);
         self.doubts().into_iter().chain(remarks).collect()

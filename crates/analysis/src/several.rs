@@ -41,7 +41,7 @@ pub enum Load {
 }
 
 impl Several {
-    /// What is told of a position.
+    /// What is reported of a position.
     pub(crate) fn of(linkage: &Linkage, index: usize, doubt: &Doubt) -> Self {
         let solutions = doubt.solutions.iter().map(|solution| SolutionReport::of(linkage, solution));
         Self { index, solutions: solutions.collect(), proved: doubt.proved, continuum: doubt.continuum }

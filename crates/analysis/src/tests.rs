@@ -1,4 +1,4 @@
-//! The plan is obeyed, and failures are told.
+//! The plan is obeyed, and failures are reported.
 
 use std::sync::Arc;
 

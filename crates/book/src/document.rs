@@ -24,7 +24,7 @@ pub enum Block {
     Subheading(Text),
     /// A paragraph.
     Paragraph(Text),
-    /// Numbers that are told one by one, with their caption.
+    /// Numbers that are reported one by one, with their caption.
     Facts {
         /// The caption; may be empty.
         caption: Text,
@@ -86,7 +86,7 @@ impl Document {
         }
     }
 
-    /// Numbers that are told one by one; nothing where there is none.
+    /// Numbers that are reported one by one; nothing where there is none.
     pub fn facts(&mut self, caption: Text, facts: Vec<Fact>) {
         if !facts.is_empty() {
             self.blocks.push(Block::Facts { caption, facts });

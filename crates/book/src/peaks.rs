@@ -8,7 +8,7 @@ use crate::Course;
 
 /// Extremes of a curve that are not farther from the greatest one than this part of it may be the greatest.
 const NEAR: f64 = 0.02;
-/// Relative difference below which two extremes are equal, and the first of them is told.
+/// Relative difference below which two extremes are equal, and the first of them is reported.
 const TIE: f64 = 1e-9;
 
 /// The greatest values of a calculation, found between its positions too; `edges`: what lies between them.

@@ -56,8 +56,8 @@ pub(crate) fn compare(case: &Case<'_>, [links, joints, guides]: &mut [Collector;
             let (s, c) = slide.angle.sin_cos();
             let along = one.position.bodies[slide.on].turned([c, s]);
             let force = joint.forces.first().map_or([f64::NAN; 2], |(_, force)| *force);
-            let rubs = crate::friction::along(case.reactions, joint.joint);
-            let off = (force[0] * along[0] + force[1] * along[1] - rubs).abs();
+            let along_guide = crate::friction::along(case.reactions, joint.joint);
+            let off = (force[0] * along[0] + force[1] * along[1] - along_guide).abs();
             guides.offer(one.index, off / total, limit, place);
         }
     }

@@ -1,7 +1,7 @@
 //! Dry friction: what each pair must give, from the named reactions and the motion of its links.
 
 use assur_force::Reactions;
-use assur_mechanism::{Friction, LinkId, Middle, PairId, Rubbing};
+use assur_mechanism::{Friction, LinkId, Middle, PairId, Surfaces};
 use assur_words::text;
 
 use crate::case::{Case, ROUNDINGS, largest};
@@ -13,33 +13,39 @@ pub(crate) fn collector() -> Collector {
 
 /// The friction of a slide along its guide, N; 0 for another pair.
 pub(crate) fn along(reactions: &Reactions, pair: PairId) -> f64 {
-    let Some(rubbing) = &reactions.rubbing else { return 0.0 };
-    let each = rubbing.frictions.rubs.iter().zip(&rubbing.forces);
-    each.filter(|(rub, _)| rub.pair == pair).map(|(_, force)| force).sum()
+    let Some(friction) = &reactions.friction else { return 0.0 };
+    let each = friction.frictions.bearings.iter().zip(&friction.forces);
+    each.filter(|(bearing, _)| bearing.pair == pair).map(|(_, force)| force).sum()
 }
 
 /// Virtual power of all friction for dq = 1.
 pub(crate) fn power(case: &Case<'_>) -> f64 {
-    let Some(rubbing) = &case.reactions.rubbing else { return 0.0 };
+    let Some(friction) = &case.reactions.friction else { return 0.0 };
     let bodies = &case.one.position.bodies;
-    rubbing.frictions.rubs.iter().zip(&rubbing.forces).map(|(rub, force)| force * rub.relative(bodies)).sum()
+    friction
+        .frictions
+        .bearings
+        .iter()
+        .zip(&friction.forces)
+        .map(|(bearing, force)| force * bearing.relative(bodies))
+        .sum()
 }
 
 /// Compares the friction of all pairs at a state.
 pub(crate) fn compare(case: &Case<'_>, collector: &mut Collector) {
-    let Some(rubbing) = &case.reactions.rubbing else { return };
+    let Some(friction) = &case.reactions.friction else { return };
     let mechanism = &case.subject.linkage.mechanism;
     let total = largest(&case.reactions.pairs, case.subject.linkage.structure.scale).max(f64::MIN_POSITIVE);
-    let radius = rubbing
+    let radius = friction
         .certificates
         .iter()
         .filter(|radius| radius.is_finite())
         .fold(0.0, |most: f64, r| most.max(*r));
     let gain = if radius < 1.0 { 1.0 / (1.0 - radius) } else { 1e4 };
     let limit = ROUNDINGS * f64::EPSILON * case.one.condition * gain;
-    let mut forces = rubbing.forces.iter().zip(&rubbing.senses);
+    let mut forces = friction.forces.iter().zip(&friction.senses);
     for friction in &mechanism.frictions {
-        for [link, on] in mechanism.rubbing(friction) {
+        for [link, on] in mechanism.friction_links(friction) {
             let Some((force, sense)) = forces.next() else { return };
             let (expected, lever) = expected(case, friction, link, *sense);
             let moving = relative(case, friction.pair, [link, on]) * case.state.speed;
@@ -59,17 +65,17 @@ fn expected(case: &Case<'_>, friction: &Friction, link: LinkId, sense: f64) -> (
     };
     let force = joint.forces.iter().find(|(on, _)| *on == link).map_or([f64::NAN; 2], |(_, force)| *force);
     let factor = -sense * friction.coefficient;
-    match (friction.pair, friction.rubbing) {
-        (_, Rubbing::Journal { radius, .. }) => {
+    match (friction.pair, friction.surfaces) {
+        (_, Surfaces::Journal { radius, .. }) => {
             let lever = if radius > 0.0 { radius } else { 1.0 };
             (factor * radius * force[0].hypot(force[1]), lever)
         }
-        (PairId::Slide(id), rubbing) => {
+        (PairId::Slide(id), surfaces) => {
             let (slide, bodies) = (&case.subject.linkage.mechanism.slides[id], &case.one.position.bodies);
             let (s, c) = slide.angle.sin_cos();
             let [x, y] = bodies[slide.on].turned([c, s]);
             let normal = x * force[1] - y * force[0];
-            let Rubbing::Faces { length, middle, offset } = rubbing else {
+            let Surfaces::Faces { length, middle, offset } = surfaces else {
                 return (factor * normal.abs(), 1.0);
             };
             let whole = joint.moment.unwrap_or(f64::NAN);

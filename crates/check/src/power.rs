@@ -31,9 +31,9 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     let bodies = &one.position.bodies;
     let scale = linkage.structure.scale;
     let unit_power = UnitBalance::of(&linkage.mechanism).map_or(1.0, |unit| unit.power(bodies));
-    let rubbing = crate::friction::power(case);
+    let friction = crate::friction::power(case);
     let own = case.reactions.balancing * unit_power;
-    let balancing = own + rubbing;
+    let balancing = own + friction;
     let [inertia, slope] = kinetics::reduced(&linkage.mechanism, state.coordinate, bodies);
     let terms = [-inertia * state.acceleration, -0.5 * slope * state.speed * state.speed];
     let moves = |body: &Body<f64>| body.x1.hypot(body.y1) + body.w1.abs() * scale;
@@ -54,7 +54,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
     compare_reduced(case, [inertia, slope, moment], [sizes, added], reduced);
     let exchanged = exchanged(case);
     let total =
-        balancing.abs() + rubbing.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
+        balancing.abs() + friction.abs() + moment.abs() + terms[0].abs() + terms[1].abs() + sizes + exchanged;
     let rounding = 4.0 * f64::EPSILON * carried;
     // Where every power is zero or rounding, the sum is measured by what the loads would do on the fastest link.
     let total = if total > rounding { total } else { carried.max(f64::MIN_POSITIVE) };
@@ -73,7 +73,7 @@ pub(crate) fn compare(case: &Case<'_>, [reduced, lagrange, lever, drive]: &mut [
             Some(uncertain) => {
                 let limit = limit + (given.error + uncertain) / total;
                 drive.offer(one.index, off, limit, || text!("check-input-link"));
-                residuals = [(given.value + rubbing + moment + terms[0] + terms[1]).abs() / total, off];
+                residuals = [(given.value + friction + moment + terms[0] + terms[1]).abs() / total, off];
             }
             None => drive.leave_out(one.index, ON_A_JUMP),
         }

@@ -108,8 +108,8 @@ impl Subject<'_> {
     ) -> Option<Reactions> {
         let mut wrenches = loads.total(state, &position.bodies);
         let mut reactions = Reactions::new(self.linkage).with_friction(loads, self.linkage);
-        if let Some(rubbing) = &mut reactions.rubbing {
-            loads.senses(state, &position.bodies, &mut rubbing.senses);
+        if let Some(friction) = &mut reactions.friction {
+            loads.senses(state, &position.bodies, &mut friction.senses);
         }
         method.instance.solve(self.linkage, position, &mut wrenches, &mut reactions).ok()?;
         Some(reactions)

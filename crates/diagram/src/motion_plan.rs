@@ -53,7 +53,7 @@ fn draw(linkage: &Linkage, position: &Position, state: Option<&State>, order: us
 }
 
 /// A component of a velocity or an acceleration: its kind, its name, the vector, its meaning.
-type Part = (VectorKind, Text, [f64; 2], Text);
+type Component = (VectorKind, Text, [f64; 2], Text);
 
 struct Drawer<'a> {
     linkage: &'a Linkage,
@@ -102,7 +102,7 @@ impl Drawer<'_> {
     }
 
     /// Compares the end of the components with the image to which they lead, and draws them head to tail.
-    fn parts(&mut self, start: [f64; 2], parts: Vec<Part>, image: [f64; 2], drawn: bool) {
+    fn parts(&mut self, start: [f64; 2], parts: Vec<Component>, image: [f64; 2], drawn: bool) {
         let end = parts.iter().fold(start, |at, (_, _, vector, _)| plus(at, *vector));
         self.open = self.open.max(length(minus(end, image)));
         let mut corner = start;
@@ -126,7 +126,7 @@ impl Drawer<'_> {
         }
     }
 
-    fn turn_parts(&self, link: usize, arm: [f64; 2], to: &Text, from: &Text) -> Vec<Part> {
+    fn turn_parts(&self, link: usize, arm: [f64; 2], to: &Text, from: &Text) -> Vec<Component> {
         let (body, Rate { w, e }) = (&self.position.bodies[link], self.rate);
         let link = Text::from(&self.linkage.mechanism.links[link].name);
         let of = |letter: &'static str| symbol(letter, [to.clone(), from.clone()]);

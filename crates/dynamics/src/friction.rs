@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use assur_force::{
-    ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, Rub, State, tolerance,
+    Bearing, ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, State, tolerance,
 };
 use assur_group::{Body, Wrench};
 use assur_integrator::{MotionError, Reduced};
@@ -31,7 +31,7 @@ pub(crate) struct Friction {
     /// The interval of the coordinate that was entered last.
     piece: [f64; 2],
     /// What was found last.
-    found: Found,
+    found: FrictionMoment,
     /// The forces that pressed the faces of slides then.
     pressing: Vec<f64>,
 }
@@ -47,7 +47,7 @@ pub(crate) enum Course {
 
 /// Friction at a state.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Found {
+pub(crate) struct FrictionMoment {
     /// Its moment reduced to the input, N m (N).
     pub(crate) moment: f64,
     /// At rest no acceleration is possible in this direction, whatever its sign.
@@ -55,7 +55,7 @@ pub(crate) struct Found {
 }
 
 /// Where the friction is looked for, and by which formulas of the loads.
-pub(crate) struct Place<'a> {
+pub(crate) struct Configuration<'a> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) loads: &'a Loads,
     pub(crate) phase: &'a Phase,
@@ -84,7 +84,7 @@ impl Friction {
             .map(|plugin| plugin.instance);
         let out = Reactions { unit: None, ..Reactions::new(linkage).with_friction(loads, linkage) };
         let none = vec![Wrench::ZERO; linkage.structure.links];
-        let found = Found::default();
+        let found = FrictionMoment::default();
         Some(Self {
             method,
             out,
@@ -99,7 +99,7 @@ impl Friction {
     }
 
     /// What was found last.
-    pub(crate) fn found(&self) -> Found {
+    pub(crate) fn found(&self) -> FrictionMoment {
         self.found
     }
 
@@ -126,8 +126,8 @@ impl Friction {
 
     /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.
     pub(crate) fn enter(&mut self, loads: &Loads, state: &State, piece: &mut Piece) {
-        if let Some(rubbing) = &mut self.out.rubbing {
-            loads.enter_friction(state, &mut rubbing.senses, piece);
+        if let Some(friction) = &mut self.out.friction {
+            loads.enter_friction(state, &mut friction.senses, piece);
         }
         self.cut(state, &mut piece.coordinate);
         self.piece = piece.coordinate;
@@ -148,7 +148,7 @@ impl Friction {
     /// The reduced moment of friction at a state of a motion with this drive; `ideal`: the coefficients without friction.
     pub(crate) fn moment(
         &mut self,
-        place: &Place<'_>,
+        place: &Configuration<'_>,
         state: &State,
         ideal: &Reduced,
         drive: [f64; 2],
@@ -160,7 +160,7 @@ impl Friction {
             let inside = state.coordinate.min(high - near).max(low + near);
             let [speed, acceleration] = course.at(inside);
             let moment = self.in_known_motion(place, &State { speed, acceleration, ..*state })?;
-            Found { moment, jams: false }
+            FrictionMoment { moment, jams: false }
         } else {
             place.loads.evaluate_in_phase(place.phase, state, &place.position.bodies, &mut self.wrenches);
             let all = self.accelerations(place, drive)?;
@@ -169,21 +169,21 @@ impl Friction {
         Ok(self.found.moment)
     }
 
-    fn in_known_motion(&mut self, place: &Place<'_>, state: &State) -> Result<f64, MotionError> {
-        let Place { linkage, loads, phase, position } = place;
+    fn in_known_motion(&mut self, place: &Configuration<'_>, state: &State) -> Result<f64, MotionError> {
+        let Configuration { linkage, loads, phase, position } = place;
         loads.evaluate_in_phase(phase, state, &position.bodies, &mut self.wrenches);
         let method = self.method.ok_or_else(no_method)?;
         let solved = method.solve(linkage, position, &mut self.wrenches, &mut self.out);
         solved.map_err(|error| MotionError::mechanism(&error))?;
-        let Some(rubbing) = &self.out.rubbing else { return Ok(0.0) };
-        self.pressing = rubbing.pressing(&position.bodies, &self.out.pairs);
-        Ok(power(&rubbing.frictions.rubs, &rubbing.forces, &position.bodies))
+        let Some(friction) = &self.out.friction else { return Ok(0.0) };
+        self.pressing = friction.pressing(&position.bodies, &self.out.pairs);
+        Ok(power(&friction.frictions.bearings, &friction.forces, &position.bodies))
     }
 
     /// The accelerations that are possible under the loads evaluated last.
     fn accelerations(
         &mut self,
-        place: &Place<'_>,
+        place: &Configuration<'_>,
         [drive, drive_inertia]: [f64; 2],
     ) -> Result<Vec<FrictionSolution>, MotionError> {
         self.inertia.fill(Wrench::ZERO);
@@ -200,11 +200,11 @@ impl Friction {
     fn chosen(
         &mut self,
         mut all: Vec<FrictionSolution>,
-        place: &Place<'_>,
+        place: &Configuration<'_>,
         state: &State,
         ideal: &Reduced,
         [drive, drive_inertia]: [f64; 2],
-    ) -> Result<Found, MotionError> {
+    ) -> Result<FrictionMoment, MotionError> {
         let (sense, rests) = (place.phase.sense(), state.speed == 0.0);
         if rests && all.iter().any(|one| one.balancing * sense > 0.0) {
             all.retain(|one| one.balancing * sense > 0.0);
@@ -213,7 +213,7 @@ impl Friction {
                 all.into_iter().max_by(|a, b| (a.balancing * sense).total_cmp(&(b.balancing * sense)))
             else {
                 // Nothing moves: friction holds what acts.
-                return Ok(Found { moment: -(ideal.moment + drive), jams: true });
+                return Ok(FrictionMoment { moment: -(ideal.moment + drive), jams: true });
             };
             all = vec![fastest];
         }
@@ -223,11 +223,14 @@ impl Friction {
         let shown = |one: &FrictionSolution| number(format_args!("{:.6e}", one.balancing));
         match &all[..] {
             [only] => {
-                if let Some(rubbing) = &self.out.rubbing {
-                    self.pressing = rubbing.pressing(&place.position.bodies, &only.pairs);
+                if let Some(friction) = &self.out.friction {
+                    self.pressing = friction.pressing(&place.position.bodies, &only.pairs);
                 }
-                let rubs = place.loads.frictions().map_or(&[][..], |frictions| &frictions.rubs[..]);
-                Ok(Found { moment: power(rubs, &only.forces, &place.position.bodies), jams: false })
+                let bearings = place.loads.frictions().map_or(&[][..], |frictions| &frictions.bearings[..]);
+                Ok(FrictionMoment {
+                    moment: power(bearings, &only.forces, &place.position.bodies),
+                    jams: false,
+                })
             }
             [] => Err(MotionError::Undetermined(text!("dynamics-friction-none"))),
             [first, .., last] => Err(MotionError::Undetermined(text!(
@@ -242,7 +245,7 @@ impl Friction {
     /// The acceleration at a state whose loads are those that the state itself selects.
     pub(crate) fn acceleration_at(
         &mut self,
-        place: &Place<'_>,
+        place: &Configuration<'_>,
         state: &State,
         drive: [f64; 2],
     ) -> Result<Option<f64>, MotionError> {
@@ -255,7 +258,7 @@ fn no_method() -> MotionError {
     MotionError::Mechanism(text!("dynamics-friction-no-method"))
 }
 
-/// Virtual power of the friction of all rubs for dq = 1.
-fn power(rubs: &[Rub], forces: &[f64], bodies: &[Body<f64>]) -> f64 {
-    rubs.iter().zip(forces).map(|(rub, force)| force * rub.relative(bodies)).sum()
+/// Virtual power of the friction of all bearings for dq = 1.
+fn power(bearings: &[Bearing], forces: &[f64], bodies: &[Body<f64>]) -> f64 {
+    bearings.iter().zip(forces).map(|(bearing, force)| force * bearing.relative(bodies)).sum()
 }

@@ -6,7 +6,7 @@ use assur_integrator::{Motion, MotionError, Reduced, Sample, State};
 use assur_number::search::try_bisect;
 use serde::Serialize;
 
-use crate::friction::Found;
+use crate::friction::FrictionMoment;
 use crate::machine::load_state;
 use crate::{Driven, Machine};
 
@@ -61,7 +61,7 @@ impl Driven<Machine<'_>> {
         let jump = down - up;
         let mut upper = if jump > 0.0 { down / jump } else { 0.5 };
         let mut friction = 0.0;
-        if self.machine().rubs() && speed != 0.0 {
+        if self.machine().has_friction() && speed != 0.0 {
             (upper, friction) = self.held_with_friction(&at)?;
         }
         let [net_up, net_down] = [up, down].map(|acceleration| above.inertia * acceleration);
@@ -72,7 +72,12 @@ impl Driven<Machine<'_>> {
     }
 
     /// Coefficients of the equation by the formulas on a side of a state, above (1), below (-1) or at (0) its speed.
-    fn on_side(&mut self, at: &State, side: Side, of_speed: f64) -> Result<(Reduced, Found), MotionError> {
+    fn on_side(
+        &mut self,
+        at: &State,
+        side: Side,
+        of_speed: f64,
+    ) -> Result<(Reduced, FrictionMoment), MotionError> {
         let speed = if of_speed == 0.0 { at.speed } else { beside(at.speed, of_speed) };
         self.enter_side(&assur_force::State { side, ..load_state(&State { speed, ..*at }) });
         Ok((self.reduced(at)?, self.machine().friction()))

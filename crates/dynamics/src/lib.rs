@@ -9,10 +9,10 @@
 mod drive;
 mod error;
 mod friction;
+mod friction_regime;
 mod instant;
 mod machine;
 mod motor;
-mod rubbing;
 mod scene;
 mod steady;
 #[cfg(test)]

@@ -10,7 +10,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_words::text;
 
 use crate::Regime;
-use crate::friction::{Course, Found, Friction, Place};
+use crate::friction::{Configuration, Course, Friction, FrictionMoment};
 
 /// The equation of motion of a compiled mechanism under its loads. Without dry friction in pairs evaluating it allocates nothing.
 #[derive(Debug, Clone)]
@@ -61,12 +61,12 @@ impl<'a> Machine<'a> {
     }
 
     /// Whether pairs have dry friction.
-    pub(crate) fn rubs(&self) -> bool {
+    pub(crate) fn has_friction(&self) -> bool {
         self.friction.is_some()
     }
 
     /// The dry friction at the state that was evaluated last.
-    pub(crate) fn friction(&self) -> Found {
+    pub(crate) fn friction(&self) -> FrictionMoment {
         self.friction.as_ref().map(Friction::found).unwrap_or_default()
     }
 
@@ -99,7 +99,7 @@ impl<'a> Machine<'a> {
         self.solve(state.coordinate)?;
         let Self { linkage, loads, position, phase, friction, .. } = self;
         let Some(friction) = friction else { return Ok(None) };
-        friction.acceleration_at(&Place { linkage, loads, phase, position }, state, drive)
+        friction.acceleration_at(&Configuration { linkage, loads, phase, position }, state, drive)
     }
 
     /// Potential energy of weights and springs at a coordinate, and the sum of the sizes of its terms, J.
@@ -184,7 +184,7 @@ impl Motion for Machine<'_> {
         let mut reduced = self.ideal(state)?;
         if let Some(friction) = &mut self.friction {
             let Self { linkage, loads, position, phase, .. } = self;
-            let place = Place { linkage, loads, phase, position };
+            let place = Configuration { linkage, loads, phase, position };
             let own = friction.moment(&place, &load_state(state), &reduced, [moment, inertia])?;
             reduced.moment += own;
         }

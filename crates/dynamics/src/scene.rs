@@ -53,8 +53,8 @@ pub(crate) fn steady_of(
     watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Steady, DynamicsError> {
     let mut machine = Machine::new(linkage, loads);
-    if machine.rubs() {
-        return crate::rubbing::regime(machine, mechanism, watcher);
+    if machine.has_friction() {
+        return crate::friction_regime::regime(machine, mechanism, watcher);
     }
     steady_motion(&mut machine, mechanism, watcher)
 }
@@ -89,10 +89,10 @@ pub(crate) fn steady_motion(
 }
 
 /// What works with a drive: the regime, and the motor in it.
-type Found = Result<(Regime, Option<SteadyMotor>), DynamicsError>;
+type RegimeResult = Result<(Regime, Option<SteadyMotor>), DynamicsError>;
 
 /// Why a motor that was tried is not taken; `None` for one that is.
-fn refusal(found: &Found) -> Option<Refusal> {
+fn refusal(found: &RegimeResult) -> Option<Refusal> {
     match found {
         Ok((_, motor)) => {
             let mut warnings = motor.iter().flat_map(|motor| &motor.warnings);
@@ -107,10 +107,10 @@ fn refusal(found: &Found) -> Option<Refusal> {
 fn with_a_fit_motor(
     drive: &DriveRequest,
     motor: Option<&DriveMotor>,
-    mut works: impl FnMut(&DriveRequest, Option<DriveMotor>) -> Found,
-) -> Found {
+    mut works: impl FnMut(&DriveRequest, Option<DriveMotor>) -> RegimeResult,
+) -> RegimeResult {
     let mut refused = motor.map_or_else(Vec::new, |motor| motor.passed_over.clone());
-    let mut is_fit = |found: &mut Found, row: Option<&'static Motor>| {
+    let mut is_fit = |found: &mut RegimeResult, row: Option<&'static Motor>| {
         let why = refusal(found);
         let fit = why.is_none();
         refused.extend(row.zip(why).map(|(motor, why)| PassedOver { motor, why }));

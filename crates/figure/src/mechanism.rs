@@ -7,7 +7,7 @@ mod tests;
 
 use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{GROUND, LinkId, PairId, Rubbing, Slide};
+use assur_mechanism::{GROUND, LinkId, PairId, Slide, Surfaces};
 use assur_words::name;
 
 pub use brake::brakes;
@@ -112,7 +112,8 @@ impl Drawing<'_> {
         !self.hidden.contains(&link)
     }
 
-    fn ink(&self, link: LinkId) -> Ink {
+    /// The ink of a link: its own, or that of what is highlighted.
+    pub fn ink(&self, link: LinkId) -> Ink {
         match link {
             GROUND => Ink::Ground,
             _ if self.marked.contains(&link) => Ink::Marked,
@@ -188,7 +189,7 @@ impl Drawing<'_> {
     fn friction_circles(&self, bodies: &[Body<f64>]) -> impl Iterator<Item = Item> {
         let mechanism = &self.linkage.mechanism;
         mechanism.frictions.iter().filter_map(|friction| {
-            let (PairId::Pin(point), Rubbing::Journal { radius, .. }) = (friction.pair, friction.rubbing)
+            let (PairId::Pin(point), Surfaces::Journal { radius, .. }) = (friction.pair, friction.surfaces)
             else {
                 return None;
             };

@@ -60,7 +60,7 @@ pub enum Frame {
     Plane {
         /// The part of the plane that is shown.
         bounds: Bounds,
-        /// Unit in which lengths of the plane are told.
+        /// Unit in which lengths of the plane are given.
         unit: String,
         /// Number of these units in one unit of the plane.
         factor: f64,

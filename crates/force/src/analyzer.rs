@@ -248,7 +248,7 @@ pub struct AnalyzerPlugin {
     pub further: &'static [&'static str],
     /// Whether it finds reactions; otherwise the balancing load alone.
     pub gives_reactions: bool,
-    /// Whether it finds the dry friction of pairs ([`Reactions::rubbing`](crate::Reactions::rubbing)).
+    /// Whether it finds the dry friction of pairs ([`Reactions::friction`](crate::Reactions::friction)).
     pub treats_friction: bool,
     /// Whether the method solves group by group, so that a group which is not placed or carries no load can be left out
     /// ([`Reactions::solved`](crate::Reactions::solved)). Other methods need all groups placed.

@@ -7,7 +7,7 @@ use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
 use assur_number::Real;
 use assur_words::text;
 
-use crate::{ForceError, Loads, Rubbing, power};
+use crate::{ForceError, FrictionForces, Loads, power};
 
 /// A balancing load of size 1 on a link that is not the drive's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,7 +116,7 @@ pub struct Reactions<T = f64> {
     /// parts leave that reaction undetermined, else 0. Empty where nothing is passive.
     pub open: Vec<T>,
     /// Dry friction in pairs; `None` where all are ideal, and where it is to be left out.
-    pub rubbing: Option<Rubbing<T>>,
+    pub friction: Option<FrictionForces<T>>,
     /// The further forces of the method, N, in the order of [`AnalyzerPlugin::further`](crate::AnalyzerPlugin::further).
     pub further: Vec<T>,
     /// Scratch of a method: one wrench for each pair.
@@ -135,7 +135,7 @@ impl<T: Real> Reactions<T> {
             unit: UnitBalance::of(&linkage.mechanism),
             solved: groups.map(|group| linkage.chain.is_needed(group)).collect(),
             open: Vec::new(),
-            rubbing: None,
+            friction: None,
             further: Vec::new(),
             scratch_pairs: pairs.clone(),
             pairs,
@@ -146,7 +146,7 @@ impl<T: Real> Reactions<T> {
     /// Memory for the reactions with the dry friction of the mechanism, if it has any.
     #[must_use]
     pub fn with_friction(mut self, loads: &Loads, linkage: &Linkage) -> Self {
-        self.rubbing = loads.frictions().map(|frictions| Rubbing::new(frictions.clone(), linkage));
+        self.friction = loads.frictions().map(|frictions| FrictionForces::new(frictions.clone(), linkage));
         self
     }
 

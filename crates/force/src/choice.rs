@@ -18,7 +18,7 @@ pub(crate) trait Formulas {
     fn angle(&self, loads: &Loads, load: usize, law: &Law, state: &State) -> Active;
     fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &State) -> bool;
     /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
-    fn rubs(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &State) -> f64;
+    fn friction_sense(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &State) -> f64;
     /// Factor of the unit vector of PF1 for a load against the motion; 0 where the point is at rest. `lengths`: of PF1
     /// and PF2 of its point.
     fn against(&self, loads: &Loads, load: usize, state: &State, lengths: [f64; 2]) -> f64;
@@ -79,7 +79,7 @@ impl Formulas for Selection {
     }
 
     #[inline(always)]
-    fn rubs(&self, loads: &Loads, sliding: &Sliding, _: usize, state: &State) -> f64 {
+    fn friction_sense(&self, loads: &Loads, sliding: &Sliding, _: usize, state: &State) -> f64 {
         // Without a motion, or at speed 0 of a prescribed one, it is as if the input moved along its direction.
         let sense = match (self.moves, self.closed) {
             (true, _) => self.sense,
@@ -116,8 +116,8 @@ impl Formulas for Phase {
     }
 
     #[inline(always)]
-    fn rubs(&self, _: &Loads, _: &Sliding, load: usize, _: &State) -> f64 {
-        self.loads[load].rubs
+    fn friction_sense(&self, _: &Loads, _: &Sliding, load: usize, _: &State) -> f64 {
+        self.loads[load].friction_sense
     }
 
     #[inline(always)]
@@ -163,10 +163,9 @@ impl Loads {
     pub fn contact(&self, id: LoadId, state: &State) -> Option<[f64; 2]> {
         let index = self.applied.iter().position(|load| load.id == id)?;
         let Action::Contact(contact) = &self.applied[index].action else { return None };
-        let sign = contact
-            .sliding
-            .as_ref()
-            .map_or(1.0, |sliding| Live.weigh(self, state, |side| side.rubs(self, sliding, index, state)));
+        let sign = contact.sliding.as_ref().map_or(1.0, |sliding| {
+            Live.weigh(self, state, |side| side.friction_sense(self, sliding, index, state))
+        });
         Some([self.value_of(&contact.angle, state), sign * contact.friction])
     }
 
@@ -220,7 +219,7 @@ pub(crate) struct LoadPhase {
     /// Whether a contact touches.
     pub(crate) touches: bool,
     /// Sign of the friction of a contact that is against its sliding.
-    rubs: f64,
+    friction_sense: f64,
 }
 
 impl Phase {
@@ -233,7 +232,13 @@ impl Phase {
 impl LoadPhase {
     /// Not yet entered.
     fn new() -> Self {
-        Self { size: Active::only(), angle: Active::only(), stays: EVERYWHERE, touches: true, rubs: 0.0 }
+        Self {
+            size: Active::only(),
+            angle: Active::only(),
+            stays: EVERYWHERE,
+            touches: true,
+            friction_sense: 0.0,
+        }
     }
 }
 
@@ -288,7 +293,7 @@ impl LoadPhase {
             self.touches = interval.index == contact.touching;
             cut(&mut bounds.coordinate, interval.ends);
             if let Some((interval, sign)) = contact.sliding.as_ref().map(|sliding| sliding.at(ahead)) {
-                self.rubs = -side.sense * sign;
+                self.friction_sense = -side.sense * sign;
                 cut(&mut bounds.coordinate, interval.ends);
             }
         }

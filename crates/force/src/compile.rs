@@ -20,7 +20,7 @@ use crate::law::Law;
 use crate::loads::{Action, Along, Applied, ArcContact, Mass, PointForce, Shoe};
 use crate::sliding::{Rate, Sliding};
 use crate::stroke::{Stroke, Travel};
-use crate::{Block, Frictions, LoadError, LoadFault, Loads, Rub, State, Unknown};
+use crate::{Bearing, Block, Frictions, LoadError, LoadFault, Loads, State, Unknown};
 
 /// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
 /// grid.
@@ -170,10 +170,11 @@ impl<'a> Compiler<'a> {
         if self.mechanism.frictions.is_empty() {
             return;
         }
-        let (rubs, structure) = (Rub::all(self.linkage, &self.span_of_friction()), &self.linkage.structure);
-        let unknowns = Unknown::all(self.mechanism, structure, &rubs);
-        let (blocks, whole) = Block::all(structure, self.mechanism.input.link, &rubs, &unknowns);
-        loads.frictions = Some(Arc::new(Frictions { rubs, unknowns, blocks, whole }));
+        let (bearings, structure) =
+            (Bearing::all(self.linkage, &self.span_of_friction()), &self.linkage.structure);
+        let unknowns = Unknown::all(self.mechanism, structure, &bearings);
+        let (blocks, whole) = Block::all(structure, self.mechanism.input.link, &bearings, &unknowns);
+        loads.frictions = Some(Arc::new(Frictions { bearings, unknowns, blocks, whole }));
     }
 
     /// Where the senses of friction are looked for: over the cycle, or where an input that can't turn fully may be. There the two

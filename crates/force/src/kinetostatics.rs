@@ -39,8 +39,8 @@ impl<'a> Kinetostatics<'a> {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
-        if let Some(rubbing) = &mut self.reactions.rubbing {
-            self.loads.senses(state, &position.bodies, &mut rubbing.senses);
+        if let Some(friction) = &mut self.reactions.friction {
+            self.loads.senses(state, &position.bodies, &mut friction.senses);
         }
         let found = self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions);
         if found.is_ok() && self.reactions.balancing.is_finite() {
@@ -55,8 +55,8 @@ impl<'a> Kinetostatics<'a> {
     /// Where dry friction leaves no solution at a state: see [`ForceAnalyzer::jamming_limit`].
     pub fn jamming_limit(&mut self, state: &State, position: &Position) -> Option<f64> {
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
-        if let Some(rubbing) = &mut self.reactions.rubbing {
-            self.loads.senses(state, &position.bodies, &mut rubbing.senses);
+        if let Some(friction) = &mut self.reactions.friction {
+            self.loads.senses(state, &position.bodies, &mut friction.senses);
         }
         self.analyzer.jamming_limit(self.linkage, position, &self.wrenches, &self.reactions)
     }
@@ -64,8 +64,8 @@ impl<'a> Kinetostatics<'a> {
     /// How friction is found at a state: see [`ForceAnalyzer::iteration`].
     pub fn iteration(&mut self, state: &State, position: &Position) -> Vec<Iteration> {
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
-        if let Some(rubbing) = &mut self.reactions.rubbing {
-            self.loads.senses(state, &position.bodies, &mut rubbing.senses);
+        if let Some(friction) = &mut self.reactions.friction {
+            self.loads.senses(state, &position.bodies, &mut friction.senses);
         }
         self.analyzer.iteration(self.linkage, position, &self.wrenches, &self.reactions)
     }
@@ -133,11 +133,11 @@ impl<'a> LaneKinetostatics<'a> {
     ) -> Result<(), Vec<(usize, ForceError)>> {
         let Kinetostatics { linkage, loads, analyzer, .. } = self.single;
         loads.evaluate(states, &position.bodies, &mut self.wrenches);
-        if let Some(rubbing) = &mut self.reactions.rubbing {
-            rubbing.doubts.clear();
-            loads.write_relative(&position.bodies, &mut rubbing.senses);
+        if let Some(friction) = &mut self.reactions.friction {
+            friction.doubts.clear();
+            loads.write_relative(&position.bodies, &mut friction.senses);
             for (lane, state) in states.iter().enumerate() {
-                loads.turn_to_senses(state, &mut rubbing.senses, |all| &mut all.0[lane]);
+                loads.turn_to_senses(state, &mut friction.senses, |all| &mut all.0[lane]);
             }
         }
         let together = analyzer.solve_lanes(linkage, position, &mut self.wrenches, &mut self.reactions);
@@ -195,7 +195,7 @@ impl Reactions<Lanes> {
         }
         self.open.resize(one.open.len(), Lanes::ZERO);
         self.open.iter_mut().zip(&one.open).for_each(|(all, one)| all.0[lane] = *one);
-        if let (Some(all), Some(one)) = (&mut self.rubbing, &one.rubbing) {
+        if let (Some(all), Some(one)) = (&mut self.friction, &one.friction) {
             let put = |all: &mut [Lanes], one: &[f64]| {
                 all.iter_mut().zip(one).for_each(|(all, one)| all.0[lane] = *one);
             };

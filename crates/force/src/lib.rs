@@ -44,8 +44,8 @@ pub use construction::Acting;
 pub use construction::{Construction, Drawing, Step, VectorKind};
 pub use error::{LoadError, LoadFault};
 pub use friction::{
-    Accelerations, Block, Doubt, FreeMotion, FrictionSolution, Frictions, Iteration, Rub, Rubbing, Unknown,
-    UnknownKind,
+    Accelerations, Bearing, Block, Doubt, FreeMotion, FrictionForces, FrictionSolution, Frictions, Iteration,
+    Unknown, UnknownKind,
 };
 pub use group_by_group::{Unsolved, group_by_group, input_link};
 pub use joints::{Joint, JointReaction, joints};

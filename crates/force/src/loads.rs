@@ -173,8 +173,8 @@ impl Applied {
     /// Whether it depends on the sign of the speed: it is against the motion, has friction against its sliding, or goes
     /// along a stroke.
     pub(crate) fn turns_with_speed(&self) -> bool {
-        let rubs = matches!(&self.action, Action::Contact(contact) if contact.sliding.is_some());
-        rubs || self.rests().is_some() || self.laws().any(|law| matches!(law, Law::Stroke(_)))
+        let slides = matches!(&self.action, Action::Contact(contact) if contact.sliding.is_some());
+        slides || self.rests().is_some() || self.laws().any(|law| matches!(law, Law::Stroke(_)))
     }
 }
 

@@ -190,7 +190,8 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         let friction = match &contact.sliding {
             None => T::from_f64(contact.friction),
             Some(sliding) => self.by_lane(|formulas, lane| {
-                contact.friction * formulas.rubs(self.loads, sliding, index, T::state(self.states, lane))
+                contact.friction
+                    * formulas.friction_sense(self.loads, sliding, index, T::state(self.states, lane))
             }),
         };
         let along = [s + friction * c, c - friction * s];

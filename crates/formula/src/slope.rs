@@ -4,7 +4,7 @@
 use crate::number::{Number, Sign};
 use crate::program::{Function, Kind};
 
-/// A number whose sign can be told, so that a constant is known to be one.
+/// A number whose sign can be determined, so that a constant is known to be one.
 pub(crate) trait Signed: Number {
     /// Its sign; `None` of what is not a number.
     fn sign(self) -> Option<Sign>;

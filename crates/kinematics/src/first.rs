@@ -55,23 +55,10 @@ pub(crate) fn first_ways(
         if iterates {
             best_start(mechanism, kernel.as_ref(), (&placed, &wanted), &mut bodies);
         }
-        let mut candidates: Vec<(u8, f64)> = Vec::new();
-        let mut failure = None;
-        for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
-            match miss(&wanted, kernel.as_ref(), way, &mut bodies) {
-                Ok((found, health)) => {
-                    candidates.push((way, found));
-                    least_health = least_health.min(health);
-                }
-                // Whether the position is singular is not known before it is found.
-                Err(GroupError::Singular { health }) if iterates => {
-                    failure = Some(ChainError { group, source: GroupError::SingularStart { health } });
-                }
-                Err(source) => failure = Some(ChainError { group, source }),
-            }
-        }
-        if let (true, Some(failure)) = (candidates.is_empty(), failure) {
-            return Err((ways, failure));
+        let (mut candidates, health, failure) = candidates(&wanted, kernel.as_ref(), iterates, &mut bodies);
+        least_health = least_health.min(health);
+        if let (true, Some(source)) = (candidates.is_empty(), failure) {
+            return Err((ways, ChainError { group, source }));
         }
         let is_wanted = kernel.frame().links.iter().any(|&link| !wanted[link].is_empty());
         let chosen = closest(&candidates, SAME * structure.scale);
@@ -93,6 +80,31 @@ pub(crate) fn first_ways(
         }
     }
     Ok((ways, bodies))
+}
+
+/// The ways in which a group can be placed, each with how far it is from the wanted places; the least health among them, and why the
+/// last of the other ways fails.
+fn candidates(
+    wanted: &[Vec<Wanted>],
+    kernel: &dyn AssurGroup<f64>,
+    iterates: bool,
+    bodies: &mut [Body<f64>],
+) -> (Vec<(u8, f64)>, f64, Option<GroupError>) {
+    let (mut found, mut least_health, mut failure) = (Vec::new(), f64::INFINITY, None);
+    for way in 0..u8::try_from(kernel.ways()).unwrap_or(u8::MAX) {
+        match miss(wanted, kernel, way, bodies) {
+            Ok((miss, health)) => {
+                found.push((way, miss));
+                least_health = least_health.min(health);
+            }
+            // Whether the position is singular is not known before it is found.
+            Err(GroupError::Singular { health }) if iterates => {
+                failure = Some(GroupError::SingularStart { health });
+            }
+            Err(source) => failure = Some(source),
+        }
+    }
+    (found, least_health, failure)
 }
 
 /// Sets the links of a group that iterates to a starting pose; where the known places leave directions open, to that of several

@@ -34,7 +34,7 @@ impl Interpolants {
             return Self::default();
         }
         wide.restart(Order::Second);
-        let found = Found { ways, guesses };
+        let found = Assembled { ways, guesses };
         let turns = ways.period().map(|period| period / std::f64::consts::TAU);
         let mut sorted: Vec<_> = ways
             .change_points()
@@ -100,12 +100,12 @@ impl Interpolants {
 }
 
 /// The assembly after it was followed over the whole range.
-struct Found<'a> {
+struct Assembled<'a> {
     ways: &'a Ways,
     guesses: Option<&'a Guesses>,
 }
 
-impl Assembly for Found<'_> {
+impl Assembly for Assembled<'_> {
     fn way(&self, group: usize, coordinate: f64) -> u8 {
         self.ways.at(coordinate)[group]
     }

@@ -54,12 +54,12 @@ pub(crate) struct Wide<'a> {
     dependence: &'a Dependence,
     /// Highest order of the derivatives in the states.
     order: Order,
-    states: HashMap<[u64; 2], State>,
+    states: HashMap<[u64; 2], SolvedBodies>,
 }
 
 /// All links at one coordinate, and which groups are already solved there.
 #[derive(Debug)]
-struct State {
+struct SolvedBodies {
     bodies: Vec<Body<Dd>>,
     is_solved: Vec<bool>,
 }
@@ -98,7 +98,7 @@ impl<'a> Wide<'a> {
             assembly.guess(q.to_f64(), &mut guess);
             let mut bodies: Vec<_> = guess.iter().map(|body| body.map(Dd::from_f64)).collect();
             chain.set_input(q, &mut bodies);
-            State { bodies, is_solved: vec![false; chain.groups.len()] }
+            SolvedBodies { bodies, is_solved: vec![false; chain.groups.len()] }
         });
         for ancestor in self.dependence.ancestors(group, |group| state.is_solved[group]) {
             let way = assembly.way(ancestor, q.to_f64());

@@ -9,13 +9,13 @@ pub struct Friction {
     pub pair: PairId,
     /// Coefficient f, not negative.
     pub coefficient: f64,
-    /// What rubs on what.
-    pub rubbing: Rubbing,
+    /// The surfaces that slide on each other.
+    pub surfaces: Surfaces,
 }
 
-/// What rubs on what in a pair with friction.
+/// The surfaces that slide on each other in a pair with friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Rubbing {
+pub enum Surfaces {
     /// A pin: on each other link of it acts the moment f r |R| against its turning relative to the owner, R the force of the
     /// pin on that link.
     Journal {
@@ -48,11 +48,11 @@ pub enum Middle {
 }
 
 impl Mechanism {
-    /// The links that rub on another in a pair with friction, each with that other: of a pin all links but the owner of the
+    /// The links that turn or slide on another in a pair with friction, each with that other: of a pin all links but the owner of the
     /// journal, in the order of the file, of a slide the sliding link.
-    pub fn rubbing(&self, friction: &Friction) -> Vec<[LinkId; 2]> {
-        match (friction.pair, friction.rubbing) {
-            (PairId::Pin(point), Rubbing::Journal { owner, .. }) => {
+    pub fn friction_links(&self, friction: &Friction) -> Vec<[LinkId; 2]> {
+        match (friction.pair, friction.surfaces) {
+            (PairId::Pin(point), Surfaces::Journal { owner, .. }) => {
                 let links = self.points[point].places.iter().map(|place| place.link);
                 links.filter(|link| *link != owner).map(|link| [link, owner]).collect()
             }

@@ -19,7 +19,7 @@ pub use drive::{
     Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, StepLength, Torque, Until,
     passage,
 };
-pub use friction::{Friction, Middle, Rubbing};
+pub use friction::{Friction, Middle, Surfaces};
 pub use inertia::{Inertia, VaryingInertia};
 pub use load::{
     Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Over, Shape, Spring, Table, Value,
@@ -77,7 +77,7 @@ pub struct Mechanism {
     pub drive: Option<Drive>,
     /// The wanted results; `None`: everything.
     pub output: Option<Output>,
-    /// What is hardly meant, as far as reading the scene tells.
+    /// What is probably not meant, as far as reading the scene tells.
     pub notes: Vec<Notice>,
 }
 

@@ -1,4 +1,4 @@
-//! What is told beside the results.
+//! What is reported beside the results.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum NoticeKind {
-    /// Something in the scene that is allowed, but hardly meant.
+    /// Something in the scene that is allowed, but probably not meant.
     Mistake,
     /// Something about the results that a reader should know.
     Remark,
@@ -30,12 +30,12 @@ pub struct Notice {
 }
 
 impl Notice {
-    /// Something that is hardly meant, at a key of the scene.
+    /// Something that is probably not meant, at a key of the scene.
     pub fn mistake(key: impl Into<Option<String>>, text: Text) -> Self {
         Self { kind: NoticeKind::Mistake, key: key.into(), text }
     }
 
-    /// Whether something is hardly meant.
+    /// Whether something is probably not meant.
     pub fn is_mistake(&self) -> bool {
         self.kind == NoticeKind::Mistake
     }

@@ -2,8 +2,8 @@
 
 use crate::{
     Balance, Brake, Contact, Direction, Drive, Force, Friction, GROUND, Inertia, Input, Link, LinkId, Load,
-    LoadKind, Mechanism, Moment, Motion, Motor, Place, Point, Range, RatedMotor, Rubbing, Slide, Solve,
-    Spring, Torque, Value,
+    LoadKind, Mechanism, Moment, Motion, Motor, Place, Point, Range, RatedMotor, Slide, Solve, Spring,
+    Surfaces, Torque, Value,
 };
 
 /// Pins nearer than this, relative to the greatest coordinate of the mechanism, coincide.
@@ -101,12 +101,12 @@ fn in_load(kind: &mut LoadKind, visit: &mut impl FnMut(&mut f64)) {
     }
 }
 
-fn in_friction(Friction { pair: _, coefficient, rubbing }: &mut Friction, visit: &mut impl FnMut(&mut f64)) {
+fn in_friction(Friction { pair: _, coefficient, surfaces }: &mut Friction, visit: &mut impl FnMut(&mut f64)) {
     visit(coefficient);
-    match rubbing {
-        Rubbing::Journal { radius, owner: _ } => visit(radius),
-        Rubbing::Place => {}
-        Rubbing::Faces { length, middle: _, offset } => [length, offset].into_iter().for_each(visit),
+    match surfaces {
+        Surfaces::Journal { radius, owner: _ } => visit(radius),
+        Surfaces::Place => {}
+        Surfaces::Faces { length, middle: _, offset } => [length, offset].into_iter().for_each(visit),
     }
 }
 

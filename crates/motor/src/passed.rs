@@ -63,7 +63,7 @@ impl Describe for PassedOver<'_> {
 }
 
 /// Of each reason the motor that stands closest before the chosen one in the order of preference, the nearest first. Those that are
-/// too weak are told where there are no others.
+/// too weak are reported where there are no others.
 pub fn nearest<'a>(mut passed: Vec<PassedOver<'a>>, chosen: &Motor) -> Vec<PassedOver<'a>> {
     passed.retain(|one| better(one.motor, chosen).is_lt());
     passed.sort_by(|a, b| better(b.motor, a.motor));

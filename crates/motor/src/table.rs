@@ -53,7 +53,7 @@ pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, CatalogueE
     let mut seen = BTreeSet::new();
     for record in reader.into_records() {
         let record = record.map_err(unreadable)?;
-        let row: Row = record.deserialize(Some(&headers)).map_err(unreadable)?;
+        let row: MotorRow = record.deserialize(Some(&headers)).map_err(unreadable)?;
         let new = seen.insert(normalize_latin(&row.designation));
         let fault = if new { row.fault() } else { Some(RowFault::Duplicate) };
         if let Some(fault) = fault {
@@ -73,7 +73,7 @@ pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, CatalogueE
 /// One row, in the units of the table. Columns that a [`Motor`] does not hold are checked only.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Row {
+struct MotorRow {
     designation: String,
     poles: u32,
     rated_power_kw: f64,
@@ -100,7 +100,7 @@ struct Row {
     source: String,
 }
 
-impl Row {
+impl MotorRow {
     /// The first impossible value, if any.
     fn fault(&self) -> Option<RowFault> {
         if self.poles == 0 || !self.poles.is_multiple_of(2) {

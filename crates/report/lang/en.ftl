@@ -200,7 +200,7 @@ head-remark = Remark
 head-reserve = Reserve
 head-residual = Residual
 head-resisting-work = Resisting work
-head-rubbing-work = Friction work
+head-friction-work-of-course = Friction work
 head-rests-at = Rests at
 head-result = Result
 head-rim-speed = Rim speed
@@ -225,8 +225,8 @@ head-unevenness = Unevenness
 head-unit = Unit
 head-value = Value
 head-vector = Vector
-head-way = Way
-head-ways = Ways
+head-way = Mode
+head-ways = Modes
 head-what = What
 head-width = Width
 
@@ -245,7 +245,7 @@ report-formula = Formula: { $formula }
 report-class = Class of the mechanism: { $class }
 report-pairs = Pairs (R: turning, P: sliding)
 report-multiple-joint = R, multiple joint
-report-groups = Assur groups in solving order (way: the assembly in the first position, counted from 0)
+report-groups = Assur groups in solving order (mode: the assembly mode in the first position, counted from 0)
 report-task = Task
 report-task-text = The mechanism is calculated in { $positions ->
         [one] { $positions } position
@@ -438,7 +438,7 @@ note-working = Working of position { $position }
 note-checks-text = Each result is checked by a residual, which must stay below a limit derived from the precision of the numbers; both are relative.
 note-model = Model and its limits
 note-model-text = Links are rigid, motion is plane, pairs have no clearance and no friction. What the task does not name is not modelled: links without a mass have no weight and no inertia.
-note-model-text-rubbing = Links are rigid, motion is plane, pairs have no clearance; dry friction acts in the pairs for which the task gives it. What the task does not name is not modelled: links without a mass have no weight and no inertia.
+note-model-text-friction = Links are rigid, motion is plane, pairs have no clearance; dry friction acts in the pairs for which the task gives it. What the task does not name is not modelled: links without a mass have no weight and no inertia.
 note-no-position = Positions without an assembly: { $positions }.
 note-no-forces = Positions without forces: { $positions }. At the first: { $reason }.
 note-too-many = a note shows at most { $most } positions of a scene of { $parts } links, points, slides and loads, and this one has { $count }; lower `positions` in [input]
@@ -575,7 +575,7 @@ model-pairs-how = { $pins ->
         [one] { $slides } slide
        *[other] { $slides } slides
     }, ideal: no play, no friction
-model-pairs-rubbing = { $pins ->
+model-pairs-friction = { $pins ->
         [one] { $pins } pin
        *[other] { $pins } pins
     } and { $slides ->
@@ -614,7 +614,7 @@ model-over-time = by a table over time
 model-formula-speed = by a formula, whose `w` is the input speed along the direction of the input
 model-formula = by a formula
 model-stroke = by tables over the stroke of the point, forward and back
-model-contact = an arc on a straight line of the ground, { $touches }, with the force that is given; { $rubs }
+model-contact = an arc on a straight line of the ground, { $touches }, with the force that is given; { $friction }
 model-contact-smooth = without friction (add `friction` to the `[[contact]]`)
 model-contact-against-sliding = its friction is a given part of the force, against the sliding of the arc
 model-contact-rough = its friction is a given part of the force, in a given sense
@@ -700,7 +700,7 @@ report-simpler-inputs = With { $count ->
        *[other] one of the links { $links }
     } as the input the groups would be of a lower class.
 head-structure = Structural formula
-report-passive = Passive: { $what } repeats what others say and is left out of the motion
+report-passive = Passive: { $what } repeats constraints of other parts; positions are solved without it
 report-misfit = { $what } is passive by count, but misses by { $misfit } mm at { $place } (limit { $limit } mm){ $closes }
 report-closes = ; it closes with { $key } = { $value } (SI)
 report-formula-without = { $formula }; passive: { $parts }
@@ -727,4 +727,4 @@ report-modes-meet = Modes that meet and both go on: { $meetings }.
 mode-end-cycle = with the cycle
 mode-end-with = together with { $way }
 mode-end-infinity = links run to infinity
-mode-end-barrier = groups before it have no place
+mode-end-barrier = groups solved before it can't be assembled

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::csv::{Cell, CsvError, Sheet, of_positions, write};
+use crate::csv::{Cell, CsvError, CsvTable, of_positions, write};
 use crate::json::analysis::to_json;
 use crate::to_ascii;
 use assur_analysis::results::{
@@ -135,7 +135,7 @@ fn csv_reads_back() {
     let analysis = analysis(1.5);
     let sheets = of_positions(&analysis, false);
     assert_eq!(sheets.iter().map(|sheet| sheet.file).collect::<Vec<_>>(), ["positions.csv", "reactions.csv"]);
-    let text = |sheet: &Sheet| {
+    let text = |sheet: &CsvTable| {
         let text = [sheet.header().unwrap(), sheet.rows(&analysis.positions)].concat();
         String::from_utf8(text).unwrap()
     };

@@ -1,4 +1,4 @@
-//! What a scene says that is hardly meant, as far as its numbers and names tell by themselves.
+//! What a scene says that is probably not meant, as far as its numbers and names tell by themselves.
 
 mod task;
 
@@ -28,7 +28,7 @@ const LEAST_OF_THE_LENGTH: f64 = 2e-3;
 /// A link so many times as heavy, or as light, as the others has a wrong unit: g for kg gives a thousand times.
 const MOST_TIMES_HEAVIER: f64 = 300.0;
 
-/// Everything that is hardly meant; `units`: whether lengths of links have units.
+/// Everything that is probably not meant; `units`: whether lengths of links have units.
 pub(crate) fn of(mechanism: &Mechanism, units: bool) -> Vec<Notice> {
     let mut notices = names(mechanism);
     notices.extend(masses(mechanism));

@@ -129,7 +129,7 @@ fn floor(text: &str, at: usize) -> usize {
 pub(crate) struct Faults {
     kept: RefCell<Vec<Fault>>,
     more: Cell<usize>,
-    /// What is allowed, but hardly meant: its place and what it says.
+    /// What is allowed, but probably not meant: its place and what it says.
     mistakes: RefCell<Vec<(Range<usize>, Text)>>,
 }
 
@@ -148,7 +148,7 @@ impl Faults {
         self.note(|| fault);
     }
 
-    /// Notes what is allowed, but hardly meant.
+    /// Notes what is allowed, but probably not meant.
     pub(crate) fn mistake(&self, span: Range<usize>, text: Text) {
         let mut mistakes = self.mistakes.borrow_mut();
         if mistakes.len() < MOST_FAULTS {
@@ -156,7 +156,7 @@ impl Faults {
         }
     }
 
-    /// What is allowed, but hardly meant, at its key in the tables of the file: once for each key, in the order of the file.
+    /// What is allowed, but probably not meant, at its key in the tables of the file: once for each key, in the order of the file.
     pub(crate) fn mistakes(&self, tables: &DeTable<'_>) -> Vec<Notice> {
         let mut mistakes = self.mistakes.borrow().clone();
         mistakes.sort_by_key(|(span, _)| span.start);

@@ -1,6 +1,6 @@
 //! `[[friction]]`: dry friction in pairs.
 
-use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Rubbing};
+use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Surfaces};
 use assur_words::text;
 
 use crate::error::Fault;
@@ -41,7 +41,7 @@ fn one(section: &Section<'_>, linkage: &Linkage) -> Option<Friction> {
     let pair = section.need("pair").and_then(|entry| wishes::pair_id(&entry, linkage));
     let coefficient = section.need("coefficient");
     let coefficient = coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative));
-    let rubbing = match pair? {
+    let surfaces = match pair? {
         PairId::Pin(point) => {
             refuse(section, "pin", "scene-friction-of-slides");
             let radius = section.need("radius");
@@ -51,14 +51,14 @@ fn one(section: &Section<'_>, linkage: &Linkage) -> Option<Friction> {
                 None => links().min(),
                 Some(entry) => owner(&entry, linkage, &links().collect::<Vec<_>>()),
             };
-            Rubbing::Journal { radius: radius?, owner: owner.unwrap_or(GROUND) }
+            Surfaces::Journal { radius: radius?, owner: owner.unwrap_or(GROUND) }
         }
         PairId::Slide(_) => {
             refuse(section, "slide", "scene-friction-of-pins");
             slide(section)?
         }
     };
-    Some(Friction { pair: pair?, coefficient: coefficient?, rubbing })
+    Some(Friction { pair: pair?, coefficient: coefficient?, surfaces })
 }
 
 /// Notes keys that have no meaning for this sort of pair.
@@ -82,7 +82,7 @@ fn owner(entry: &Entry<'_>, linkage: &Linkage, links: &[usize]) -> Option<usize>
     Some(owner)
 }
 
-fn slide(section: &Section<'_>) -> Option<Rubbing> {
+fn slide(section: &Section<'_>) -> Option<Surfaces> {
     let middle = section.get("middle").map(|entry| {
         (
             entry.choice(&[("point", Middle::Point), ("through", Middle::Through)]).unwrap_or(Middle::Point),
@@ -97,7 +97,7 @@ fn slide(section: &Section<'_>) -> Option<Rubbing> {
                 text!("scene-friction-add-length"),
             );
         }
-        return Some(Rubbing::Place);
+        return Some(Surfaces::Place);
     };
     let contact = length.bounded(Dimension::Length, Bound::Positive);
     if contact.is_some_and(|contact| contact < LEAST_CONTACT) {
@@ -109,5 +109,5 @@ fn slide(section: &Section<'_>) -> Option<Rubbing> {
         Some(entry) => entry.bounded(Dimension::Length, Bound::NotNegative),
     };
     let middle = middle.map_or(Middle::Point, |(middle, _)| middle);
-    Some(Rubbing::Faces { length: length?, middle, offset: offset? })
+    Some(Surfaces::Faces { length: length?, middle, offset: offset? })
 }

@@ -44,28 +44,28 @@ pub(crate) fn check_name(entry: &Entry<'_>, span: &Range<usize>, name: &str) {
 }
 
 /// A part of a table or list.
-struct Part<'a> {
+struct Element<'a> {
     /// Empty in a list.
     name: &'a str,
     span: Range<usize>,
     value: &'a DeValue<'a>,
 }
 
-fn parts<'a>(value: &'a DeValue<'a>) -> Vec<Part<'a>> {
+fn parts<'a>(value: &'a DeValue<'a>) -> Vec<Element<'a>> {
     match value {
         DeValue::Table(table) => {
             let all = table.iter();
-            all.map(|(key, value)| Part { name: key.get_ref(), span: key.span(), value: value.get_ref() })
+            all.map(|(key, value)| Element { name: key.get_ref(), span: key.span(), value: value.get_ref() })
                 .collect()
         }
         DeValue::Array(list) => {
-            list.iter().map(|item| Part { name: "", span: item.span(), value: item.get_ref() }).collect()
+            list.iter().map(|item| Element { name: "", span: item.span(), value: item.get_ref() }).collect()
         }
         _ => Vec::new(),
     }
 }
 
-fn refuse(root: &Section<'_>, mut all: Vec<Part<'_>>, most: usize, message: &'static str) -> bool {
+fn refuse(root: &Section<'_>, mut all: Vec<Element<'_>>, most: usize, message: &'static str) -> bool {
     if all.len() <= most {
         return false;
     }

@@ -99,7 +99,7 @@ impl<'a> Section<'a> {
         section
     }
 
-    /// What is allowed, but hardly meant, as far as it was read.
+    /// What is allowed, but probably not meant, as far as it was read.
     pub(crate) fn mistakes(&self) -> Vec<assur_mechanism::Notice> {
         self.faults.mistakes(self.table)
     }

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::cone::least_maximum;
 use crate::course::{Course, ROUNDING};
 use crate::data::Proof;
-use crate::proof::Row;
+use crate::proof::LinearForce;
 use crate::samples::Sample;
 
 /// Part of the greatest singular value below which counterweights on several links replace each other; the smallest of
@@ -42,7 +42,7 @@ pub(crate) struct Fit {
 impl Fit {
     /// Of counterweights on the first `carriers` links, over samples that are equally spaced; `None` without any force.
     pub(crate) fn of(samples: &[Sample], carriers: usize) -> Option<Self> {
-        let mut rows: Vec<Row> = samples.iter().map(|sample| plain(sample, carriers)).collect();
+        let mut rows: Vec<LinearForce> = samples.iter().map(|sample| plain(sample, carriers)).collect();
         // Forces and columns of size 1, so that neither units nor lengths matter.
         let size = |value: [f64; 2]| value[0].hypot(value[1]);
         let force = rows.iter().map(|row| size(row.force)).fold(0.0, f64::max);
@@ -79,7 +79,8 @@ impl Fit {
         course: &mut Course<'_, '_>,
     ) -> Result<(Vec<[f64; 2]>, Proof), PositionError> {
         let carriers = course.sampler.carriers.clone();
-        let mut rows: Vec<Row> = course.samples.iter().step_by(SPREAD).map(|at| self.row(at)).collect();
+        let mut rows: Vec<LinearForce> =
+            course.samples.iter().step_by(SPREAD).map(|at| self.row(at)).collect();
         let mut unknowns = DVector::zeros(self.map.ncols());
         let mut products = self.least_squares();
         let (mut best, mut greatest, mut bound) = (products.clone(), f64::INFINITY, 0.0);
@@ -117,7 +118,7 @@ impl Fit {
     }
 
     /// A sample as a function of the independent unknowns, of size 1.
-    fn row(&self, sample: &Sample) -> Row {
+    fn row(&self, sample: &Sample) -> LinearForce {
         let mut row = plain(sample, self.carriers);
         scale(&mut row, self.force, &self.scales);
         let column = |factors: nalgebra::DVectorView<'_, f64>| {
@@ -125,16 +126,16 @@ impl Fit {
             each.fold([0.0; 2], |sum, (column, w)| [sum[0] + column[0] * w, sum[1] + column[1] * w])
         };
         let columns = self.map.column_iter().map(|factors| column(factors.as_view())).collect();
-        Row { force: row.force, columns }
+        LinearForce { force: row.force, columns }
     }
 }
 
-fn plain(sample: &Sample, carriers: usize) -> Row {
+fn plain(sample: &Sample, carriers: usize) -> LinearForce {
     let columns = sample.units[..carriers].iter().flat_map(|unit| unit.forces).collect();
-    Row { force: sample.force, columns }
+    LinearForce { force: sample.force, columns }
 }
 
-fn scale(row: &mut Row, force: f64, scales: &[f64]) {
+fn scale(row: &mut LinearForce, force: f64, scales: &[f64]) {
     row.force = row.force.map(|f| f / force);
     for (column, scale) in row.columns.iter_mut().zip(scales) {
         *column = column.map(|f| f * scale / force);
@@ -142,7 +143,7 @@ fn scale(row: &mut Row, force: f64, scales: &[f64]) {
 }
 
 /// The least solution of least squares, and the map from independent unknowns of mean square 1 to all.
-fn decomposed(rows: &[Row], unknowns: usize) -> (DVector<f64>, DMatrix<f64>) {
+fn decomposed(rows: &[LinearForce], unknowns: usize) -> (DVector<f64>, DMatrix<f64>) {
     let mut matrix = DMatrix::zeros(2 * rows.len(), unknowns);
     let mut right = DVector::zeros(2 * rows.len());
     for (i, row) in rows.iter().enumerate() {

@@ -7,7 +7,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::proof::{Row, bound};
+use crate::proof::{LinearForce, bound};
 use crate::scaling::{Cone, Scaling, inner, most};
 
 /// Greatest number of steps; about fifteen are needed.
@@ -28,7 +28,7 @@ pub(crate) struct Least {
 
 /// The least maximum of rows of size 1, from any start. `radius` is a bound of the modulus of the best unknowns; what is
 /// missing between maximum and bound is at most `missing`, if rounding permits.
-pub(crate) fn least_maximum(rows: &[Row], start: &DVector<f64>, radius: f64, missing: f64) -> Least {
+pub(crate) fn least_maximum(rows: &[LinearForce], start: &DVector<f64>, radius: f64, missing: f64) -> Least {
     let mut points = Points::above(rows, start);
     let mut least = Least { unknowns: start.clone(), bound: 0.0 };
     let mut greatest = f64::INFINITY;
@@ -55,7 +55,7 @@ struct Points {
 }
 
 impl Points {
-    fn above(rows: &[Row], start: &DVector<f64>) -> Self {
+    fn above(rows: &[LinearForce], start: &DVector<f64>) -> Self {
         let modulus = rows.iter().map(|row| row.at(start.as_slice())).map(|[x, y]| x.hypot(y));
         let most = modulus.fold(0.0, f64::max);
         let point =
@@ -64,7 +64,7 @@ impl Points {
     }
 
     /// A predictor and a corrector step; `None` where rounding permits none.
-    fn advance(&mut self, rows: &[Row]) -> Option<()> {
+    fn advance(&mut self, rows: &[LinearForce]) -> Option<()> {
         let newton = Newton::at(self, rows)?;
         let affine: Vec<Cone> = newton.scaled.iter().map(|&at| at.map(|part| -part)).collect();
         let predicted = newton.direction(rows, &affine)?;
@@ -111,7 +111,7 @@ struct Step {
 }
 
 impl Newton {
-    fn at(points: &Points, rows: &[Row]) -> Option<Self> {
+    fn at(points: &Points, rows: &[LinearForce]) -> Option<Self> {
         let size = points.point.len();
         let mut matrix = DMatrix::zeros(3 * rows.len(), size);
         let mut lacks = DVector::zeros(size);
@@ -136,7 +136,7 @@ impl Newton {
     }
 
     /// The step after which slack and dual, scaled, have changed by `wanted` together, and the dual is feasible.
-    fn direction(&self, rows: &[Row], wanted: &[Cone]) -> Option<Step> {
+    fn direction(&self, rows: &[LinearForce], wanted: &[Cone]) -> Option<Step> {
         let wanted_all = DVector::from_iterator(3 * wanted.len(), wanted.iter().flatten().copied());
         let mut point = self.triangular.tr_solve_upper_triangular(&self.lacks)?;
         point = self.orthogonal.tr_mul(&wanted_all) - point;

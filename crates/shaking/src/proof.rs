@@ -9,13 +9,13 @@ use crate::scaling::Cone;
 const SHARES: [f64; 4] = [0.0, 1e-6, 1e-4, 1e-2];
 
 /// A force as a linear function of the unknowns: `force + columns w`, columns as x and y.
-pub(crate) struct Row {
+pub(crate) struct LinearForce {
     pub(crate) force: [f64; 2],
     /// What each unknown adds, along x and along y.
     pub(crate) columns: Vec<[f64; 2]>,
 }
 
-impl Row {
+impl LinearForce {
     pub(crate) fn at(&self, unknowns: &[f64]) -> [f64; 2] {
         let each = self.columns.iter().zip(unknowns);
         each.fold(self.force, |sum, (column, w)| [sum[0] + column[0] * w, sum[1] + column[1] * w])
@@ -36,7 +36,7 @@ impl Row {
 
 /// The best bound that a dual point proves for all unknowns of a modulus up to `radius`, with all its rows or with those alone
 /// that have a share in it.
-pub(crate) fn bound(rows: &[Row], dual: &[Cone], radius: f64) -> f64 {
+pub(crate) fn bound(rows: &[LinearForce], dual: &[Cone], radius: f64) -> f64 {
     let size = |[_, x, y]: Cone| x.hypot(y);
     let most = dual.iter().copied().map(size).fold(0.0, f64::max);
     let bound = |share: f64| {
@@ -48,12 +48,12 @@ pub(crate) fn bound(rows: &[Row], dual: &[Cone], radius: f64) -> f64 {
 
 /// Forces y at some rows that prove a bound.
 struct Shares<'r> {
-    rows: Vec<&'r Row>,
+    rows: Vec<&'r LinearForce>,
     forces: Vec<[f64; 2]>,
 }
 
 impl<'r> Shares<'r> {
-    fn of(all: impl Iterator<Item = (&'r Row, [f64; 2])>) -> Self {
+    fn of(all: impl Iterator<Item = (&'r LinearForce, [f64; 2])>) -> Self {
         let (rows, forces) = all.unzip();
         let mut shares = Self { rows, forces };
         shares.balance();

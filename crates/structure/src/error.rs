@@ -12,7 +12,7 @@ pub struct Counted {
     pub formula: String,
 }
 
-/// Why surplus constraints don't just repeat what others say.
+/// Why surplus constraints don't just repeat constraints of others.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum SurplusCause {
     /// No part was found that could be left out.

@@ -13,7 +13,7 @@ pub struct Structure {
     pub pairs: Vec<NamedPair>,
     /// The groups in solving order.
     pub groups: Vec<Group>,
-    /// What repeats what others say and is left out of the groups, in the order in which its links are placed.
+    /// What repeats constraints of others and is left out of the groups, in the order in which its links are placed.
     pub passive: Vec<Passive>,
     /// Where the passive parts need points in the first position, m: those of groups that `[assembly]` leaves free. Empty where the
     /// first way of each group is theirs.

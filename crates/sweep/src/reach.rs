@@ -1,5 +1,5 @@
-//! Which parts of a mechanism the parameters of a sweep can change, by structure: what a group's own lengths and those of the groups
-//! before it leave alone keeps its places, and what no load behind it changes keeps its reactions.
+//! Which parts of a mechanism the parameters of a sweep can change, by structure: a link moves differently if a length of its group or
+//! of a group solved before it changes, and a reaction changes with the motion or with a load that reaches it.
 
 use assur_kinematics::decompose;
 use assur_mechanism::{GROUND, LinkId, Mechanism, Motion, PairId, Place, PointId, SlideId};
@@ -8,24 +8,24 @@ use assur_structure::Structure;
 use crate::axis::Axis;
 use crate::variants::Variants;
 
-/// What is reached. Where it is not known, everything is.
+/// What the parameters of a sweep can change; everything where that is not known.
 #[derive(Debug, Clone)]
 pub(crate) struct Reach {
-    /// Whether all places are.
+    /// Whether all positions can change.
     everywhere: bool,
-    /// Whether all reactions are.
+    /// Whether all reactions can change.
     all_forces: bool,
-    /// Links by their places, and by what acts on them.
+    /// Of each link whether its position can change, and whether what acts on it can.
     places: Vec<bool>,
     forces: Vec<bool>,
-    /// Points that move by themselves.
+    /// Of each point whether it can change its position on its link.
     points: Vec<bool>,
     /// Of each link the number of its group from 1; 0 for the ground and the input link.
     stage: Vec<usize>,
 }
 
 impl Reach {
-    /// What lies between the ends of all ranges.
+    /// What parameters change between the ends of their ranges.
     pub(crate) fn of(base: &Mechanism, variants: &Variants, axes: &[Axis]) -> Self {
         let mut reach = Self {
             everywhere: true,
@@ -105,7 +105,7 @@ impl Reach {
         places.iter().map(|place| place.link).min_by_key(|link| (self.stage[*link], *link != GROUND))
     }
 
-    /// A pair of two links has another place on one of them: the one that is placed later moves.
+    /// Marks the later placed one of two links whose pair has another position on one of them.
     fn moves(&mut self, one: LinkId, other: LinkId) {
         match self.stage[one].max(self.stage[other]) {
             0 => self.everywhere = true,
@@ -119,7 +119,7 @@ impl Reach {
         }
     }
 
-    /// Places are handed on from group to group in solving order, forces in the opposite one.
+    /// Passes changes of positions from group to group in solving order, changes of forces in the opposite one.
     fn spread(&mut self, mechanism: &Mechanism) {
         let pins = mechanism.points.iter().flat_map(|point| {
             let places = &point.places;
@@ -149,7 +149,7 @@ impl Reach {
         }
     }
 
-    /// Whether any place changes.
+    /// Whether any position changes.
     pub(crate) fn moves_anything(&self) -> bool {
         self.everywhere || self.places.contains(&true)
     }
@@ -168,9 +168,8 @@ impl Reach {
         self.link(slide.link) || self.link(slide.on)
     }
 
-    /// Whether the reaction of a pair changes: that of the input link with all that acts, those of a group with what acts on it and
-    /// behind it. A pair belongs to the groups
-    /// that are placed after its first link.
+    /// Whether the reaction of a pair changes: that of the input link with every load, those of a group with the loads on it and
+    /// on the groups placed after it. A pair belongs to the groups that are placed after its first link.
     pub(crate) fn pair(&self, pair: PairId, mechanism: &Mechanism) -> bool {
         let links: Vec<LinkId> = match pair {
             PairId::Pin(point) => mechanism.points[point].places.iter().map(|place| place.link).collect(),

@@ -8,7 +8,7 @@ use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use unic_langid::LanguageIdentifier;
 
 use crate::Text;
-use crate::text::Part;
+use crate::text::Content;
 
 /// The codes of the languages, English first.
 pub const LANGUAGES: [&str; 3] = ["en", "uk", "ru"];
@@ -59,18 +59,18 @@ impl Language {
     /// A text in this language.
     pub fn render(&self, text: &Text) -> String {
         match &text.0 {
-            Part::Message { id, values } => self.message(id, values),
-            Part::Short(text) => match &text.0 {
-                Part::Message { id, values } => self
+            Content::Message { id, values } => self.message(id, values),
+            Content::Short(text) => match &text.0 {
+                Content::Message { id, values } => self
                     .own_message(&format!("{id}.short"), values)
                     .unwrap_or_else(|| self.message(id, values)),
                 _ => self.render(text),
             },
-            Part::Name(letters) => letters.clone().into_owned(),
-            Part::Number(digits) => self.number(digits),
-            Part::Unit(symbol) => self.unit(symbol),
-            Part::Count(number) => number.to_string(),
-            Part::Joined { between, parts } => {
+            Content::Name(letters) => letters.clone().into_owned(),
+            Content::Number(digits) => self.number(digits),
+            Content::Unit(symbol) => self.unit(symbol),
+            Content::Count(number) => number.to_string(),
+            Content::Joined { between, parts } => {
                 parts.iter().map(|part| self.render(part)).collect::<Vec<_>>().join(between)
             }
         }
@@ -109,7 +109,7 @@ impl Language {
         let mut given = FluentArgs::new();
         for (name, value) in values {
             let value: FluentValue<'_> = match value.0 {
-                Part::Count(number) => number.into(),
+                Content::Count(number) => number.into(),
                 _ => self.render(value).into(),
             };
             given.set(*name, value);

@@ -12,10 +12,10 @@ use crate::Language;
 ///
 /// Its [`Display`] is English: so JSON has it, which is never translated.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Text(pub(crate) Part);
+pub struct Text(pub(crate) Content);
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub(crate) enum Part {
+pub(crate) enum Content {
     /// A message of the resources; behind a point in the identity, one of its attributes.
     Message { id: &'static str, values: Vec<(&'static str, Text)> },
     /// The same letters in every language.
@@ -47,45 +47,45 @@ macro_rules! text {
 impl Text {
     /// The message of an identity with its values; [`text!`](crate::text!) is shorter.
     pub const fn message(id: &'static str, values: Vec<(&'static str, Self)>) -> Self {
-        Self(Part::Message { id, values })
+        Self(Content::Message { id, values })
     }
 
     /// The identity of its message; of several texts, that of the first that has one. `None` for letters and numbers alone.
     pub fn identity(&self) -> Option<&'static str> {
         match &self.0 {
-            Part::Message { id, .. } => Some(id),
-            Part::Short(text) => text.identity(),
-            Part::Joined { parts, .. } => parts.iter().find_map(Self::identity),
-            Part::Name(_) | Part::Number(_) | Part::Unit(_) | Part::Count(_) => None,
+            Content::Message { id, .. } => Some(id),
+            Content::Short(text) => text.identity(),
+            Content::Joined { parts, .. } => parts.iter().find_map(Self::identity),
+            Content::Name(_) | Content::Number(_) | Content::Unit(_) | Content::Count(_) => None,
         }
     }
 
     /// Whether it has no letters in any language.
     pub fn is_empty(&self) -> bool {
         match &self.0 {
-            Part::Name(letters) | Part::Unit(letters) => letters.is_empty(),
-            Part::Number(digits) => digits.is_empty(),
-            Part::Joined { parts, .. } => parts.iter().all(Self::is_empty),
-            Part::Short(text) => text.is_empty(),
-            Part::Message { .. } | Part::Count(_) => false,
+            Content::Name(letters) | Content::Unit(letters) => letters.is_empty(),
+            Content::Number(digits) => digits.is_empty(),
+            Content::Joined { parts, .. } => parts.iter().all(Self::is_empty),
+            Content::Short(text) => text.is_empty(),
+            Content::Message { .. } | Content::Count(_) => false,
         }
     }
 
     /// What stands in it with the same letters in every language: names, keys, paths, symbols.
     pub fn names(&self) -> Vec<&str> {
         match &self.0 {
-            Part::Name(letters) => vec![letters],
-            Part::Message { values, .. } => values.iter().flat_map(|(_, value)| value.names()).collect(),
-            Part::Short(text) => text.names(),
-            Part::Joined { parts, .. } => parts.iter().flat_map(Self::names).collect(),
-            Part::Number(_) | Part::Unit(_) | Part::Count(_) => Vec::new(),
+            Content::Name(letters) => vec![letters],
+            Content::Message { values, .. } => values.iter().flat_map(|(_, value)| value.names()).collect(),
+            Content::Short(text) => text.names(),
+            Content::Joined { parts, .. } => parts.iter().flat_map(Self::names).collect(),
+            Content::Number(_) | Content::Unit(_) | Content::Count(_) => Vec::new(),
         }
     }
 
     /// The same where there is little room: the attribute `.short` of its message, where a language has one.
     #[must_use]
     pub fn short(self) -> Self {
-        Self(Part::Short(Box::new(self)))
+        Self(Content::Short(Box::new(self)))
     }
 
     /// The text in a language.
@@ -128,17 +128,17 @@ impl From<usize> for Text {
 /// What has the same letters in every language: a name of the scene, a kind of group, a method, a key, a path, a symbol, a
 /// quoted line. No words.
 pub fn name(letters: impl Into<Cow<'static, str>>) -> Text {
-    Text(Part::Name(letters.into()))
+    Text(Content::Name(letters.into()))
 }
 
 /// A number by its digits as English prints them: `-1.5e-7`. A language has its own decimal sign, minus and powers of ten.
 pub fn number(digits: impl Display) -> Text {
-    Text(Part::Number(digits.to_string()))
+    Text(Content::Number(digits.to_string()))
 }
 
 /// A unit by its English symbol: `kg m2/rad`.
 pub fn unit(symbol: impl Into<Cow<'static, str>>) -> Text {
-    Text(Part::Unit(symbol.into()))
+    Text(Content::Unit(symbol.into()))
 }
 
 /// A number, as [`number`], with its unit; the number alone where the symbol is empty.
@@ -149,7 +149,7 @@ pub fn quantity(digits: impl Display, symbol: impl Into<Cow<'static, str>>) -> T
 
 /// How many there are of something: `{ $bodies -> [one] a body *[other] { $bodies } bodies }`.
 pub fn count(number: usize) -> Text {
-    Text(Part::Count(number))
+    Text(Content::Count(number))
 }
 
 /// Several texts with a comma between them.
@@ -159,7 +159,7 @@ pub fn list(parts: impl IntoIterator<Item = Text>) -> Text {
 
 /// Several texts with the same letters, not words, between them.
 pub fn joined(between: &'static str, parts: impl IntoIterator<Item = Text>) -> Text {
-    Text(Part::Joined { between, parts: parts.into_iter().collect() })
+    Text(Content::Joined { between, parts: parts.into_iter().collect() })
 }
 
 /// What says of itself what it is: a fault, a remark, a name.

@@ -116,7 +116,7 @@ working-no-method = This method has no solution in this position.
 working-method-and-groups = Check: `{ $method }` against the groups
 working-differences = What the method gives, less what was found group by group: zero except for rounding.
 # The energy form.
-working-energy-way = Way of the input
+working-energy-way = Displacement of the input
 working-energy-turns = in turns:
 working-energy-works = Works of the loads
 working-energy-work-is = The work of a load is the integral of its moment on the input over the coordinate: the area under the graph of the moment. A load that resists does negative work.
@@ -142,22 +142,22 @@ working-energy-neglects = This neglects the inertia of the links beside that of 
 working-energy-artobolevsky = Coefficient of dynamic unevenness
 
 ## dry friction
-working-rubbing = Friction in the pairs
-working-rubbing-text = The friction depends on the moduli of the reactions. First these are found without friction, then with the friction of the step before, and so on; Newton's method finishes. Each step divides the error by about the spectral radius. The friction found is then a load like others: the reactions below are those without the forces and moments of friction in their pairs.
-working-rubbing-block = { $what }: spectral radius { $radius }, below 1: exactly one solution
-working-rubbing-block-not-proved = { $what }: spectral radius { $radius }, not below 1: the iteration may lead nowhere, so that all solutions are found by algebra
-working-rubbing-step = step { $step }: { $moduli }
-working-rubbing-newton = solution: { $moduli }
-working-rubbing-modulus = { $name } = { $value }
-working-rubbing-pin = |R| in { $pair } on { $link }
-working-rubbing-normal = |N| in { $pair }
-working-rubbing-end = |N| at end { $end } of { $pair }
-working-rubbing-of = friction in { $pair }, found above
-working-rubbing-along = component of the direction of the guide
+working-friction-in-pairs = Friction in the pairs
+working-friction-text = The friction depends on the moduli of the reactions. First these are found without friction, then with the friction of the step before, and so on; Newton's method finishes. Each step divides the error by about the spectral radius. The friction found is then a load like others: the reactions below are those without the forces and moments of friction in their pairs.
+working-friction-block = { $what }: spectral radius { $radius }, below 1: exactly one solution
+working-friction-block-not-proved = { $what }: spectral radius { $radius }, not below 1: the iteration may lead nowhere, so that all solutions are found by algebra
+working-friction-step = step { $step }: { $moduli }
+working-friction-newton = solution: { $moduli }
+working-friction-modulus = { $name } = { $value }
+working-friction-pin = |R| in { $pair } on { $link }
+working-friction-normal = |N| in { $pair }
+working-friction-end = |N| at end { $end } of { $pair }
+working-friction-of = friction in { $pair }, found above
+working-friction-along = component of the direction of the guide
 working-to-point = (E eqs. 4-6) The same reduced to the point { $point } of the input link, whose velocity is r ω: one force along it with the power of Q, and one mass there with the energy of J.
 working-energy-uniform = Uniformly accelerated motion (D eqs. 3.12, 3.13)
 working-energy-speed-at-start = speed at the start
 working-energy-speed-at-end = speed at the end
 working-energy-by-time = (3.12) ω = ε t + ω_{"{"}0{"}"}, from which the time:
-working-energy-way-by-time = (3.13) The way in this time, from the start on:
+working-energy-way-by-time = (3.13) The displacement in this time, from the start on:
 working-energy-balance-resists = Constant moment of the resistance

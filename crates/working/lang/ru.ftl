@@ -142,18 +142,18 @@ working-energy-neglects = Здесь пренебрегают инерцией �
 working-energy-artobolevsky = Коэффициент динамической неравномерности
 
 ## dry friction
-working-rubbing = Трение в кинематических парах
-working-rubbing-text = Трение зависит от модулей реакций. Сначала их находят без трения, затем с трением предыдущего шага и так далее; завершает метод Ньютона. Каждый шаг уменьшает погрешность примерно в спектральный радиус раз. Найденное трение далее есть нагрузка, как другие: реакции ниже даны без сил и моментов трения в их парах.
-working-rubbing-block = { $what }: спектральный радиус { $radius }, меньше 1: решение ровно одно
-working-rubbing-block-not-proved = { $what }: спектральный радиус { $radius }, не меньше 1: итерация может никуда не привести, поэтому все решения находят алгебраически
-working-rubbing-step = шаг { $step }: { $moduli }
-working-rubbing-newton = решение: { $moduli }
-working-rubbing-modulus = { $name } = { $value }
-working-rubbing-pin = |R| в { $pair } на { $link }
-working-rubbing-normal = |N| в { $pair }
-working-rubbing-end = |N| на конце { $end } пары { $pair }
-working-rubbing-of = трение в { $pair }, найденное выше
-working-rubbing-along = составляющая направления направляющей
+working-friction-in-pairs = Трение в кинематических парах
+working-friction-text = Трение зависит от модулей реакций. Сначала их находят без трения, затем с трением предыдущего шага и так далее; завершает метод Ньютона. Каждый шаг уменьшает погрешность примерно в спектральный радиус раз. Найденное трение далее есть нагрузка, как другие: реакции ниже даны без сил и моментов трения в их парах.
+working-friction-block = { $what }: спектральный радиус { $radius }, меньше 1: решение ровно одно
+working-friction-block-not-proved = { $what }: спектральный радиус { $radius }, не меньше 1: итерация может никуда не привести, поэтому все решения находят алгебраически
+working-friction-step = шаг { $step }: { $moduli }
+working-friction-newton = решение: { $moduli }
+working-friction-modulus = { $name } = { $value }
+working-friction-pin = |R| в { $pair } на { $link }
+working-friction-normal = |N| в { $pair }
+working-friction-end = |N| на конце { $end } пары { $pair }
+working-friction-of = трение в { $pair }, найденное выше
+working-friction-along = составляющая направления направляющей
 working-to-point = (E, уравнения 4–6) То же, приведённое к точке { $point } входного звена, скорость которой r ω: одна сила вдоль неё с мощностью Q и одна масса в ней с энергией J.
 working-energy-uniform = Равноускоренное движение (D, уравнения 3.12, 3.13)
 working-energy-speed-at-start = скорость в начале

@@ -142,18 +142,18 @@ working-energy-neglects = Тут знехтувано інерцією лано�
 working-energy-artobolevsky = Коефіцієнт динамічної нерівномірності
 
 ## dry friction
-working-rubbing = Тертя в кінематичних парах
-working-rubbing-text = Тертя залежить від модулів реакцій. Спочатку їх знаходять без тертя, потім із тертям попереднього кроку і так далі; завершує метод Ньютона. Кожен крок зменшує похибку приблизно у спектральний радіус разів. Знайдене тертя далі є навантаженням, як інші: реакції нижче подано без сил і моментів тертя в їхніх парах.
-working-rubbing-block = { $what }: спектральний радіус { $radius }, менший за 1: розв'язок рівно один
-working-rubbing-block-not-proved = { $what }: спектральний радіус { $radius }, не менший за 1: ітерація може нікуди не привести, тому всі розв'язки знаходять алгебрично
-working-rubbing-step = крок { $step }: { $moduli }
-working-rubbing-newton = розв'язок: { $moduli }
-working-rubbing-modulus = { $name } = { $value }
-working-rubbing-pin = |R| у { $pair } на { $link }
-working-rubbing-normal = |N| у { $pair }
-working-rubbing-end = |N| на кінці { $end } пари { $pair }
-working-rubbing-of = тертя в { $pair }, знайдене вище
-working-rubbing-along = складова напрямку напрямної
+working-friction-in-pairs = Тертя в кінематичних парах
+working-friction-text = Тертя залежить від модулів реакцій. Спочатку їх знаходять без тертя, потім із тертям попереднього кроку і так далі; завершує метод Ньютона. Кожен крок зменшує похибку приблизно у спектральний радіус разів. Знайдене тертя далі є навантаженням, як інші: реакції нижче подано без сил і моментів тертя в їхніх парах.
+working-friction-block = { $what }: спектральний радіус { $radius }, менший за 1: розв'язок рівно один
+working-friction-block-not-proved = { $what }: спектральний радіус { $radius }, не менший за 1: ітерація може нікуди не привести, тому всі розв'язки знаходять алгебрично
+working-friction-step = крок { $step }: { $moduli }
+working-friction-newton = розв'язок: { $moduli }
+working-friction-modulus = { $name } = { $value }
+working-friction-pin = |R| у { $pair } на { $link }
+working-friction-normal = |N| у { $pair }
+working-friction-end = |N| на кінці { $end } пари { $pair }
+working-friction-of = тертя в { $pair }, знайдене вище
+working-friction-along = складова напрямку напрямної
 working-to-point = (E, рівняння 4–6) Те саме, зведене до точки { $point } вхідної ланки, швидкість якої r ω: одна сила вздовж неї з потужністю Q і одна маса в ній з енергією J.
 working-energy-uniform = Рівноприскорений рух (D, рівняння 3.12, 3.13)
 working-energy-speed-at-start = швидкість на початку

@@ -1,9 +1,9 @@
 //! Dry friction of this position: the iteration of the textbooks, and the loads to which it leads.
 
-use assur_force::{Iteration, Kinetostatics, Loads, Rub, UnknownKind};
+use assur_force::{Bearing, Iteration, Kinetostatics, Loads, UnknownKind};
 use assur_group::plane::{dot, minus, perp};
 use assur_kinematics::Position;
-use assur_mechanism::{GROUND, LinkId, Mechanism, PairId, Rubbing};
+use assur_mechanism::{GROUND, LinkId, Mechanism, PairId, Surfaces};
 use assur_structure::name_of;
 use assur_words::{Text, joined, number, quantity, text};
 use assur_worksheet::{Expr, Load, Symbol};
@@ -24,28 +24,29 @@ impl Work<'_> {
         let carrying = vec![true; self.linkage.groups().len()];
         let mut forces = Kinetostatics::new(self.linkage, loads, plugin.instance, &carrying);
         let solved = forces.solve(&self.state, position).is_ok();
-        self.sheet.section(text!("working-rubbing"));
-        self.sheet.note(text!("working-rubbing-text"));
+        self.sheet.section(text!("working-friction-in-pairs"));
+        self.sheet.note(text!("working-friction-text"));
         let known =
-            forces.reactions.rubbing.iter().all(|found| found.forces.iter().all(|force| force.is_finite()));
+            forces.reactions.friction.iter().all(|found| found.forces.iter().all(|force| force.is_finite()));
         if solved && !known {
             // At rest in a motion friction is not determined.
             return false;
         }
         for found in forces.iteration(&self.state, position) {
-            self.iteration(&found, &frictions.rubs, |index| {
+            self.iteration(&found, &frictions.bearings, |index| {
                 let unknown = &frictions.unknowns[index];
-                (unknown.rub, unknown.kind)
+                (unknown.bearing, unknown.kind)
             });
         }
-        let (true, Some(rubbing)) = (solved, &forces.reactions.rubbing) else { return false };
-        for ((rub, force), sense) in frictions.rubs.iter().zip(&rubbing.forces).zip(&rubbing.senses) {
-            let on_link = rub.path.iter().fold([0.0; 2], |[x, y], (pair, sign)| {
+        let (true, Some(friction)) = (solved, &forces.reactions.friction) else { return false };
+        for ((bearing, force), sense) in frictions.bearings.iter().zip(&friction.forces).zip(&friction.senses)
+        {
+            let on_link = bearing.path.iter().fold([0.0; 2], |[x, y], (pair, sign)| {
                 let one = &forces.reactions.pairs[*pair];
                 [x + sign * one.fx, y + sign * one.fy]
             });
-            let normal = if rub.slides() { dot(on_link, perp(rub.along(self.bodies))) } else { 0.0 };
-            self.rubbing(rub, *force, -sense * rub.coefficient * normal);
+            let normal = if bearing.slides() { dot(on_link, perp(bearing.along(self.bodies))) } else { 0.0 };
+            self.friction_loads(bearing, *force, -sense * bearing.coefficient * normal);
         }
         true
     }
@@ -54,16 +55,16 @@ impl Work<'_> {
     fn iteration(
         &mut self,
         found: &Iteration,
-        rubs: &[Rub],
+        bearings: &[Bearing],
         unknown: impl Fn(usize) -> (usize, UnknownKind),
     ) {
         let mechanism = &self.linkage.mechanism;
         let moduli = |z: &[f64]| {
             let each = found.unknowns.iter().zip(z).map(|(index, z)| {
-                let (rub, kind) = unknown(*index);
+                let (bearing, kind) = unknown(*index);
                 text!(
-                    "working-rubbing-modulus",
-                    name = modulus(mechanism, &rubs[rub], kind),
+                    "working-friction-modulus",
+                    name = modulus(mechanism, &bearings[bearing], kind),
                     value = quantity(format_args!("{z:.6}"), "N")
                 )
             });
@@ -71,47 +72,47 @@ impl Work<'_> {
         };
         let radius = number(format_args!("{:.6}", found.radius));
         let proved = found.radius < 1.0;
-        let id = if proved { "working-rubbing-block" } else { "working-rubbing-block-not-proved" };
+        let id = if proved { "working-friction-block" } else { "working-friction-block-not-proved" };
         self.sheet.note(text!(id, what = &found.what, radius = radius));
         for (step, z) in found.steps.iter().enumerate() {
             let moduli = moduli(z);
-            self.sheet.note(text!("working-rubbing-step", step = step, moduli = moduli));
+            self.sheet.note(text!("working-friction-step", step = step, moduli = moduli));
         }
         if let Some(z) = &found.solution {
             let moduli = moduli(z);
-            self.sheet.note(text!("working-rubbing-newton", moduli = moduli));
+            self.sheet.note(text!("working-friction-newton", moduli = moduli));
         }
     }
 
     /// Adds the friction of a pair to the loads of its links; `lever`: of faces beside the guide line, the force that has the
     /// moment, N.
-    fn rubbing(&mut self, rub: &Rub, force: f64, lever: f64) {
+    fn friction_loads(&mut self, bearing: &Bearing, force: f64, lever: f64) {
         let mechanism = &self.linkage.mechanism;
-        let of = Text::from(name_of(mechanism, rub.pair));
-        let tag = Symbol::from(of.clone()).of(self.sheet.body_name(rub.link));
+        let of = Text::from(name_of(mechanism, bearing.pair));
+        let tag = Symbol::from(of.clone()).of(self.sheet.body_name(bearing.link));
         if force == 0.0 {
             return;
         }
-        if !rub.slides() {
+        if !bearing.slides() {
             let moment = self.sheet.given(
                 Symbol::from("M").of("f").of(tag),
                 force,
                 "N·m",
-                text!("working-rubbing-of", pair = of),
+                text!("working-friction-of", pair = of),
             );
-            self.turn(rub.link, moment.clone());
-            self.turn(rub.on, -moment);
+            self.turn(bearing.link, moment.clone());
+            self.turn(bearing.on, -moment);
             return;
         }
-        let PairId::Slide(slide) = rub.pair else { return };
-        let place = self.bodies[rub.link].point(mechanism.slides[slide].point);
+        let PairId::Slide(slide) = bearing.pair else { return };
+        let place = self.bodies[bearing.link].point(mechanism.slides[slide].point);
         let size = self.sheet.given(
             Symbol::from("F").of("f").of(tag),
             force,
             "N",
-            text!("working-rubbing-of", pair = of.clone()),
+            text!("working-friction-of", pair = of.clone()),
         );
-        let [c, s] = rub.along(self.bodies);
+        let [c, s] = bearing.along(self.bodies);
         let along = [("c", c), ("s", s)].map(|(letter, part)| match part {
             // Along an axis one of them is zero but for the rounding of the angle.
             _ if part.abs() < AXIS => Expr::zero(),
@@ -119,10 +120,11 @@ impl Work<'_> {
                 Symbol::from(letter).of(of.clone()),
                 part,
                 "",
-                text!("working-rubbing-along"),
+                text!("working-friction-along"),
             ),
         });
-        for (link, sign) in [(rub.link, 1.0), (rub.on, -1.0)].into_iter().filter(|(link, _)| *link != GROUND)
+        for (link, sign) in
+            [(bearing.link, 1.0), (bearing.on, -1.0)].into_iter().filter(|(link, _)| *link != GROUND)
         {
             let body = &self.bodies[link];
             let off = minus(place, [body.x, body.y]);
@@ -131,14 +133,14 @@ impl Work<'_> {
             let parts = [0, 1].map(|axis| &size * &along[axis] * Expr::number(sign));
             self.sheet.load(link, Load { force: Some((parts, at)), moment: Expr::zero(), applied: true });
         }
-        if let Rubbing::Faces { offset, .. } = rub.rubbing
+        if let Surfaces::Faces { offset, .. } = bearing.surfaces
             && offset != 0.0
         {
             let symbol = Symbol::from("M").of("f").of(of.clone());
             let moment =
-                self.sheet.given(symbol, lever * offset, "N·m", text!("working-rubbing-of", pair = of));
-            self.turn(rub.link, moment.clone());
-            self.turn(rub.on, -moment);
+                self.sheet.given(symbol, lever * offset, "N·m", text!("working-friction-of", pair = of));
+            self.turn(bearing.link, moment.clone());
+            self.turn(bearing.on, -moment);
         }
     }
 
@@ -150,15 +152,15 @@ impl Work<'_> {
 }
 
 /// A modulus in words.
-fn modulus(mechanism: &Mechanism, rub: &Rub, kind: UnknownKind) -> Text {
-    let pair = Text::from(name_of(mechanism, rub.pair));
+fn modulus(mechanism: &Mechanism, bearing: &Bearing, kind: UnknownKind) -> Text {
+    let pair = Text::from(name_of(mechanism, bearing.pair));
     match kind {
         UnknownKind::Force => {
-            text!("working-rubbing-pin", pair = pair, link = Text::from(&mechanism.links[rub.link].name))
+            text!("working-friction-pin", pair = pair, link = Text::from(&mechanism.links[bearing.link].name))
         }
         UnknownKind::End(end) => {
-            text!("working-rubbing-end", pair = pair, end = number(if end > 0.0 { 1 } else { 2 }))
+            text!("working-friction-end", pair = pair, end = number(if end > 0.0 { 1 } else { 2 }))
         }
-        UnknownKind::Normal | UnknownKind::Shift => text!("working-rubbing-normal", pair = pair),
+        UnknownKind::Normal | UnknownKind::Shift => text!("working-friction-normal", pair = pair),
     }
 }

@@ -6,6 +6,7 @@
 //! equations, and in a position where they are singular (0/0), the general linear system is used. This crate is
 //! independent of concrete kinds, of files and of the terminal.
 
+mod area;
 mod chain;
 mod conventions;
 mod energy;

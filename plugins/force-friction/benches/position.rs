@@ -45,14 +45,14 @@ fn seconds(linkage: &Linkage, method: &str, lanes: bool) -> f64 {
 fn main() {
     let path = format!("{}/../../fixtures/shaper-friction.toml", env!("CARGO_MANIFEST_DIR"));
     let mut mechanism = assur_scene::read("shaper", &std::fs::read_to_string(path).unwrap()).unwrap();
-    let rubbing = Linkage::compile(mechanism.clone()).unwrap();
+    let with_friction = Linkage::compile(mechanism.clone()).unwrap();
     mechanism.frictions.clear();
     let ideal = Linkage::compile(mechanism).unwrap();
     for lanes in [false, true] {
         let mut times = [Vec::new(), Vec::new()];
         for _ in 0..ROUNDS {
             times[0].push(seconds(&ideal, "groups", lanes));
-            times[1].push(seconds(&rubbing, "coulomb", lanes));
+            times[1].push(seconds(&with_friction, "coulomb", lanes));
         }
         let [without, with] = times.map(|mut all| {
             all.sort_by(f64::total_cmp);

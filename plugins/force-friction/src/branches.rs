@@ -1,4 +1,4 @@
-//! All solutions of a mechanism: those of the last block, and from each of them on those of the blocks before it.
+//! All solutions with friction of a mechanism: those of the last block, and for each of them those of the blocks before it.
 
 use assur_force::{Block, ForceError, Iteration};
 use assur_friction::{Moduli, Node, path};
@@ -10,7 +10,7 @@ use crate::choice;
 /// A solution of all blocks.
 #[derive(Debug, Clone)]
 pub(crate) struct Branch {
-    /// Loads with all that was handed on.
+    /// Loads on all links, with the reactions and the friction of the blocks that are solved.
     loads: Vec<Wrench<f64>>,
     /// Reactions without the forces and moments of friction.
     pub(crate) pairs: Vec<Wrench<f64>>,
@@ -22,7 +22,7 @@ pub(crate) struct Branch {
 
 /// All solutions.
 #[derive(Debug)]
-pub(crate) struct Found {
+pub(crate) struct Solutions {
     pub(crate) branches: Vec<Branch>,
     /// Whether there are certainly no others.
     pub(crate) proved: bool,
@@ -34,15 +34,15 @@ pub(crate) struct Found {
     pub(crate) certificates: Vec<f64>,
 }
 
-/// Most solutions that are followed from block to block, each of which may have several for each of them.
+/// Most solutions that are followed from block to block: each of them may lead to several in the next block.
 const MOST: usize = 64;
 
 impl Chain<'_> {
     /// All solutions under these loads with all coefficients times `scale`.
-    pub(crate) fn solutions(&self, loads: &[Wrench<f64>], scale: f64) -> Result<Found, ForceError> {
+    pub(crate) fn solutions(&self, loads: &[Wrench<f64>], scale: f64) -> Result<Solutions, ForceError> {
         let pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
         let start = Branch { loads: loads.to_vec(), pairs, balancing: 0.0, moduli: Vec::new() };
-        let mut found = Found {
+        let mut found = Solutions {
             branches: vec![start],
             proved: true,
             continuum: false,
@@ -67,7 +67,13 @@ impl Chain<'_> {
     }
 
     /// Adds the solutions of a block that follow from a solution of those after it.
-    fn go_on(&self, block: &Block, branch: Branch, scale: f64, found: &mut Found) -> Result<(), ForceError> {
+    fn go_on(
+        &self,
+        block: &Block,
+        branch: Branch,
+        scale: f64,
+        found: &mut Solutions,
+    ) -> Result<(), ForceError> {
         if block
             .unknowns
             .iter()
@@ -129,10 +135,12 @@ impl Chain<'_> {
         if block.stages.contains(&0) {
             (branch.pairs[0], branch.balancing) = (unknown, f64::NAN);
         }
-        for rub in
-            block.unknowns.iter().map(|&index| &self.frictions.rubs[self.frictions.unknowns[index].rub])
+        for bearing in block
+            .unknowns
+            .iter()
+            .map(|&index| &self.frictions.bearings[self.frictions.unknowns[index].bearing])
         {
-            for link in [rub.link, rub.on] {
+            for link in [bearing.link, bearing.on] {
                 branch.loads[link] = unknown;
             }
         }
@@ -158,7 +166,7 @@ pub(crate) fn same(one: &[f64], other: &[f64]) -> bool {
     one.iter().zip(other).all(|(a, b)| (a - b).abs() <= SAME * size)
 }
 
-/// Most steps of the iteration that are told, and the relative change at which it stands still.
+/// Most steps of the iteration that are reported, and the relative change at which it stands still.
 const TOLD: (usize, f64) = (12, 1e-10);
 
 impl Chain<'_> {

@@ -1,4 +1,4 @@
-//! The linear part: what the groups of a block answer to loads and to the friction of one modulus after the other.
+//! The linear part: the reactions of the groups of a block to loads and to the friction of each modulus of size 1.
 
 use assur_force::{
     Block, ForceError, FreeMotion, Frictions, Reactions, UnitBalance, Unknown, UnknownKind, Unsolved,
@@ -21,7 +21,7 @@ pub(crate) struct Chain<'a> {
     free: Option<&'a FreeMotion<'a>>,
 }
 
-/// What some stages answer to loads on their links.
+/// The response of some stages to loads on their links.
 #[derive(Debug, Clone)]
 pub(crate) struct Response {
     /// The loads, with those that the stages hand on.
@@ -35,9 +35,9 @@ pub(crate) struct Response {
 /// A block with its loads: everything linear in the moduli.
 #[derive(Debug)]
 pub(crate) struct Prepared {
-    /// Without moduli.
+    /// The response to the loads, without friction.
     pub(crate) base: Response,
-    /// To each modulus of size 1.
+    /// The response to the friction of each modulus of size 1.
     pub(crate) each: Vec<Response>,
     /// The equations of the moduli.
     pub(crate) moduli: Moduli,
@@ -49,8 +49,8 @@ const SINGULAR: f64 = 1e-14;
 impl<'a> Chain<'a> {
     /// `None` where all pairs are ideal.
     pub(crate) fn of(linkage: &'a Linkage, position: &'a Position, out: &'a Reactions) -> Option<Self> {
-        let rubbing = out.rubbing.as_ref()?;
-        let (frictions, senses) = (rubbing.frictions.as_ref(), &rubbing.senses[..]);
+        let friction = out.friction.as_ref()?;
+        let (frictions, senses) = (friction.frictions.as_ref(), &friction.senses[..]);
         Some(Self { linkage, position, frictions, senses, solved: &out.solved, unit: out.unit, free: None })
     }
 
@@ -80,16 +80,16 @@ impl<'a> Chain<'a> {
 
     /// Coefficient and sense of an unknown, where all coefficients are taken times `scale`.
     pub(crate) fn factor(&self, unknown: &Unknown, scale: f64) -> f64 {
-        scale * self.senses[unknown.rub] * self.frictions.rubs[unknown.rub].coefficient
+        scale * self.senses[unknown.bearing] * self.frictions.bearings[unknown.bearing].coefficient
     }
 
     /// The vector of an unknown from reactions.
     fn vector(&self, unknown: usize, response: &Response) -> [f64; 2] {
         let unknown = &self.frictions.unknowns[unknown];
-        unknown.vector(&self.frictions.rubs[unknown.rub], &self.position.bodies, &response.pairs)
+        unknown.vector(&self.frictions.bearings[unknown.bearing], &self.position.bodies, &response.pairs)
     }
 
-    /// What a block answers to loads; `pairs`: the reactions in the others.
+    /// The response of a block to loads; `pairs`: the reactions in the other blocks.
     fn respond(
         &self,
         block: &Block,
@@ -129,7 +129,7 @@ impl<'a> Chain<'a> {
         for &unknown in &block.unknowns {
             let (mut own, found) = (nothing.clone(), &self.frictions.unknowns[unknown]);
             let factor = self.factor(found, scale);
-            found.kind.load(&self.frictions.rubs[found.rub], &self.position.bodies, factor, &mut own);
+            found.kind.load(&self.frictions.bearings[found.bearing], &self.position.bodies, factor, &mut own);
             all.push(self.respond(block, own, no_pairs.clone())?);
         }
         if let Some(unit) = self.unit {
@@ -177,7 +177,7 @@ impl<'a> Chain<'a> {
         Ok(Some(Prepared { base, each: moduli.into_iter().map(|(_, of)| of).collect(), moduli: system }))
     }
 
-    /// Adds to each answer that of the balancing load that leaves the drive idle; its size takes the place of the drive's.
+    /// Adds to each response that of the balancing load with which the drive is idle; its size replaces that of the drive.
     fn balance(&self, unit: &UnitBalance, own: &Response, all: &mut [Response]) -> Result<(), ForceError> {
         for response in all {
             let size = unit.size(response.drive, own.drive, self.linkage);
@@ -190,7 +190,7 @@ impl<'a> Chain<'a> {
 }
 
 impl Response {
-    /// Adds a multiple of another answer.
+    /// Adds a multiple of another response.
     pub(crate) fn add(&mut self, factor: f64, other: &Self) {
         let add = |all: &mut [Wrench<f64>], other: &[Wrench<f64>]| {
             for (sum, one) in all.iter_mut().zip(other) {

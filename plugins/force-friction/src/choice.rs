@@ -3,7 +3,7 @@
 use assur_friction::{Node, path};
 use assur_group::Wrench;
 
-use crate::branches::{Branch, Found, same};
+use crate::branches::{Branch, Solutions, same};
 use crate::chain::Chain;
 
 /// The part of the coefficients at which a path begins, at most.
@@ -14,7 +14,7 @@ const RATIO: f64 = 1.03;
 
 /// The index of the solution that is taken: the one that follows by continuity from small coefficients, else that of the least
 /// balancing load; `None` where there is none.
-pub(crate) fn taken(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> Option<usize> {
+pub(crate) fn taken(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
     if found.branches.len() < 2 {
         return (!found.branches.is_empty()).then_some(0);
     }
@@ -25,7 +25,7 @@ pub(crate) fn taken(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> 
 }
 
 /// A part of the coefficients with certainly one solution, as great as the spectral radii promise, and its moduli.
-fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> Option<Node> {
+fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<Node> {
     let radius = found.certificates.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
     let parts = [0.9 / radius.max(1.0), START.min(0.01 / radius.max(1e-300))];
     parts.into_iter().find_map(|part| {
@@ -35,7 +35,7 @@ fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> Option<Node
     })
 }
 
-fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Found) -> Option<usize> {
+fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
     let moduli = path(start(chain, loads, found)?, |part, expected| chain.near(loads, part, expected))?;
     found.branches.iter().position(|branch| same(&branch.moduli, &moduli))
 }

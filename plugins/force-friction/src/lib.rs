@@ -65,14 +65,14 @@ impl ForceAnalyzer for Friction {
         out: &mut Reactions,
     ) -> Result<(), ForceError> {
         let (groups, bodies) = (linkage.groups(), &position.bodies[..]);
-        if let Some(rubbing) = &mut out.rubbing {
-            rubbing.doubts.clear();
-            rubbing.loads.clear();
-            rubbing.loads.extend_from_slice(loads);
+        if let Some(friction) = &mut out.friction {
+            friction.doubts.clear();
+            friction.loads.clear();
+            friction.loads.extend_from_slice(loads);
             if (Quick { linkage, groups, bodies }.solve(loads, out)).is_some() {
                 return Ok(());
             }
-            let given = out.rubbing.as_ref().map(|rubbing| &rubbing.loads[..]);
+            let given = out.friction.as_ref().map(|friction| &friction.loads[..]);
             loads.copy_from_slice(given.unwrap_or_default());
         }
         let Some(chain) = Chain::of(linkage, position, out) else {
@@ -95,10 +95,10 @@ impl ForceAnalyzer for Friction {
         });
         let told = chain.told(&found.branches[taken], true);
         (out.balancing, out.pairs) = (told.balancing, told.pairs);
-        if let Some(rubbing) = &mut out.rubbing {
-            rubbing.forces = told.forces;
-            rubbing.certificates = found.certificates;
-            rubbing.doubts = doubt.into_iter().collect();
+        if let Some(friction) = &mut out.friction {
+            friction.forces = told.forces;
+            friction.certificates = found.certificates;
+            friction.doubts = doubt.into_iter().collect();
         }
         Ok(())
     }
@@ -111,7 +111,7 @@ impl ForceAnalyzer for Friction {
         out: &mut Reactions<Lanes>,
     ) -> bool {
         let (groups, bodies) = (linkage.lane_groups(), &position.bodies[..]);
-        if out.rubbing.is_some() {
+        if out.friction.is_some() {
             return Quick { linkage, groups, bodies }.solve(loads, out).is_some();
         }
         let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
@@ -158,20 +158,20 @@ impl ForceAnalyzer for Friction {
 }
 
 impl Chain<'_> {
-    /// A solution as it is told: reactions with friction.
+    /// A solution as it is reported: reactions with friction.
     fn told(&self, branch: &Branch, taken: bool) -> FrictionSolution {
-        let (mut pairs, mut forces) = (branch.pairs.clone(), vec![0.0; self.frictions.rubs.len()]);
+        let (mut pairs, mut forces) = (branch.pairs.clone(), vec![0.0; self.frictions.bearings.len()]);
         for unknown in &self.frictions.unknowns {
-            let rub = &self.frictions.rubs[unknown.rub];
-            let [x, y] = unknown.vector(rub, &self.position.bodies, &branch.pairs);
+            let bearing = &self.frictions.bearings[unknown.bearing];
+            let [x, y] = unknown.vector(bearing, &self.position.bodies, &branch.pairs);
             let size = if unknown.is_modulus() { x.hypot(y) } else { x };
             let factor = self.factor(unknown, 1.0) * size;
-            let (share, moment) = (factor * unknown.share(rub), factor * unknown.moment(rub));
-            forces[unknown.rub] += share;
-            for &(pair, sign) in &rub.path {
+            let (share, moment) = (factor * unknown.share(bearing), factor * unknown.moment(bearing));
+            forces[unknown.bearing] += share;
+            for &(pair, sign) in &bearing.path {
                 pairs[pair].m += sign * moment;
-                if rub.slides() {
-                    let along = rub.along(&self.position.bodies);
+                if bearing.slides() {
+                    let along = bearing.along(&self.position.bodies);
                     pairs[pair].fx += sign * share * along[0];
                     pairs[pair].fy += sign * share * along[1];
                 }

@@ -3,7 +3,7 @@
 //! It keeps to small fixed memory. What it can't treat (a certificate of 1 or more, groups that are solved together, a
 //! balancing load elsewhere) is left to [`Chain`](crate::chain::Chain).
 
-use assur_force::{Block, Frictions, Reactions, Rub, Rubbing, Unknown, UnknownKind, input_link};
+use assur_force::{Bearing, Block, FrictionForces, Frictions, Reactions, Unknown, UnknownKind, input_link};
 use assur_friction::{Sum, Unique};
 use assur_group::{AssurGroup, Body, Number, Wrench};
 use assur_kinematics::Linkage;
@@ -20,56 +20,56 @@ pub(crate) struct Quick<'a, T: Real> {
     pub(crate) bodies: &'a [Body<T>],
 }
 
-/// What presses in a rub: two parts of its unknown, and the normal force of a slide.
+/// What presses in a bearing: two parts of its unknown, and the normal force of a slide.
 type Pressing<T> = [T; 3];
 
-/// What presses in each of N rubs by column: without friction, by each sum of moduli of size 1, and by each normal force of size 1
+/// What presses in each of N bearings by column: without friction, by each sum of moduli of size 1, and by each normal force of size 1
 /// whose friction has a moment; C is 1 + 2 N.
 struct Table<T, const N: usize, const C: usize>([[Pressing<T>; C]; N]);
 
-/// The rubs of a block.
-struct Rubs<'a, T> {
+/// The bearings of a block.
+struct Bearings<'a, T> {
     frictions: &'a Frictions,
     senses: &'a [T],
     bodies: &'a [Body<T>],
     block: &'a Block,
 }
 
-impl<T: Real> Rubs<'_, T> {
+impl<T: Real> Bearings<'_, T> {
     #[inline(always)]
     fn count(&self) -> usize {
         self.block.firsts.len()
     }
 
-    /// A rub, with the first of what its friction depends on.
+    /// A bearing, with the first of what its friction depends on.
     #[inline(always)]
-    fn rub(&self, index: usize) -> (&Rub, &Unknown) {
+    fn bearing(&self, index: usize) -> (&Bearing, &Unknown) {
         let unknown = &self.frictions.unknowns[self.block.firsts[index]];
-        (&self.frictions.rubs[unknown.rub], unknown)
+        (&self.frictions.bearings[unknown.bearing], unknown)
     }
 
-    /// The rubs whose friction has a moment that is linear in the normal force.
+    /// The bearings whose friction has a moment that is linear in the normal force.
     #[inline(always)]
     fn shifted(&self) -> impl Iterator<Item = usize> {
-        (0..self.count()).filter(|index| self.rub(*index).0.is_shifted())
+        (0..self.count()).filter(|index| self.bearing(*index).0.is_shifted())
     }
 
     #[inline(always)]
     fn factor(&self, index: usize) -> T {
-        let (rub, unknown) = self.rub(index);
-        self.senses[unknown.rub] * T::from_f64(rub.coefficient)
+        let (bearing, unknown) = self.bearing(index);
+        self.senses[unknown.bearing] * T::from_f64(bearing.coefficient)
     }
 
     /// Adds the load of a sum of moduli, or of a normal force.
     #[inline(always)]
     fn load(&self, index: usize, is_normal: bool, size: T, loads: &mut [Wrench<T>]) {
-        let (rub, unknown) = self.rub(index);
+        let (bearing, unknown) = self.bearing(index);
         let kind = if is_normal { UnknownKind::Shift } else { unknown.kind };
-        kind.load(rub, self.bodies, self.factor(index) * size, loads);
+        kind.load(bearing, self.bodies, self.factor(index) * size, loads);
     }
 }
 
-/// Everything, as a formula for the widest instructions.
+/// The whole solution, as a formula for the widest instructions.
 struct Whole<'a, 'b, T: Real>(&'a Quick<'a, T>, &'b mut [Wrench<T>], &'b mut Reactions<T>);
 
 impl<T: Number> Formula for Whole<'_, '_, T> {
@@ -89,7 +89,7 @@ impl<T: Number> Quick<'_, T> {
 
     #[inline(always)]
     fn blocks(&self, loads: &mut [Wrench<T>], out: &mut Reactions<T>) -> Option<()> {
-        let frictions = out.rubbing.as_ref()?.frictions.clone();
+        let frictions = out.friction.as_ref()?.frictions.clone();
         if out.unit.is_some() {
             return None;
         }
@@ -106,8 +106,8 @@ impl<T: Number> Quick<'_, T> {
             let drive = self.respond(stage, &out.solved, loads, &mut out.pairs)?;
             out.balancing = if stage == 0 { drive } else { out.balancing };
         }
-        let Reactions { rubbing: Some(rubbing), pairs, .. } = out else { return None };
-        self.tell(rubbing, pairs);
+        let Reactions { friction: Some(friction), pairs, .. } = out else { return None };
+        self.tell(friction, pairs);
         Some(())
     }
 
@@ -149,27 +149,28 @@ impl<T: Number> Quick<'_, T> {
         out: &mut Reactions<T>,
     ) -> Option<()> {
         let mut table = self.table::<N, C>(block, stage, loads, out)?;
-        let Rubbing { frictions, senses, forces, certificates, .. } = out.rubbing.as_mut()?;
-        let rubs = Rubs { frictions, senses: &senses[..], bodies: self.bodies, block };
-        table.without_normals(&rubs)?;
-        let (radius, z) = table.equations(&rubs).solve()?;
+        let FrictionForces { frictions, senses, forces, certificates, .. } = out.friction.as_mut()?;
+        let bearings = Bearings { frictions, senses: &senses[..], bodies: self.bodies, block };
+        table.without_normals(&bearings)?;
+        let (radius, z) = table.equations(&bearings).solve()?;
         if let Some(group) = stage.checked_sub(1) {
             certificates[group] = radius;
         }
-        for (index, z) in z.into_iter().enumerate().take(rubs.count()) {
-            let (rub, unknown) = rubs.rub(index);
-            forces[unknown.rub] = rubs.factor(index) * T::from_f64(unknown.share(rub)) * z + T::ZERO;
-            rubs.load(index, false, z, loads);
+        for (index, z) in z.into_iter().enumerate().take(bearings.count()) {
+            let (bearing, unknown) = bearings.bearing(index);
+            forces[unknown.bearing] =
+                bearings.factor(index) * T::from_f64(unknown.share(bearing)) * z + T::ZERO;
+            bearings.load(index, false, z, loads);
         }
-        for index in rubs.shifted() {
+        for index in bearings.shifted() {
             let row = &table.0[index];
             let normal = row[1..=N].iter().zip(z).fold(row[0][2], |sum, (by, z)| sum + by[2] * z);
-            rubs.load(index, true, normal, loads);
+            bearings.load(index, true, normal, loads);
         }
         Some(())
     }
 
-    /// What the stage of a block answers to its loads and to the friction of each unknown.
+    /// The response of the stage of a block to its loads and to the friction of each unknown.
     #[inline(always)]
     fn table<const N: usize, const C: usize>(
         &self,
@@ -178,13 +179,13 @@ impl<T: Number> Quick<'_, T> {
         loads: &[Wrench<T>],
         out: &mut Reactions<T>,
     ) -> Option<Table<T, N, C>> {
-        let Reactions { rubbing, pairs, solved, scratch_pairs, scratch_bodies, .. } = out;
-        let Rubbing { frictions, senses, .. } = rubbing.as_ref()?;
-        let rubs = Rubs { frictions, senses: &senses[..], bodies: self.bodies, block };
-        let sums = (0..rubs.count()).map(|index| (1 + index, (index, false)));
-        let normals = rubs.shifted().enumerate().map(|(nth, index)| (1 + N + nth, (index, true)));
+        let Reactions { friction, pairs, solved, scratch_pairs, scratch_bodies, .. } = out;
+        let FrictionForces { frictions, senses, .. } = friction.as_ref()?;
+        let bearings = Bearings { frictions, senses: &senses[..], bodies: self.bodies, block };
+        let sums = (0..bearings.count()).map(|index| (1 + index, (index, false)));
+        let normals = bearings.shifted().enumerate().map(|(nth, index)| (1 + N + nth, (index, true)));
         let (links, count) = (loads.len(), pairs.len());
-        let sets = 1 + N + rubs.shifted().count();
+        let sets = 1 + N + bearings.shifted().count();
         scratch_bodies.resize(scratch_bodies.len().max(sets * links), Wrench::ZERO);
         scratch_pairs.resize(scratch_pairs.len().max(sets * count), Wrench::ZERO);
         // A stage reads the loads of its own links only; a joint may have reactions that are known before.
@@ -197,12 +198,12 @@ impl<T: Number> Quick<'_, T> {
             for &link in self.links(stage) {
                 own[link] = if set == 0 { loads[link] } else { Wrench::ZERO };
             }
-            for &(pair, _) in (0..rubs.count()).flat_map(|index| &rubs.rub(index).1.pairs) {
+            for &(pair, _) in (0..bearings.count()).flat_map(|index| &bearings.bearing(index).1.pairs) {
                 found[pair] = if set == 0 { pairs[pair] } else { Wrench::ZERO };
             }
         }
         for (column, (index, is_normal)) in sums.chain(normals) {
-            rubs.load(index, is_normal, T::ONE, &mut scratch_bodies[column * links..]);
+            bearings.load(index, is_normal, T::ONE, &mut scratch_bodies[column * links..]);
         }
         let (own, found) = (&mut scratch_bodies[..sets * links], &mut scratch_pairs[..sets * count]);
         match stage.checked_sub(1) {
@@ -215,9 +216,9 @@ impl<T: Number> Quick<'_, T> {
             }
         }
         let mut table = Table([[[T::ZERO; 3]; C]; N]);
-        for (index, row) in table.0.iter_mut().enumerate().take(rubs.count()) {
-            let (rub, unknown) = rubs.rub(index);
-            let pressing = unknown.pressing(rub, self.bodies);
+        for (index, row) in table.0.iter_mut().enumerate().take(bearings.count()) {
+            let (bearing, unknown) = bearings.bearing(index);
+            let pressing = unknown.pressing(bearing, self.bodies);
             for (entry, found) in row.iter_mut().zip(found.chunks_exact(count)) {
                 let ([one, other], normal) = pressing.of(&unknown.load_on(found));
                 *entry = [one, other, normal];
@@ -228,19 +229,19 @@ impl<T: Number> Quick<'_, T> {
 
     /// Adds friction to the reactions in its pairs.
     #[inline(always)]
-    fn tell(&self, rubbing: &Rubbing<T>, pairs: &mut [Wrench<T>]) {
-        let Rubbing { frictions, senses, forces, .. } = rubbing;
+    fn tell(&self, friction: &FrictionForces<T>, pairs: &mut [Wrench<T>]) {
+        let FrictionForces { frictions, senses, forces, .. } = friction;
         for unknown in frictions.unknowns.iter().filter(|unknown| unknown.kind == UnknownKind::Shift) {
-            let rub = &frictions.rubs[unknown.rub];
-            let [normal, _] = unknown.vector(rub, self.bodies, pairs);
-            let factor = senses[unknown.rub] * T::from_f64(rub.coefficient * unknown.moment(rub));
-            for &(pair, sign) in &rub.path {
+            let bearing = &frictions.bearings[unknown.bearing];
+            let [normal, _] = unknown.vector(bearing, self.bodies, pairs);
+            let factor = senses[unknown.bearing] * T::from_f64(bearing.coefficient * unknown.moment(bearing));
+            for &(pair, sign) in &bearing.path {
                 pairs[pair].m += T::from_f64(sign) * factor * normal;
             }
         }
-        for (rub, force) in frictions.rubs.iter().zip(forces) {
-            let along = rub.slides().then(|| rub.along(self.bodies));
-            for &(pair, sign) in &rub.path {
+        for (bearing, force) in frictions.bearings.iter().zip(forces) {
+            let along = bearing.slides().then(|| bearing.along(self.bodies));
+            for &(pair, sign) in &bearing.path {
                 let force = T::from_f64(sign) * *force;
                 match along {
                     None => pairs[pair].m += force,
@@ -257,8 +258,8 @@ impl<T: Number> Quick<'_, T> {
 impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
     /// Expresses the normal forces by the sums of moduli; `None` where these determine none.
     #[inline(always)]
-    fn without_normals(&mut self, rubs: &Rubs<'_, T>) -> Option<()> {
-        for (nth, own) in rubs.shifted().enumerate() {
+    fn without_normals(&mut self, bearings: &Bearings<'_, T>) -> Option<()> {
+        for (nth, own) in bearings.shifted().enumerate() {
             let column = 1 + N + nth;
             let left = T::ONE - self.0[own][column][2];
             if !left.abs().at_least(SINGULAR) {
@@ -281,15 +282,15 @@ impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
 
     /// The equations of the sums of moduli.
     #[inline(always)]
-    fn equations(&self, rubs: &Rubs<'_, T>) -> Unique<T, N> {
+    fn equations(&self, bearings: &Bearings<'_, T>) -> Unique<T, N> {
         let parts = |[one, other, _]: Pressing<T>| [one, other];
         let of = |index: usize| {
-            if index >= rubs.count() {
+            if index >= bearings.count() {
                 return Sum::NONE;
             }
             let row = &self.0[index];
             Sum {
-                is_vector: !rubs.rub(index).0.slides(),
+                is_vector: !bearings.bearing(index).0.slides(),
                 constant: parts(row[0]),
                 slopes: std::array::from_fn(|k| parts(row[k + 1])),
             }

@@ -2,19 +2,19 @@
 
 /// An equation: its unknowns in ascending order, each with its factor; the right side stands last, as if it were the unknown
 /// after all others.
-pub(crate) type Row = Vec<(usize, f64)>;
+pub(crate) type SparseRow = Vec<(usize, f64)>;
 
 /// The solution of as many equations as unknowns, and the ratio of least to greatest pivot, zero where there is no solution.
 ///
 /// The unknowns are eliminated as they are numbered, each by the equation in which its factor is greatest.
-pub(crate) fn solve(mut rows: Vec<Row>) -> (Vec<f64>, f64) {
+pub(crate) fn solve(mut rows: Vec<SparseRow>) -> (Vec<f64>, f64) {
     let count = rows.len();
     let mut x = vec![f64::NAN; count];
     let mut beginning = Beginning { first: vec![None; count + 1], next: vec![None; count] };
     rows.iter().enumerate().for_each(|(id, row)| beginning.add(id, row));
     let mut pivots = Vec::with_capacity(count);
     let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
-    let mut difference = Row::new();
+    let mut difference = SparseRow::new();
     for unknown in 0..count {
         let size = |id: usize| rows[id][0].1.abs();
         let Some(pivot) = beginning.with(unknown).max_by(|a, b| size(*a).total_cmp(&size(*b))) else {
@@ -47,7 +47,7 @@ struct Beginning {
 }
 
 impl Beginning {
-    fn add(&mut self, id: usize, row: &Row) {
+    fn add(&mut self, id: usize, row: &SparseRow) {
         let unknown = row.first().map_or(self.next.len(), |(unknown, _)| *unknown);
         self.next[id] = self.first[unknown].replace(id);
     }
@@ -58,7 +58,7 @@ impl Beginning {
 }
 
 /// An equation less the multiple of the pivot's equation that removes the unknown with which both begin.
-fn eliminate(row: &Row, pivot: &Row, difference: &mut Row) {
+fn eliminate(row: &SparseRow, pivot: &SparseRow, difference: &mut SparseRow) {
     let factor = row[0].1 / pivot[0].1;
     let (mut row, mut pivot) = (row[1..].iter().peekable(), pivot[1..].iter().peekable());
     difference.clear();

@@ -4,16 +4,16 @@
 //! gives the equations z = |a + W z| of all moduli together. The moment of faces beside the guide line is linear in the normal
 //! force and stands in the system itself.
 
-use assur_force::{Reactions, Rubbing as Found};
+use assur_force::{FrictionForces as Found, Reactions};
 use assur_friction::{Moduli, Node, Width, path};
 use assur_group::{Body, Wrench};
-use assur_mechanism::{LinkId, Mechanism, Middle, PairId, Rubbing};
+use assur_mechanism::{LinkId, Mechanism, Middle, PairId, Surfaces};
 
 use crate::system::{Solution, System};
 
-/// A modulus: of which rub, and how it follows from a solution.
+/// A modulus: of which bearing, and how it follows from a solution.
 struct Modulus {
-    rub: usize,
+    bearing: usize,
     pair: PairId,
     links: [LinkId; 2],
     /// Sense of the relative speed times the coefficient.
@@ -31,33 +31,35 @@ enum Kind {
 /// Moments of the faces of all slides by unit of normal force: what stands in the system.
 pub(crate) fn shifts(mechanism: &Mechanism, senses: &[f64]) -> Vec<f64> {
     let mut shifts = vec![0.0; mechanism.slides.len()];
-    for (friction, sense) in rubs(mechanism, senses) {
-        if let (PairId::Slide(slide), Rubbing::Faces { offset, .. }) = (friction.0.pair, friction.0.rubbing) {
+    for (friction, sense) in bearings(mechanism, senses) {
+        if let (PairId::Slide(slide), Surfaces::Faces { offset, .. }) = (friction.0.pair, friction.0.surfaces)
+        {
             shifts[slide] = -sense * friction.0.coefficient * offset;
         }
     }
     shifts
 }
 
-type Rub<'a> = (&'a assur_mechanism::Friction, [LinkId; 2]);
+type Bearing<'a> = (&'a assur_mechanism::Friction, [LinkId; 2]);
 
-fn rubs<'a>(mechanism: &'a Mechanism, senses: &'a [f64]) -> impl Iterator<Item = (Rub<'a>, f64)> {
+fn bearings<'a>(mechanism: &'a Mechanism, senses: &'a [f64]) -> impl Iterator<Item = (Bearing<'a>, f64)> {
     let each = mechanism.frictions.iter();
-    let each =
-        each.flat_map(|friction| mechanism.rubbing(friction).into_iter().map(move |links| (friction, links)));
+    let each = each.flat_map(|friction| {
+        mechanism.friction_links(friction).into_iter().map(move |links| (friction, links))
+    });
     each.zip(senses.iter().copied())
 }
 
 fn moduli(mechanism: &Mechanism, senses: &[f64]) -> Vec<Modulus> {
     let mut all = Vec::new();
-    for (rub, ((friction, links), sense)) in rubs(mechanism, senses).enumerate() {
+    for (bearing, ((friction, links), sense)) in bearings(mechanism, senses).enumerate() {
         let factor = sense * friction.coefficient;
-        let mut add = |kind| all.push(Modulus { rub, pair: friction.pair, links, factor, kind });
-        match friction.rubbing {
+        let mut add = |kind| all.push(Modulus { bearing, pair: friction.pair, links, factor, kind });
+        match friction.surfaces {
             _ if factor == 0.0 => {}
-            Rubbing::Journal { radius, .. } => add(Kind::Journal(radius)),
-            Rubbing::Place => add(Kind::Press { part: 1.0, by_moment: 0.0, middle: Middle::Point }),
-            Rubbing::Faces { length, middle, .. } => {
+            Surfaces::Journal { radius, .. } => add(Kind::Journal(radius)),
+            Surfaces::Place => add(Kind::Press { part: 1.0, by_moment: 0.0, middle: Middle::Point }),
+            Surfaces::Faces { length, middle, .. } => {
                 for end in [1.0, -1.0] {
                     add(Kind::Press { part: 0.5, by_moment: end / length, middle });
                 }
@@ -132,7 +134,7 @@ impl Frictional<'_> {
                 Kind::Journal(radius) => -unknown.factor * radius * z,
                 Kind::Press { .. } => -unknown.factor * z,
             };
-            found.forces[unknown.rub] += size;
+            found.forces[unknown.bearing] += size;
         }
         Ok(Equilibrium::Found)
     }
@@ -219,9 +221,9 @@ pub(crate) fn add_to_pairs(
     pairs: &mut [Wrench<f64>],
 ) {
     let shifts = shifts(mechanism, &found.senses);
-    for (rub, force) in found.frictions.rubs.iter().zip(&found.forces) {
-        for &(pair, sign) in &rub.path {
-            match rub.pair {
+    for (bearing, force) in found.frictions.bearings.iter().zip(&found.forces) {
+        for &(pair, sign) in &bearing.path {
+            match bearing.pair {
                 PairId::Pin(_) => pairs[pair].m += sign * force,
                 PairId::Slide(id) => {
                     let slide = &mechanism.slides[id];

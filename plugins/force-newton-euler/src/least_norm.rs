@@ -5,7 +5,7 @@
 //! first (Gram and Schmidt, twice each, so that rounding leaves them orthogonal): those of a link meet only those that share a
 //! joint with it, so Q stays sparse.
 
-use crate::elimination::Row;
+use crate::elimination::SparseRow;
 
 /// An unknown (or a sum of some) is open if more than this part of it, squared, lies outside of what the equations say: rounding
 /// leaves some 1e-15.
@@ -18,18 +18,18 @@ pub(crate) struct LeastNorm {
     /// Ratio of least to greatest pivot.
     pub(crate) health: f64,
     /// By unknown: its parts in the orthonormal directions that the equations determine.
-    determined: Vec<Row>,
+    determined: Vec<SparseRow>,
 }
 
 /// Solves equations in this number of unknowns; the right side of each stands after the last unknown.
-pub(crate) fn solve(rows: &[Row], unknowns: usize) -> LeastNorm {
+pub(crate) fn solve(rows: &[SparseRow], unknowns: usize) -> LeastNorm {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by_key(|row| rows[*row].len());
     // Each with the part of the solution along it.
-    let mut directions: Vec<(Row, f64)> = Vec::with_capacity(rows.len());
+    let mut directions: Vec<(SparseRow, f64)> = Vec::with_capacity(rows.len());
     let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
     let mut solution = vec![0.0; unknowns];
-    let mut determined = vec![Row::new(); unknowns];
+    let mut determined = vec![SparseRow::new(); unknowns];
     for row in order {
         let (mut parts, mut right) = (vec![0.0; unknowns], 0.0);
         for &(unknown, factor) in &rows[row] {
@@ -47,7 +47,8 @@ pub(crate) fn solve(rows: &[Row], unknowns: usize) -> LeastNorm {
         let pivot = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
         (least, greatest) = (least.min(pivot), greatest.max(pivot));
         let unit = parts.into_iter().map(|part| part / pivot).enumerate();
-        let (direction, along): (Row, f64) = (unit.filter(|(_, part)| *part != 0.0).collect(), right / pivot);
+        let (direction, along): (SparseRow, f64) =
+            (unit.filter(|(_, part)| *part != 0.0).collect(), right / pivot);
         for &(unknown, part) in &direction {
             solution[unknown] += along * part;
             determined[unknown].push((directions.len(), part));

@@ -70,7 +70,7 @@ impl ForceAnalyzer for NewtonEuler {
             out.open.clone_from(&solution.open);
             to_pairs(linkage, &system, solution, &mut out.pairs);
         };
-        let Some(mut rubbing) = out.rubbing.take() else {
+        let Some(mut friction) = out.friction.take() else {
             let solution = system.solve(&position.bodies, loads, &[]).map_err(singular)?;
             if solution.health < NEAR_CHANGE_POINT && linkage.is_at_change_point(position) {
                 return Err(singular(solution.health));
@@ -80,11 +80,11 @@ impl ForceAnalyzer for NewtonEuler {
         };
         let (mechanism, bodies) = (&linkage.mechanism, &position.bodies);
         let frictional = Frictional { system: &system, mechanism, bodies };
-        let found = frictional.solve(loads, &mut rubbing, put, out);
+        let found = frictional.solve(loads, &mut friction, put, out);
         if matches!(found, Ok(Equilibrium::Found)) {
-            add_to_pairs(mechanism, bodies, &rubbing, &mut out.pairs);
+            add_to_pairs(mechanism, bodies, &friction, &mut out.pairs);
         }
-        out.rubbing = Some(rubbing);
+        out.friction = Some(friction);
         match found.map_err(singular)? {
             Equilibrium::Found => Ok(()),
             Equilibrium::None { proved } => {

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
 
-use crate::elimination::{self, Row};
+use crate::elimination::{self, SparseRow};
 use crate::least_norm::{self, LeastNorm};
 
 /// Below this ratio of least to greatest pivot the matrix is singular: rounding alone gives some 1e-16.
@@ -131,9 +131,9 @@ impl<'a> System<'a> {
     }
 
     /// The equations of all moving links, three of each.
-    fn equations(&self, bodies: &[Body<f64>], loads: &[Wrench<f64>], shifts: &[f64]) -> Vec<Row> {
+    fn equations(&self, bodies: &[Body<f64>], loads: &[Wrench<f64>], shifts: &[f64]) -> Vec<SparseRow> {
         let (rows, columns) = self.size();
-        let mut equations: Vec<Row> = (0..rows).map(|_| Row::with_capacity(ENTRIES)).collect();
+        let mut equations: Vec<SparseRow> = (0..rows).map(|_| SparseRow::with_capacity(ENTRIES)).collect();
         for (k, unknown) in self.unknowns.iter().enumerate() {
             self.fill(&mut equations, [2 * k, 2 * k + 1], *unknown, bodies, shifts);
         }
@@ -146,7 +146,7 @@ impl<'a> System<'a> {
     /// The effect of an unknown on every moving link.
     fn fill(
         &self,
-        rows: &mut [Row],
+        rows: &mut [SparseRow],
         columns: [usize; 2],
         unknown: Unknown,
         bodies: &[Body<f64>],
@@ -180,7 +180,7 @@ impl<'a> System<'a> {
     }
 
     /// Adds what an unknown of size 1 exerts on a link to its equations: an arm, a force there, and a moment.
-    fn add(&self, rows: &mut [Row], column: usize, link: LinkId, (arm, force, moment): Load) {
+    fn add(&self, rows: &mut [SparseRow], column: usize, link: LinkId, (arm, force, moment): Load) {
         if link == GROUND {
             return;
         }
@@ -195,7 +195,7 @@ impl<'a> System<'a> {
     }
 
     /// The balancing load: a moment in units of 1/scale, a force as it is.
-    fn fill_balance(&self, rows: &mut [Row], column: usize, bodies: &[Body<f64>]) {
+    fn fill_balance(&self, rows: &mut [SparseRow], column: usize, bodies: &[Body<f64>]) {
         let input = &self.mechanism.input;
         match (self.mechanism.balance, input.pair) {
             (Some(Balance::Force { at, angle }), _) => {

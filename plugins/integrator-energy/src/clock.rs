@@ -55,7 +55,7 @@ pub(crate) struct Rests {
 
 /// A place in the panel.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct PanelPoint {
     x: f64,
     /// The zeros of the energy that were divided out.
     zeros: f64,
@@ -115,12 +115,13 @@ impl Clock {
     }
 
     /// The place at the parameter p from 0 to 1. With a rest, x + 1 = span sin²(πp/2), until - x = span cos²(πp/2).
-    fn place(&self, p: f64) -> Place {
+    fn place(&self, p: f64) -> PanelPoint {
         let span = self.until + 1.0;
         let (sin, cos) = (FRAC_PI_2 * p).sin_cos();
-        let cosine = |zeros: f64, slope: f64| Place { x: span * sin * sin - 1.0, zeros, slope: PI * slope };
+        let cosine =
+            |zeros: f64, slope: f64| PanelPoint { x: span * sin * sin - 1.0, zeros, slope: PI * slope };
         match (self.rests.at_start, self.rests.at_end) {
-            (false, false) => Place { x: span * p - 1.0, zeros: 1.0, slope: span },
+            (false, false) => PanelPoint { x: span * p - 1.0, zeros: 1.0, slope: span },
             (true, false) => cosine(span * sin * sin, span.sqrt() * cos),
             (false, true) => cosine(span * cos * cos, span.sqrt() * sin),
             (true, true) => cosine(span * span * sin * sin * cos * cos, 1.0),
@@ -130,7 +131,7 @@ impl Clock {
     fn leaf(&self, panel: &Panel, from: f64, to: f64, begin: f64) -> (Series, Leaf) {
         let half = 0.5 * (to - from);
         let values: [f64; NODES] = std::array::from_fn(|j| {
-            let Place { x, slope, .. } = self.place(from + half * (1.0 + INSIDE.nodes[j]));
+            let PanelPoint { x, slope, .. } = self.place(from + half * (1.0 + INSIDE.nodes[j]));
             // A negative radicand is rounding on a motion that creeps: no time is found over it, only on its sides.
             panel.slowness(x) * slope / value(&self.energy, x).sqrt()
         });

@@ -127,7 +127,7 @@ impl Results<'_> {
         let ascii = self.style.ascii_data;
         let sheets = csv::of_positions(self.analysis, ascii);
         let trajectory = csv::of_trajectory(self.analysis, ascii);
-        let headers = sheets.iter().chain(&trajectory).map(csv::Sheet::header);
+        let headers = sheets.iter().chain(&trajectory).map(csv::CsvTable::header);
         let headers = headers.collect::<Result<Vec<_>, _>>().map_err(Fault::told)?;
         let names: Vec<&str> = sheets.iter().chain(&trajectory).map(|sheet| sheet.file).collect();
         output.write_folder(status, &csv::FILES, &names, |outs| {

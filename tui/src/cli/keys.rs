@@ -77,7 +77,7 @@ pub(crate) fn run(args: &KeysArgs, style: Style) -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-type Found = (&'static Table, Vec<&'static Key>);
+type Matches = (&'static Table, Vec<&'static Key>);
 
 /// How a key is written in its table.
 fn line(key: &Key) -> String {
@@ -110,7 +110,7 @@ pub(crate) fn manual() -> String {
 }
 
 /// The reference as text, each key with its value, its meaning and an example.
-fn text(found: &[Found], language: &Language) -> String {
+fn text(found: &[Matches], language: &Language) -> String {
     let say = |text: &Text| text.render(language);
     let mut page = String::new();
     for (table, keys) in found {
@@ -134,7 +134,7 @@ fn text(found: &[Found], language: &Language) -> String {
 }
 
 /// The reference as a page of the documentation.
-fn markdown(found: &[Found], language: &Language) -> String {
+fn markdown(found: &[Matches], language: &Language) -> String {
     let cell = |text: String| text.replace('|', "\\|");
     let mut page = format!("{}\n", text!("cli-keys-page").render(language));
     for (table, keys) in found {

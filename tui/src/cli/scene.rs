@@ -18,38 +18,38 @@ use crate::screen::state::{Found, State};
 use crate::session::{Session, Source};
 use crate::verdict::Verdict;
 
-/// Reads a scene file. What is hardly meant in it is told, as far as reading finds it; where that is an error, it is not read.
+/// Reads a scene file. What is probably not meant in it is reported, as far as reading finds it; where that is an error, it is not read.
 pub(crate) fn open(path: &Path, style: Style) -> Result<Session, Fault> {
     let session = Session::open(Source::File(path.to_owned())).map_err(Fault::Scene)?;
     doubt(&session, &session.mechanism.notes, style)?;
     Ok(session)
 }
 
-/// The calculation of a scene. What the motion shows to be hardly meant is told; where that is an error, there is no calculation.
+/// The calculation of a scene. What the motion shows to be probably not meant is reported; where that is an error, there is no calculation.
 pub(crate) fn calculation(session: &Session, options: &Options, style: Style) -> Result<Calculation, Fault> {
     let found = calculated(session, options, style)?;
     doubt_motion(session, &found, style)?;
     Ok(found)
 }
 
-/// The calculation of a scene, beside one that told what is hardly meant in it.
+/// The calculation of a scene, beside one that told what is probably not meant in it.
 pub(crate) fn calculated(session: &Session, options: &Options, style: Style) -> Result<Calculation, Fault> {
     let line = ProgressLine::new(style.language);
     session.calculation(options, &mut line.watch()).map_err(|error| Fault::Scene(session.fault(&error)))
 }
 
-/// Tells what the motion of a scene shows to be hardly meant, or refuses it where that is an error.
+/// Tells what the motion of a scene shows to be probably not meant, or refuses it where that is an error.
 fn doubt_motion(session: &Session, calculation: &Calculation, style: Style) -> Result<(), Fault> {
-    // What reading found is told when the scene is opened.
+    // What reading found is reported when the scene is opened.
     doubt(session, &calculation.doubts()[session.mechanism.notes.len()..], style)
 }
 
-/// Tells what the motion shows to be hardly meant in a scene of which the views are made.
+/// Tells what the motion shows to be probably not meant in a scene of which the views are made.
 pub(crate) fn doubt_of_state(state: &State, session: &Session, style: Style) -> Result<(), Fault> {
     state.found().map_or(Ok(()), |found| doubt_motion(session, found.plans.calculation(), style))
 }
 
-/// Tells what is hardly meant in a scene, or refuses it where that is an error.
+/// Tells what is probably not meant in a scene, or refuses it where that is an error.
 fn doubt(session: &Session, doubts: &[Notice], style: Style) -> Result<(), Fault> {
     doubted(doubts.iter().map(|doubt| session.doubt(doubt)).collect(), style)
 }
@@ -110,7 +110,7 @@ pub(crate) fn in_file(path: &Path, message: Text) -> Fault {
     FileError::read(path, message).into()
 }
 
-/// How a command that calculates a scene ends, and what is told on standard error.
+/// How a command that calculates a scene ends, and what is reported on standard error.
 impl Verdict {
     /// What the results lack that the views and the note are made of.
     pub(crate) fn of_state(state: &State, session: &Session) -> Self {

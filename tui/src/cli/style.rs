@@ -31,7 +31,7 @@ pub(crate) struct Style {
     pub(crate) ascii_data: bool,
     /// The language in which a command speaks.
     pub(crate) language: &'static Language,
-    /// Whether what is hardly meant in a scene is an error.
+    /// Whether what is probably not meant in a scene is an error.
     pub(crate) strict: bool,
 }
 

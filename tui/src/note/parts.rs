@@ -215,8 +215,8 @@ fn checks(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
 /// What the model leaves out, what was decided on the way, and what could not be found.
 fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
     page.heading(text!("note-model"));
-    let rubs = context.found()?.analysis.friction.is_some();
-    let model = if rubs { "note-model-text-rubbing" } else { "note-model-text" };
+    let has_friction = context.found()?.analysis.friction.is_some();
+    let model = if has_friction { "note-model-text-friction" } else { "note-model-text" };
     page.paragraph(text!(model));
     let (analysis, poses) = (&context.found()?.analysis, &context.scene()?.poses);
     analysis.notes.iter().for_each(|note| page.paragraph(Text::from(note)));

@@ -17,7 +17,7 @@ use signal_hook::iterator::Signals;
 use super::inbox::{Event, Inbox};
 use super::input::Input;
 use super::pixels::{self, Answer};
-use super::state::{Pictures, Role, State, Wish};
+use super::state::{Effect, Pictures, Role, State};
 use super::terminal::{self, Screen};
 use super::workers::Workers;
 use super::{command, config, input, view};
@@ -68,13 +68,13 @@ impl EventLoop {
     fn play(&mut self, screen: &mut Screen, config: Option<&Path>) -> io::Result<u8> {
         let start = (self.state.look, self.state.panels.clone());
         loop {
-            for wish in std::mem::take(&mut self.state.wishes) {
-                if matches!(wish, Wish::Keep) {
+            for effect in std::mem::take(&mut self.state.effects) {
+                if matches!(effect, Effect::Keep) {
                     config::keep(&mut self.state, config, &start);
                 } else {
-                    self.grant(wish, screen)?;
+                    self.grant(effect, screen)?;
                 }
-                // What a wish leads to is seen: a message, a question, another terminal.
+                // What an effect leads to is seen: a message, a question, another terminal.
                 self.stale = true;
             }
             if self.ended {
@@ -110,7 +110,7 @@ impl EventLoop {
     /// event only if the present frame is shown.
     fn apply_what_waits(&mut self) {
         let start = Instant::now();
-        let mut next = if self.stale || !self.state.wishes.is_empty() {
+        let mut next = if self.stale || !self.state.effects.is_empty() {
             self.inbox.try_next()
         } else {
             let until = self.state.animates().then_some(self.next_tick);
@@ -127,7 +127,7 @@ impl EventLoop {
             self.stale |= self.apply(event);
             self.inbox.set_free(self.state.what_if.may_drop());
             let is_due = start.elapsed() >= FRAME;
-            if is_due || self.state.leaving || !self.state.wishes.is_empty() {
+            if is_due || self.state.leaving || !self.state.effects.is_empty() {
                 return;
             }
             next = self.inbox.try_next();
@@ -183,27 +183,27 @@ impl EventLoop {
                 true
             }
             Event::Work(report) => command::take(state, report),
-            Event::Wish(wish) => {
-                state.wishes.push(wish);
+            Event::Effect(effect) => {
+                state.effects.push(effect);
                 true
             }
         }
     }
 
     /// Performs the actions that a command requested because the state can't do them.
-    fn grant(&mut self, wish: Wish, screen: &mut Screen) -> io::Result<()> {
-        match wish {
-            Wish::Quit => self.state.leaving = true,
-            Wish::Redraw => screen.forget()?,
-            Wish::Retake => screen.retake()?,
-            Wish::Suspend => {
+    fn grant(&mut self, effect: Effect, screen: &mut Screen) -> io::Result<()> {
+        match effect {
+            Effect::Quit => self.state.leaving = true,
+            Effect::Redraw => screen.forget()?,
+            Effect::Retake => screen.retake()?,
+            Effect::Suspend => {
                 terminal::give_back();
                 signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
                 screen.retake()?;
             }
-            Wish::Work(job) => self.workers.start(job),
-            Wish::Write(file) => command::grant(&mut self.state, file),
-            Wish::Keep => {}
+            Effect::Work(job) => self.workers.start(job),
+            Effect::Write(file) => command::grant(&mut self.state, file),
+            Effect::Keep => {}
         }
         Ok(())
     }
@@ -229,8 +229,8 @@ fn listen_to_signals(inbox: Arc<Inbox>) -> io::Result<()> {
     thread::Builder::new().name("assur-signals".into()).spawn(move || {
         for signal in signals.forever() {
             match signal {
-                SIGTSTP => inbox.send(Event::Wish(Wish::Suspend)),
-                SIGCONT => inbox.send(Event::Wish(Wish::Retake)),
+                SIGTSTP => inbox.send(Event::Effect(Effect::Suspend)),
+                SIGCONT => inbox.send(Event::Effect(Effect::Retake)),
                 SIGWINCH => inbox.send(Event::Resized),
                 _ => terminal::end(128 + signal),
             }

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 use crossterm::event::{Event as Own, KeyEventKind};
 
 use super::input::Input;
-use super::state::{Key, Report, Wish};
+use super::state::{Effect, Key, Report};
 
 /// Greatest number of inputs that wait: of a held key those of a quarter of a minute. Of more, the oldest are dropped,
 /// so that the last one, which answers what is seen, is never far behind.
@@ -35,7 +35,7 @@ pub(crate) enum Event {
     /// The worker has a report.
     Work(Report),
     /// A signal asks for something.
-    Wish(Wish),
+    Effect(Effect),
 }
 
 impl Event {

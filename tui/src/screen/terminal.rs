@@ -49,9 +49,9 @@ static WRITING: Mutex<()> = Mutex::new(());
 /// until a frame is painted. After the terminal was given back or has failed they are discarded, so that the libraries,
 /// which print their errors where nobody can read them, see none.
 #[derive(Debug, Default)]
-struct Sheet(Vec<u8>);
+struct FrameBuffer(Vec<u8>);
 
-impl Write for Sheet {
+impl Write for FrameBuffer {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.0.extend_from_slice(bytes);
         Ok(bytes.len())
@@ -71,7 +71,7 @@ impl Write for Sheet {
 
 /// The terminal while the UI uses it.
 pub(crate) struct Screen {
-    terminal: Terminal<CrosstermBackend<Sheet>>,
+    terminal: Terminal<CrosstermBackend<FrameBuffer>>,
     /// The pictures that it shows.
     shown: Vec<(Figure, Rect)>,
 }
@@ -161,8 +161,8 @@ impl Drop for Screen {
     }
 }
 
-fn terminal() -> io::Result<Terminal<CrosstermBackend<Sheet>>> {
-    let backend = CrosstermBackend::new(Sheet::default());
+fn terminal() -> io::Result<Terminal<CrosstermBackend<FrameBuffer>>> {
+    let backend = CrosstermBackend::new(FrameBuffer::default());
     Terminal::with_options(backend, TerminalOptions { viewport: Viewport::Fixed(area()?) })
 }
 

@@ -25,7 +25,7 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
 use super::command::{self, COMMANDS};
-use super::state::{Job, Key, Keymap, Look, Scene, Source, State, View, Wish};
+use super::state::{Effect, Job, Key, Keymap, Look, Scene, Source, State, View};
 use super::{view, work};
 use crate::session::Session;
 
@@ -79,11 +79,11 @@ fn run(state: &mut State, job: &Job) {
 /// Does at once what the session would have done beside.
 fn settle(state: &mut State) {
     command::prepare(state);
-    while !state.wishes.is_empty() {
-        for wish in std::mem::take(&mut state.wishes) {
-            match wish {
-                Wish::Work(job) => run(state, &job),
-                Wish::Write(file) => command::grant(state, file),
+    while !state.effects.is_empty() {
+        for effect in std::mem::take(&mut state.effects) {
+            match effect {
+                Effect::Work(job) => run(state, &job),
+                Effect::Write(file) => command::grant(state, file),
                 _ => {}
             }
         }

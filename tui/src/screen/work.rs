@@ -11,7 +11,9 @@ use assur_study::chart;
 use assur_study::stability::stability;
 use assur_words::{Describe, Text, number, text};
 
-use super::state::{Cancel, Found, Job, Measured, Outcome, Purpose, Report, Request, Scene, Wanted};
+use super::state::{
+    CalculationRequest, Cancel, Found, Job, Measured, Outcome, Purpose, Report, Scene, Wanted,
+};
 use crate::progress::{SystemClock, told};
 use crate::session::{Session, Source};
 
@@ -23,10 +25,12 @@ pub(crate) fn failed(job: &Job, text: Text) -> Report {
     match job {
         Job::Read(wanted) => Report::Read(wanted.clone(), Err(text)),
         Job::Note { path, .. } => Report::Noted(path.clone(), Err(text)),
-        Job::Calculate(Request { number, purpose: Purpose::Measurement, .. }) => {
+        Job::Calculate(CalculationRequest { number, purpose: Purpose::Measurement, .. }) => {
             Report::Calculated(*number, Outcome::Measured(Err(text)))
         }
-        Job::Calculate(Request { number, .. }) => Report::Calculated(*number, Outcome::Found(Err(text))),
+        Job::Calculate(CalculationRequest { number, .. }) => {
+            Report::Calculated(*number, Outcome::Found(Err(text)))
+        }
     }
 }
 
@@ -70,7 +74,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
 }
 
 /// Calculates a scene and reports the results, then checks them; results for a difference are not checked.
-fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Outcome)) -> Outcome {
+fn analyze(request: &CalculationRequest, watch: &mut Watch<'_>, tell: &dyn Fn(Outcome)) -> Outcome {
     let mut watch = |progress| watch.see(|| told(progress));
     let found = match Found::of(&request.session, &request.options, &mut watch) {
         Ok(found) => found,
@@ -87,7 +91,7 @@ fn analyze(request: &Request, watch: &mut Watch<'_>, tell: &dyn Fn(Outcome)) -> 
 }
 
 /// Measures the methods; finished measurements are kept after a stop.
-fn measure(request: &Request, watch: &mut Watch<'_>) -> Measured {
+fn measure(request: &CalculationRequest, watch: &mut Watch<'_>) -> Measured {
     let (session, mut clock) = (&request.session, SystemClock::default());
     let mut see = |now: chart::Progress| {
         watch.see(|| {

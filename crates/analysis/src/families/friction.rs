@@ -1,6 +1,6 @@
 //! Dry friction of the pairs: moments, forces and powers, efficiency, certificates.
 
-use assur_force::{Rub, Rubbing, UnitBalance};
+use assur_force::{Bearing, FrictionForces, UnitBalance};
 use assur_mechanism::PairId;
 use assur_number::{Lanes, Real};
 use assur_words::name;
@@ -11,8 +11,8 @@ use crate::friction::efficiency;
 use crate::joints::ends;
 use crate::results::{Cells, Column, Owner, Quantity};
 
-/// The frictions of the scene whose pairs are wanted, each with its rubs.
-fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Rub)>)> {
+/// The frictions of the scene whose pairs are wanted, each with its bearings.
+fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Bearing)>)> {
     let Some(frictions) = calculation.loads.as_ref().and_then(|loads| loads.frictions()) else {
         return Vec::new();
     };
@@ -20,34 +20,39 @@ fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Rub)>)> {
     let pairs = mechanism.frictions.iter().map(|friction| friction.pair);
     let pairs = pairs.filter(|pair| calculation.plan.wanted.reactions.contains(pair));
     pairs
-        .map(|pair| (pair, frictions.rubs.iter().enumerate().filter(|(_, rub)| rub.pair == pair).collect()))
+        .map(|pair| {
+            (
+                pair,
+                frictions.bearings.iter().enumerate().filter(|(_, bearing)| bearing.pair == pair).collect(),
+            )
+        })
         .collect()
 }
 
 fn applies(calculation: &Calculation) -> bool {
-    calculation.positions_have_forces() && rubs(calculation)
+    calculation.positions_have_forces() && has_friction(calculation)
 }
 
-fn rubs(calculation: &Calculation) -> bool {
+fn has_friction(calculation: &Calculation) -> bool {
     calculation.has_forces() && !calculation.linkage.mechanism.frictions.is_empty()
 }
 
 /// Moments and forces of friction, and their powers.
 pub(super) const FRICTION: Family = Family {
-    applies: rubs,
+    applies: has_friction,
     columns: |calculation, schema| {
         let mut section = schema.section();
-        for (index, (pair, rubs)) in wanted(calculation).into_iter().enumerate() {
+        for (index, (pair, bearings)) in wanted(calculation).into_iter().enumerate() {
             let apart = calculation.rests_leave_unknown();
             if index > 0 && apart {
                 section = schema.section();
             }
-            let several = rubs.len() > 1;
-            for (_, rub) in rubs {
+            let several = bearings.len() > 1;
+            for (_, bearing) in bearings {
                 let column = match pair {
                     PairId::Slide(_) => Column::of(Quantity::FrictionForce, Owner::Pair(pair)),
                     PairId::Pin(_) if several => {
-                        Column::of(Quantity::FrictionMoment, Owner::PairOn(pair, rub.link))
+                        Column::of(Quantity::FrictionMoment, Owner::PairOn(pair, bearing.link))
                     }
                     PairId::Pin(_) => Column::of(Quantity::FrictionMoment, Owner::Pair(pair)),
                 };
@@ -60,12 +65,12 @@ pub(super) const FRICTION: Family = Family {
     },
     fill: |rows, cells| {
         let Some((_, reactions, determined)) = rows.reactions else { return };
-        let Some(rubbing) = &reactions.rubbing else { return };
-        for (_, rubs) in wanted(rows.calculation) {
+        let Some(friction) = &reactions.friction else { return };
+        for (_, bearings) in wanted(rows.calculation) {
             let mut power = Lanes::ZERO;
-            for (index, rub) in rubs {
-                cells.put(rubbing.forces[index], rows.known(rubbing.forces[index], determined));
-                power += power_of(rows, rubbing, index, rub);
+            for (index, bearing) in bearings {
+                cells.put(friction.forces[index], rows.known(friction.forces[index], determined));
+                power += power_of(rows, friction, index, bearing);
             }
             let rests = |lane: usize| rows.rests(lane) && power.0[lane].is_nan();
             let power = Lanes::of(|lane| if rests(lane) { 0.0 } else { power.0[lane] });
@@ -74,9 +79,9 @@ pub(super) const FRICTION: Family = Family {
     },
 };
 
-/// Power of the friction of a rub.
-fn power_of(rows: &Rows<'_>, rubbing: &Rubbing<Lanes>, index: usize, rub: &Rub) -> Lanes {
-    let power = rubbing.forces[index] * rub.relative(&rows.position.bodies) * speed(rows);
+/// Power of the friction of a bearing.
+fn power_of(rows: &Rows<'_>, friction: &FrictionForces<Lanes>, index: usize, bearing: &Bearing) -> Lanes {
+    let power = friction.forces[index] * bearing.relative(&rows.position.bodies) * speed(rows);
     // Where the relative speed is zero but for rounding its sign is not that of the friction.
     Lanes::of(|lane| if power.0[lane] > 0.0 { 0.0 } else { power.0[lane] })
 }
@@ -113,16 +118,17 @@ pub(super) const EFFICIENCY: Family = Family {
         });
         cells.put(ideal, ideal.0.map(f64::is_finite));
         let Some((_, reactions, determined)) = rows.reactions else { return };
-        let Some(rubbing) = &reactions.rubbing else { return };
-        let rubs = rubbing.frictions.rubs.iter().enumerate();
-        let power = rubs.fold(Lanes::ZERO, |sum, (index, rub)| sum + power_of(rows, rubbing, index, rub));
+        let Some(friction) = &reactions.friction else { return };
+        let bearings = friction.frictions.bearings.iter().enumerate();
+        let power = bearings
+            .fold(Lanes::ZERO, |sum, (index, bearing)| sum + power_of(rows, friction, index, bearing));
         let driving = reactions.balancing * unit.unwrap_or(Lanes::ONE) * speed(rows);
         let found: [Option<f64>; Lanes::WIDTH] = std::array::from_fn(|lane| {
             efficiency(driving.0[lane], -power.0[lane]).filter(|_| determined[lane])
         });
         cells.put(Lanes(found.map(Option::unwrap_or_default)), found.map(|found| found.is_some()));
         for group in super::solved(rows.calculation) {
-            let radius = rubbing.certificates[group];
+            let radius = friction.certificates[group];
             let has = std::array::from_fn(|lane| determined[lane] && radius.0[lane].is_finite());
             cells.put(radius, has);
         }

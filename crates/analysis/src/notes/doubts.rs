@@ -1,4 +1,4 @@
-//! What in a scene is hardly meant, as far as its motion tells: assemblies that nothing chooses, places that are missed, links
+//! What in a scene is probably not meant, as far as its motion tells: assemblies that nothing chooses, places that are missed, links
 //! that rest, loads that do no work.
 
 use std::collections::BTreeMap;
@@ -21,7 +21,7 @@ const MOST_POSITIONS: usize = 3600;
 const FEWEST_POSITIONS: usize = 3;
 
 impl Calculation {
-    /// Everything in the scene that is hardly meant: what reading it told, then what its motion tells.
+    /// Everything in the scene that is probably not meant: what reading it told, then what its motion tells.
     pub fn doubts(&self) -> Vec<Notice> {
         let mut notices = self.linkage.mechanism.notes.clone();
         notices.extend(self.never_starts());

@@ -19,15 +19,15 @@ impl Calculation {
         let mechanism = &self.linkage.mechanism;
         let input = &mechanism.input;
         let mut notes = Vec::new();
-        for rub in &frictions.rubs {
+        for bearing in &frictions.bearings {
             let named = |link: usize| Text::from(&mechanism.links[link].name);
-            let (pair, link, on) = (name_of(mechanism, rub.pair), named(rub.link), named(rub.on));
-            if rub.rests() {
+            let (pair, link, on) = (name_of(mechanism, bearing.pair), named(bearing.link), named(bearing.on));
+            if bearing.rests() {
                 notes.push(text!("analysis-friction-rests", pair, link, on).into());
                 continue;
             }
-            let turning =
-                (0..input.positions).filter(|index| rub.turns_at(input.coordinate(*index), input.period()));
+            let turning = (0..input.positions)
+                .filter(|index| bearing.turns_at(input.coordinate(*index), input.period()));
             let turning: Listed = turning.collect();
             if !turning.is_empty() {
                 let positions = turning.words();

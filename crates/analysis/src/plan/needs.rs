@@ -167,7 +167,7 @@ pub(crate) fn groups_carrying(mechanism: &Mechanism, structure: &Structure) -> V
                 ends.for_each(|link| links[link] = true);
             }
         }
-        if !rubbed(mechanism, &mut links) {
+        if !carry_by_friction(mechanism, &mut links) {
             return carrying;
         }
     }
@@ -175,7 +175,7 @@ pub(crate) fn groups_carrying(mechanism: &Mechanism, structure: &Structure) -> V
 
 /// Marks the links that friction may load in a joint of three and more links, since another one of them is loaded; whether there
 /// are new ones.
-fn rubbed(mechanism: &Mechanism, links: &mut [bool]) -> bool {
+fn carry_by_friction(mechanism: &Mechanism, links: &mut [bool]) -> bool {
     let mut more = false;
     for friction in &mechanism.frictions {
         let PairId::Pin(point) = friction.pair else { continue };

@@ -130,7 +130,7 @@ fn the_order_is_what_something_needs() {
     // A mass on the crank alone needs no more: J is constant.
     let crank = shaper_with(|text| STILL(&massless(&text, &["crank"])), reactions);
     assert_eq!((crank.order, crank.inertia_constant), (Order::First, true));
-    // Masses behind need PF2 even at rest, as dJ/dq is told; and in motion.
+    // Masses behind need PF2 even at rest, as dJ/dq is reported; and in motion.
     let heavy = shaper_with(|text| STILL(&text), reactions);
     assert_eq!(
         (heavy.order, heavy.order_for.clone()),
@@ -144,7 +144,7 @@ fn the_order_is_what_something_needs() {
     // Nothing that needs any.
     let none = shaper_with(|text| text, nothing);
     assert_eq!((none.order, none.groups_needed.clone()), (Order::Place, vec![false, false]));
-    // Transfer functions are told wherever a link is.
+    // Transfer functions are reported wherever a link is.
     let told = shaper_with(|text| STILL(&massless(&text, &[])), "[output]\nlinks = [\"rocker\"]\n");
     assert_eq!((told.order, told.order_for.clone()), (Order::Second, vec![text!("analysis-order-shown")]));
 }

@@ -40,7 +40,7 @@ pub struct Analysis {
     pub integration: Option<Integration>,
     /// Why the requested motion is not found; results that do not depend on it are given nevertheless.
     pub no_motion: Option<Text>,
-    /// What in the scene is hardly meant, what had to be left out, and what was decided during the calculation.
+    /// What in the scene is probably not meant, what had to be left out, and what was decided during the calculation.
     pub notes: Vec<Notice>,
     /// Dry friction over the cycle; `None` without.
     pub friction: Option<FrictionCycle>,

@@ -29,7 +29,7 @@ pub struct StructureReport {
     pub pairs: usize,
     /// The groups in solving order.
     pub groups: Vec<GroupReport>,
-    /// What repeats what others say, in the order in which it was left out.
+    /// What repeats constraints of others, in the order in which it was left out.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub passive: Vec<PassiveReport>,
 }

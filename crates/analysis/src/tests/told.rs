@@ -1,4 +1,4 @@
-//! Change points, ways that meet and samples without forces are told.
+//! Change points, ways that meet and samples without forces are reported.
 
 use assur_mechanism::Notice;
 
@@ -6,7 +6,7 @@ use super::analyzed;
 use crate::results::Column;
 use crate::{Calculation, Options, unwatched};
 
-/// What is told of the results of a scene, without what is hardly meant in it.
+/// What is reported of the results of a scene, without what is probably not meant in it.
 fn remarks(scene: &str) -> Vec<Notice> {
     analyzed(scene).notes.into_iter().filter(|note| !note.is_mistake()).collect()
 }

@@ -17,7 +17,7 @@ use unit::Measure as M;
 
 /// What is known of a quantity.
 #[derive(Debug, Clone, Copy)]
-struct Row {
+struct Entry {
     /// Identity of its name in words; empty where the name of the owner says all.
     name: &'static str,
     /// Its symbol, to which the axis of a projection is added.
@@ -42,13 +42,13 @@ const PLAIN: bool = false;
 macro_rules! rows {
     ($($quantity:pat, $owner:pat => $sense:ident
         $name:expr, $symbol:literal, $measure:expr, $json:literal, $csv:literal;)*) => {
-        fn of(column: Column) -> Row {
+        fn of(column: Column) -> Entry {
             match (column.quantity, column.owner) {
                 $(($quantity, $owner) => {
-                    Row { name: $name, symbol: $symbol, measure: $measure, json: $json, csv: $csv, sense: $sense }
+                    Entry { name: $name, symbol: $symbol, measure: $measure, json: $json, csv: $csv, sense: $sense }
                 })*
                 // A quantity that a later family brings has a row of its own here before it is shown.
-                _ => Row { name: "", symbol: "", measure: M::Number, json: "", csv: "", sense: PLAIN },
+                _ => Entry { name: "", symbol: "", measure: M::Number, json: "", csv: "", sense: PLAIN },
             }
         }
     };

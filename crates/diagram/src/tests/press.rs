@@ -48,8 +48,9 @@ fn the_interval_of_the_contact_counts() {
 /// Of both scenes of the press. F passes through A where the rod leans by a + atan f - asin(R sin(atan f) / r2) from the guide.
 #[test]
 fn the_guide_changes_its_side_where_the_force_passes_through_a() {
-    let rubs = 0.1_f64.atan();
-    let f1_at = |a: f64| (4.0 * (a + rubs - (0.75 * rubs.sin() / 0.64).asin()).sin()).asin();
+    let friction_angle = 0.1_f64.atan();
+    let f1_at =
+        |a: f64| (4.0 * (a + friction_angle - (0.75 * friction_angle.sin() / 0.64).asin()).sin()).asin();
     // The angle of the second scene is (20 degrees - f1) / 5: a contraction.
     let grown = (0..300).fold(0.1, |f1, _| f1_at((20.0_f64.to_radians() - f1) / 5.0));
     for (scene, f1, rounded) in

@@ -1,4 +1,4 @@
-//! Energy of random mechanisms, stiff motors, and what else a scene is told.
+//! Energy of random mechanisms, stiff motors, and what else is reported of a scene.
 
 use approx::assert_relative_eq;
 use assur_group::Order;

@@ -46,7 +46,7 @@ fn the_excess_work_of_example_2_needs_the_flywheel_of_the_textbook() {
     assert!((first.flywheel / wanted - 1.0).abs() < 1e-9, "{}", first.flywheel);
 }
 
-/// The methods of the textbooks neglect something; by how much they miss is told in parts of the exact flywheel.
+/// The methods of the textbooks neglect something; by how much they miss is given in parts of the exact flywheel.
 #[test]
 fn methods_for_a_flywheel_tell_their_distance_from_the_exact_one() {
     let (linkage, loads) = compiled(assur_fixtures::scene("shaper-drive"));

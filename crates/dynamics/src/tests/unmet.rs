@@ -1,4 +1,4 @@
-//! Wishes that a regime can't meet: they are told or refused, and everything follows from the regime that was found.
+//! Wishes that a regime can't meet: they are reported or refused, and everything follows from the regime that was found.
 
 use std::f64::consts::PI;
 

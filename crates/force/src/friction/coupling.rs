@@ -6,7 +6,7 @@
 use assur_mechanism::LinkId;
 use assur_structure::Structure;
 
-use super::{Rub, Unknown};
+use super::{Bearing, Unknown};
 
 /// Stages that are solved together.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub struct Block {
     pub stages: Vec<usize>,
     /// Indices of the unknowns of friction that are found with it.
     pub unknowns: Vec<usize>,
-    /// Of these, the first of each rub.
+    /// Of these, the first of each bearing.
     pub firsts: Vec<usize>,
 }
 
@@ -33,7 +33,7 @@ impl Block {
     pub(crate) fn all(
         structure: &Structure,
         input: LinkId,
-        rubs: &[Rub],
+        bearings: &[Bearing],
         unknowns: &[Unknown],
     ) -> (Vec<Self>, Self) {
         let stages = Stages::of(structure, input);
@@ -48,8 +48,8 @@ impl Block {
             }
         }
         for unknown in unknowns {
-            let rub = &rubs[unknown.rub];
-            for acted in [rub.link, rub.on].into_iter().filter_map(|link| stages.of_link[link]) {
+            let bearing = &bearings[unknown.bearing];
+            for acted in [bearing.link, bearing.on].into_iter().filter_map(|link| stages.of_link[link]) {
                 for &(pair, _) in &unknown.pairs {
                     depends[acted][stages.of_pair[pair]] |= stages.of_pair[pair] != acted;
                 }
@@ -68,7 +68,7 @@ impl Block {
         let mut whole = Self { unknowns: (0..unknowns.len()).collect(), ..Self::of((0..count).rev()) };
         for block in blocks.iter_mut().chain([&mut whole]) {
             block.firsts.clone_from(&block.unknowns);
-            block.firsts.dedup_by_key(|unknown| unknowns[*unknown].rub);
+            block.firsts.dedup_by_key(|unknown| unknowns[*unknown].bearing);
         }
         (blocks, whole)
     }

@@ -1,22 +1,22 @@
-//! Dry friction of the pairs, compiled: what rubs on what and in which sense, what friction depends on, and which groups it
+//! Dry friction of the pairs, compiled: which link slides on which in which sense, what friction depends on, and which groups it
 //! couples.
 
+mod bearing;
 mod coupling;
 mod free;
-mod rub;
 mod unknown;
 
 use std::sync::Arc;
 
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
-use assur_mechanism::Rubbing as Rubbed;
+use assur_mechanism::Surfaces;
 use assur_number::Real;
 use assur_words::Text;
 
+pub use bearing::Bearing;
 pub use coupling::Block;
 pub use free::{Accelerations, FreeMotion};
-pub use rub::Rub;
 pub use unknown::{Unknown, UnknownKind};
 
 use crate::breaks::cut;
@@ -27,8 +27,8 @@ use crate::{Loads, Piece, Side, State};
 /// The dry friction of all pairs of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frictions {
-    /// Each link that rubs on another in a pair with friction.
-    pub rubs: Vec<Rub>,
+    /// Each link that turns or slides on another in a pair with friction.
+    pub bearings: Vec<Bearing>,
     /// What friction depends on: the moduli of reactions, and normal forces themselves.
     pub unknowns: Vec<Unknown>,
     /// What has to be solved together, in solving order: the last groups first, the input link in the last one.
@@ -39,12 +39,12 @@ pub struct Frictions {
 
 /// Friction in a force analysis: the senses that it has to take, and what was found.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rubbing<T = f64> {
+pub struct FrictionForces<T = f64> {
     /// The friction of the mechanism.
     pub frictions: Arc<Frictions>,
-    /// For each rub, the sign of its relative speed; 0 where it never moves. Given to the method.
+    /// For each bearing, the sign of its relative speed; 0 where it never moves. Given to the method.
     pub senses: Vec<T>,
-    /// For each rub, the moment (N m, counter-clockwise) on the link that turns, or the force (N, along the guide) on the
+    /// For each bearing, the moment (N m, counter-clockwise) on the link that turns, or the force (N, along the guide) on the
     /// link that slides.
     pub forces: Vec<T>,
     /// For each group, the spectral radius of its friction: below 1 there is exactly one solution. NaN without friction.
@@ -88,29 +88,30 @@ pub struct FrictionSolution {
     pub balancing: f64,
     /// Reactions in all pairs, as [`Reactions::pairs`](crate::Reactions::pairs).
     pub pairs: Vec<Wrench<f64>>,
-    /// As [`Rubbing::forces`].
+    /// As [`FrictionForces::forces`].
     pub forces: Vec<f64>,
     /// Whether it is the one that the results are those of.
     pub taken: bool,
 }
 
 impl Frictions {
-    /// The coordinates within an interval at which a rub changes its sense, ascending.
+    /// The coordinates within an interval at which a bearing changes its sense, ascending.
     pub fn turns(&self, ends: [f64; 2]) -> Vec<f64> {
-        let mut all: Vec<f64> = self.rubs.iter().flat_map(|rub| rub.sliding.turns(ends)).collect();
+        let mut all: Vec<f64> =
+            self.bearings.iter().flat_map(|bearing| bearing.sliding.turns(ends)).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
         all
     }
 }
 
-impl<T: Real> Rubbing<T> {
+impl<T: Real> FrictionForces<T> {
     /// Memory for the friction of a mechanism.
     pub fn new(frictions: Arc<Frictions>, linkage: &Linkage) -> Self {
-        let rubs = frictions.rubs.len();
+        let bearings = frictions.bearings.len();
         Self {
-            senses: vec![T::ZERO; rubs],
-            forces: vec![T::ZERO; rubs],
+            senses: vec![T::ZERO; bearings],
+            forces: vec![T::ZERO; bearings],
             certificates: vec![T::from_f64(f64::NAN); linkage.groups().len()],
             doubts: Vec::new(),
             loads: Vec::new(),
@@ -119,20 +120,20 @@ impl<T: Real> Rubbing<T> {
     }
 }
 
-impl Rubbing {
+impl FrictionForces {
     /// The forces that press the faces of slides, whose moduli give their friction, from reactions with friction.
     pub fn pressing(&self, bodies: &[Body<f64>], pairs: &[Wrench<f64>]) -> Vec<f64> {
-        let Frictions { rubs, unknowns, .. } = self.frictions.as_ref();
-        let of = |unknown: &Unknown| unknown.vector(&rubs[unknown.rub], bodies, pairs)[0];
+        let Frictions { bearings, unknowns, .. } = self.frictions.as_ref();
+        let of = |unknown: &Unknown| unknown.vector(&bearings[unknown.bearing], bodies, pairs)[0];
         let each = unknowns.iter().enumerate().filter_map(|(index, unknown)| match unknown.kind {
             UnknownKind::Normal => Some(of(unknown)),
             UnknownKind::End(sign) => {
                 // The reaction has the moment of the friction of both faces, which presses neither end.
                 let other = if sign > 0.0 { index + 1 } else { index - 1 };
                 let normal = of(unknown) + of(&unknowns[other]);
-                let rub = &rubs[unknown.rub];
-                let Rubbed::Faces { length, offset, .. } = rub.rubbing else { return None };
-                let own = -self.senses[unknown.rub] * rub.coefficient * offset * normal;
+                let bearing = &bearings[unknown.bearing];
+                let Surfaces::Faces { length, offset, .. } = bearing.surfaces else { return None };
+                let own = -self.senses[unknown.bearing] * bearing.coefficient * offset * normal;
                 Some(of(unknown) - sign * own / length)
             }
             UnknownKind::Force | UnknownKind::Shift => None,
@@ -147,7 +148,7 @@ impl Loads {
         self.frictions.as_ref()
     }
 
-    /// Writes for each rub the sign of its relative speed at a state, 0 where it never moves. At speed 0 of a prescribed motion
+    /// Writes for each bearing the sign of its relative speed at a state, 0 where it never moves. At speed 0 of a prescribed motion
     /// it is as if the input moved along its direction, and a motion that starts has the sense of its acceleration; where the
     /// relative speed is zero, the sign just after the state holds (just before the end of a motion). Where a motion is held at
     /// rest, the friction of what else would move is not determined: NaN.
@@ -156,10 +157,10 @@ impl Loads {
         self.turn_to_senses(state, senses, |speed| speed);
     }
 
-    /// Writes the relative speed of each rub at dq/dt = 1.
+    /// Writes the relative speed of each bearing at dq/dt = 1.
     pub(crate) fn write_relative<T: Real>(&self, bodies: &[Body<T>], speeds: &mut [T]) {
-        let rubs = self.frictions.iter().flat_map(|frictions| &frictions.rubs);
-        speeds.iter_mut().zip(rubs).for_each(|(speed, rub)| *speed = rub.relative(bodies));
+        let bearings = self.frictions.iter().flat_map(|frictions| &frictions.bearings);
+        speeds.iter_mut().zip(bearings).for_each(|(speed, bearing)| *speed = bearing.relative(bodies));
     }
 
     /// Puts the [`senses`](Self::senses) of a state (of a lane) in the place of the relative speeds.
@@ -173,10 +174,10 @@ impl Loads {
         let side = self.side_of_friction(state);
         let ahead = side.coordinate(state, self.period);
         let rests = state.speed == 0.0 && matches!(state.side, Side::Held { .. });
-        for (rub, speed) in frictions.rubs.iter().zip(speeds) {
+        for (bearing, speed) in frictions.bearings.iter().zip(speeds) {
             let speed = lane(speed);
-            let sign = rub.sliding.sign(*speed, ahead);
-            *speed = if rests && !rub.rests() { f64::NAN } else { side.sense * sign };
+            let sign = bearing.sliding.sign(*speed, ahead);
+            *speed = if rests && !bearing.rests() { f64::NAN } else { side.sense * sign };
         }
     }
 
@@ -195,8 +196,8 @@ impl Loads {
         let Some(frictions) = &self.frictions else { return };
         let side = self.side_of_friction(state);
         let ahead = side.coordinate(state, self.period);
-        for (rub, found) in frictions.rubs.iter().zip(senses) {
-            let (interval, sign) = rub.sliding.at(ahead);
+        for (bearing, found) in frictions.bearings.iter().zip(senses) {
+            let (interval, sign) = bearing.sliding.at(ahead);
             *found = side.sense * sign;
             cut(&mut piece.coordinate, interval.ends);
         }

@@ -2,18 +2,18 @@
 
 use assur_group::plane::{dot, perp, scaled};
 use assur_group::{Body, Wrench};
-use assur_mechanism::{Mechanism, Middle, Rubbing};
+use assur_mechanism::{Mechanism, Middle, Surfaces};
 use assur_number::Real;
 use assur_structure::Structure;
 
-use super::Rub;
+use super::Bearing;
 use crate::joints;
 
-/// A modulus of a reaction (or a normal force itself) on which the friction of a rub depends.
+/// A modulus of a reaction (or a normal force itself) on which the friction of a bearing depends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unknown {
-    /// Index of the rub.
-    pub rub: usize,
+    /// Index of the bearing.
+    pub bearing: usize,
     /// What it is.
     pub kind: UnknownKind,
     /// The pairs of the structure from which its force follows, and the factor of each: 1 or -1.
@@ -34,24 +34,24 @@ pub enum UnknownKind {
 }
 
 impl Unknown {
-    /// All that the friction of some rubs depends on. Those that never move have none.
-    pub(crate) fn all(mechanism: &Mechanism, structure: &Structure, rubs: &[Rub]) -> Vec<Self> {
+    /// All that the friction of some bearings depends on. Those that never move have none.
+    pub(crate) fn all(mechanism: &Mechanism, structure: &Structure, bearings: &[Bearing]) -> Vec<Self> {
         let joints = joints(mechanism, structure);
         let mut all = Vec::new();
-        for (index, rub) in rubs.iter().enumerate() {
-            let Some(joint) = joints.iter().find(|joint| joint.id == rub.pair) else { continue };
-            let nth = joint.links.iter().position(|link| *link == rub.link).unwrap_or_default();
-            if rub.rests() || rub.coefficient == 0.0 {
+        for (index, bearing) in bearings.iter().enumerate() {
+            let Some(joint) = joints.iter().find(|joint| joint.id == bearing.pair) else { continue };
+            let nth = joint.links.iter().position(|link| *link == bearing.link).unwrap_or_default();
+            if bearing.rests() || bearing.coefficient == 0.0 {
                 continue;
             }
-            let mut add = |kind| all.push(Self { rub: index, kind, pairs: joint.pairs_of(nth).to_vec() });
-            match rub.rubbing {
-                Rubbing::Journal { .. } => add(UnknownKind::Force),
-                Rubbing::Place => add(UnknownKind::Normal),
-                Rubbing::Faces { .. } => {
+            let mut add = |kind| all.push(Self { bearing: index, kind, pairs: joint.pairs_of(nth).to_vec() });
+            match bearing.surfaces {
+                Surfaces::Journal { .. } => add(UnknownKind::Force),
+                Surfaces::Place => add(UnknownKind::Normal),
+                Surfaces::Faces { .. } => {
                     add(UnknownKind::End(1.0));
                     add(UnknownKind::End(-1.0));
-                    if rub.is_shifted() {
+                    if bearing.is_shifted() {
                         add(UnknownKind::Shift);
                     }
                 }
@@ -67,8 +67,8 @@ impl Unknown {
 
     /// The vector whose modulus it is, from reactions without the loads of friction; of a slide its first component.
     #[inline(always)]
-    pub fn vector<T: Real>(&self, rub: &Rub, bodies: &[Body<T>], reactions: &[Wrench<T>]) -> [T; 2] {
-        let (parts, normal) = self.pressing(rub, bodies).of(&self.load_on(reactions));
+    pub fn vector<T: Real>(&self, bearing: &Bearing, bodies: &[Body<T>], reactions: &[Wrench<T>]) -> [T; 2] {
+        let (parts, normal) = self.pressing(bearing, bodies).of(&self.load_on(reactions));
         match self.kind {
             UnknownKind::Force => parts,
             UnknownKind::Normal | UnknownKind::Shift => [normal, T::ZERO],
@@ -76,7 +76,7 @@ impl Unknown {
         }
     }
 
-    /// The load on the link of its rub, from reactions.
+    /// The load on the link of its bearing, from reactions.
     #[inline(always)]
     pub fn load_on<T: Real>(&self, reactions: &[Wrench<T>]) -> Wrench<T> {
         let mut sum = Wrench::ZERO;
@@ -89,28 +89,28 @@ impl Unknown {
         sum
     }
 
-    /// How a load presses in its rub.
+    /// How a load presses in its bearing.
     #[inline(always)]
-    pub fn pressing<T: Real>(&self, rub: &Rub, bodies: &[Body<T>]) -> Pressing<T> {
-        match rub.rubbing {
-            Rubbing::Journal { .. } => Pressing::Pin,
-            Rubbing::Place => Pressing::Place { across: perp(rub.along(bodies)) },
-            Rubbing::Faces { length, middle, .. } => Pressing::Ends {
-                across: perp(rub.along(bodies)),
+    pub fn pressing<T: Real>(&self, bearing: &Bearing, bodies: &[Body<T>]) -> Pressing<T> {
+        match bearing.surfaces {
+            Surfaces::Journal { .. } => Pressing::Pin,
+            Surfaces::Place => Pressing::Place { across: perp(bearing.along(bodies)) },
+            Surfaces::Faces { length, middle, .. } => Pressing::Ends {
+                across: perp(bearing.along(bodies)),
                 shift: match middle {
                     Middle::Point => T::ZERO,
-                    Middle::Through => rub.displacement(bodies),
+                    Middle::Through => bearing.displacement(bodies),
                 },
                 length,
             },
         }
     }
 
-    /// The moment (force) of the rub that an unknown of size 1 gives, as [`load`](Self::load) counts it: the moment of a
+    /// The moment (force) of the bearing that an unknown of size 1 gives, as [`load`](Self::load) counts it: the moment of a
     /// journal on the link that turns, the force of a slide along its guide.
-    pub fn share(&self, rub: &Rub) -> f64 {
-        match (self.kind, rub.rubbing) {
-            (UnknownKind::Force, Rubbing::Journal { radius, .. }) => -radius,
+    pub fn share(&self, bearing: &Bearing) -> f64 {
+        match (self.kind, bearing.surfaces) {
+            (UnknownKind::Force, Surfaces::Journal { radius, .. }) => -radius,
             (UnknownKind::Shift, _) => 0.0,
             _ => -1.0,
         }
@@ -118,10 +118,10 @@ impl Unknown {
 
     /// The moment about the point of a slide that an unknown of size 1 gives to the reaction of its pair, as
     /// [`load`](Self::load) counts it: of the friction of a journal the moment on its link.
-    pub fn moment(&self, rub: &Rub) -> f64 {
-        match (self.kind, rub.rubbing) {
-            (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
-            | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => -lever,
+    pub fn moment(&self, bearing: &Bearing) -> f64 {
+        match (self.kind, bearing.surfaces) {
+            (UnknownKind::Force, Surfaces::Journal { radius: lever, .. })
+            | (UnknownKind::Shift, Surfaces::Faces { offset: lever, .. }) => -lever,
             _ => 0.0,
         }
     }
@@ -130,26 +130,26 @@ impl Unknown {
 impl UnknownKind {
     /// Adds the loads that it gives where it has size 1, the coefficient is 1 and the relative speed positive, times a factor.
     #[inline(always)]
-    pub fn load<T: Real>(self, rub: &Rub, bodies: &[Body<T>], factor: T, loads: &mut [Wrench<T>]) {
-        match (self, rub.rubbing) {
-            (UnknownKind::Force, Rubbing::Journal { radius: lever, .. })
-            | (UnknownKind::Shift, Rubbing::Faces { offset: lever, .. }) => {
+    pub fn load<T: Real>(self, bearing: &Bearing, bodies: &[Body<T>], factor: T, loads: &mut [Wrench<T>]) {
+        match (self, bearing.surfaces) {
+            (UnknownKind::Force, Surfaces::Journal { radius: lever, .. })
+            | (UnknownKind::Shift, Surfaces::Faces { offset: lever, .. }) => {
                 let moment = -(factor * T::from_f64(lever));
-                loads[rub.link].m += moment;
-                loads[rub.on].m += -moment;
+                loads[bearing.link].m += moment;
+                loads[bearing.on].m += -moment;
             }
             (UnknownKind::Normal | UnknownKind::End(_), _) => {
-                let force = scaled(-factor, rub.along(bodies));
-                let [arm, arm_on] = rub.arms(bodies);
-                loads[rub.link].add_at(arm, force, T::ZERO);
-                loads[rub.on].add_at(arm_on, [-force[0], -force[1]], T::ZERO);
+                let force = scaled(-factor, bearing.along(bodies));
+                let [arm, arm_on] = bearing.arms(bodies);
+                loads[bearing.link].add_at(arm, force, T::ZERO);
+                loads[bearing.on].add_at(arm_on, [-force[0], -force[1]], T::ZERO);
             }
             _ => {}
         }
     }
 }
 
-/// How a load presses in a rub.
+/// How a load presses in a bearing.
 #[derive(Debug, Clone, Copy)]
 pub enum Pressing<T> {
     /// By its force.

@@ -7,7 +7,7 @@ use assur_number::Real;
 /// Two guides whose directions differ by less than this (the sine of the angle) place no link between them.
 const PARALLEL: f64 = 1e-9;
 
-/// A passive link: as many of its pairs as place it. What the others say is compared, not solved.
+/// A passive link: as many of its pairs as place it. The other pairs are compared with it, not solved.
 #[derive(Debug, Clone)]
 pub(crate) struct Hanging<T> {
     link: usize,
@@ -17,11 +17,11 @@ pub(crate) struct Hanging<T> {
 /// What places the link.
 #[derive(Debug, Clone)]
 enum By<T> {
-    /// A pin gives the place, the direction towards another pin the angle.
+    /// A pin gives the position of the link, the direction towards another pin its angle.
     Pins([Pin<T>; 2]),
-    /// A slide gives the angle, a pin the place.
+    /// A slide gives the angle of the link, a pin its position.
     Guided(Guide<T>, Pin<T>),
-    /// Two slides that are not parallel.
+    /// Two slides that are not parallel give position and angle.
     Guides([Guide<T>; 2]),
 }
 

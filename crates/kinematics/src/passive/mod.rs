@@ -1,6 +1,6 @@
-//! Passive links and pairs: those that repeat what others say.
+//! Passive links and pairs: those that repeat constraints of others.
 //!
-//! By count such a part takes a freedom away, by rank it does not. Whether it does is a question of lengths, and of the whole
+//! By count such a part takes a degree of freedom away, by rank of the constraints it does not. Whether it does is a question of lengths, and of the whole
 //! motion: in a dead center or at a change point the rank is smaller although nothing repeats. So a part is passive if the
 //! mechanism without it has the same mobility and fewer surplus constraints, and if the part then fits in every position of the
 //! cycle.

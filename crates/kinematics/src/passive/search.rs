@@ -35,8 +35,8 @@ pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, Surplu
     let mut search = Search { mechanism, candidates, doubled, counted, compiled: MOST_COMPILED, best: None };
     search.go(&mut Vec::new(), 0);
     match search.best {
-        Some(Found { linkage, rank: Rank::Fits | Rank::Closes | Rank::Near, .. }) => Ok(linkage.structure),
-        Some(Found { misfit, .. }) => Err(SurplusCause::Misses(misfit)),
+        Some(Choice { linkage, rank: Rank::Fits | Rank::Closes | Rank::Near, .. }) => Ok(linkage.structure),
+        Some(Choice { misfit, .. }) => Err(SurplusCause::Misses(misfit)),
         None => Err(SurplusCause::None),
     }
 }
@@ -45,18 +45,18 @@ pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, Surplu
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Fits,
-    /// Those that don't would with one other length each.
+    /// Each part that does not fit would fit with one other length.
     Closes,
-    /// They nearly fit.
+    /// The parts nearly fit.
     Near,
-    /// They don't: the mechanism is locked.
+    /// The parts don't fit: the mechanism is locked.
     Misses,
 }
 
 /// The best choice so far.
-struct Found {
+struct Choice {
     rank: Rank,
-    /// The greatest one, m.
+    /// The greatest misfit, m.
     misfit: f64,
     linkage: Linkage,
 }
@@ -71,7 +71,7 @@ struct Search<'a> {
     counted: usize,
     /// Mechanisms that may still be compiled.
     compiled: usize,
-    best: Option<Found>,
+    best: Option<Choice>,
 }
 
 impl Search<'_> {
@@ -160,7 +160,7 @@ impl Search<'_> {
         fits
     }
 
-    fn compile(&mut self, structure: Structure) -> Option<Found> {
+    fn compile(&mut self, structure: Structure) -> Option<Choice> {
         self.compiled = self.compiled.saturating_sub(1);
         let all = vec![true; structure.groups.len()];
         let linkage = Linkage::compile_for(self.mechanism.clone(), structure, &all).ok()?;
@@ -173,11 +173,11 @@ impl Search<'_> {
             _ if misfit <= MEANT_TO_FIT * linkage.structure.scale => Rank::Near,
             _ => Rank::Misses,
         };
-        Some(Found { rank, misfit, linkage })
+        Some(Choice { rank, misfit, linkage })
     }
 }
 
-impl Found {
+impl Choice {
     fn is_better(&self, other: &Self) -> bool {
         self.rank < other.rank
             || self.rank == other.rank && self.rank == Rank::Misses && self.misfit < other.misfit

@@ -11,7 +11,7 @@ pub const FILES: [&str; 3] = ["positions.csv", "reactions.csv", "trajectory.csv"
 
 /// One CSV file: its columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Sheet {
+pub struct CsvTable {
     /// `positions.csv`
     pub file: &'static str,
     /// Columns of the table, and their names.
@@ -22,10 +22,10 @@ pub struct Sheet {
 }
 
 /// The files of the positions: `positions.csv`, and `reactions.csv` where it applies; `ascii`: no character beyond ASCII.
-pub fn of_positions(analysis: &Analysis, ascii: bool) -> Vec<Sheet> {
+pub fn of_positions(analysis: &Analysis, ascii: bool) -> Vec<CsvTable> {
     let schema = analysis.positions.schema();
     let has = |column: usize| analysis.survey.has(schema.section_of(column)) || schema.is_nullable(column);
-    let sheet = |file, columns| Sheet { file, columns, numbered: true, ascii };
+    let sheet = |file, columns| CsvTable { file, columns, numbered: true, ascii };
     let mut sheets = vec![sheet(FILES[0], places(schema, &has))];
     if schema.find(Column::BALANCING).is_some_and(has) {
         sheets.push(sheet(FILES[1], reactions(schema, &has)));
@@ -34,10 +34,10 @@ pub fn of_positions(analysis: &Analysis, ascii: bool) -> Vec<Sheet> {
 }
 
 /// The file of the motion over time, `trajectory.csv`, where it applies.
-pub fn of_trajectory(analysis: &Analysis, ascii: bool) -> Option<Sheet> {
+pub fn of_trajectory(analysis: &Analysis, ascii: bool) -> Option<CsvTable> {
     let table = &analysis.trajectory;
     let columns = samples(table.schema(), &|column| table.has(column) || table.schema().is_nullable(column));
-    (!table.is_empty()).then_some(Sheet { file: FILES[2], columns, numbered: false, ascii })
+    (!table.is_empty()).then_some(CsvTable { file: FILES[2], columns, numbered: false, ascii })
 }
 
 /// Whether a column is about forces.
@@ -75,7 +75,7 @@ fn samples(schema: &Schema, has: &Has<'_>) -> Vec<(usize, String)> {
     all
 }
 
-impl Sheet {
+impl CsvTable {
     /// The header row.
     pub fn header(&self) -> Result<Vec<u8>, CsvError> {
         let index = self.numbered.then_some("index");

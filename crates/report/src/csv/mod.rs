@@ -12,7 +12,7 @@ use assur_words::{Describe, Text, errors, name, text};
 use crate::json::NotFinite;
 use crate::to_ascii;
 
-pub use analysis::{FILES, Sheet, of_positions, of_trajectory};
+pub use analysis::{CsvTable, FILES, of_positions, of_trajectory};
 pub use geometry::{geometry, shaking};
 
 /// A table can't be written as CSV.

@@ -124,14 +124,14 @@ fn number(value: f64, out: &mut Vec<u8>) {
 /// in a motion.
 fn is_null(schema: &Schema, column: usize, form: Form) -> bool {
     let of_friction = |of: Quantity| matches!(of, Quantity::FrictionMoment | Quantity::FrictionForce);
-    let rubs = || schema.columns().iter().any(|column| of_friction(column.quantity));
+    let has_friction = || schema.columns().iter().any(|column| of_friction(column.quantity));
     let Column { quantity, owner, .. } = schema.columns()[column];
     let undetermined = match quantity {
         Quantity::Force | Quantity::Moment => matches!(owner, Owner::Pair(_) | Owner::PairOn(..)),
         Quantity::Balancing => true,
         other => of_friction(other),
     };
-    schema.is_nullable(column) || !form.numbered && undetermined && rubs()
+    schema.is_nullable(column) || !form.numbered && undetermined && has_friction()
 }
 
 /// The text of a row, without its opening brace; of each column, whether the row has a number.

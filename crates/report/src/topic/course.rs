@@ -106,7 +106,7 @@ fn samples(source: &Source<'_>, page: &mut Document) {
     for (head, quantity) in [
         (text!("head-driving-work"), Quantity::DrivingWork),
         (text!("head-resisting-work"), Quantity::ResistingWork),
-        (text!("head-rubbing-work"), Quantity::FrictionWork),
+        (text!("head-friction-work-of-course"), Quantity::FrictionWork),
         (text!("head-kinetic-energy"), Quantity::KineticEnergy),
     ] {
         if all.schema().find(of(quantity)).is_some() {

@@ -1,4 +1,4 @@
-//! What is told of a calculation, topic by topic: from the results to blocks of a document, which every form shows.
+//! What is reported of a calculation, topic by topic: from the results to blocks of a document, which every form shows.
 
 mod checks;
 mod contact;

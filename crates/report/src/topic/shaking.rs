@@ -100,13 +100,13 @@ fn counterweights(found: &Shaking, page: &mut Document) {
 }
 
 /// A part of a harmonic.
-type Part = (Text, Unit, fn(&Harmonic) -> f64);
+type Component = (Text, Unit, fn(&Harmonic) -> f64);
 
 fn harmonics(found: &Shaking, page: &mut Document) {
     page.heading(text!("shaking-harmonics"));
     page.paragraph(text!("shaking-harmonics-text"));
     let input = if found.angular { MOMENT } else { FORCE };
-    let parts: [Part; 8] = [
+    let parts: [Component; 8] = [
         (name("Fx cos"), FORCE, |at| at.x[0]),
         (name("Fx sin"), FORCE, |at| at.x[1]),
         (name("Fy cos"), FORCE, |at| at.y[0]),

@@ -1,9 +1,9 @@
-//! What of loads, motion and results is hardly meant, by sizes alone.
+//! What of loads, motion and results is probably not meant, by sizes alone.
 
 use std::f64::consts::TAU;
 
 use assur_mechanism::{
-    InputPair, Load, LoadKind, Mechanism, Motion, Motor, Notice, Over, Point, Range, Rubbing, Solve, Torque,
+    InputPair, Load, LoadKind, Mechanism, Motion, Motor, Notice, Over, Point, Range, Solve, Surfaces, Torque,
     Value,
 };
 use assur_words::{Text, quantity, text};
@@ -58,7 +58,7 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
             &key("coefficient"),
             text!("scene-rough", found = rounded(coefficient)),
         );
-        let radius = if let Rubbing::Journal { radius, .. } = friction.rubbing { radius } else { 0.0 };
+        let radius = if let Surfaces::Journal { radius, .. } = friction.surfaces { radius } else { 0.0 };
         let text = text!(
             "scene-great-journal",
             radius = quantity(rounded(radius), "m"),

@@ -45,7 +45,7 @@ pub enum Dimension {
 use Dimension as D;
 
 /// Dimension, its powers, the identity of its name, its usual units (SI first), an example, the greatest size in SI.
-type Row = (Dimension, Powers, &'static str, &'static str, &'static str, f64);
+type UnitRow = (Dimension, Powers, &'static str, &'static str, &'static str, f64);
 
 /// Absolute values of a quantity below this, other than 0, are refused: no measurement is so fine, and products of
 /// several of them underflow.
@@ -54,7 +54,7 @@ pub const LEAST: f64 = 1e-30;
 // The greatest values are far beyond any machine, but small enough for results to keep digits: an angle of 1e9 rad
 // has 7 digits left after its turns, a length of 1e6 m leaves 1e-10 m of rounding, and energies of the greatest
 // masses and speeds stay finite. docs/ranges.md gives them to the user.
-const ROWS: [Row; 15] = [
+const ROWS: [UnitRow; 15] = [
     (D::Number, [0, 0, 0, 0], "scene-dimension-plain-number", "", "0.5", 1e15),
     (D::Length, [1, 0, 0, 0], "scene-dimension-length", "m, mm, cm, km, um", "120 mm", 1e6),
     (D::Angle, [0, 0, 0, 1], "scene-dimension-angle", "rad, deg, rev", "30 deg", 1e9),
@@ -80,7 +80,7 @@ const ROWS: [Row; 15] = [
 ];
 
 impl Dimension {
-    fn row(self) -> &'static Row {
+    fn row(self) -> &'static UnitRow {
         // The first row is a fallback without a panic; a test finds each dimension in the table.
         ROWS.iter().find(|row| row.0 == self).unwrap_or(&ROWS[0])
     }

@@ -2,12 +2,12 @@ use assur_testkit::Rng;
 use nalgebra::DVector;
 
 use super::least_maximum;
-use crate::proof::Row;
+use crate::proof::LinearForce;
 
 /// The center of the smallest circle around points: a force is the way to a point.
 fn around(points: &[[f64; 2]]) -> (f64, f64) {
-    let row = |&force: &[f64; 2]| Row { force, columns: vec![[-1.0, 0.0], [0.0, -1.0]] };
-    let rows: Vec<Row> = points.iter().map(row).collect();
+    let row = |&force: &[f64; 2]| LinearForce { force, columns: vec![[-1.0, 0.0], [0.0, -1.0]] };
+    let rows: Vec<LinearForce> = points.iter().map(row).collect();
     let least = least_maximum(&rows, &DVector::zeros(2), 2.0, 1e-13);
     let [x, y] = [least.unknowns[0], least.unknowns[1]];
     (least.bound, points.iter().map(|p| (p[0] - x).hypot(p[1] - y)).fold(0.0, f64::max))
@@ -65,7 +65,7 @@ fn all_rows_touch() {
 /// A force that no unknown reaches can't be less.
 #[test]
 fn what_no_unknown_changes_is_the_least() {
-    let row = |force, column| Row { force, columns: vec![column] };
+    let row = |force, column| LinearForce { force, columns: vec![column] };
     let rows = [row([0.6, -0.8], [0.0; 2]), row([0.5, 0.0], [1.0, 0.0])];
     let least = least_maximum(&rows, &DVector::zeros(1), 2.0, 1e-13);
     assert!((least.bound - 1.0).abs() < 1e-12, "{}", least.bound);

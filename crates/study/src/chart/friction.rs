@@ -17,37 +17,42 @@ const STEPS: [u32; 5] = [1, 2, 4, 8, 16];
 const WIDTHS: [f64; 3] = [1e-1, 1e-2, 1e-3];
 
 /// Positions with friction.
-pub(crate) struct Rubbed<'a> {
+pub(crate) struct FrictionMethods<'a> {
     loaded: &'a Loaded<'a>,
     frictions: &'a Frictions,
     loads: &'a Loads,
     /// The method without friction in which the iteration solves each step.
     ideal: &'static AnalyzerPlugin,
     states: Vec<State>,
-    /// By position: the sense of each rub, and its relative speed as part of its greatest.
+    /// By position: the sense of each bearing, and its relative speed as part of its greatest.
     senses: Vec<Vec<[f64; 2]>>,
     /// By position: forces of friction, then the balancing load; `None` where there is no solution.
     truth: Vec<Option<Vec<f64>>>,
     reference: Reference,
 }
 
-impl<'a> Rubbed<'a> {
+impl<'a> FrictionMethods<'a> {
     /// `None` where the pairs are ideal.
     pub(crate) fn new(loaded: &'a Loaded<'a>, loads: &'a Loads) -> Result<Option<Self>, ChartError> {
         let Some(frictions) = loads.frictions() else { return Ok(None) };
         let linkage = loaded.work.linkage;
         let states: Vec<State> = (0..loaded.positions.len()).map(|index| loaded.state(index)).collect();
-        let mut senses = vec![vec![0.0; frictions.rubs.len()]; states.len()];
+        let mut senses = vec![vec![0.0; frictions.bearings.len()]; states.len()];
         for ((state, position), senses) in states.iter().zip(&loaded.positions).zip(&mut senses) {
             loads.senses(state, &position.bodies, senses);
         }
-        let speed = |position: &Position, rub: usize| frictions.rubs[rub].relative(&position.bodies).abs();
-        let most = |rub: usize| loaded.positions.iter().map(|one| speed(one, rub)).fold(0.0, f64::max);
-        let most: Vec<f64> = (0..frictions.rubs.len()).map(most).collect();
+        let speed = |position: &Position, bearing: usize| {
+            frictions.bearings[bearing].relative(&position.bodies).abs()
+        };
+        let most =
+            |bearing: usize| loaded.positions.iter().map(|one| speed(one, bearing)).fold(0.0, f64::max);
+        let most: Vec<f64> = (0..frictions.bearings.len()).map(most).collect();
         let senses = senses.iter().zip(&loaded.positions).map(|(senses, position)| {
             let each = senses.iter().enumerate();
-            each.map(|(rub, sense)| [*sense, speed(position, rub) / most[rub].max(f64::MIN_POSITIVE)])
-                .collect()
+            each.map(|(bearing, sense)| {
+                [*sense, speed(position, bearing) / most[bearing].max(f64::MIN_POSITIVE)]
+            })
+            .collect()
         });
         let mut found = Self {
             loaded,
@@ -92,8 +97,8 @@ impl<'a> Rubbed<'a> {
     fn solved(&self, forces: &mut Kinetostatics<'_>, index: usize) -> Result<Vec<f64>, Text> {
         let solved = forces.solve(&self.states[index], &self.loaded.positions[index]);
         solved.map_err(|error| error.describe())?;
-        let rubbing = forces.reactions.rubbing.iter().flat_map(|rubbing| &rubbing.forces);
-        Ok(rubbing.copied().chain([forces.reactions.balancing]).collect())
+        let friction = forces.reactions.friction.iter().flat_map(|friction| &friction.forces);
+        Ok(friction.copied().chain([forces.reactions.balancing]).collect())
     }
 
     /// Greatest deviation of the balancing load, as part of what friction makes of it; 0 where there is no reference.
@@ -111,17 +116,22 @@ impl<'a> Rubbed<'a> {
         for step in 0..=steps {
             let mut own = self.loaded.loads[index].clone();
             for (unknown, size) in self.frictions.unknowns.iter().zip(&sizes) {
-                let rub = &self.frictions.rubs[unknown.rub];
-                let [sense, speed] = self.senses[index][unknown.rub];
+                let bearing = &self.frictions.bearings[unknown.bearing];
+                let [sense, speed] = self.senses[index][unknown.bearing];
                 let smooth = if width > 0.0 { speed / speed.hypot(width) } else { 1.0 };
-                unknown.kind.load(rub, &position.bodies, sense * smooth * rub.coefficient * size, &mut own);
+                unknown.kind.load(
+                    bearing,
+                    &position.bodies,
+                    sense * smooth * bearing.coefficient * size,
+                    &mut own,
+                );
             }
             let solved = self.ideal.instance.solve(self.linkage(), position, &mut own, out);
             solved.map_err(|error| error.describe())?;
             if step < steps {
                 let size = |unknown: &Unknown| {
-                    let rub = &self.frictions.rubs[unknown.rub];
-                    let [x, y] = unknown.vector(rub, &position.bodies, &out.pairs);
+                    let bearing = &self.frictions.bearings[unknown.bearing];
+                    let [x, y] = unknown.vector(bearing, &position.bodies, &out.pairs);
                     if unknown.is_modulus() { x.hypot(y) } else { x }
                 };
                 sizes = self.frictions.unknowns.iter().map(size).collect();
@@ -132,28 +142,28 @@ impl<'a> Rubbed<'a> {
 }
 
 /// The methods that treat friction, and those of textbooks and of multibody programs.
-pub(crate) fn field<'a>(rubbed: &'a Rubbed<'a>) -> Result<Field<'a>, ChartError> {
+pub(crate) fn field<'a>(methods: &'a FrictionMethods<'a>) -> Result<Field<'a>, ChartError> {
     let row = |method: &str, setting| Measurement::new(Stage::Friction, method, setting);
     let mut entries = Vec::new();
     for plugin in analyzers()?
         .into_iter()
-        .filter(|plugin| plugin.treats_friction && plugin.supports(rubbed.linkage()).is_ok())
+        .filter(|plugin| plugin.treats_friction && plugin.supports(methods.linkage()).is_ok())
     {
-        let mut forces = rubbed.method(plugin);
-        entries.push(rubbed.loaded.work.entry(
+        let mut forces = methods.method(plugin);
+        entries.push(methods.loaded.work.entry(
             row(plugin.name, Setting::default()),
             1,
             move |index, judged| {
-                let found = rubbed.solved(&mut forces, index)?;
-                Ok(if judged { rubbed.deviation(index, &found) } else { 0.0 })
+                let found = methods.solved(&mut forces, index)?;
+                Ok(if judged { methods.deviation(index, &found) } else { 0.0 })
             },
         ));
     }
     let mut iterated = |name: &str, setting, steps: u32, width: f64| {
-        let mut out = Reactions::new(rubbed.linkage());
-        entries.push(rubbed.loaded.work.entry(row(name, setting), 1, move |index, judged| {
-            let found = rubbed.iterated(index, steps, width, &mut out)?;
-            Ok(if judged { rubbed.deviation(index, &[found]) } else { 0.0 })
+        let mut out = Reactions::new(methods.linkage());
+        entries.push(methods.loaded.work.entry(row(name, setting), 1, move |index, judged| {
+            let found = methods.iterated(index, steps, width, &mut out)?;
+            Ok(if judged { methods.deviation(index, &[found]) } else { 0.0 })
         }));
     };
     for steps in STEPS {
@@ -162,5 +172,5 @@ pub(crate) fn field<'a>(rubbed: &'a Rubbed<'a>) -> Result<Field<'a>, ChartError>
     for width in WIDTHS {
         iterated("regularized", Setting::number("width", width), STEPS[STEPS.len() - 1], width);
     }
-    Ok(Field { reference: rubbed.reference.clone(), entries })
+    Ok(Field { reference: methods.reference.clone(), entries })
 }

@@ -12,7 +12,7 @@ use assur_words::{Describe, Text, number, text};
 
 use super::data::TOLERANCE;
 use super::forces::{self, Loaded};
-use super::friction::{self, Rubbed};
+use super::friction::{self, FrictionMethods};
 use super::motion::{self, Task};
 use super::race::Field;
 use super::race::Judge;
@@ -127,8 +127,8 @@ impl Charting<'_> {
         let loaded = Loaded::new(&work, &loads)?;
         if !loaded.is_idle() {
             self.stage(Stage::Forces, forces::field(&loaded)?);
-            if let Some(rubbed) = Rubbed::new(&loaded, &loads)? {
-                self.stage(Stage::Friction, friction::field(&rubbed)?);
+            if let Some(methods) = FrictionMethods::new(&loaded, &loads)? {
+                self.stage(Stage::Friction, friction::field(&methods)?);
             }
         }
         self.motion(linkage, &loads)

@@ -4,7 +4,7 @@ use assur_all as _;
 use assur_force::{ForceError, Kinetostatics, Loads, State, find, power};
 use assur_group::Order;
 use assur_kinematics::Linkage;
-use assur_mechanism::{Friction, Mechanism, Middle, PairId, Rubbing};
+use assur_mechanism::{Friction, Mechanism, Middle, PairId, Surfaces};
 
 /// The mechanism of a scene.
 pub(super) fn scene(text: &str) -> Linkage {
@@ -23,9 +23,9 @@ pub(super) fn solved(
     let mut position = linkage.position();
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
     forces.solve(&State::prescribed(&linkage.mechanism, coordinate), &position)?;
-    let rubbing = forces.reactions.rubbing.unwrap();
-    let several = rubbing.doubts.first().map_or(1, |(_, doubt)| doubt.solutions.len());
-    Ok((forces.reactions.balancing, rubbing.forces, several))
+    let friction = forces.reactions.friction.unwrap();
+    let several = friction.doubts.first().map_or(1, |(_, doubt)| doubt.solutions.len());
+    Ok((forces.reactions.balancing, friction.forces, several))
 }
 
 /// The greatest part of the coefficients with a solution.
@@ -305,24 +305,24 @@ impl Dice {
 }
 
 /// Friction in all pairs.
-pub(super) fn rubbed(mut mechanism: Mechanism, strength: f64, dice: &mut Dice) -> Mechanism {
+pub(super) fn with_friction(mut mechanism: Mechanism, strength: f64, dice: &mut Dice) -> Mechanism {
     let size = 0.1;
     for (id, point) in mechanism.points.iter().enumerate().filter(|(_, point)| point.is_pin()) {
         let owner = point.places[if dice.next() > 0.0 { 0 } else { point.places.len() - 1 }].link;
-        let rubbing = Rubbing::Journal { radius: size * (0.6 + 0.5 * dice.next()), owner };
+        let surfaces = Surfaces::Journal { radius: size * (0.6 + 0.5 * dice.next()), owner };
         let coefficient = strength * (1.0 + dice.next());
-        mechanism.frictions.push(Friction { pair: PairId::Pin(id), coefficient, rubbing });
+        mechanism.frictions.push(Friction { pair: PairId::Pin(id), coefficient, surfaces });
     }
     for id in 0..mechanism.slides.len() {
-        let rubbing = if dice.next() > 0.0 {
-            Rubbing::Place
+        let surfaces = if dice.next() > 0.0 {
+            Surfaces::Place
         } else {
             let middle = if dice.next() > 0.0 { Middle::Point } else { Middle::Through };
             let offset = if dice.next() > 0.0 { 0.3 * size * (1.0 + dice.next()) } else { 0.0 };
-            Rubbing::Faces { length: size * (1.5 + dice.next()), middle, offset }
+            Surfaces::Faces { length: size * (1.5 + dice.next()), middle, offset }
         };
         let coefficient = strength * (1.0 + dice.next());
-        mechanism.frictions.push(Friction { pair: PairId::Slide(id), coefficient, rubbing });
+        mechanism.frictions.push(Friction { pair: PairId::Slide(id), coefficient, surfaces });
     }
     mechanism
 }
@@ -349,7 +349,7 @@ fn both_methods_agree_on_random_friction() {
                     Some(assur_mechanism::Motion::Prescribed { speed: 6.0, acceleration: 3.0 });
             }
             let strength = if round % 2 == 0 { 0.02 } else { 0.15 };
-            let linkage = Linkage::compile(rubbed(mechanism, strength, &mut dice)).unwrap();
+            let linkage = Linkage::compile(with_friction(mechanism, strength, &mut dice)).unwrap();
             let coordinate = linkage.mechanism.input.coordinate(round % linkage.mechanism.input.positions);
             let [one, two] = ["coulomb", "newton-euler"].map(|method| solved(&linkage, method, coordinate));
             match (one, two) {
@@ -380,7 +380,7 @@ fn little_friction_costs_the_powers_of_the_ideal_reactions() {
         {
             continue;
         }
-        let linkage = Linkage::compile(rubbed(mechanism, 1e-7, &mut dice)).unwrap();
+        let linkage = Linkage::compile(with_friction(mechanism, 1e-7, &mut dice)).unwrap();
         let loads = Loads::compile(&linkage).unwrap();
         let frictions = loads.frictions().unwrap();
         let carrying = vec![true; linkage.groups().len()];
@@ -390,16 +390,16 @@ fn little_friction_costs_the_powers_of_the_ideal_reactions() {
         linkage.solve(coordinate, Order::Second, &mut position).unwrap();
         let state = State::prescribed(&linkage.mechanism, coordinate);
         ideal.solve(&state, &position).unwrap();
-        let mut senses = vec![0.0; frictions.rubs.len()];
+        let mut senses = vec![0.0; frictions.bearings.len()];
         loads.senses(&state, &position.bodies, &mut senses);
         let mut sum = ideal.reactions.balancing;
         for unknown in &frictions.unknowns {
-            let rub = &frictions.rubs[unknown.rub];
-            let [x, y] = unknown.vector(rub, &position.bodies, &ideal.reactions.pairs);
-            let factor = senses[unknown.rub] * rub.coefficient * x.hypot(y);
+            let bearing = &frictions.bearings[unknown.bearing];
+            let [x, y] = unknown.vector(bearing, &position.bodies, &ideal.reactions.pairs);
+            let factor = senses[unknown.bearing] * bearing.coefficient * x.hypot(y);
             let mut own = vec![assur_group::Wrench::ZERO; position.bodies.len()];
             let factor = if unknown.is_modulus() { factor } else { 0.0 };
-            unknown.kind.load(rub, &position.bodies, factor, &mut own);
+            unknown.kind.load(bearing, &position.bodies, factor, &mut own);
             sum -= own.iter().zip(&position.bodies).map(|(load, body)| power(load, body)).sum::<f64>();
         }
         let (found, ..) = solved(&linkage, "coulomb", coordinate).unwrap();

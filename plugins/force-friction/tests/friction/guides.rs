@@ -117,7 +117,7 @@ fn found(linkage: &Linkage, coordinate: f64) -> Vec<f64> {
     if forces.solve(&State::prescribed(&linkage.mechanism, coordinate), &position).is_err() {
         return Vec::new();
     }
-    let doubts = forces.reactions.rubbing.unwrap().doubts;
+    let doubts = forces.reactions.friction.unwrap().doubts;
     let each = doubts.first().map(|(_, doubt)| doubt.solutions.iter().map(|one| one.balancing).collect());
     each.unwrap_or_else(|| vec![forces.reactions.balancing])
 }

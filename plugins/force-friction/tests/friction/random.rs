@@ -6,7 +6,7 @@ use assur_kinematics::Linkage;
 use assur_number::Lanes;
 use assur_testkit::specimen::Recipe;
 
-use super::cases::{Dice, fixture, rubbed};
+use super::cases::{Dice, fixture, with_friction};
 
 /// What a method finds at a coordinate.
 fn by(linkage: &Linkage, loads: &Loads, method: &str, coordinate: f64) -> Result<Reactions, ForceError> {
@@ -37,7 +37,7 @@ fn compare(seeds: std::ops::Range<u64>) -> Count {
         let Some(specimen) = recipe.specimen(seed) else { continue };
         let mut dice = Dice(seed);
         let strength = [0.02, 0.1, 0.25][(seed % 3) as usize];
-        let mut mechanism = rubbed(specimen.mechanism, strength, &mut dice);
+        let mut mechanism = with_friction(specimen.mechanism, strength, &mut dice);
         if seed % 2 == 0 {
             mechanism.balance = None;
         }
@@ -61,24 +61,24 @@ fn compare(seeds: std::ops::Range<u64>) -> Count {
 }
 
 fn judge(seed: u64, own: &Reactions, whole: &Reactions, count: &mut Count) {
-    let rubbing = own.rubbing.as_ref().unwrap();
-    let other = whole.rubbing.as_ref().unwrap();
+    let friction = own.friction.as_ref().unwrap();
+    let other = whole.friction.as_ref().unwrap();
     let size = other.forces.iter().fold(whole.balancing.abs(), |most, force| most.max(force.abs()));
     let size = size.max(f64::MIN_POSITIVE);
     let apart = |balancing: f64, forces: &[f64]| {
         let each = forces.iter().zip(&other.forces).map(|(a, b)| (a - b).abs());
         each.fold((balancing - whole.balancing).abs(), f64::max) / size
     };
-    match rubbing.doubts.first() {
+    match friction.doubts.first() {
         Some((_, doubt)) if doubt.solutions.len() > 1 => {
             count.several += 1;
             let near = doubt.solutions.iter().any(|one| apart(one.balancing, &one.forces) < 1e-7);
             assert!(near || !doubt.proved, "{seed}: the other method finds another solution");
         }
         _ => {
-            let apart = apart(own.balancing, &rubbing.forces);
+            let apart = apart(own.balancing, &friction.forces);
             // The conditions of the groups magnify rounding, and so does a certificate near 1.
-            assert!(apart < 1e-8, "{seed}: {apart} {:?}", rubbing.certificates);
+            assert!(apart < 1e-8, "{seed}: {apart} {:?}", friction.certificates);
             count.apart = count.apart.max(apart);
             count.one += usize::from(apart < 1e-10);
         }
@@ -102,7 +102,7 @@ fn both_methods_agree_on_two_thousand_random_mechanisms() {
 fn eight_positions_at_once_have_the_bits_of_each() {
     let mut dice = Dice(23);
     for name in ["shaper", "guide-shaper", "conveyor"] {
-        let linkage = Linkage::compile(rubbed(fixture(name), 0.02, &mut dice)).unwrap();
+        let linkage = Linkage::compile(with_friction(fixture(name), 0.02, &mut dice)).unwrap();
         let loads = Loads::compile(&linkage).unwrap();
         let analyzer = find("coulomb").unwrap().instance;
         let carrying = vec![true; linkage.groups().len()];
@@ -113,12 +113,12 @@ fn eight_positions_at_once_have_the_bits_of_each() {
         let mut eight = linkage.lane_position();
         linkage.solve_lanes(coordinates, Order::Second, &mut eight).unwrap();
         lanes.solve(&states, &eight).unwrap();
-        let together = lanes.reactions.rubbing.as_ref().unwrap();
+        let together = lanes.reactions.friction.as_ref().unwrap();
         let mut position = linkage.position();
         for (lane, state) in states.iter().enumerate() {
             linkage.solve(coordinates.0[lane], Order::Second, &mut position).unwrap();
             forces.solve(state, &position).unwrap();
-            let alone = forces.reactions.rubbing.as_ref().unwrap();
+            let alone = forces.reactions.friction.as_ref().unwrap();
             let of = |all: &[Lanes]| all.iter().map(|one| one.0[lane].to_bits()).collect::<Vec<_>>();
             let bits = |all: &[f64]| all.iter().map(|one| one.to_bits()).collect::<Vec<_>>();
             assert_eq!(of(&together.forces), bits(&alone.forces), "{name} {lane}");

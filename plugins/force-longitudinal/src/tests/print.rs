@@ -73,8 +73,9 @@ fn with_a_constant_angle_the_reactions_go_as_in_figure_2() {
     assert!(all[16..].windows(2).all(|pair| pair[0].balancing_force > pair[1].balancing_force), "Fb falls");
     assert!((all[16].balancing_force - 7576.0).abs() < 0.5 && (all[32].balancing_force - 6702.0).abs() < 0.5);
     // RB changes its side where F, at the angle of friction beyond a, passes through A.
-    let rubs = PRESS.friction.atan();
-    let lean = 4.0_f64.to_radians() + rubs - (PRESS.radius * rubs.sin() / PRESS.center).asin();
+    let friction_angle = PRESS.friction.atan();
+    let lean =
+        4.0_f64.to_radians() + friction_angle - (PRESS.radius * friction_angle.sin() / PRESS.center).asin();
     let f1 = (PRESS.rod * lean.sin() / PRESS.crank).asin().to_degrees();
     assert!((f1 - 12.14).abs() < 5e-3 && at(CONSTANT, f1).r3.abs() < 1e-9 * PRESS.force, "{f1}");
     assert!(all.iter().zip(way()).all(|(answer, degrees)| (answer.r3 > 0.0) == (degrees > f1)), "one change");

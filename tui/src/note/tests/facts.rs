@@ -1,4 +1,4 @@
-//! Every number that is told in several places is one fact, shown the same everywhere.
+//! Every number that is reported in several places is one fact, shown the same everywhere.
 
 use assur_report::json::analysis::to_json;
 use assur_report::text::{Style, report};

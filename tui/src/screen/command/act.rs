@@ -4,7 +4,7 @@ use assur_words::{name, number, text};
 
 use super::{jobs, report, whatif};
 use crate::screen::state::{
-    FRAMES, Job, PACES, Part, Pictures, Purpose, Role, Scene, Source, State, View, Wanted, Wish, following,
+    Effect, FRAMES, Job, PACES, Part, Pictures, Purpose, Role, Scene, Source, State, View, Wanted, following,
     next_kind, round,
 };
 
@@ -186,7 +186,7 @@ pub(super) fn reload(state: &mut State) {
             jobs::ask(state, Purpose::Main);
         }
         Source::File(_) => {
-            state.wishes.push(Wish::Work(Job::Read(Wanted::Open(scene.session.source.clone()))));
+            state.effects.push(Effect::Work(Job::Read(Wanted::Open(scene.session.source.clone()))));
         }
         Source::Shipped(_) => state.say(Role::Plain, text!("say-no-file")),
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use assur_analysis::Options;
 use assur_words::{Text, name, text};
 
-use crate::screen::state::{Cancel, Job, Purpose, Request, Role, Running, Scene, State, Wish};
+use crate::screen::state::{CalculationRequest, Cancel, Effect, Job, Purpose, Role, Running, Scene, State};
 
 /// Requests a calculation of the open scene by the chosen analyzer and integrator.
 pub(crate) fn ask(state: &mut State, purpose: Purpose) {
@@ -25,8 +25,8 @@ fn ask_by(state: &mut State, purpose: Purpose, options: Options) {
     state.asked += 1;
     let (number, cancel) = (state.asked, Cancel::default());
     state.running.push(Running { number, purpose, count: Text::default(), cancel: cancel.clone() });
-    let request = Request { number, purpose, session, options, cancel };
-    state.wishes.push(Wish::Work(Job::Calculate(request)));
+    let request = CalculationRequest { number, purpose, session, options, cancel };
+    state.effects.push(Effect::Work(Job::Calculate(request)));
 }
 
 fn stop_running(state: &mut State, wanted: impl Fn(Purpose) -> bool) {

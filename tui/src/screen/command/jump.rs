@@ -68,9 +68,9 @@ pub(super) fn go_back(state: &mut State) {
     if state.scene.as_ref().is_some_and(|scene| scene.session.source == stop.source) {
         return stop.restore(state);
     }
-    let count = state.wishes.len();
+    let count = state.effects.len();
     whatif::open(state, stop.source.clone());
-    if state.wishes.len() > count {
+    if state.effects.len() > count {
         state.going_back = Some(stop);
     } else {
         // Unsaved changes are warned of first.

@@ -5,7 +5,7 @@ use assur_words::{self as words, Text, text};
 
 use super::{find, motors, picker, report, whatif, write};
 use crate::screen::state::{
-    Group, Job, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted, Wish,
+    Effect, Group, Job, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted,
 };
 use crate::screen::view::help::where_it_works;
 
@@ -138,7 +138,7 @@ fn compare(state: &mut State, file: &str) {
         "" => state.say(Role::Bad, text!("say-compare")),
         "off" => state.compared = None,
         _ if state.scene.is_none() => state.say(Role::Bad, text!("say-nothing-to-compare")),
-        _ => state.wishes.push(Wish::Work(Job::Read(Wanted::Compare(source(file))))),
+        _ => state.effects.push(Effect::Work(Job::Read(Wanted::Compare(source(file))))),
     }
 }
 

@@ -6,7 +6,7 @@ use crossterm::event::KeyCode;
 
 use super::{motors, whatif};
 use crate::screen::state::{
-    Choice, Job, Key, Picker, PickerKind, PromptKind, Source, State, View, Wanted, Wish,
+    Choice, Effect, Job, Key, Picker, PickerKind, PromptKind, Source, State, View, Wanted,
 };
 
 /// Rows by which a page key moves.
@@ -98,6 +98,6 @@ pub(super) fn preview(state: &mut State) {
     if let Some(index) = SCENES.iter().position(|(name, _)| *name == chosen.name)
         && !state.previews.contains_key(&index)
     {
-        state.wishes.push(Wish::Work(Job::Read(Wanted::Preview(index))));
+        state.effects.push(Effect::Work(Job::Read(Wanted::Preview(index))));
     }
 }

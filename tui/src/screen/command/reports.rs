@@ -5,8 +5,8 @@ use assur_words::{self as words, Text, number, text};
 
 use super::{jobs, whatif};
 use crate::screen::state::{
-    Chosen, Compared, Found, Outcome, OutputFile, Purpose, Report, Role, Scene, State, Stop, View, Wanted,
-    Wish, Zoom,
+    Chosen, Compared, Effect, Found, Outcome, OutputFile, Purpose, Report, Role, Scene, State, Stop, View,
+    Wanted, Zoom,
 };
 
 /// Takes a report of the worker; returns whether the frame may differ.
@@ -23,7 +23,7 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
         Report::Noted(path, Ok(note)) => {
             let content = note.into_bytes();
             let file = OutputFile { path, content, numbers: None, overwrite: false, scene: false };
-            state.wishes.push(Wish::Write(file));
+            state.effects.push(Effect::Write(file));
         }
         Report::Noted(_, Err(text)) => state.say(Role::Bad, text!("say-no-note", reason = text)),
         Report::Calculated(number, outcome) => {

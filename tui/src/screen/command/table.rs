@@ -1,7 +1,7 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
 use super::{act, extreme, jump, line, modes, picker, probe, report, whatif, write};
-use crate::screen::state::{Command, Group, Help, PromptKind, State, View, Wish, Zoom, next_kind};
+use crate::screen::state::{Command, Effect, Group, Help, PromptKind, State, View, Zoom, next_kind};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
 use View::{
@@ -133,11 +133,11 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-search", Program, "/", SCENE, |s| s.open_prompt(PromptKind::Search, "")),
     command("do-next-match", Program, "n", MATCHES, line::search_again),
     command("do-note", Program, "N", SCENE, write::note),
-    command("do-keep", Program, "", &[], |s| s.wishes.push(Wish::Keep)),
+    command("do-keep", Program, "", &[], |s| s.effects.push(Effect::Keep)),
     command("do-reload", Program, "r", SCENE, act::reload),
     command("do-write", Program, "w", SCENE, write::write),
-    command("do-redraw", Program, "C-l", &[], |s| s.wishes.push(Wish::Redraw)),
-    command("do-suspend", Program, "C-z", &[], |s| s.wishes.push(Wish::Suspend)),
+    command("do-redraw", Program, "C-l", &[], |s| s.effects.push(Effect::Redraw)),
+    command("do-suspend", Program, "C-z", &[], |s| s.effects.push(Effect::Suspend)),
     command("do-close", Program, "Esc C-g", &[], act::close),
     command("do-quit", Program, "q C-c", &[], whatif::quit),
 ];

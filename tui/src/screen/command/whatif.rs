@@ -8,8 +8,8 @@ use assur_words::{Text, name, text};
 use super::write::home;
 use super::{jobs, modes};
 use crate::screen::state::{
-    Assembled, Change, Compared, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State,
-    Wanted, Wish,
+    Assembled, Change, Compared, Effect, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source,
+    State, Wanted,
 };
 
 /// Shows the list of values, or closes it.
@@ -91,7 +91,7 @@ fn ask(state: &mut State) {
         session: Arc::clone(&scene.session),
         text: what.changed_text(),
     };
-    state.wishes.push(Wish::Work(Job::Read(Wanted::Change(change))));
+    state.effects.push(Effect::Work(Job::Read(Wanted::Change(change))));
 }
 
 /// Takes a changed scene, or the reason why it can't be read; returns whether the frame may differ.
@@ -214,13 +214,13 @@ pub(super) fn save_line(state: &mut State, file: &str) {
     }
     let content = state.what_if.changed_text().into_bytes();
     let file = OutputFile { path: home(file), content, numbers: None, overwrite: false, scene: true };
-    state.wishes.push(Wish::Write(file));
+    state.effects.push(Effect::Write(file));
 }
 
 /// Quits, but first warns of unsaved changes.
 pub(super) fn quit(state: &mut State) {
     if may_drop(state) {
-        state.wishes.push(Wish::Quit);
+        state.effects.push(Effect::Quit);
     } else {
         let [save, quit] = ["save", "quit"].map(|command| name(state.keys.first(command)));
         state.say(Role::Bad, text!("say-unsaved-quit", save = save, quit = quit));
@@ -230,7 +230,7 @@ pub(super) fn quit(state: &mut State) {
 /// Opens a scene, but first warns of unsaved changes of the open one.
 pub(super) fn open(state: &mut State, source: Source) {
     if may_drop(state) {
-        state.wishes.push(Wish::Work(Job::Read(Wanted::Open(source))));
+        state.effects.push(Effect::Work(Job::Read(Wanted::Open(source))));
     } else {
         let save = name(state.keys.first("save"));
         state.say(Role::Bad, text!("say-unsaved-open", save = save));

@@ -11,7 +11,7 @@ use assur_words::{Describe, Language, Text, name, text};
 use crossterm::event::KeyCode;
 
 use crate::files;
-use crate::screen::state::{Job, Key, OutputFile, Role, Scene, State, View, Wish};
+use crate::screen::state::{Effect, Job, Key, OutputFile, Role, Scene, State, View};
 use crate::screen::view;
 
 /// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
@@ -62,7 +62,7 @@ pub(super) fn write_to(state: &mut State, path: PathBuf) {
     match content {
         Ok((content, numbers)) => {
             let file = OutputFile { path, content, numbers, overwrite: false, scene: false };
-            state.wishes.push(Wish::Write(file));
+            state.effects.push(Effect::Write(file));
         }
         Err(error) => state.say(Role::Bad, error),
     }
@@ -75,7 +75,7 @@ pub(super) fn note(state: &mut State) {
     };
     let path = PathBuf::from(format!("{}-note.html", scene.session.source.stem()));
     let (session, options) = (Arc::clone(&scene.session), state.options.clone());
-    state.wishes.push(Wish::Work(Job::Note { write, session, options, path }));
+    state.effects.push(Effect::Work(Job::Note { write, session, options, path }));
     state.say(Role::Plain, text!("say-note-written"));
 }
 
@@ -208,7 +208,7 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
 pub(super) fn answer(state: &mut State, file: OutputFile, key: Key) {
     if matches!(key.code, KeyCode::Char('y' | 'Y')) {
         state.message = None;
-        state.wishes.push(Wish::Write(OutputFile { overwrite: true, ..file }));
+        state.effects.push(Effect::Write(OutputFile { overwrite: true, ..file }));
     } else {
         state.say(Role::Plain, text!("say-left", file = name(file.path.display().to_string())));
     }

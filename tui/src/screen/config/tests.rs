@@ -101,7 +101,7 @@ fn two_commands_on_one_key_are_refused_by_name() {
     let both = faults("[keys]\ntheme = \"y\"\nplay = [\"p\", \"y\"]\n");
     assert!(both.contains("`y` means both `play` and `theme`"), "{both}");
     assert!(both.contains("line 3, column 14") && both.contains("also a key of `theme`"), "{both}");
-    // Another view, another meaning: that is no clash; and the two are told once, not for each view.
+    // Another view, another meaning: that is no clash; and the two are reported once, not for each view.
     assert_eq!(read("[keys]\nsort = \"b\"\n").keys.keys("sort").len(), 1);
     assert_eq!(faults("[keys]\nforward = \"?\"\n").matches("error:").count(), 1);
 }

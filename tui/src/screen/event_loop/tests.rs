@@ -4,7 +4,7 @@ use crossterm::event::{Event as Own, KeyCode, KeyEvent, KeyModifiers};
 
 use super::{EventLoop, Inbox};
 use crate::screen::input::Input;
-use crate::screen::state::Wish;
+use crate::screen::state::Effect;
 use crate::screen::tests::{opened, press};
 
 fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
@@ -33,7 +33,7 @@ fn ctrl_c_ends_before_any_key_that_waits_is_applied() {
         let before = (session.state.position, session.state.entry().map(ToString::to_string));
         flooded(&session, if keys == "1" { KeyCode::Right } else { KeyCode::Char('x') });
         session.apply_what_waits();
-        assert!(matches!(session.state.wishes[..], [Wish::Quit]), "{keys}: {:?}", session.state.wishes);
+        assert!(matches!(session.state.effects[..], [Effect::Quit]), "{keys}: {:?}", session.state.effects);
         let after = (session.state.position, session.state.entry().map(ToString::to_string));
         assert_eq!(after, before, "{keys}");
         assert!(session.inbox.is_empty(), "{keys}");
@@ -45,12 +45,12 @@ fn ctrl_c_warns_of_unsaved_changes_also_in_a_flood_and_then_ends() {
     let mut session = session("e +");
     flooded(&session, KeyCode::Char('r'));
     session.apply_what_waits();
-    assert!(session.state.wishes.is_empty());
+    assert!(session.state.effects.is_empty());
     let (_, message) = session.state.message.clone().unwrap();
     assert!(message.to_string().contains("changes are not saved"), "{message}");
     flooded(&session, KeyCode::Char('x'));
     session.apply_what_waits();
-    assert!(matches!(session.state.wishes[..], [Wish::Quit]));
+    assert!(matches!(session.state.effects[..], [Effect::Quit]));
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn a_wish_is_granted_before_the_keys_behind_it() {
     let keys = [KeyCode::Char('w'), KeyCode::Char('3')];
     session.inbox.take(keys.into_iter().map(|code| key(code, KeyModifiers::NONE)));
     session.apply_what_waits();
-    assert!(matches!(session.state.wishes[..], [Wish::Write(_)]));
+    assert!(matches!(session.state.effects[..], [Effect::Write(_)]));
     assert!(!session.inbox.is_empty());
 }
 

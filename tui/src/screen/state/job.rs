@@ -19,7 +19,7 @@ use crate::session::{Session, Source};
 
 /// Actions that a command requests because the state can't do them.
 #[derive(Debug)]
-pub(crate) enum Wish {
+pub(crate) enum Effect {
     Quit,
     Redraw,
     /// Take the terminal again after the process was suspended.
@@ -56,7 +56,7 @@ pub(crate) enum Job {
     /// Write the note of a scene to a file.
     Note { write: NoteWriter, session: Arc<Session>, options: Options, path: PathBuf },
     /// Calculate all results of the open scene, or measure the methods on it.
-    Calculate(Request),
+    Calculate(CalculationRequest),
 }
 
 /// The scene that is to be read, and for what.
@@ -85,7 +85,7 @@ pub(crate) enum Purpose {
 
 /// A calculation of the open scene.
 #[derive(Debug, Clone)]
-pub(crate) struct Request {
+pub(crate) struct CalculationRequest {
     /// Number of the request; a report to a request that is no longer in progress is dropped.
     pub(crate) number: usize,
     pub(crate) purpose: Purpose,

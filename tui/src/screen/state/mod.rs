@@ -36,7 +36,8 @@ pub(crate) use entry::{Entry, LONGEST};
 pub(crate) use found::Found;
 pub(crate) use gather::Reaction;
 pub(crate) use job::{
-    Cancel, Job, Measured, NoteWriter, Outcome, OutputFile, Purpose, Report, Request, Running, Wanted, Wish,
+    CalculationRequest, Cancel, Effect, Job, Measured, NoteWriter, Outcome, OutputFile, Purpose, Report,
+    Running, Wanted,
 };
 pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{Arrows, Chosen, Part, Prompt, PromptKind, Traces, View, following, next_kind, round};
@@ -133,7 +134,7 @@ pub(crate) struct State {
     pub(crate) note: Option<NoteWriter>,
     /// Columns and rows of the terminal.
     pub(crate) size: (u16, u16),
-    pub(crate) wishes: Vec<Wish>,
+    pub(crate) effects: Vec<Effect>,
     pub(crate) leaving: bool,
 }
 

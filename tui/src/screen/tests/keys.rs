@@ -8,12 +8,19 @@ use strum::VariantArray;
 use super::random::NAMED;
 use super::{View, opened, press, settle, text, write};
 use crate::screen::command::{self, COMMANDS};
-use crate::screen::state::{Key, Keymap, Measured, Probe, State, Theme, Wish};
+use crate::screen::state::{Effect, Key, Keymap, Measured, Probe, State, Theme};
 
 /// Everything that the state's frame and next steps depend on, for comparison.
 fn fingerprint(state: &State) -> String {
-    let rest =
-        (&state.view, &state.wishes, &state.prompt, &state.look, &state.chosen, state.playing, &state.panels);
+    let rest = (
+        &state.view,
+        &state.effects,
+        &state.prompt,
+        &state.look,
+        &state.chosen,
+        state.playing,
+        &state.panels,
+    );
     format!("{}{rest:?}{:?}", text(state, 120, 40), state.what_if)
 }
 
@@ -36,7 +43,7 @@ fn every_key_in_every_view_is_survived() {
                 (state.help, state.prompt, state.question, state.picker) = (None, None, None, None);
                 enter(&mut state, view);
                 command::press(&mut state, KeyEvent::new(code, modifiers));
-                state.wishes.clear();
+                state.effects.clear();
             }
         }
         let _ = text(&state, 80, 24);
@@ -157,7 +164,7 @@ fn quit_closes_the_help_first() {
     press(&mut state, "q");
     assert!(state.help.is_none());
     command::press(&mut state, KeyEvent::new(KeyCode::Char('q'), KeyModifiers::NONE));
-    assert!(matches!(state.wishes[..], [Wish::Quit]));
+    assert!(matches!(state.effects[..], [Effect::Quit]));
 }
 
 #[test]

@@ -104,7 +104,7 @@ fn the_list_of_scenes_is_no_trap() {
     let before = text(&state, 80, 24);
     write(&mut state, ":value link.crank.points.A 101 mm");
     press(&mut state, "o q");
-    assert!(state.picker.is_none() && state.wishes.is_empty(), "q closes the list, not the program");
+    assert!(state.picker.is_none() && state.effects.is_empty(), "q closes the list, not the program");
     press(&mut state, "u o");
     type_in(&mut state, "fb");
     press(&mut state, "Esc");
@@ -180,7 +180,7 @@ fn a_pasted_text_is_written_and_never_run() {
     let mut state = opened("shaper");
     command::paste(&mut state, "q\n1e5\u{1b}[A");
     assert_eq!(state.prompt.as_ref().unwrap().text.to_string(), "q 1e5 [A");
-    assert!(state.wishes.is_empty());
+    assert!(state.effects.is_empty());
     press(&mut state, "Esc p");
     command::paste(&mut state, "ram ");
     assert_eq!(state.picker.as_ref().unwrap().filter.text.to_string(), "ram");

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use assur_analysis::Options;
+use assur_figure::{Item, Sample};
 
 use super::{View, opened, press};
 use crate::screen::draw::cells;
@@ -149,5 +150,26 @@ fn quantities_of_one_unit_lie_over_each_other_in_a_picture() {
     match still::draw(analyzed("press", &unknown), &unknown, Path::new("x.svg")) {
         Err(StillError::Request(text)) => assert!(text.to_string().contains("nothing"), "{text}"),
         other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_legend_has_the_colors_of_the_drawing() {
+    for (scene, view) in
+        [("jansen", View::Structure), ("six-links", View::Structure), ("four-bar", View::Mechanism)]
+    {
+        let figure = view::figure(&opened(scene), view).unwrap();
+        let drawn: Vec<_> = figure.panels[0]
+            .items
+            .iter()
+            .filter_map(|item| match item {
+                Item::Line { ink, .. } | Item::Area { ink, .. } => Some(*ink),
+                _ => None,
+            })
+            .collect();
+        for key in &figure.legend {
+            let Sample::Line(_, ink) = key.sample else { continue };
+            assert!(drawn.contains(&ink), "{scene}: {} {ink:?}", key.text);
+        }
     }
 }

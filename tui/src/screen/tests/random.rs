@@ -4,7 +4,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent,
 
 use super::{opened, press, run, scene, text};
 use crate::screen::command;
-use crate::screen::state::{LONGEST, State, View, Wish};
+use crate::screen::state::{Effect, LONGEST, State, View};
 
 /// Numbers that look random and are the same in every run (Marsaglia's xorshift).
 struct Dice(u64);
@@ -83,9 +83,9 @@ fn play(mut state: State, seed: u64, count: usize) {
     let mut dice = Dice(seed);
     for _ in 0..count {
         event(&mut state, &mut dice);
-        for wish in std::mem::take(&mut state.wishes) {
+        for effect in std::mem::take(&mut state.effects) {
             // Files are not written, and the program goes on.
-            if let Wish::Work(job) = wish
+            if let Effect::Work(job) = effect
                 && dice.below(8) > 0
             {
                 run(&mut state, &job);
@@ -139,7 +139,7 @@ fn a_text_that_is_typed_or_pasted_ends_at_its_limit_and_that_is_told() {
         command::prepare(&mut state);
         let frame = text(&state, 80, 24);
         assert!(keys.starts_with('?') || frame.contains("no more than 1024 bytes"), "{keys}: {frame}");
-        // What was left out is told no more where there is room again.
+        // What was left out is reported no more where there is room again.
         for _ in before..LONGEST {
             command::press(&mut state, KeyEvent::from(KeyCode::Backspace));
         }

@@ -152,7 +152,7 @@ fn changes_that_are_taken_back_are_none() {
         &mut state,
         crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('q')),
     );
-    assert!(matches!(state.wishes[..], [crate::screen::tests::Wish::Quit]), "{:?}", state.message);
+    assert!(matches!(state.effects[..], [crate::screen::tests::Effect::Quit]), "{:?}", state.message);
 }
 
 #[test]

@@ -3,15 +3,15 @@
 use assur_analysis::results::Checks;
 
 use super::{opened, press, text};
-use crate::screen::state::{Job, Outcome, Report, State, Wish};
+use crate::screen::state::{Effect, Job, Outcome, Report, State};
 use crate::screen::{command, work};
 
 /// What was asked for and is not done yet.
 fn job(state: &mut State) -> Job {
-    let wish = state.wishes.pop().unwrap();
-    assert!(state.wishes.is_empty());
-    match wish {
-        Wish::Work(job) => job,
+    let effect = state.effects.pop().unwrap();
+    assert!(state.effects.is_empty());
+    match effect {
+        Effect::Work(job) => job,
         other => panic!("{other:?}"),
     }
 }
@@ -73,7 +73,7 @@ fn reading_again_goes_on_after_a_stop() {
     let mut state = opened("shaper");
     state.scene.as_mut().unwrap().found = None;
     command::start(&mut state);
-    state.wishes.clear();
+    state.effects.clear();
     press(&mut state, "Esc 5");
     assert!(text(&state, 80, 24).contains("no analysis: stopped"));
     press(&mut state, "r");

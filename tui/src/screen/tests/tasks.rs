@@ -1,7 +1,7 @@
 //! What a new student wants to know, each by less than ten keys that the screen names.
 
 use super::{opened, press, text};
-use crate::screen::state::Wish;
+use crate::screen::state::Effect;
 
 /// The task, the scene, the keys, and what is on the screen then.
 const TASKS: [(&str, &str, &str, &[&str]); 10] = [
@@ -68,13 +68,13 @@ fn the_note_and_the_picture_are_written_by_one_key() {
     state.note = Some(|session, _| Ok(format!("{}: {} bytes", session.source.name(), session.text.len())));
     let key = |code| crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char(code));
     crate::screen::command::press(&mut state, key('N'));
-    let Some(Wish::Work(job)) = state.wishes.pop() else { panic!("no job") };
+    let Some(Effect::Work(job)) = state.effects.pop() else { panic!("no job") };
     super::run(&mut state, &job);
-    let Some(Wish::Write(file)) = state.wishes.pop() else { panic!("no file") };
+    let Some(Effect::Write(file)) = state.effects.pop() else { panic!("no file") };
     assert_eq!(file.path.to_str(), Some("shaper-note.html"));
     assert!(String::from_utf8(file.content).unwrap().starts_with("shaper.toml: "));
     crate::screen::command::press(&mut state, key('w'));
     assert!(
-        matches!(&state.wishes[..], [Wish::Write(file)] if file.path.to_str() == Some("shaper-mechanism-0.svg"))
+        matches!(&state.effects[..], [Effect::Write(file)] if file.path.to_str() == Some("shaper-mechanism-0.svg"))
     );
 }

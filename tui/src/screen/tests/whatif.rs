@@ -6,7 +6,7 @@ use assur_kinematics::Chain;
 
 use super::{View, opened, press, read, scene, settle, text, write};
 use crate::screen::command;
-use crate::screen::state::{Job, Report, Source, State, Wanted, Wish};
+use crate::screen::state::{Effect, Job, Report, Source, State, Wanted};
 
 const LENGTH: &str = "link.crank.points.A";
 
@@ -165,7 +165,7 @@ fn a_key_that_is_held_down_asks_once_at_a_time() {
     let mut state = at_length(View::Mechanism);
     let key = crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('+'));
     (0..20).for_each(|_| command::press(&mut state, key));
-    assert!(matches!(state.wishes[..], [Wish::Work(Job::Read(Wanted::Change(_)))]), "{:?}", state.wishes);
+    assert!(matches!(state.effects[..], [Effect::Work(Job::Read(Wanted::Change(_)))]), "{:?}", state.effects);
     settle(&mut state);
     assert!(header(&state).contains("100 mm -> 120 mm"));
     assert!(text(&state, 80, 24).contains("PF0 120.000 mm"));
@@ -176,7 +176,7 @@ fn a_key_that_is_held_down_asks_once_at_a_time() {
 fn a_change_of_a_scene_that_was_left_is_dropped() {
     let mut state = opened("shaper");
     write_without_reading(&mut state, ":value link.crank.points.A 120 mm");
-    let Some(Wish::Work(job)) = state.wishes.pop() else { panic!("no job") };
+    let Some(Effect::Work(job)) = state.effects.pop() else { panic!("no job") };
     let other = read(Source::Shipped("press"), assur_fixtures::scene("press"));
     let wanted = Wanted::Open(Source::Shipped("shaper"));
     command::take(&mut state, Report::Read(wanted, other.map(Box::new)));
@@ -197,10 +197,10 @@ fn leaving_with_changes_is_asked_once() {
     let mut state = at_length(View::Mechanism);
     press(&mut state, "+");
     (state.named("quit").unwrap().run)(&mut state);
-    assert!(state.wishes.is_empty());
+    assert!(state.effects.is_empty());
     assert!(text(&state, 80, 24).contains("changes are not saved: S saves them, q once more leaves"));
     (state.named("quit").unwrap().run)(&mut state);
-    assert!(matches!(state.wishes[..], [Wish::Quit]));
+    assert!(matches!(state.effects[..], [Effect::Quit]));
 }
 
 #[test]
@@ -306,7 +306,7 @@ fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
         for step in 1..=count {
             press(&mut state, "]");
             let frame = text(&state, 80, 40);
-            assert!(frame.contains(&format!("shown: way {}", (first + step) % count)), "{frame}");
+            assert!(frame.contains(&format!("shown: mode {}", (first + step) % count)), "{frame}");
         }
         press(&mut state, "] A");
         assert_eq!(present(&state), ((first + 1) % count, count));

@@ -18,7 +18,7 @@ use crate::screen::state::{Found, Reaction, Role, Scene, State};
 const ROUNDING: f64 = 1e-13;
 
 /// The share of one cause in the chosen reaction.
-struct Part {
+struct CauseShare {
     cause: Text,
     /// Projections, N; `None` for the balancing load.
     force: Option<[f64; 2]>,
@@ -60,37 +60,37 @@ pub(super) fn panels(state: &State, scene: &Scene, found: &Found) -> Vec<Panel> 
     figure_panels(state, scene, found, &parts)
 }
 
-fn figure_panels(state: &State, scene: &Scene, found: &Found, parts: &[Part]) -> Vec<Panel> {
+fn figure_panels(state: &State, scene: &Scene, found: &Found, parts: &[CauseShare]) -> Vec<Panel> {
     let mut panels = curves(state, scene, found, &[usize::MAX]);
     panels.extend(sum_of(parts));
     panels
 }
 
-fn parts(split: &Split, reaction: &Reaction) -> Vec<Part> {
+fn parts(split: &Split, reaction: &Reaction) -> Vec<CauseShare> {
     split.shares.iter().map(|share| part(share, reaction)).collect()
 }
 
-fn part(share: &Share, reaction: &Reaction) -> Part {
+fn part(share: &Share, reaction: &Reaction) -> CauseShare {
     let cause = share.cause.clone();
     let Some((pair, link)) = &reaction.of else {
-        return Part { cause, force: None, scalar: Some(share.balancing) };
+        return CauseShare { cause, force: None, scalar: Some(share.balancing) };
     };
     let here = |force: &&JointForce| force.joint.id == pair.id && force.on.id == link.id;
     let found = share.reactions.iter().find(here);
-    Part { cause, force: found.map(|found| found.force), scalar: found.and_then(|found| found.moment) }
+    CauseShare { cause, force: found.map(|found| found.force), scalar: found.and_then(|found| found.moment) }
 }
 
 /// A row for each cause, their sum, and the total of the analyzer. Causes without room in so many rows are summarized.
-fn table(found: &Found, split: &Split, reaction: &Reaction, parts: &[Part], room: usize) -> Table {
+fn table(found: &Found, split: &Split, reaction: &Reaction, parts: &[CauseShare], room: usize) -> Table {
     let head = if reaction.of.is_some() { name("M") } else { Text::default() };
     let is_moment = reaction.of.is_some() || found.analysis.input.balancing_is_moment;
     let last = Column::short(head, Unit::of(if is_moment { "N m" } else { "N" }, 1.0));
     let sum_of_all = sum(parts, text!("forces-sum"));
     let whole = part(&split.whole, reaction);
-    let whole = Part { cause: text!("forces-whole", method = name(found.analyzer.clone())), ..whole };
+    let whole = CauseShare { cause: text!("forces-whole", method = name(found.analyzer.clone())), ..whole };
     let least = ROUNDING * parts.iter().chain([&whole]).map(size).fold(0.0, f64::max);
     let clean = |value: f64| if value.abs() <= least { 0.0 } else { value };
-    let cells = |part: Part| {
+    let cells = |part: CauseShare| {
         let force = part.force.map(|force| force.map(clean));
         row(
             part.cause,
@@ -99,11 +99,10 @@ fn table(found: &Found, split: &Split, reaction: &Reaction, parts: &[Part], room
         )
     };
     let single = if parts.len() > room { room.saturating_sub(1) } else { parts.len() };
-    let numbered = parts
-        .iter()
-        .enumerate()
-        .take(single)
-        .map(|(index, part)| Part { cause: joined(" ", [number(index + 1), part.cause.clone()]), ..*part });
+    let numbered = parts.iter().enumerate().take(single).map(|(index, part)| CauseShare {
+        cause: joined(" ", [number(index + 1), part.cause.clone()]),
+        ..*part
+    });
     let rest = &parts[single..];
     let more = (!rest.is_empty()).then(|| sum(rest, text!("forces-more-causes", count = rest.len())));
     let all = numbered.chain(more).chain([sum_of_all, whole]);
@@ -111,12 +110,12 @@ fn table(found: &Found, split: &Split, reaction: &Reaction, parts: &[Part], room
 }
 
 /// The greatest number of a share.
-fn size(part: &Part) -> f64 {
+fn size(part: &CauseShare) -> f64 {
     part.force.map_or_else(|| part.scalar.map_or(0.0, f64::abs), |[x, y]| x.hypot(y))
 }
 
-fn sum(parts: &[Part], cause: Text) -> Part {
-    let mut sum = Part { cause, force: None, scalar: None };
+fn sum(parts: &[CauseShare], cause: Text) -> CauseShare {
+    let mut sum = CauseShare { cause, force: None, scalar: None };
     for part in parts {
         if let Some([x, y]) = part.force {
             let [sx, sy] = sum.force.unwrap_or_default();
@@ -130,7 +129,7 @@ fn sum(parts: &[Part], cause: Text) -> Part {
 }
 
 /// The shares head to tail, and the total from the first corner to the last one.
-fn sum_of(parts: &[Part]) -> Option<Panel> {
+fn sum_of(parts: &[CauseShare]) -> Option<Panel> {
     let mut at = [0.0; 2];
     let mut vectors = Vec::new();
     for (number, part) in parts.iter().enumerate() {

@@ -54,8 +54,8 @@ pub(super) fn items(scene: &Scene, pose: &Position) -> Vec<Item> {
             (load.wrench.force(), name("F"), Stroke::Solid),
         ];
         // Without friction the sum is the normal force.
-        let rubs = friction[0].hypot(friction[1]) > 1e-12 * normal[0].hypot(normal[1]);
-        for (force, symbol, stroke) in parts.into_iter().take(if rubs { 3 } else { 1 }) {
+        let has_friction = friction[0].hypot(friction[1]) > 1e-12 * normal[0].hypot(normal[1]);
+        for (force, symbol, stroke) in parts.into_iter().take(if has_friction { 3 } else { 1 }) {
             let to = plus(at, scaled(length, force));
             items.push(Item::Arrow { from: at, to, stroke, ink: Ink::Second });
             items.push(Item::name(to, of(symbol), Ink::Second));

@@ -48,10 +48,11 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
     if let Some(compared) = &state.compared {
         items.extend(ghost(state, &compared.scene));
     }
+    let hidden = not_joined(state, scene);
+    let drawing = Drawing { hidden: &hidden, ..drawing(scene, marked) };
     match scene.pose(position, state.part_way()) {
         Some(pose) => {
-            let hidden = not_joined(state, scene);
-            items.extend(Drawing { hidden: &hidden, ..drawing(scene, marked) }.items(&pose));
+            items.extend(drawing.items(&pose));
             items.extend(arrows::items(state, scene, &pose, position));
             items.extend(contact::items(scene, &pose));
             items.extend(state.probe.iter().flat_map(|probe| of_probe(scene, probe, &pose)));
@@ -65,7 +66,7 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
     };
     let mut legend = arrows::legend(state, scene);
     legend.extend(contact::legend(scene));
-    legend.extend(links(scene));
+    legend.extend(links(&drawing));
     Figure { title, legend, ..Figure::of(plane(scene, items)) }
 }
 
@@ -78,14 +79,15 @@ pub(super) fn another(
     pose: &Position,
 ) -> Figure {
     let mut items = ghost(state, scene);
-    items.extend(Drawing { hidden, ..drawing(scene, marked) }.items(pose));
+    let drawing = Drawing { hidden, ..drawing(scene, marked) };
+    items.extend(drawing.items(pose));
     let mut panel = plane(scene, items);
     if let Frame::Plane { bounds, .. } = &mut panel.frame {
         let points = scene.linkage.mechanism.points.iter();
         let marked = points.flat_map(|point| &point.places).filter(|place| marked.contains(&place.link));
         marked.for_each(|place| bounds.add(pose.bodies[place.link].point(place.at)));
     }
-    Figure { title: scene.place(state.position), legend: links(scene).collect(), ..Figure::of(panel) }
+    Figure { title: scene.place(state.position), legend: links(&drawing).collect(), ..Figure::of(panel) }
 }
 
 /// A mechanism in its first position, for a list of mechanisms.
@@ -167,10 +169,11 @@ fn of_probe(scene: &Scene, probe: &Probe, pose: &Position) -> [Item; 3] {
 }
 
 /// The names of the links, which have numbers in the drawing; too many would leave no room for it.
-fn links(scene: &Scene) -> impl Iterator<Item = Key> {
-    let links = scene.linkage.mechanism.links.iter().enumerate().skip(1);
-    links.filter(|_| scene.linkage.mechanism.links.len() <= MOST_LINKS + 1).map(|(number, link)| Key {
-        sample: Sample::Line(Stroke::Thick, Ink::Link(number)),
+fn links(drawing: &Drawing<'_>) -> impl Iterator<Item = Key> {
+    let all = &drawing.linkage.mechanism.links;
+    let links = all.iter().enumerate().skip(1).filter(|(number, _)| !drawing.hidden.contains(number));
+    links.filter(|_| all.len() <= MOST_LINKS + 1).map(|(number, link)| Key {
+        sample: Sample::Line(Stroke::Thick, drawing.ink(number)),
         text: joined(" ", [name(number.to_string()), (&link.name).into()]),
     })
 }

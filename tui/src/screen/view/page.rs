@@ -19,7 +19,7 @@ pub(super) fn told(state: &State, width: u16, topic: impl FnOnce(&mut Document))
     all.filter(|line| line.kind != Kind::Rule).skip_while(|line| line.text.is_empty()).collect()
 }
 
-/// Those of the facts that have one of these identities, in lines of a width.
+/// The facts that have one of these identities, in lines of a width.
 pub(super) fn some_facts(state: &State, width: u16, facts: Vec<Fact>, ids: &[&str]) -> Vec<Line> {
     let shown = facts.into_iter().filter(|fact| ids.contains(&fact.id)).collect();
     told(state, width, |page| page.facts(Text::default(), shown))

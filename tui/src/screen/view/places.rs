@@ -43,14 +43,14 @@ pub(super) fn panels(scene: &Scene, dynamics: &Dynamics) -> Vec<Panel> {
 }
 
 /// The parts along the shaft from the motor to the crank, seen from the side.
-struct Row {
+struct Shaft {
     items: Vec<Item>,
     /// Where the next part begins, m.
     at: f64,
     apart: f64,
 }
 
-impl Row {
+impl Shaft {
     /// A part of this length and height with what is said of it above; one whose own size is not known is dashed.
     fn part(&mut self, [length, height]: [f64; 2], told: Option<Text>, known: bool, ink: Ink) {
         let (from, to) = (self.at, self.at + length);
@@ -120,9 +120,9 @@ pub(super) fn legend(dynamics: &Dynamics) -> Vec<Key> {
 /// A drive with its flywheel on one of the two shafts; its heading has the mass of motor and flywheel.
 fn drive(scene: &Scene, dynamics: &Dynamics, wheel: &FlywheelSize) -> (Text, Vec<Item>) {
     let Drawn { size: [length, height], own, mass, .. } = Drawn::of(dynamics);
-    let mut row = Row { items: Vec::new(), at: 0.0, apart: APART * height };
+    let mut row = Shaft { items: Vec::new(), at: 0.0, apart: APART * height };
     row.part([length, height], mass.map(kilograms), own, MOTOR);
-    let flywheel = |row: &mut Row| {
+    let flywheel = |row: &mut Shaft| {
         row.part([wheel.width, wheel.diameter], Some(kilograms(wheel.mass)), true, FLYWHEEL);
     };
     let on_motor = wheel.shaft != "input";
@@ -163,7 +163,7 @@ fn alike(rated: &RatedData) -> Option<&'static Motor> {
 }
 
 /// The input link at the end of its shaft, as long as from its pin to its farthest point.
-fn crank(scene: &Scene, row: &mut Row) {
+fn crank(scene: &Scene, row: &mut Shaft) {
     let mechanism = &scene.linkage.mechanism;
     let link = mechanism.input.link;
     let places = || (0..mechanism.points.len()).filter_map(|id| mechanism.place_in(id, link));

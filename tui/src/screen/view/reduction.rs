@@ -34,7 +34,7 @@ struct Reduced {
     moment: f64,
     /// The greatest size of the moment over the cycle.
     most: f64,
-    /// With that of flywheel and rotor.
+    /// Reduced moment of inertia, with that of flywheel and rotor.
     inertia: f64,
     /// Whether the speed belongs to instants and not to the positions, so that the moment is that at rest.
     at_rest: bool,

@@ -2,7 +2,7 @@
 
 use assur_book::{Unit, link_name};
 use assur_mechanism::{
-    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, Motor, Over, Rubbing,
+    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, Motor, Over, Surfaces,
     Torque, Value,
 };
 use assur_structure::name_of;
@@ -13,12 +13,12 @@ use crate::topic::explain::{Remark, remark};
 /// The parts of the model that the scene defines.
 pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Remark> {
     let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
-    let pairs = if mechanism.frictions.is_empty() { "model-pairs-how" } else { "model-pairs-rubbing" };
+    let pairs = if mechanism.frictions.is_empty() { "model-pairs-how" } else { "model-pairs-friction" };
     let mut list = vec![
         remark(text!("model-links"), text!("model-links-how", count = mechanism.links.len() - 1)),
         remark(text!("model-pairs"), text!(pairs, pins = pins, slides = mechanism.slides.len())),
     ];
-    list.extend(mechanism.frictions.iter().map(|friction| rubbing(mechanism, friction)));
+    list.extend(mechanism.frictions.iter().map(|friction| friction_of_pair(mechanism, friction)));
     masses(mechanism, &mut list);
     motion(mechanism, &mut list);
     loads(mechanism, &mut list);
@@ -115,7 +115,7 @@ fn law(value: &Value) -> Text {
 }
 
 fn contact_words(contact: &Contact) -> Text {
-    let rubs = if contact.friction == 0.0 {
+    let friction = if contact.friction == 0.0 {
         text!("model-contact-smooth")
     } else if contact.against_sliding {
         text!("model-contact-against-sliding")
@@ -127,7 +127,7 @@ fn contact_words(contact: &Contact) -> Text {
     } else {
         text!("model-contact-always")
     };
-    text!("model-contact", touches, rubs)
+    text!("model-contact", touches, friction)
 }
 
 fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {
@@ -151,17 +151,17 @@ fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {
 }
 
 /// The dry friction of a pair.
-fn rubbing(mechanism: &Mechanism, friction: &Friction) -> Remark {
+fn friction_of_pair(mechanism: &Mechanism, friction: &Friction) -> Remark {
     let length = |length: f64| quantity((1e9 * length).round() / 1e6, "mm");
     let pair = Text::from(name_of(mechanism, friction.pair));
     let coefficient = number(friction.coefficient);
-    let how = match friction.rubbing {
-        Rubbing::Journal { radius, owner } => {
+    let how = match friction.surfaces {
+        Surfaces::Journal { radius, owner } => {
             let owner = Text::from(&mechanism.links[owner].name);
             text!("model-journal", coefficient = coefficient, radius = length(radius), owner = owner)
         }
-        Rubbing::Place => text!("model-pressed-place", coefficient = coefficient),
-        Rubbing::Faces { length: contact, middle, offset } => {
+        Surfaces::Place => text!("model-pressed-place", coefficient = coefficient),
+        Surfaces::Faces { length: contact, middle, offset } => {
             let id = match middle {
                 Middle::Point => "model-pressed-ends",
                 Middle::Through => "model-pressed-bushing",

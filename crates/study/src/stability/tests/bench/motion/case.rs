@@ -20,7 +20,7 @@ pub(in super::super) static LAW: Law = Law {
 pub(super) enum Wanted {
     /// Where it ends.
     End(State),
-    /// Where it stops for good; whether that is to be told as an error, since the motion should have gone on.
+    /// Where it stops for good; whether that is to be reported as an error, since the motion should have gone on.
     Stop { coordinate: f64, refused: bool, is_end: bool },
 }
 

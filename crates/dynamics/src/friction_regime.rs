@@ -44,7 +44,7 @@ const MOST_ROUNDS: usize = 60;
 /// Relative change of the speed at which a round has converged, and at which its rounding may be all that is left.
 const CONVERGED: f64 = 1e-13;
 const NEARLY: f64 = 1e-9;
-/// Places of a cycle in which regimes are compared.
+/// Positions of a cycle at which regimes are compared.
 const PLACES: u32 = 360;
 
 fn places(request: &CycleRequest) -> impl Iterator<Item = f64> {
@@ -58,7 +58,7 @@ fn change(before: &Course, after: &Course, request: &CycleRequest) -> f64 {
     places(request).map(off).fold(0.0, f64::max)
 }
 
-/// In a regime no place may leave another acceleration possible, or none.
+/// Refuses a regime in which at some position another acceleration is possible, or none.
 fn check_friction(
     machine: Machine<'_>,
     request: &CycleRequest,

@@ -1,9 +1,9 @@
-//! A link that rubs on another.
+//! A bearing: a link that turns or slides on another with friction.
 
 use assur_group::Body;
 use assur_group::plane::{direction, dot, minus, perp, vector};
 use assur_kinematics::Linkage;
-use assur_mechanism::{LinkId, PairId, Rubbing};
+use assur_mechanism::{LinkId, PairId, Surfaces};
 use assur_number::Real;
 use assur_structure::Structure;
 
@@ -11,9 +11,9 @@ use crate::breaks::tolerance;
 use crate::grid::{Bodies, Span};
 use crate::sliding::{Rate, Sliding};
 
-/// A link that rubs on another in a pair with friction.
+/// A link that turns or slides on another in a pair with friction.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rub {
+pub struct Bearing {
     /// Index among the frictions of the mechanism.
     pub friction: usize,
     /// The pin or slide.
@@ -24,8 +24,8 @@ pub struct Rub {
     pub on: LinkId,
     /// The coefficient.
     pub coefficient: f64,
-    /// What rubs.
-    pub rubbing: Rubbing,
+    /// The surfaces that slide on each other.
+    pub surfaces: Surfaces,
     /// Of a slide: the point of the sliding link, and a point and the direction of the guide.
     pub(crate) guide: [[f64; 2]; 3],
     /// The pairs of the structure from the link to the other, each with 1 where the load on its body `a` is that on the link, else
@@ -34,14 +34,14 @@ pub struct Rub {
     pub(crate) sliding: Sliding,
 }
 
-impl Rub {
-    /// All rubs of a mechanism, with their senses over a span of the coordinate.
+impl Bearing {
+    /// All bearings of a mechanism, with their senses over a span of the coordinate.
     pub(crate) fn all(linkage: &Linkage, span: &Span) -> Vec<Self> {
         let mechanism = &linkage.mechanism;
         let mut bodies = Bodies::new(linkage, *span);
         let mut all = Vec::new();
         for (index, friction) in mechanism.frictions.iter().enumerate() {
-            for [link, on] in mechanism.rubbing(friction) {
+            for [link, on] in mechanism.friction_links(friction) {
                 let guide = match friction.pair {
                     PairId::Pin(_) => [[0.0; 2]; 3],
                     PairId::Slide(id) => {
@@ -56,14 +56,14 @@ impl Rub {
                 };
                 let sliding = Sliding::find(&mut rate, span);
                 let path = path(&linkage.structure, friction.pair, link, on);
-                let (coefficient, rubbing) = (friction.coefficient, friction.rubbing);
+                let (coefficient, surfaces) = (friction.coefficient, friction.surfaces);
                 all.push(Self {
                     friction: index,
                     pair: friction.pair,
                     link,
                     on,
                     coefficient,
-                    rubbing,
+                    surfaces,
                     guide,
                     path,
                     sliding,
@@ -80,7 +80,7 @@ impl Rub {
 
     /// Whether it slides on faces beside the guide line, so that its friction has a moment about the line.
     pub fn is_shifted(&self) -> bool {
-        matches!(self.rubbing, Rubbing::Faces { offset, .. } if offset != 0.0)
+        matches!(self.surfaces, Surfaces::Faces { offset, .. } if offset != 0.0)
     }
 
     /// Whether the two links never move on each other.
