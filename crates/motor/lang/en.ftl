@@ -8,7 +8,8 @@ motor-bad-poles = poles = { $poles }, must be even and positive
 motor-bad-synchronous = synchronous_speed_rpm = { $rpm } does not belong to { $poles } poles at 50 Hz or 60 Hz
 motor-row-twice = the designation occurs twice in the table
 motor-not-found = no motor `{ $designation }` in { $catalogue }; { $hint }
-motor-hint-list = see the list of motors
+motor-hint-list = `assur motors` lists them all
+motor-hint-power = a motor is named by its designation, or by "auto"; of { $power } kW there are { $count }, which `assur motors --min-power "{ $power } kW" --max-power "{ $power } kW"` lists: { $candidates }{ $more }
 motor-hint-nearest = the nearest are: { $nearest }
 motor-ambiguous = `{ $designation }` names { $count } motors in { $catalogue }: { $candidates }{ $more }; give the whole designation
 motor-in-catalogue = catalogue { $name }

@@ -8,7 +8,8 @@ motor-bad-poles = poles = { $poles }, должно быть чётным и по
 motor-bad-synchronous = synchronous_speed_rpm = { $rpm } не соответствует { $poles } полюсам при 50 Гц или 60 Гц
 motor-row-twice = обозначение встречается в таблице дважды
 motor-not-found = нет двигателя `{ $designation }` { $catalogue }; { $hint }
-motor-hint-list = см. список двигателей
+motor-hint-list = все перечисляет `assur motors`
+motor-hint-power = двигатель задают обозначением или словом "auto"; двигателей такой мощности — { $count }, их перечисляет `assur motors --min-power "{ $power } kW" --max-power "{ $power } kW"`: { $candidates }{ $more }
 motor-hint-nearest = ближайшие: { $nearest }
 motor-ambiguous = обозначению `{ $designation }` соответствует двигателей { $catalogue } — { $count }: { $candidates }{ $more }; укажите обозначение полностью
 motor-in-catalogue = в каталоге { $name }

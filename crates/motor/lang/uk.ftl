@@ -8,7 +8,8 @@ motor-bad-poles = poles = { $poles }, має бути парним і додат
 motor-bad-synchronous = synchronous_speed_rpm = { $rpm } не відповідає { $poles } полюсам при 50 Гц або 60 Гц
 motor-row-twice = позначення трапляється в таблиці двічі
 motor-not-found = немає двигуна `{ $designation }` { $catalogue }; { $hint }
-motor-hint-list = див. перелік двигунів
+motor-hint-list = усі перелічує `assur motors`
+motor-hint-power = двигун задають позначенням або словом "auto"; двигунів такої потужності — { $count }, їх перелічує `assur motors --min-power "{ $power } kW" --max-power "{ $power } kW"`: { $candidates }{ $more }
 motor-hint-nearest = найближчі: { $nearest }
 motor-ambiguous = позначенню `{ $designation }` відповідає двигунів { $catalogue } — { $count }: { $candidates }{ $more }; вкажіть позначення повністю
 motor-in-catalogue = у каталозі { $name }

@@ -66,6 +66,25 @@ pub enum RowFault {
     Duplicate,
 }
 
+/// What someone who asked for an unknown motor may have meant.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum LookupHint {
+    /// Up to three designations that are most alike, the nearest first.
+    Nearest(Vec<String>),
+    /// A power in place of a designation.
+    OfPower {
+        /// The power, W.
+        power: f64,
+        /// How many motors are rated at it.
+        count: usize,
+        /// The first of them.
+        candidates: Vec<String>,
+    },
+    /// Nothing is alike.
+    List,
+}
+
 /// Why a designation does not name one motor.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -76,8 +95,8 @@ pub enum LookupError {
         designation: String,
         /// Where: a catalogue in words.
         catalogue: Text,
-        /// Up to three designations that are most alike, the nearest first.
-        nearest: Vec<String>,
+        /// What may have been meant.
+        hint: LookupHint,
     },
     /// Several motors.
     Ambiguous {
@@ -100,6 +119,28 @@ assur_words::errors!(CatalogueError; Registry(RegistryError));
 
 fn names(list: &[String]) -> Text {
     assur_words::list(list.iter().map(|one| name(one.clone())))
+}
+
+/// What follows a list that shows not all.
+fn more(count: usize, shown: &[String]) -> Text {
+    name(if count > shown.len() { ", ..." } else { "" })
+}
+
+impl Describe for LookupHint {
+    fn describe(&self) -> Text {
+        match self {
+            Self::Nearest(nearest) => text!("motor-hint-nearest", nearest = names(nearest)),
+            Self::OfPower { power, count, candidates } => text!(
+                "motor-hint-power",
+                // As the command line reads it, in every language.
+                power = name((power / 1e3).to_string()),
+                count = *count,
+                candidates = names(candidates),
+                more = more(*count, candidates)
+            ),
+            Self::List => text!("motor-hint-list"),
+        }
+    }
 }
 
 impl Describe for CatalogueError {
@@ -147,15 +188,11 @@ impl Describe for RowFault {
 impl Describe for LookupError {
     fn describe(&self) -> Text {
         match self {
-            Self::NotFound { designation, catalogue, nearest } => text!(
+            Self::NotFound { designation, catalogue, hint } => text!(
                 "motor-not-found",
                 designation = name(designation.clone()),
                 catalogue,
-                hint = if nearest.is_empty() {
-                    text!("motor-hint-list")
-                } else {
-                    text!("motor-hint-nearest", nearest = names(nearest))
-                }
+                hint = hint.describe()
             ),
             Self::Ambiguous { designation, catalogue, count, candidates } => text!(
                 "motor-ambiguous",
@@ -163,7 +200,7 @@ impl Describe for LookupError {
                 count = *count,
                 catalogue,
                 candidates = names(candidates),
-                more = name(if *count > candidates.len() { ", ..." } else { "" })
+                more = more(*count, candidates)
             ),
             Self::Catalogue(error) => error.describe(),
         }

@@ -60,7 +60,7 @@ assur_words::resources!();
 pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
 pub use catalogue::{CataloguePlugin, MotorFilter, catalogues, find_catalogue, find_motor, list_motors};
 pub use characteristic::{Characteristic, RatedDataError};
-pub use error::{CatalogueError, LookupError, RowFault};
+pub use error::{CatalogueError, LookupError, LookupHint, RowFault};
 pub use flywheel::{FlywheelSize, flywheel_sizes};
 pub use flywheel::{USUAL_SOURCE, USUAL_UNEVENNESS, UsualUnevenness};
 pub use lookup::find_designation;

@@ -2,7 +2,7 @@
 
 use assur_words::Text;
 
-use crate::{LookupError, Motor};
+use crate::{LookupError, LookupHint, Motor};
 
 /// How many designations an error shows.
 const SHOWN: usize = 5;
@@ -37,8 +37,36 @@ where
     Err(LookupError::NotFound {
         designation: designation.to_owned(),
         catalogue: place.clone(),
-        nearest: nearest(rows, designation),
+        hint: hint(rows, designation),
     })
+}
+
+/// What may have been meant: motors of a power that was given in place of a designation, else those named alike.
+fn hint<'a>(rows: impl IntoIterator<Item = &'a Motor> + Clone, designation: &str) -> LookupHint {
+    if let Some(power) = power(designation) {
+        let found: Vec<&Motor> = rows.clone().into_iter().filter(|m| same_power(m, power)).collect();
+        if !found.is_empty() {
+            let candidates = found.iter().take(SHOWN).map(|m| m.designation.clone()).collect();
+            return LookupHint::OfPower { power, count: found.len(), candidates };
+        }
+    }
+    match nearest(rows, designation) {
+        none if none.is_empty() => LookupHint::List,
+        alike => LookupHint::Nearest(alike),
+    }
+}
+
+/// The power that a text names, W.
+fn power(text: &str) -> Option<f64> {
+    const UNITS: [(&str, f64); 6] =
+        [("kW", 1e3), ("MW", 1e6), ("W", 1.0), ("кВт", 1e3), ("МВт", 1e6), ("Вт", 1.0)];
+    let (digits, size) = UNITS.iter().find_map(|&(unit, size)| Some((text.strip_suffix(unit)?, size)))?;
+    Some(digits.trim().replace(',', ".").parse::<f64>().ok()? * size)
+}
+
+/// Whether a motor is rated at that power, up to the rounding of the units.
+fn same_power(motor: &Motor, power: f64) -> bool {
+    (motor.rated_power - power).abs() <= 1e-9 * power
 }
 
 fn same_base(row: &str, asked: &str) -> bool {

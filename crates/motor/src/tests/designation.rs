@@ -71,7 +71,23 @@ fn an_unknown_designation_suggests_the_nearest() {
         "no motor `4A100L5` in catalogue TEST; the nearest are: 4А100L4У3, 4А90L4У3"
     );
     let error = find_designation(&rows, "", &name("catalogue TEST")).unwrap_err();
-    assert_eq!(error.to_string(), "no motor `` in catalogue TEST; see the list of motors");
+    assert_eq!(error.to_string(), "no motor `` in catalogue TEST; `assur motors` lists them all");
+}
+
+#[test]
+fn a_power_in_place_of_a_designation_is_answered_with_its_motors() {
+    let rows = motors(&["A4,4,1.1,1500,1425,2.2", "B2,2,1.1,3000,2850,2.2", "C4,4,2.2,1500,1430,2.2"]);
+    let tell = |text| find_designation(&rows, text, &name("catalogue TEST")).unwrap_err().to_string();
+    for text in ["1.1 kW", "1.1kW", "1,1 kW", "1100 W", "1.1 кВт"] {
+        let told = tell(text);
+        assert!(told.contains("of 1.1 kW there are 2") && told.ends_with(": A4, B2"), "{told}");
+    }
+    // What is to be typed is the same in a language with a decimal comma.
+    let error = find_designation(&rows, "1,1 kW", &name("TEST")).unwrap_err();
+    let told = assur_words::Describe::describe(&error).render(assur_words::Language::find("uk").unwrap());
+    assert!(told.contains("--min-power \"1.1 kW\" --max-power \"1.1 kW\"`"), "{told}");
+    // No motor has that power.
+    assert!(tell("5 kW").ends_with("lists them all"));
 }
 
 proptest! {

@@ -135,6 +135,17 @@ fn no_view_has_english_words_in_another_language() {
     assert!(found.is_empty(), "{found}");
 }
 
+/// The word is a key's value too, so that the search for English words lets it pass.
+#[test]
+fn the_formula_of_structure_names_the_ground_in_the_language_that_is_shown() {
+    let mut state = opened("shaper");
+    state.view = View::Structure;
+    for (language, formula) in [("uk", "I(стояк,crank)"), ("ru", "I(стойка,crank)")] {
+        state.look.language = language;
+        assert!(text(&state, 80, 24).contains(formula), "{}", text(&state, 80, 24));
+    }
+}
+
 #[test]
 fn help_and_lists_have_no_english_words_in_another_language() {
     let program = of_the_program();

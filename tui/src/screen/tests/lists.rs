@@ -290,3 +290,12 @@ fn the_working_is_that_of_the_position() {
     assert!(text(&state, 80, 24).to_lowercase().contains("balancing"));
     press(&mut state, "Home End PgUp");
 }
+
+#[test]
+fn a_group_whose_name_is_wider_than_its_column_is_seen_to_be_cut() {
+    let mut state = opened("contour");
+    state.view = View::Structure;
+    let shown = text(&state, 80, 24);
+    let heading = shown.lines().find(|row| row.starts_with(" > group 1 (RR-RR-RR/IV")).unwrap();
+    assert!(heading.contains('…'), "{heading}");
+}

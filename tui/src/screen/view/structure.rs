@@ -32,7 +32,8 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     };
     let theme = state.look.theme;
     let structure = &scene.linkage.structure;
-    put(buffer, top, 1, 0, &structure.formula, theme.style(Role::Header));
+    let head = |text: &str| cut(text, usize::from(top.width.saturating_sub(2)));
+    put(buffer, top, 1, 0, &head(&state.told(&structure.formula)), theme.style(Role::Header));
     let w = &structure.mobility;
     let mobility = text!(
         "structure-mobility",
@@ -49,8 +50,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             position = number(at),
             group = structure.group_name(&scene.linkage.mechanism, group),
         );
-        let nearest = cut(&state.told(nearest), usize::from(top.width.saturating_sub(2)));
-        put(buffer, top, 1, 2, &nearest, theme.style(Role::Plain));
+        put(buffer, top, 1, 2, &head(&state.told(nearest)), theme.style(Role::Plain));
     }
     let lines = lines(state, scene, tree.width.saturating_sub(2));
     let first = lines.iter().position(|line| line.0).unwrap_or(0);
@@ -106,7 +106,7 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
         let named = state.told(linkage.structure.group_name(mechanism, index));
-        lines.push((chosen, format!("{sign}{named}")));
+        lines.push((chosen, cut(&format!("{sign}{named}"), width.into())));
         if let Some((health, at)) = scene.least_health(index) {
             let (least, at) = (number(digits(health, LEAST)), number(at));
             let least = state.told(text!("structure-least", determinant = least, position = at));
