@@ -66,10 +66,13 @@ fn a_kind_that_lists_no_modes_asks_for_places() {
     let text = assur_fixtures::scene("six-links");
     let (before, after) = text.split_once("[assembly]").unwrap();
     let (_, after) = after.split_once("[motion]").unwrap();
-    let mechanism = assur_scene::read("six", &format!("{before}[motion]{after}")).unwrap();
-    let error = Linkage::compile(mechanism).unwrap_err();
-    let CompileError::NoStart { points, .. } = &error else { panic!("{error}") };
-    assert_eq!(points[..], ["P", "S", "U", "W", "V"].map(String::from)[..]);
+    // The place of a point of the ground, O, says nothing new.
+    for told in ["", "[assembly]\nO = [0, 0]\n"] {
+        let mechanism = assur_scene::read("six", &format!("{before}{told}[motion]{after}")).unwrap();
+        let error = Linkage::compile(mechanism).unwrap_err();
+        let CompileError::NoStart { points, .. } = &error else { panic!("{error}") };
+        assert_eq!(points[..], ["P", "S", "U", "W", "V"].map(String::from)[..]);
+    }
     let linkage = compiled("six", text);
     let mut position = linkage.position();
     linkage.solve_index(0, Order::Place, &mut position).unwrap();

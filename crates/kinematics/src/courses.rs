@@ -130,7 +130,8 @@ impl<'a> Walk<'a> {
         walk.count();
         let start = walk.now.1.clone().unwrap_or_default();
         for step in 1..=SAMPLES {
-            walk.advance(input.from + length * f64::from(step) / f64::from(SAMPLES));
+            let to = walk.beside_free(input.from + length * f64::from(step) / f64::from(SAMPLES));
+            walk.advance(to);
         }
         let end = walk.now.1.take().unwrap_or_default();
         for (number, _) in &end {
@@ -172,7 +173,9 @@ impl<'a> Walk<'a> {
         let next = self.linkage.modes_at(self.group, to);
         let count = |modes: Option<usize>| modes.map_or(-1, |count| i64::try_from(count).unwrap_or(0));
         let is_equal = count(self.now.1.as_ref().map(Vec::len)) == count(next.as_ref().map(Vec::len));
-        let shortest = if is_equal { SHORTEST_EQUAL } else { SHORTEST };
+        // Modes that are about to vanish run faster the nearer they are to that: they don't meet yet.
+        let is_meeting = is_equal && self.is_together(next.as_deref());
+        let shortest = if is_meeting { SHORTEST_EQUAL } else { SHORTEST };
         let is_short = (to - self.now.0).abs() <= shortest * self.linkage.coordinate_unit();
         let continued = match (&self.now.1, &next) {
             (None, None) => Some(None),
@@ -190,6 +193,21 @@ impl<'a> Walk<'a> {
         let numbered = |(numbers, next): (Vec<usize>, Vec<_>)| numbers.into_iter().zip(next).collect();
         self.now = (to, numbers.zip(next).map(numbered));
         self.count();
+    }
+
+    /// Whether each next mode is next to a present one.
+    fn is_together(&self, next: Option<&[Mode<f64>]>) -> bool {
+        let is_near = |mode| self.now.1.iter().flatten().any(|(_, one)| self.apart(one, mode) < TOGETHER);
+        next.unwrap_or_default().iter().all(is_near)
+    }
+
+    /// The coordinate, or one beside it where a group can turn freely there and has no mode.
+    fn beside_free(&self, to: f64) -> f64 {
+        let count = |q: f64| self.linkage.modes_at(self.group, q).map(|all| all.len());
+        let present = self.now.1.as_ref().map(Vec::len).filter(|count| *count > 0);
+        let beside =
+            to + SHORTEST_EQUAL * self.linkage.coordinate_unit() * self.linkage.mechanism.input.sign();
+        if present.is_some() && count(to) == Some(0) && count(beside) == present { beside } else { to }
     }
 
     /// The numbers of the next modes where it is certain which is which.
@@ -274,6 +292,16 @@ impl<'a> Walk<'a> {
                 now[at].0
             });
         }
+        // Where a group can turn freely, each of its two modes goes on with the other sign of its determinant.
+        let mut turned = Vec::new();
+        for (mode, number) in next.iter().zip(&mut numbers).filter(|(_, number)| number.is_none()) {
+            let goes_on = |at: &usize| left[*at] && self.apart(before[*at], mode) < TOGETHER;
+            let Some(at) = (0..now.len()).find(goes_on) else { continue };
+            left[at] = false;
+            *number = Some(now[at].0);
+            turned.push(now[at].0);
+        }
+        self.found.meetings.extend(turned.chunks_exact(2).map(|pair| (to, [pair[0], pair[1]])));
         for (at, _) in left.iter().enumerate().filter(|(_, left)| **left) {
             self.end(now[at].0, CourseEnd::Infinity);
         }
@@ -341,7 +369,9 @@ impl Courses {
                 let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
                 of.iter_mut().filter(|one| **one == high).for_each(|one| *one = low);
             };
-            closed.iter().copied().for_each(&mut join);
+            // The end of a course that has met another one is not where its beginning can go without that meeting.
+            let has_met = |number: usize| met.iter().any(|(_, pair)| pair.contains(&number));
+            closed.iter().copied().filter(|[last, _]| is_circuit || !has_met(*last)).for_each(&mut join);
             if is_circuit {
                 for (_, pair) in met {
                     join(*pair);
@@ -360,12 +390,11 @@ impl Courses {
             let numbers = of.iter().map(|one| all.binary_search(one).unwrap_or(0)).collect();
             (numbers, all.len())
         };
-        let (circuits, branches): ((Vec<usize>, usize), (Vec<usize>, usize)) =
-            (joined(&self.courses, true, &self.meetings), joined(&self.courses, false, &self.meetings));
+        let [circuits, branches]: [(Vec<usize>, usize); 2] =
+            [true, false].map(|is_circuit| joined(&self.courses, is_circuit, &self.meetings));
         (self.circuits, self.branches) = (circuits.1, branches.1);
-        for (course, (circuit, branch)) in self.courses.iter_mut().zip(circuits.0.into_iter().zip(branches.0))
-        {
-            (course.circuit, course.branch) = (circuit, branch);
+        for (number, course) in self.courses.iter_mut().enumerate() {
+            (course.circuit, course.branch) = (circuits.0[number], branches.0[number]);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use assur_group::plane::{direction, minus};
 use assur_group::{Body, GroupFrame, PairGeometry, health_generally};
-use assur_mechanism::{Mechanism, Point};
+use assur_mechanism::{GROUND, Mechanism, Point};
 use assur_structure::Structure;
 
 use crate::{Chain, CompileError};
@@ -59,13 +59,19 @@ pub(crate) fn refuse_without_start(
 ) -> Result<(), CompileError> {
     for (index, group) in structure.groups.iter().enumerate() {
         let is_free = !group.plugin.iterates || chain.groups[index].lists_modes() || !chain.is_needed(index);
-        let of_group =
-            |point: &Point| point.places.iter().any(|place| group.frame.column(place.link).is_some());
-        if is_free || mechanism.assembly.iter().any(|(point, _)| of_group(&mechanism.points[*point])) {
+        let is_known = |link: usize| {
+            let mut before = structure.groups[..index].iter();
+            [GROUND, mechanism.input.link].contains(&link)
+                || before.any(|one| one.frame.column(link).is_some())
+        };
+        // A point that joins the group to what is known says nothing new.
+        let is_own = |point: &&Point| {
+            let mut places = point.places.iter().map(|place| place.link);
+            places.clone().any(|link| group.frame.column(link).is_some()) && !places.any(is_known)
+        };
+        if is_free || mechanism.assembly.iter().any(|(point, _)| is_own(&&mechanism.points[*point])) {
             continue;
         }
-        let is_own =
-            |point: &&Point| point.places.iter().all(|place| group.frame.column(place.link).is_some());
         let own: Vec<&Point> = mechanism.points.iter().filter(is_own).collect();
         let pins: Vec<&Point> = own.iter().copied().filter(|point| point.is_pin()).collect();
         let points = if pins.is_empty() { own } else { pins };

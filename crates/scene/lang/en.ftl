@@ -192,7 +192,6 @@ scene-kept-in-memory = their numbers are kept in memory
 scene-steady-without-cycle = a steady motion needs a cycle, and the input slides over a range
 scene-give-a-cycle = give the input a `cycle`
 scene-large-unevenness = `unevenness` is (max - min) / mean and less than 2, got { $got }
-scene-point-on-ground = point `{ $point }` is on the ground: its place is known
 scene-leave-it-out = leave it out
 scene-the-balance = the balance
 scene-why-at-and-angle = a force has `at` and `angle`, a moment has neither

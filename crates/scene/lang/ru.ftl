@@ -198,7 +198,6 @@ scene-kept-in-memory = их числа хранятся в памяти
 scene-steady-without-cycle = установившемуся движению нужен цикл, а входное звено движется в промежутке
 scene-give-a-cycle = дайте входному звену `cycle`
 scene-large-unevenness = `unevenness` — это (наибольшая − наименьшая) / средняя скорость, меньше 2; задано: { $got }
-scene-point-on-ground = точка `{ $point }` на стойке: её место известно
 scene-leave-it-out = уберите
 scene-the-balance = уравновешивание
 scene-why-at-and-angle = сила имеет `at` и `angle`, момент — ни одного из них

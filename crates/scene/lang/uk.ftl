@@ -199,7 +199,6 @@ scene-kept-in-memory = їхні числа зберігаються в пам'я
 scene-steady-without-cycle = усталеному руху потрібен цикл, а вхідна ланка рухається в проміжку
 scene-give-a-cycle = дайте вхідній ланці `cycle`
 scene-large-unevenness = `unevenness` — це (найбільша − найменша) / середня швидкість, менше за 2; задано: { $got }
-scene-point-on-ground = точка `{ $point }` на стояку: її місце відоме
 scene-leave-it-out = приберіть
 scene-the-balance = зрівноваження
 scene-why-at-and-angle = сила має `at` і `angle`, момент — жодного з них

@@ -1,6 +1,6 @@
 //! `[assembly]`, `[balance]`, `[output]`: the wanted assembly, balancing load and results.
 
-use assur_mechanism::{Balance, GROUND, LinkId, Output, PairId, PointId, SlideId};
+use assur_mechanism::{Balance, LinkId, Output, PairId, PointId, SlideId};
 
 use assur_words::{name, text};
 
@@ -24,21 +24,13 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [
 }
 
 fn hinted(hint: &Entry<'_>, linkage: &Linkage) -> Option<PointId> {
-    let Some(id) = linkage.point_named(&hint.name) else {
+    let id = linkage.point_named(&hint.name);
+    if id.is_none() {
         let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
-        Linkage::unknown(
-            &at_key,
-            "point",
-            &hint.name,
-            linkage.points.iter().map(|point| point.name.as_str()),
-        );
-        return None;
-    };
-    if linkage.points[id].places.iter().any(|place| place.link == GROUND) {
-        let message = text!("scene-point-on-ground", point = shown(&hint.name));
-        hint.fault(message, text!("scene-leave-it-out"));
+        let names = linkage.points.iter().map(|point| point.name.as_str());
+        Linkage::unknown(&at_key, "point", &hint.name, names);
     }
-    Some(id)
+    id
 }
 
 /// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.

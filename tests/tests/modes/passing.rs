@@ -108,6 +108,33 @@ fn modes_over_a_cycle_are_born_and_end_in_pairs_at_the_ends_of_ranges() {
     assert_eq!(found.counts.first().unwrap().1, found.counts.last().unwrap().1);
 }
 
+/// The pin of the crank runs through the pivot of the rocker, about which coupler and rocker can turn freely then.
+const KITE: &str = r#"
+[ground]
+points = { O = [0, 0], C = [0.1, 0] }
+[link.crank]
+points = { O = 0, A = 0.1 }
+[link.coupler]
+points = { A = 0, B = 0.3 }
+[link.rocker]
+points = { C = 0, B = 0.3 }
+[input]
+link = "crank"
+from = "FROM deg"
+"#;
+
+#[test]
+fn modes_of_a_kite_go_on_through_the_place_where_it_turns_freely() {
+    for from in ["50", "-3.37"] {
+        let linkage = linkage_of(assur_scene::read("kite", &KITE.replace("FROM", from)).unwrap());
+        let found = linkage.courses(0).unwrap();
+        assert_eq!((found.courses.len(), found.circuits, found.branches), (2, 1, 2), "{:?}", found.courses);
+        assert!(found.courses.iter().all(|course| course.ends == [CourseEnd::Cycle; 2]));
+        let [(at, _)] = found.meetings[..] else { panic!("{:?}", found.meetings) };
+        assert!((at / std::f64::consts::TAU).fract().abs() < 1e-6, "{at}");
+    }
+}
+
 /// A four-bar with a coupler point that moves a dyad; driven at `LINK`, its balancing moment on the crank.
 const STEPHENSON_3: &str = r#"
 gravity = "9.81 m/s^2"

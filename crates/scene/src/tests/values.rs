@@ -54,6 +54,13 @@ fn links_points_and_slides_of_the_shaper() {
     assert_eq!(scene.assembly, [(4, [0.17, 0.28])]);
 }
 
+#[test]
+fn a_place_of_a_point_on_the_ground_may_be_told_too() {
+    let scene = good(&BASE.replace("B = [0, 0.23]", "B = [0, 0.23]\nO = [0, 0]"));
+    let names = scene.assembly.iter().map(|(point, place)| (scene.points[*point].name.as_str(), *place));
+    assert!(names.eq([("B", [0.0, 0.23]), ("O", [0.0, 0.0])]));
+}
+
 /// The law of the first load.
 fn first_law(scene: &Mechanism) -> Value {
     scene.loads[0].kind.law().expect("a load with a law").clone()
