@@ -7,7 +7,7 @@ use assur_force::{ForceError, LoadError, LoadFault};
 use assur_group::{BuildError, GroupError, RegistryError};
 use assur_integrator::{Dependence, FixedStep, IntegrationError, MotionError, Request, State, Until};
 use assur_kinematics::{CompileError, PositionError};
-use assur_motor::{LookupError, MotorWarning, RatedDataError, SelectionError};
+use assur_motor::{LookupError, LookupHint, MotorWarning, RatedDataError, SelectionError};
 use assur_words::{Describe, LANGUAGES, Language, Text, name, text};
 
 /// Signs of formulas, which are the same in every language.
@@ -217,13 +217,11 @@ fn errors_of_groups_positions_and_loads() {
 fn errors_and_warnings_of_motors() {
     let designation = || "4A100".to_owned();
     let catalogue = || text!("motor-in-any-catalogue");
+    let not_found = |hint| LookupError::NotFound { designation: designation(), catalogue: catalogue(), hint };
     let lookups = [
-        LookupError::NotFound { designation: designation(), catalogue: catalogue(), nearest: Vec::new() },
-        LookupError::NotFound {
-            designation: designation(),
-            catalogue: catalogue(),
-            nearest: vec![designation()],
-        },
+        not_found(LookupHint::List),
+        not_found(LookupHint::Nearest(vec![designation()])),
+        not_found(LookupHint::OfPower { power: 1100.0, count: 36, candidates: vec![designation()] }),
         LookupError::Ambiguous {
             designation: designation(),
             catalogue: catalogue(),
