@@ -57,7 +57,7 @@ const MISTAKES: &[(&str, &str, &str, &str, &str)] = &[
     ("O = 0, A = 100 }", "O = 0, A = \"100 mm\" }", "link.crank.points", "scene-far-longer", "100 m long"),
     ("inertia = 400", "inertia = \"0.04 kg*m^2\"", "link.crank.inertia", "scene-great-inertia", "10 m"),
     ("center = [150, 0]", "center = [\"150 mm\", 0]", "link.rod.center", "scene-far-center", "149.6 m"),
-    ("", "[assembly]\nB = [\"500 mm\", 0]\n", "assembly", "analysis-any-way", "B is at"),
+    ("", "[assembly]\nB = [\"500 mm\", 0]\n", "assembly", "analysis-any-way", "B was put at"),
     ("B = [\"300 mm\", 0]", "B = [\"500 mm\", 0]", "assembly.B", "analysis-place-missed", "198"),
     (
         "angle = \"90 deg\"\nvalue",
@@ -158,7 +158,7 @@ const MISTAKES: &[(&str, &str, &str, &str, &str)] = &[
         "solve",
     ),
     // A place of a point that the crank alone carries chooses nothing.
-    ("A = [\"98 mm\", \"17 mm\"]", "B = [\"500 mm\", 0]", "assembly", "analysis-any-way", "B is at"),
+    ("A = [\"98 mm\", \"17 mm\"]", "B = [\"500 mm\", 0]", "assembly", "analysis-any-way", "B was put at"),
 ];
 
 #[test]
