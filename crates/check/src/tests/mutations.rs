@@ -177,11 +177,11 @@ fn with_journals(name: &str) -> Mechanism {
 }
 
 /// A slip by its name.
-type Slip = (&'static str, fn(&mut Friction));
+type FrictionSlip = (&'static str, fn(&mut Friction));
 
 #[test]
 fn every_slip_in_the_friction_is_caught() {
-    let changes: [Slip; 5] = [
+    let changes: [FrictionSlip; 5] = [
         ("turned round", |one| one.coefficient *= -1.0),
         ("coefficient by 1e-6", |one| one.coefficient *= SLIP),
         ("coefficients of slides forgotten", |one| {
