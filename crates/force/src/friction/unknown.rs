@@ -106,7 +106,7 @@ impl Unknown {
         }
     }
 
-    /// The moment (force) of the bearing that an unknown of size 1 gives, as [`load`](Self::load) counts it: the moment of a
+    /// The moment (force) of the bearing that an unknown of size 1 gives, as [`load`](UnknownKind::load) counts it: the moment of a
     /// journal on the link that turns, the force of a slide along its guide.
     pub fn share(&self, bearing: &Bearing) -> f64 {
         match (self.kind, bearing.surfaces) {
@@ -117,7 +117,7 @@ impl Unknown {
     }
 
     /// The moment about the point of a slide that an unknown of size 1 gives to the reaction of its pair, as
-    /// [`load`](Self::load) counts it: of the friction of a journal the moment on its link.
+    /// [`load`](UnknownKind::load) counts it: of the friction of a journal the moment on its link.
     pub fn moment(&self, bearing: &Bearing) -> f64 {
         match (self.kind, bearing.surfaces) {
             (UnknownKind::Force, Surfaces::Journal { radius: lever, .. })
