@@ -79,6 +79,10 @@ impl Session {
     }
 
     /// Reads a scene from its text.
+    ///
+    /// # Errors
+    ///
+    /// The faults in words, complete with file and line.
     pub(crate) fn read(source: Source, text: String) -> Result<Self, Text> {
         let (mechanism, note) = read(&source, &text)?;
         let structure = decompose(&mechanism).map_err(|error| {
@@ -91,6 +95,10 @@ impl Session {
 
     /// The scene with another text. Where that differs in numbers only, no group is looked for again, and where the positions
     /// stay the same, nothing is compiled again.
+    ///
+    /// # Errors
+    ///
+    /// The faults in words, complete with file and line.
     pub(crate) fn changed(&self, text: String) -> Result<Self, Text> {
         let source = self.source.clone();
         let (mechanism, note) = read(&source, &text)?;
@@ -162,6 +170,10 @@ impl Session {
 }
 
 /// The mechanism of a scene, which need not be one that moves.
+///
+/// # Errors
+///
+/// The faults in words, complete with file and line.
 pub(crate) fn mechanism_of(source: &Source) -> Result<Mechanism, Text> {
     Ok(read(source, &source.text()?)?.0)
 }

@@ -94,6 +94,10 @@ fn reactions(
 
 /// The constructions of all analyzers that have one and support the mechanism, step by step, each with the name of its
 /// analyzer; of two forms of one method with the same drawing, only one. A construction that fails at this position is left out.
+///
+/// # Errors
+///
+/// [`DiagramError::Registry`] where the registry of analyzers is faulty.
 pub fn constructions(
     linkage: &Linkage,
     position: &Position,
@@ -136,6 +140,10 @@ pub struct Split {
 }
 
 /// The reactions at a position, in total and by cause. The analyzer must give reactions.
+///
+/// # Errors
+///
+/// [`DiagramError::Force`] where the analyzer finds no reactions.
 pub fn split(
     linkage: &Linkage,
     position: &Position,

@@ -59,6 +59,10 @@ pub struct Solver<'a> {
 /// positions of the scene the forces are computed in steps of 1/180 of the range at most, on both sides of each jump of
 /// a load, and at each minimum that may reach zero, so the changes do not depend on the number of positions. Over a
 /// whole cycle this includes the step from the last position to the first.
+///
+/// # Errors
+///
+/// [`DiagramError`] where there is no position or no reaction at a coordinate.
 pub fn sign_changes(
     solver: &Solver<'_>,
     slides: &[usize],

@@ -34,6 +34,10 @@ pub struct Steady {
 
 /// Finds the steady regime of a scene. The watcher sees every state that is evaluated and may stop the search with an
 /// error.
+///
+/// # Errors
+///
+/// [`DynamicsError`]: no such motion in the scene, a position that fails, no motor, no regime.
 pub fn steady(
     linkage: &Linkage,
     loads: &Loads,
@@ -276,6 +280,10 @@ pub struct Advice {
 /// The motors that have the power which a scene needs and keep its limit of speed, the best first, at most `most` of them;
 /// each with the greatest unevenness at which it stays on the stable section of its characteristic. Also returns how many
 /// such motors there are.
+///
+/// # Errors
+///
+/// [`DynamicsError`]: no steady motion with a motor in the scene, or no motor that fits.
 pub fn advise(linkage: &Linkage, loads: &Loads, most: usize) -> Result<(Vec<Advice>, usize), DynamicsError> {
     let mut mechanism = linkage.mechanism.clone();
     set_motor(&mut mechanism, Asked::Auto, None);

@@ -77,6 +77,11 @@ pub struct EnergyBalance {
 
 /// Solves the transient motion that a scene defines. The watcher sees every state that is evaluated and may stop the
 /// motion with an error.
+///
+/// # Errors
+///
+/// [`DynamicsError`]: no such motion in the scene, no such integrator or none that suits, a failed position, or an end
+/// that is never reached.
 pub fn transient(
     linkage: &Linkage,
     loads: &Loads,
@@ -136,6 +141,10 @@ pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Mac
 }
 
 /// The request for an integrator that a scene's transient motion makes.
+///
+/// # Errors
+///
+/// [`DynamicsError::NoMotion`]; from rest, the first position may fail.
 pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request, DynamicsError> {
     let Some(Asked::Transient { speed, until, samples, tolerance, step, max_steps, .. }) = &mechanism.motion
     else {

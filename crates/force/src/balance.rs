@@ -70,6 +70,10 @@ impl UnitBalance {
 
     /// The size of the balancing load at which the drive is idle: `others` is the drive's load under all other loads,
     /// `unit` that under a balancing load of size 1.
+    ///
+    /// # Errors
+    ///
+    /// [`IdleBalance`] where the load does no work in a lane.
     pub fn size<T: Real>(&self, others: T, unit: T, linkage: &Linkage) -> Result<T, IdleBalance> {
         /// Below this part of a typical displacement a transfer function is rounding.
         const LEAST_SHARE: f64 = 1e-12;

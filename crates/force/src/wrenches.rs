@@ -187,6 +187,10 @@ impl Loads {
     }
 
     /// Whether all loads of a state have finite values.
+    ///
+    /// # Errors
+    ///
+    /// [`LoadFault::NotFinite`] with the first load of the scene that has none.
     pub fn finite(
         &self,
         mechanism: &Mechanism,

@@ -87,6 +87,10 @@ pub struct Overview {
 }
 
 /// What is asked for first of a motion.
+///
+/// # Errors
+///
+/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
 pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
     let mechanism = &linkage.mechanism;
     let cycle = Cycle::of(linkage)?;
@@ -122,6 +126,10 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
 }
 
 /// The motion of some parts over the cycle.
+///
+/// # Errors
+///
+/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
 pub fn courses(
     linkage: &Linkage,
     links: impl Iterator<Item = LinkId>,

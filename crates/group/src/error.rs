@@ -93,6 +93,10 @@ pub const LEAST_HEALTH: f64 = 1e-15;
 
 impl GroupError {
     /// Returns an error for a determinant that is zero or NaN in any lane.
+    ///
+    /// # Errors
+    ///
+    /// [`GroupError::Singular`] for a determinant that is zero or NaN.
     #[inline(always)]
     pub fn if_singular<T: Real>(health: T) -> Result<(), Self> {
         let is_regular = health.at_least(LEAST_HEALTH.max(4.0 * T::EPSILON));
@@ -105,6 +109,10 @@ impl GroupError {
     /// For kinds whose determinant is the square root of a difference of lengths (zero for links stretched or folded,
     /// or a rod perpendicular to the guide). Its relative rounding error is `condition` / health²; derivatives and
     /// reactions would be finite but wrong. `square` is condition², which avoids a square root.
+    ///
+    /// # Errors
+    ///
+    /// [`GroupError::Singular`] if fewer digits are left.
     #[inline(always)]
     pub fn if_lost<T: Real>(health: T, square: T) -> Result<(), Self> {
         /// The squared determinant must exceed this number of rounding errors.

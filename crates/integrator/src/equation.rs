@@ -65,6 +65,10 @@ impl<'a> Equation<'a> {
     }
 
     /// The [`Motion::bends`] at a state; counts as one evaluation.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError`] of the equation.
     pub(crate) fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
         self.evaluations += 1;
         self.motion.bends(state)

@@ -179,6 +179,10 @@ pub trait Motion {
 
     /// The coefficients at `state` with a drive on the input: its moment, N m (N), along the coordinate, and its moment of inertia,
     /// kg m² (kg). An equation whose moment depends on the acceleration itself (dry friction through inertia loads) finds it here.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`reduced`](Self::reduced).
     #[inline]
     fn driven(&mut self, state: &State, [moment, inertia]: [f64; 2]) -> Result<Reduced, MotionError> {
         let mut reduced = self.reduced(state)?;
@@ -195,6 +199,10 @@ pub trait Motion {
 
     /// Numbers whose change of sign bends the equation inside a piece, so that a step should end there: of an equation whose
     /// moment depends on the acceleration, the forces whose modulus gives friction. None by default.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`reduced`](Self::reduced).
     fn bends(&mut self, state: &State) -> Result<Vec<f64>, MotionError> {
         let _ = state;
         Ok(Vec::new())

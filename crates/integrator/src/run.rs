@@ -275,6 +275,10 @@ impl<'a, C: Curve> Run<'a, C> {
     }
 
     /// The motion that was found.
+    ///
+    /// # Errors
+    ///
+    /// [`IntegrationError::Equation`] where the equation fails at a sample.
     pub fn conclude(mut self) -> Result<Trajectory, IntegrationError> {
         let ends = [self.first, self.node];
         let samples = samples(&mut self.equation, &self.segments, self.request.samples, ends)?;

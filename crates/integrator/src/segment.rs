@@ -51,6 +51,10 @@ impl<C: Curve> Segment<C> {
 /// The samples of a motion from `first` to `last`: `count` equally spaced ones after the first, the last at the end.
 ///
 /// Segments that contain no sample may be missing.
+///
+/// # Errors
+///
+/// [`IntegrationError::Equation`] where the equation fails at a sample.
 pub(crate) fn samples<C: Curve>(
     equation: &mut Equation<'_>,
     segments: &[Segment<C>],

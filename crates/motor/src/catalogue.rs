@@ -32,12 +32,20 @@ impl CataloguePlugin {
     }
 
     /// The motor of that designation, see [`find_designation`].
+    ///
+    /// # Errors
+    ///
+    /// [`LookupError`] if the catalogue cannot be used, or the designation names no motor or several.
     pub fn find(&self, designation: &str) -> Result<&Motor, LookupError> {
         find_designation(self.rows()?, designation, &text!("motor-in-catalogue", name = name(self.name)))
     }
 }
 
 /// All registered catalogues, sorted by name: the order of linking does not matter.
+///
+/// # Errors
+///
+/// [`CatalogueError::Registry`] if two have one name or there is none.
 pub fn catalogues() -> Result<Vec<&'static CataloguePlugin>, CatalogueError> {
     Ok(assur_plugin::all()?)
 }

@@ -24,6 +24,10 @@ pub fn bisect(holding: f64, failing: f64, width: f64, mut holds: impl FnMut(f64)
 }
 
 /// Bisection of a condition that can fail; see [`bisect`].
+///
+/// # Errors
+///
+/// The first error of `holds`.
 pub fn try_bisect<E>(
     mut holding: f64,
     mut failing: f64,

@@ -159,6 +159,10 @@ impl<W: Write + Send> File<W> {
     }
 
     /// Begins a file whose groups tell the extremes of their columns, so that readers leave groups out.
+    ///
+    /// # Errors
+    ///
+    /// [`ParquetError`] if the writer fails.
     pub fn searchable(columns: &[Column], data: Vec<(&str, String)>, out: W) -> Result<Self, ParquetError> {
         Self::with_statistics(columns, data, out, EnabledStatistics::Chunk)
     }

@@ -49,6 +49,10 @@ impl Describe for PngError {
 errors!(PngError);
 
 /// A figure on a page of this width and height, mm, with [`PIXELS`] in a millimeter.
+///
+/// # Errors
+///
+/// If the page is empty or too large.
 pub fn write(figure: &Figure, size: [f64; 2], language: &Language) -> Result<Vec<u8>, PngError> {
     let [width, height] = size.map(|side| (side * PIXELS).round());
     if !(width >= 1.0 && height >= 1.0 && width * height <= MOST) {

@@ -68,6 +68,10 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
 }
 
 /// Reads a scene, and what it says about its explanatory note. `file_name` appears only in errors.
+///
+/// # Errors
+///
+/// Those of [`read`].
 pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
     document::read_known(file_name, text, text!("scene-a-scene"), (&reference::SCENE).into(), scene)
 }

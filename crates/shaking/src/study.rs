@@ -46,6 +46,10 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
 }
 
 /// How large shaking force and moment are over the cycle, without counterweights; `state` is the motion at a coordinate.
+///
+/// # Errors
+///
+/// Those of [`shaking`].
 pub fn shaking_size(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Size, ShakingError> {
     let input = &linkage.mechanism.input;
     let step = input.sign() * period(&linkage.mechanism)? / SAMPLES as f64;

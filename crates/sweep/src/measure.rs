@@ -182,6 +182,10 @@ impl Measure {
     }
 
     /// The measures of these names, in the order of their columns; `default` and `all` name several.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Measure`] for an unknown name.
     pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
         let known =
             |name: &str| name == "all" || name == "default" || MEASURES.iter().any(|m| m.name == name);

@@ -85,6 +85,10 @@ pub struct Sweep {
 
 impl Sweep {
     /// Finds the parameters in the scene. `file_name` is only repeated in errors.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError`]: a faulty scene, a parameter that is not in it or not a number, units that don't fit, too many points.
     pub fn of(file_name: &str, scene: &str, vary: &[Vary], request: Request) -> Result<Self, SweepError> {
         let base = assur_scene::read(file_name, scene)?;
         if vary.is_empty() {

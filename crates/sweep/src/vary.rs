@@ -28,6 +28,10 @@ pub struct Vary {
 
 impl Vary {
     /// Reads `KEY=FROM..TO:N` for a grid, `KEY=FROM..TO` for a sample.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Vary`] where it is written otherwise.
     pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
@@ -62,6 +66,10 @@ pub struct Tie {
 
 impl Tie {
     /// Reads `KEY=KEY` or `KEY=KEY*FACTOR`; the second key is that of the parameter.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Vary`] where it is written otherwise.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, follows) = text.split_once('=').ok_or_else(|| fault(text!("sweep-write-tie")))?;

@@ -35,6 +35,10 @@ pub(crate) enum Failure {
 }
 
 /// Solves the equations.
+///
+/// # Errors
+///
+/// [`Failure`] where P or the ratios are not determined.
 pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     let (x, y) = (at.line, perp(at.line));
     let (along, r1) = at.crank();

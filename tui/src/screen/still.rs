@@ -82,6 +82,10 @@ pub(crate) fn views() -> Vec<&'static str> {
 }
 
 /// The picture of a view of an [`analyzed`] scene, in the form that the ending of `output` names.
+///
+/// # Errors
+///
+/// [`StillError`]: a request without a meaning, a view that has nothing to show.
 pub(crate) fn draw(mut state: State, request: &PictureArgs, output: &Path) -> Result<Vec<u8>, StillError> {
     let size = request.size.unwrap_or(PAGE);
     let wrong = StillError::Request;

@@ -118,6 +118,11 @@ impl<'a> RegimeSolver<'a> {
     }
 
     /// Finds the periodic regime, with ratio and flywheel where they are wanted.
+    ///
+    /// # Errors
+    ///
+    /// [`DynamicsError`], with the place where the machine stalls, or the requirement that can't be met and by how
+    /// much.
     pub fn solve(&mut self, drive: &DriveRequest) -> Result<Regime, DynamicsError> {
         let target = self.target(drive)?;
         let mut unknowns = self.first_guess(drive, &target)?;

@@ -16,6 +16,10 @@ pub(crate) use misfit::misfits;
 pub use misfit::{Closing, Length, Misfit};
 
 /// Decomposes a mechanism into Assur groups, without its passive parts where it counts constraints that repeat others.
+///
+/// # Errors
+///
+/// [`StructureError`] where its mobility is not 1.
 pub fn decompose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
     match Structure::of(mechanism) {
         Err(StructureError::Surplus { counted, pairs, links, .. }) => search::without_passive(mechanism)

@@ -44,6 +44,10 @@ pub fn geometry(found: &Geometry, style: Style<'_>) -> Result<String, NotFinite>
 }
 
 /// Structure, and what it would be with other inputs.
+///
+/// # Errors
+///
+/// [`NotFinite`] for a number that is not finite.
 pub fn structure(found: &StructureStudy, style: Style<'_>) -> Result<String, NotFinite> {
     let found = finite(found)?;
     Ok(told(style, |page| topic::structure_study(found, page)))

@@ -95,6 +95,10 @@ pub(crate) fn measures(unit: &str, found: Option<Dimension>) -> Text {
 }
 
 /// Returns an SI value if it is in the range of its kind; `text` is its text in the file.
+///
+/// # Errors
+///
+/// [`UnitError::TooLarge`], [`UnitError::TooSmall`].
 pub(crate) fn within(value: f64, text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     let text = || text.to_owned();
     match value.abs() {
@@ -110,6 +114,10 @@ pub struct Unit(parse::Scale);
 
 impl Unit {
     /// The unit of this name: `mm`, `kg*m^2`; without a name the SI unit.
+    ///
+    /// # Errors
+    ///
+    /// [`UnitError`]: an unknown unit, or a unit of another dimension.
     pub fn of(name: &str, wanted: Dimension) -> Result<Self, UnitError> {
         if name.is_empty() {
             return Ok(Self(parse::Scale::ONE));
@@ -132,6 +140,10 @@ impl Unit {
 }
 
 /// The SI value of a text such as `120 mm`, `25 N*m` or `9.81 m/s²`; a number without a unit is taken as SI.
+///
+/// # Errors
+///
+/// [`UnitError`]: no number, one out of range, an unknown unit, a unit of another dimension.
 pub fn quantity(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
     let (number, unit) = parse::split(text, wanted)?;
     within(Unit::of(unit, wanted)?.si(number), text, wanted)

@@ -83,6 +83,10 @@ impl Stability {
     }
 
     /// As one JSON object in one line.
+    ///
+    /// # Errors
+    ///
+    /// The error of the writer of JSON.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string(self).map(|text| text + "\n")
     }

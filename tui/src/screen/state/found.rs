@@ -43,6 +43,10 @@ pub(crate) struct Found {
 
 impl Found {
     /// Calculates what a scene requests, and gathers its series.
+    ///
+    /// # Errors
+    ///
+    /// [`AnalysisError`] where the scene can't be calculated, or where `watch` breaks.
     pub(crate) fn of(
         session: &Session,
         options: &Options,
