@@ -9,6 +9,8 @@ use std::f64::consts::TAU;
 use assur_group::{Body, GroupError, Mode};
 use serde::Serialize;
 
+mod event;
+
 use crate::Linkage;
 use crate::modes::by_ways;
 
@@ -29,6 +31,9 @@ const FARTHEST: f64 = 0.3;
 
 /// Two modes within this of each other on the shortest step are about to meet: their distance grows with its root.
 const TOGETHER: f64 = 1e-3;
+
+/// A cycle with more courses than this has modes that can't be told apart: rounding makes them begin and end.
+const MOST_COURSES: usize = 500;
 
 /// Where the middle of a step is taken, so that no singular position of round numbers is hit.
 const MIDDLE: f64 = 0.493;
@@ -89,10 +94,10 @@ struct Walk<'a> {
 
 impl Linkage {
     /// All modes of a group over a turn of a pinned input, or over the range of the scene; the groups before it are in their
-    /// present assembly. `None` where its kind can't list them.
+    /// present assembly. `None` where its kind can't list them, and where some can't be told apart.
     pub fn courses(&self, group: usize) -> Option<Courses> {
         let lists = !self.structure.groups[group].plugin.iterates || self.groups()[group].lists_modes();
-        lists.then(|| Walk::over(self, group))
+        lists.then(|| Walk::over(self, group))?
     }
 
     /// The modes of a group at a coordinate, in their order.
@@ -118,7 +123,7 @@ impl Linkage {
 }
 
 impl<'a> Walk<'a> {
-    fn over(linkage: &'a Linkage, group: usize) -> Courses {
+    fn over(linkage: &'a Linkage, group: usize) -> Option<Courses> {
         let input = &linkage.mechanism.input;
         let last = input.coordinate(input.positions.saturating_sub(1));
         let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
@@ -132,6 +137,9 @@ impl<'a> Walk<'a> {
         for step in 1..=SAMPLES {
             let to = walk.beside_free(input.from + length * f64::from(step) / f64::from(SAMPLES));
             walk.advance(to);
+            if walk.found.courses.len() > MOST_COURSES {
+                return None;
+            }
         }
         let end = walk.now.1.take().unwrap_or_default();
         for (number, _) in &end {
@@ -145,7 +153,7 @@ impl<'a> Walk<'a> {
         };
         let closed: Vec<[usize; 2]> = end.iter().filter_map(closing).collect();
         walk.found.group(&closed);
-        walk.found
+        Some(walk.found)
     }
 
     /// Begins a course at a coordinate; its number.
@@ -184,7 +192,7 @@ impl<'a> Walk<'a> {
         };
         let numbers = match continued {
             Some(numbers) => numbers,
-            None if is_short => self.event(to, next.as_deref()),
+            None if is_short || self.found.courses.len() > MOST_COURSES => self.event(to, next.as_deref()),
             None => {
                 self.advance(self.now.0 + MIDDLE * (to - self.now.0));
                 return self.advance(to);
@@ -243,97 +251,6 @@ impl<'a> Walk<'a> {
         let same = now.iter().enumerate().filter(|(at, (_, one))| is_left(*at) && one.way == mode.way);
         let near = same.map(|(at, (_, one))| (at, self.apart(one, mode)));
         near.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, moved)| *moved < FARTHEST)
-    }
-
-    /// What happens between the present coordinate and the next one, next to it; the numbers of the next modes.
-    fn event(&mut self, to: f64, next: Option<&[Mode<f64>]>) -> Option<Vec<usize>> {
-        let now = self.now.1.take();
-        let (Some(now), Some(next)) = (&now, next) else {
-            now.iter().flatten().for_each(|(number, _)| self.end(*number, CourseEnd::Barrier));
-            return next.map(|next| next.iter().map(|_| self.begin(to, CourseEnd::Barrier)).collect());
-        };
-        let mut left = vec![true; now.len()];
-        let mut numbers: Vec<Option<usize>> = vec![None; next.len()];
-        let before: Vec<&Mode<f64>> = now.iter().map(|(_, mode)| mode).collect();
-        for [j, k] in self.pairs(&next.iter().collect::<Vec<_>>()) {
-            // Behind a meeting each mode has the opposite sign of its determinant.
-            let near = |way: usize| {
-                let fits =
-                    |at: &usize| before[*at].way == way && self.apart(before[*at], &next[j]) < TOGETHER;
-                (0..now.len()).find(fits)
-            };
-            if let (Some(a), Some(b)) = (near(next[k].way), near(next[j].way)) {
-                (left[a], left[b]) = (false, false);
-                (numbers[j], numbers[k]) = if self.is_passed(to, before[a]) {
-                    self.found.meetings.push((to, [now[a].0, now[b].0]));
-                    (Some(now[a].0), Some(now[b].0))
-                } else {
-                    (Some(now[b].0), Some(now[a].0))
-                };
-            } else {
-                let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
-                for (number, partner) in [(one, other), (other, one)] {
-                    self.found.courses[number].ends[0] = CourseEnd::With(partner);
-                }
-                (numbers[j], numbers[k]) = (Some(one), Some(other));
-            }
-        }
-        for [a, b] in self.pairs(&before) {
-            if left[a] && left[b] {
-                (left[a], left[b]) = (false, false);
-                self.end(now[a].0, CourseEnd::With(now[b].0));
-                self.end(now[b].0, CourseEnd::With(now[a].0));
-            }
-        }
-        for (mode, number) in next.iter().zip(&mut numbers).filter(|(_, number)| number.is_none()) {
-            let found = self.nearest(now, mode, |at| left[at] && !is_turned(before[at], mode, self.scale()));
-            *number = found.map(|(at, _)| {
-                left[at] = false;
-                now[at].0
-            });
-        }
-        // Where a group can turn freely, each of its two modes goes on with the other sign of its determinant.
-        let mut turned = Vec::new();
-        for (mode, number) in next.iter().zip(&mut numbers).filter(|(_, number)| number.is_none()) {
-            let goes_on = |at: &usize| left[*at] && self.apart(before[*at], mode) < TOGETHER;
-            let Some(at) = (0..now.len()).find(goes_on) else { continue };
-            left[at] = false;
-            *number = Some(now[at].0);
-            turned.push(now[at].0);
-        }
-        self.found.meetings.extend(turned.chunks_exact(2).map(|pair| (to, [pair[0], pair[1]])));
-        for (at, _) in left.iter().enumerate().filter(|(_, left)| **left) {
-            self.end(now[at].0, CourseEnd::Infinity);
-        }
-        Some(
-            numbers
-                .into_iter()
-                .map(|known| known.unwrap_or_else(|| self.begin(to, CourseEnd::Infinity)))
-                .collect(),
-        )
-    }
-
-    /// Whether a mode meets another one before the next coordinate: its determinant, which falls evenly, is zero there.
-    fn is_passed(&self, to: f64, mode: &Mode<f64>) -> bool {
-        let back = self.linkage.modes_at(self.group, self.now.0 - (to - self.now.0)).unwrap_or_default();
-        let back: Vec<(usize, Mode<f64>)> = back.into_iter().enumerate().collect();
-        let earlier = self.nearest(&back, mode, |_| true);
-        earlier.is_some_and(|(at, _)| mode.health < back[at].1.health - mode.health)
-    }
-
-    /// Pairs of modes that are about to meet.
-    fn pairs(&self, all: &[&Mode<f64>]) -> Vec<[usize; 2]> {
-        let mut pairs: Vec<[usize; 2]> = Vec::new();
-        for (j, one) in all.iter().enumerate() {
-            let free = |k: usize| !pairs.iter().flatten().any(|taken| *taken == k);
-            let meets = |k: &usize| all[*k].way != one.way && self.apart(one, all[*k]) < TOGETHER && free(*k);
-            if free(j)
-                && let Some(k) = (j + 1..all.len()).find(meets)
-            {
-                pairs.push([j, k]);
-            }
-        }
-        pairs
     }
 
     fn scale(&self) -> f64 {

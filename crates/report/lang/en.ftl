@@ -705,7 +705,7 @@ report-misfit = { $what } is passive by count, but misses by { $misfit } mm at {
 report-closes = ; it closes with { $key } = { $value } (SI)
 report-formula-without = { $formula }; passive: { $parts }
 report-modes-of = Modes of group { $group } ({ $kind } { $links }) over the cycle
-report-modes-unlisted = { $group }: its kind can't list them.
+report-modes-unlisted = { $group }: its modes can't be listed over the cycle: its kind does not list them, or rounding makes some of them begin and end.
 head-from = From
 head-to = To
 head-begins = Begins

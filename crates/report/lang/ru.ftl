@@ -682,7 +682,7 @@ report-misfit = { $what }: по подсчёту пассивно, но расх
 report-closes = ; замыкается, если { $key } = { $value } (СИ)
 report-formula-without = { $formula }; пассивное: { $parts }
 report-modes-of = Сборки группы { $group } ({ $kind } { $links }) за цикл
-report-modes-unlisted = { $group }: её вид не может их перечислить.
+report-modes-unlisted = { $group }: её сборки нельзя перечислить за цикл: её вид их не перечисляет, или из-за округления некоторые из них возникают и исчезают.
 head-from = От
 head-to = До
 head-begins = Начало

@@ -682,7 +682,7 @@ report-misfit = { $what }: за підрахунком пасивне, але р
 report-closes = ; замикається, якщо { $key } = { $value } (SI)
 report-formula-without = { $formula }; пасивне: { $parts }
 report-modes-of = Складання групи { $group } ({ $kind } { $links }) за цикл
-report-modes-unlisted = { $group }: її вид не може їх перелічити.
+report-modes-unlisted = { $group }: її складання не можна перелічити за цикл: її вид їх не перелічує, або через округлення деякі з них виникають і зникають.
 head-from = Від
 head-to = До
 head-begins = Початок

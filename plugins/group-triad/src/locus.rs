@@ -9,8 +9,8 @@ use crate::trig::{Trig, sampled};
 /// Most poses of the plate that three legs allow.
 pub(crate) const MOST_POSES: usize = 24;
 
-/// A determinant of two lines below this, in parts of its greatest value, is not divided by: the poses are then found from
-/// each line alone.
+/// A determinant of two lines below this, in parts of its greatest value, is not divided by, nor is it where circles are closer to
+/// concentric than this part of the size: the poses are then found from each line alone.
 const FLAT: f64 = 1e-3;
 
 /// By how much a pose that was found from two legs may miss the third before it is polished, in parts of the size.
@@ -234,8 +234,13 @@ impl<T: Real> Loci<T> {
         };
         let [(m1, k1), (m2, k2)] = lines;
         let d = cross(m1, m2);
-        let greatest = (dot(m1, m1) * dot(m2, m2)).sqrt().to_f64();
-        if d.abs().to_f64() > FLAT * greatest {
+        let [s1, s2] = [m1, m2].map(|m| dot(m, m).sqrt().to_f64());
+        // Two legs of a parallelogram say the same of the place of the plate.
+        let is_concentric = |leg: usize, distance: f64| {
+            matches!(self.all[leg], Locus::Circle { .. }) && distance <= FLAT * self.size
+        };
+        let tells = d.abs().to_f64() > FLAT * s1 * s2;
+        if tells && !is_concentric(1, s1) && !is_concentric(2, s2) {
             poses.add(self.pose(&cut, meet([m1, m2], [k1, k2])));
         } else {
             self.both(poses, direction, [0, 1], NEAR * self.size);

@@ -108,6 +108,90 @@ fn modes_over_a_cycle_are_born_and_end_in_pairs_at_the_ends_of_ranges() {
     assert_eq!(found.counts.first().unwrap().1, found.counts.last().unwrap().1);
 }
 
+/// A triad of which two modes meet and vanish at two places; there they run apart by more than a thousandth within a millionth of
+/// a radian.
+const FAST: &str = r#"
+[ground]
+points = { O = [-0.49, -0.063], A2 = [-0.677, -0.533] }
+[link.crank]
+points = { O = 0, A0 = [0.192, 0.223], A1 = [0.077, 0.121] }
+[link.l1]
+points = { A0 = [0.625, 1.277], B0 = [0.074, 0.144] }
+[link.plate]
+points = { B0 = [0.05, 1.03], B1 = [-0.397, 0.201], B2 = [1.275, 0.458] }
+[link.l3]
+points = { A2 = [0.104, 0.193], B2 = [0.244, 0.265] }
+[link.l2]
+points = { A1 = [1.282, 0.061], B1 = [0.144, -0.148] }
+[input]
+link = "crank"
+from = FROM
+"#;
+
+#[test]
+fn modes_that_run_fast_before_they_vanish_end_together_and_not_at_infinity() {
+    for from in ["0.897", "1.177", "1.457"] {
+        let text = FAST.replace("FROM", from);
+        let found = linkage_of(assur_scene::read("fast", &text).unwrap()).courses(0).unwrap();
+        assert_eq!((found.courses.len(), found.circuits), (4, 1), "from {from}: {:?}", found.courses);
+        let is_pair = |end| matches!(end, CourseEnd::With(_) | CourseEnd::Cycle);
+        assert!(found.courses.iter().all(|course| course.ends.into_iter().all(is_pair)));
+    }
+}
+
+/// A plate on a parallelogram: whatever the third leg does, two of its modes have the same angle.
+const ON_A_PARALLELOGRAM: &str = r#"
+[ground]
+points = { O = [0, 0], C = [0.4, 0], G = [0.27, -0.25] }
+[link.swing]
+points = { G = 0, F = 0.05 }
+[link.crank]
+points = { O = 0, A = 0.1 }
+[link.coupler]
+points = { A = 0, B = 0.4, E = [0.15, 0.1] }
+[link.rocker]
+points = { C = 0, B = 0.1 }
+[link.rod]
+points = { E = 0, F = 0.35 }
+[input]
+link = "swing"
+from = 0.3
+positions = 48
+[assembly]
+A = [0.099672, 0.008088]
+B = [0.499672, 0.008088]
+E = [0.249672, 0.108088]
+"#;
+
+#[test]
+fn two_modes_of_a_plate_on_a_parallelogram_are_told_apart_at_every_coordinate() {
+    let linkage = linkage_of(assur_scene::read("parallelogram", ON_A_PARALLELOGRAM).unwrap());
+    let mut position = linkage.position();
+    for index in 0..48 {
+        linkage.solve_index(index, Order::Place, &mut position).unwrap();
+        // E runs on a circle about (0.15, 0.1), and on another one about F.
+        let [from, to] = [[0.15, 0.1], place_of(&linkage, &position, "F")];
+        let [x, y] = [to[0] - from[0], to[1] - from[1]];
+        let distance = x.hypot(y);
+        let along = (0.1 * 0.1 - 0.35 * 0.35 + distance * distance) / (2.0 * distance);
+        let aside = (0.1 * 0.1 - along * along).sqrt();
+        let both = [aside, -aside].map(|aside| {
+            let [u, v] = [along / distance, aside / distance];
+            [from[0] + u * x - v * y, from[1] + u * y + v * x]
+        });
+        let near = |one: [f64; 2], other: [f64; 2]| (one[0] - other[0]).hypot(one[1] - other[1]) < 1e-12;
+        let found = place_of(&linkage, &position, "E");
+        assert!(both.iter().any(|place| near(*place, found)), "position {index}: {found:?}, {both:?}");
+        let modes = linkage.modes(0, &position).unwrap().unwrap();
+        let flat: Vec<_> =
+            modes.all.iter().flat_map(|mode| &mode.bodies).filter(|body| body.s.abs() < 1e-12).collect();
+        let is_there = |place: [f64; 2]| {
+            flat.iter().any(|body| near([body.x + 0.15 * body.c, body.y + 0.1 * body.c], place))
+        };
+        assert!(both.into_iter().all(is_there), "position {index}: {both:?}");
+    }
+}
+
 /// The pin of the crank runs through the pivot of the rocker, about which coupler and rocker can turn freely then.
 const KITE: &str = r#"
 [ground]
