@@ -32,6 +32,9 @@ const FARTHEST: f64 = 0.3;
 /// Two modes within this of each other on the shortest step are about to meet: their distance grows with its root.
 const TOGETHER: f64 = 1e-3;
 
+/// The sign of a smaller determinant may be rounding: the determinant is the root of a difference.
+const UNSIGNED: f64 = 1e-6;
+
 /// A cycle with more courses than this has modes that can't be told apart: rounding makes them begin and end.
 const MOST_COURSES: usize = 500;
 
@@ -128,15 +131,14 @@ impl<'a> Walk<'a> {
         let last = input.coordinate(input.positions.saturating_sub(1));
         let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
         let mut walk = Self { linkage, group, found: Courses::default(), now: (input.from, None) };
-        let first = linkage.modes_at(group, input.from);
+        let first = walk.modes_at(input.from);
         walk.now.1 = first.map(|all| {
             all.into_iter().map(|mode| (walk.begin(input.from, CourseEnd::Cycle), mode)).collect()
         });
         walk.count();
         let start = walk.now.1.clone().unwrap_or_default();
         for step in 1..=SAMPLES {
-            let to = walk.beside_free(input.from + length * f64::from(step) / f64::from(SAMPLES));
-            walk.advance(to);
+            walk.sample(input.from + length * f64::from(step) / f64::from(SAMPLES));
             if walk.found.courses.len() > MOST_COURSES {
                 return None;
             }
@@ -154,6 +156,10 @@ impl<'a> Walk<'a> {
         let closed: Vec<[usize; 2]> = end.iter().filter_map(closing).collect();
         walk.found.group(&closed);
         Some(walk.found)
+    }
+
+    fn modes_at(&self, q: f64) -> Option<Vec<Mode<f64>>> {
+        self.linkage.modes_at(self.group, q)
     }
 
     /// Begins a course at a coordinate; its number.
@@ -176,9 +182,22 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Goes on to a coordinate.
-    fn advance(&mut self, to: f64) {
-        let next = self.linkage.modes_at(self.group, to);
+    /// Goes on to a sample, or beside it where a group can turn freely there and has no mode.
+    fn sample(&mut self, to: f64) {
+        let count = |modes: Option<&Vec<Mode<f64>>>| modes.map(Vec::len);
+        let (next, present) = (self.modes_at(to), self.now.1.as_ref().map(Vec::len));
+        if present > Some(0) && count(next.as_ref()) == Some(0) {
+            let unit = self.linkage.coordinate_unit() * self.linkage.mechanism.input.sign();
+            let beside = self.modes_at(to + SHORTEST_EQUAL * unit);
+            if count(beside.as_ref()) == present {
+                return self.advance(to + SHORTEST_EQUAL * unit, beside);
+            }
+        }
+        self.advance(to, next);
+    }
+
+    /// Goes on to a coordinate with its modes.
+    fn advance(&mut self, to: f64, next: Option<Vec<Mode<f64>>>) {
         let count = |modes: Option<usize>| modes.map_or(-1, |count| i64::try_from(count).unwrap_or(0));
         let is_equal = count(self.now.1.as_ref().map(Vec::len)) == count(next.as_ref().map(Vec::len));
         // Modes that are about to vanish run faster the nearer they are to that: they don't meet yet.
@@ -194,8 +213,9 @@ impl<'a> Walk<'a> {
             Some(numbers) => numbers,
             None if is_short || self.found.courses.len() > MOST_COURSES => self.event(to, next.as_deref()),
             None => {
-                self.advance(self.now.0 + MIDDLE * (to - self.now.0));
-                return self.advance(to);
+                let middle = self.now.0 + MIDDLE * (to - self.now.0);
+                self.advance(middle, self.modes_at(middle));
+                return self.advance(to, next);
             }
         };
         let numbered = |(numbers, next): (Vec<usize>, Vec<_>)| numbers.into_iter().zip(next).collect();
@@ -209,15 +229,6 @@ impl<'a> Walk<'a> {
         next.unwrap_or_default().iter().all(is_near)
     }
 
-    /// The coordinate, or one beside it where a group can turn freely there and has no mode.
-    fn beside_free(&self, to: f64) -> f64 {
-        let count = |q: f64| self.linkage.modes_at(self.group, q).map(|all| all.len());
-        let present = self.now.1.as_ref().map(Vec::len).filter(|count| *count > 0);
-        let beside =
-            to + SHORTEST_EQUAL * self.linkage.coordinate_unit() * self.linkage.mechanism.input.sign();
-        if present.is_some() && count(to) == Some(0) && count(beside) == present { beside } else { to }
-    }
-
     /// The numbers of the next modes where it is certain which is which.
     fn continued(&self, now: &[(usize, Mode<f64>)], next: &[Mode<f64>]) -> Option<Vec<usize>> {
         let is_clear = |one: &Mode<f64>, other: &Mode<f64>, moved: f64| {
@@ -225,7 +236,7 @@ impl<'a> Walk<'a> {
         };
         let mut taken: Vec<(usize, f64)> = Vec::with_capacity(next.len());
         for mode in next {
-            let (at, moved) = self.nearest(now, mode, |_| true)?;
+            let (at, moved) = self.nearest(now, mode)?;
             if taken.iter().any(|(other, _)| *other == at) || is_turned(&now[at].1, mode, self.scale()) {
                 return None;
             }
@@ -241,14 +252,9 @@ impl<'a> Walk<'a> {
         is_certain.then(|| taken.into_iter().map(|(at, _)| now[at].0).collect())
     }
 
-    /// The nearest mode of the same way that is left, with its distance; `None` where it is far.
-    fn nearest(
-        &self,
-        now: &[(usize, Mode<f64>)],
-        mode: &Mode<f64>,
-        is_left: impl Fn(usize) -> bool,
-    ) -> Option<(usize, f64)> {
-        let same = now.iter().enumerate().filter(|(at, (_, one))| is_left(*at) && one.way == mode.way);
+    /// The nearest mode of the same way with its distance; `None` where it is far.
+    fn nearest(&self, now: &[(usize, Mode<f64>)], mode: &Mode<f64>) -> Option<(usize, f64)> {
+        let same = now.iter().enumerate().filter(|(_, (_, one))| one.way == mode.way);
         let near = same.map(|(at, (_, one))| (at, self.apart(one, mode)));
         near.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, moved)| *moved < FARTHEST)
     }

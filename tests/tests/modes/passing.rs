@@ -130,7 +130,7 @@ from = FROM
 
 #[test]
 fn modes_that_run_fast_before_they_vanish_end_together_and_not_at_infinity() {
-    for from in ["0.897", "1.177", "1.457"] {
+    for from in ["0.897", "0.947", "1.177", "1.457"] {
         let text = FAST.replace("FROM", from);
         let found = linkage_of(assur_scene::read("fast", &text).unwrap()).courses(0).unwrap();
         assert_eq!((found.courses.len(), found.circuits), (4, 1), "from {from}: {:?}", found.courses);
