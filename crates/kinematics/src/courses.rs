@@ -20,6 +20,9 @@ const SAMPLES: u32 = 720;
 /// A birth, a meeting or an end is found to this, in units of the coordinate.
 const SHORTEST: f64 = 1e-11;
 
+/// This far behind an event, in the same units, rounding no longer makes one or both of two modes that meet come and go.
+const BEHIND: f64 = 1e-9;
+
 /// A meeting after which both modes go on is found to this: nearer to it the two can't be told apart.
 const SHORTEST_EQUAL: f64 = 1e-6;
 
@@ -31,6 +34,9 @@ const FARTHEST: f64 = 0.3;
 
 /// Two modes within this of each other on the shortest step are about to meet: their distance grows with its root.
 const TOGETHER: f64 = 1e-3;
+
+/// Two modes left over by an event, which have met or begin, are within this of each other up to [`BEHIND`] it.
+const PAIR: f64 = 1e-2;
 
 /// The sign of a smaller determinant may be rounding: the determinant is the root of a difference.
 const UNSIGNED: f64 = 1e-6;
@@ -91,6 +97,8 @@ type Present = Option<Vec<(usize, Mode<f64>)>>;
 struct Walk<'a> {
     linkage: &'a Linkage,
     group: usize,
+    /// Unit of the coordinate, negative where it falls.
+    unit: f64,
     found: Courses,
     now: (f64, Present),
 }
@@ -130,12 +138,13 @@ impl<'a> Walk<'a> {
         let input = &linkage.mechanism.input;
         let last = input.coordinate(input.positions.saturating_sub(1));
         let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
-        let mut walk = Self { linkage, group, found: Courses::default(), now: (input.from, None) };
+        let unit = linkage.coordinate_unit().copysign(length);
+        let mut walk = Self { linkage, group, unit, found: Courses::default(), now: (input.from, None) };
         let first = walk.modes_at(input.from);
         walk.now.1 = first.map(|all| {
             all.into_iter().map(|mode| (walk.begin(input.from, CourseEnd::Cycle), mode)).collect()
         });
-        walk.count();
+        walk.count(input.from);
         let start = walk.now.1.clone().unwrap_or_default();
         for step in 1..=SAMPLES {
             walk.sample(input.from + length * f64::from(step) / f64::from(SAMPLES));
@@ -175,10 +184,10 @@ impl<'a> Walk<'a> {
         (course.to, course.ends[1]) = (self.now.0, end);
     }
 
-    fn count(&mut self) {
+    fn count(&mut self, from: f64) {
         let count = self.now.1.as_ref().map_or(0, Vec::len);
         if self.found.counts.last().is_none_or(|(_, last)| *last != count) {
-            self.found.counts.push((self.now.0, count));
+            self.found.counts.push((from, count));
         }
     }
 
@@ -187,31 +196,42 @@ impl<'a> Walk<'a> {
         let count = |modes: Option<&Vec<Mode<f64>>>| modes.map(Vec::len);
         let (next, present) = (self.modes_at(to), self.now.1.as_ref().map(Vec::len));
         if present > Some(0) && count(next.as_ref()) == Some(0) {
-            let unit = self.linkage.coordinate_unit() * self.linkage.mechanism.input.sign();
-            let beside = self.modes_at(to + SHORTEST_EQUAL * unit);
-            if count(beside.as_ref()) == present {
-                return self.advance(to + SHORTEST_EQUAL * unit, beside);
+            let beside = to + SHORTEST_EQUAL * self.unit;
+            let modes = self.modes_at(beside);
+            if count(modes.as_ref()) == present {
+                return self.advance(beside, modes);
             }
         }
         self.advance(to, next);
     }
 
     /// Goes on to a coordinate with its modes.
-    fn advance(&mut self, to: f64, next: Option<Vec<Mode<f64>>>) {
+    fn advance(&mut self, to: f64, mut next: Option<Vec<Mode<f64>>>) {
+        if (to - self.now.0) * self.unit <= 0.0 {
+            // An event reaches beyond it.
+            return;
+        }
         let count = |modes: Option<usize>| modes.map_or(-1, |count| i64::try_from(count).unwrap_or(0));
         let is_equal = count(self.now.1.as_ref().map(Vec::len)) == count(next.as_ref().map(Vec::len));
         // Modes that are about to vanish run faster the nearer they are to that: they don't meet yet.
         let is_meeting = is_equal && self.is_together(next.as_deref());
         let shortest = if is_meeting { SHORTEST_EQUAL } else { SHORTEST };
-        let is_short = (to - self.now.0).abs() <= shortest * self.linkage.coordinate_unit();
+        let is_short = (to - self.now.0).abs() <= shortest * self.unit.abs();
         let continued = match (&self.now.1, &next) {
             (None, None) => Some(None),
             (Some(now), Some(next)) => self.continued(now, next).map(Some),
             _ => None,
         };
+        let mut behind = to;
         let numbers = match continued {
             Some(numbers) => numbers,
-            None if is_short || self.found.courses.len() > MOST_COURSES => self.event(to, next.as_deref()),
+            None if is_short || self.found.courses.len() > MOST_COURSES => {
+                if !is_meeting {
+                    behind = to + BEHIND * self.unit;
+                    next = self.modes_at(behind);
+                }
+                self.event(to, next.as_deref())
+            }
             None => {
                 let middle = self.now.0 + MIDDLE * (to - self.now.0);
                 self.advance(middle, self.modes_at(middle));
@@ -219,8 +239,8 @@ impl<'a> Walk<'a> {
             }
         };
         let numbered = |(numbers, next): (Vec<usize>, Vec<_>)| numbers.into_iter().zip(next).collect();
-        self.now = (to, numbers.zip(next).map(numbered));
-        self.count();
+        self.now = (behind, numbers.zip(next).map(numbered));
+        self.count(to);
     }
 
     /// Whether each next mode is next to a present one.

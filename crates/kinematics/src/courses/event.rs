@@ -2,7 +2,7 @@
 
 use assur_group::Mode;
 
-use super::{CourseEnd, FARTHEST, TOGETHER, UNSIGNED, Walk, is_turned};
+use super::{CourseEnd, FARTHEST, PAIR, TOGETHER, UNSIGNED, Walk, is_turned};
 
 /// Modes on both sides of an event; which of those before are left, and the numbers of those after it, as far as they are known.
 struct Sides<'a> {
@@ -68,7 +68,9 @@ impl Walk<'_> {
     /// taken for the other one.
     fn pass(&mut self, to: f64, sides: &mut Sides<'_>) {
         let all = 0..sides.after.len();
-        for [j, k] in self.pairs(|at| &sides.after[at], all.filter(|next| sides.numbers[*next].is_some())) {
+        for [j, k] in
+            self.pairs(|at| &sides.after[at], all.filter(|next| sides.numbers[*next].is_some()), TOGETHER)
+        {
             let (Some(one), Some(other)) = (sides.numbers[j], sides.numbers[k]) else { continue };
             let before = sides.before.iter().find(|(number, _)| *number == one);
             if before.is_some_and(|(_, mode)| self.is_passed(to, mode)) {
@@ -81,12 +83,12 @@ impl Walk<'_> {
     /// Of the modes that are left, two that are next to each other end or begin together.
     fn begin_and_end_in_pairs(&mut self, to: f64, sides: &mut Sides<'_>) {
         let [before, after] = sides.rest();
-        for [a, b] in self.pairs(|at| &sides.before[at].1, before.into_iter()) {
+        for [a, b] in self.pairs(|at| &sides.before[at].1, before.into_iter(), PAIR) {
             (sides.left[a], sides.left[b]) = (false, false);
             self.end(sides.before[a].0, CourseEnd::With(sides.before[b].0));
             self.end(sides.before[b].0, CourseEnd::With(sides.before[a].0));
         }
-        for [j, k] in self.pairs(|at| &sides.after[at], after.into_iter()) {
+        for [j, k] in self.pairs(|at| &sides.after[at], after.into_iter(), PAIR) {
             let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
             for (number, partner) in [(one, other), (other, one)] {
                 self.found.courses[number].ends[0] = CourseEnd::With(partner);
@@ -114,6 +116,7 @@ impl Walk<'_> {
         &self,
         mode: impl Fn(usize) -> &'m Mode<f64>,
         all: impl Iterator<Item = usize> + Clone,
+        limit: f64,
     ) -> Vec<[usize; 2]> {
         let others = |one: usize| all.clone().filter(move |other| *other > one);
         let both = all.clone().flat_map(|one| others(one).map(move |other| [one, other]));
@@ -122,7 +125,7 @@ impl Walk<'_> {
             let meets = one.way != other.way || is_unsigned(one) || is_unsigned(other);
             meets.then(|| self.apart(one, other))
         };
-        nearest_first(both, apart, TOGETHER, |[a, b], [c, d]| a == c || b == d || a == d || b == c)
+        nearest_first(both, apart, limit, |[a, b], [c, d]| [a, b].contains(&c) || [a, b].contains(&d))
     }
 }
 
