@@ -73,7 +73,10 @@ impl<T: Real> Legged<T> {
             self.put_pose(pose, bodies);
             let raw = self.core(bodies);
             let polished = self.polish(bodies);
-            if !polished.converged || polished.way > FAR || self.lines(bodies).open() > self.rounding {
+            if !polished.converged
+                || polished.way > FAR
+                || self.lines(bodies).open() > self.rounding_at(bodies)
+            {
                 // Where two modes meet, Newton's method converges slowly, if at all.
                 self.put_core(&raw, bodies);
                 if !self.approach(bodies) {
@@ -112,7 +115,7 @@ impl<T: Real> Legged<T> {
             }
         }
         self.put_core(&best.1, bodies);
-        best.0 <= self.rounding
+        best.0 <= self.rounding_at(bodies)
     }
 
     /// Places base and plate in the mode whose determinant has the sign of the way and which is nearest to their poses.
