@@ -91,6 +91,16 @@ pub struct Courses {
     pub branches: usize,
 }
 
+/// Why the modes of a group have no courses.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unlisted {
+    /// Its kind doesn't list modes.
+    ByKind,
+    /// Up to this coordinate, rad or m, rounding made modes begin and end that can't be told apart.
+    At(f64),
+}
+
 /// The modes at a coordinate with their numbers; `None` where the groups before can't be placed.
 type Present = Option<Vec<(usize, Mode<f64>)>>;
 
@@ -105,10 +115,14 @@ struct Walk<'a> {
 
 impl Linkage {
     /// All modes of a group over a turn of a pinned input, or over the range of the scene; the groups before it are in their
-    /// present assembly. `None` where its kind can't list them, and where some can't be told apart.
-    pub fn courses(&self, group: usize) -> Option<Courses> {
+    /// present assembly.
+    ///
+    /// # Errors
+    ///
+    /// [`Unlisted`] where its kind can't list them, and where some can't be told apart.
+    pub fn courses(&self, group: usize) -> Result<Courses, Unlisted> {
         let lists = !self.structure.groups[group].plugin.iterates || self.groups()[group].lists_modes();
-        lists.then(|| Walk::over(self, group))?
+        if lists { Walk::over(self, group) } else { Err(Unlisted::ByKind) }
     }
 
     /// The modes of a group at a coordinate, in their order.
@@ -134,7 +148,7 @@ impl Linkage {
 }
 
 impl<'a> Walk<'a> {
-    fn over(linkage: &'a Linkage, group: usize) -> Option<Courses> {
+    fn over(linkage: &'a Linkage, group: usize) -> Result<Courses, Unlisted> {
         let input = &linkage.mechanism.input;
         let last = input.coordinate(input.positions.saturating_sub(1));
         let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
@@ -149,7 +163,7 @@ impl<'a> Walk<'a> {
         for step in 1..=SAMPLES {
             walk.sample(input.from + length * f64::from(step) / f64::from(SAMPLES));
             if walk.found.courses.len() > MOST_COURSES {
-                return None;
+                return Err(Unlisted::At(walk.now.0));
             }
         }
         let end = walk.now.1.take().unwrap_or_default();
@@ -164,7 +178,7 @@ impl<'a> Walk<'a> {
         };
         let closed: Vec<[usize; 2]> = end.iter().filter_map(closing).collect();
         walk.found.group(&closed);
-        Some(walk.found)
+        Ok(walk.found)
     }
 
     fn modes_at(&self, q: f64) -> Option<Vec<Mode<f64>>> {

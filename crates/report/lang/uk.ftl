@@ -682,7 +682,8 @@ report-misfit = { $what }: за підрахунком пасивне, але р
 report-closes = ; замикається, якщо { $key } = { $value } (SI)
 report-formula-without = { $formula }; пасивне: { $parts }
 report-modes-of = Складання групи { $group } ({ $kind } { $links }) за цикл
-report-modes-unlisted = { $group }: її складання не можна перелічити за цикл: її вид їх не перелічує, або через округлення деякі з них виникають і зникають.
+report-modes-unlisted = { $group }: її вид не перелічує складань.
+report-modes-together = { $group }: не перелічено. До { $coordinate } виникає і зникає забагато складань: деякі збігаються на частині циклу або кілька зустрічаються в одному місці, і скільки їх, вирішує округлення. Трохи інші довжини їх розрізняють.
 head-from = Від
 head-to = До
 head-begins = Початок

@@ -86,8 +86,13 @@ impl<T: Real> Legged<T> {
             let lines = self.lines(bodies);
             let health = self.measure(&lines).to_f64();
             let core = self.core(bodies);
-            let limit = (1e-4 * health.abs()).max(64.0 * T::EPSILON);
-            let is_new = found.each().all(|(other, _)| self.apart(other, &core) > limit);
+            // One mode that is found twice has its rounding, magnified by the determinant; two that are next to each other have
+            // opposite signs.
+            let rounding = 64.0 * T::EPSILON;
+            let is_new = found.each().all(|(other, its)| {
+                let twice = if (its > 0.0) == (health > 0.0) { rounding / health.abs() } else { 0.0 };
+                self.apart(other, &core) > (1e-4 * health.abs()).max(rounding).max(twice)
+            });
             if is_new && found.count < MOST_MODES {
                 (found.all[found.count], found.health[found.count]) = (core, health);
                 found.count += 1;
