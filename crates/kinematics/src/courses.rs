@@ -97,7 +97,7 @@ pub struct Courses {
 pub enum Unlisted {
     /// Its kind doesn't list modes.
     ByKind,
-    /// Up to this coordinate, rad or m, rounding made modes begin and end that can't be told apart.
+    /// Up to this coordinate, rad or m, rounding made modes begin or end that can't be told apart.
     At(f64),
 }
 
@@ -111,6 +111,8 @@ struct Walk<'a> {
     unit: f64,
     found: Courses,
     now: (f64, Present),
+    /// Whether a mode that is not far away began or ended alone, which only rounding can make.
+    is_lost: bool,
 }
 
 impl Linkage {
@@ -153,7 +155,8 @@ impl<'a> Walk<'a> {
         let last = input.coordinate(input.positions.saturating_sub(1));
         let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
         let unit = linkage.coordinate_unit().copysign(length);
-        let mut walk = Self { linkage, group, unit, found: Courses::default(), now: (input.from, None) };
+        let mut walk =
+            Self { linkage, group, unit, found: Courses::default(), now: (input.from, None), is_lost: false };
         let first = walk.modes_at(input.from);
         walk.now.1 = first.map(|all| {
             all.into_iter().map(|mode| (walk.begin(input.from, CourseEnd::Cycle), mode)).collect()
@@ -162,7 +165,7 @@ impl<'a> Walk<'a> {
         let start = walk.now.1.clone().unwrap_or_default();
         for step in 1..=SAMPLES {
             walk.sample(input.from + length * f64::from(step) / f64::from(SAMPLES));
-            if walk.found.courses.len() > MOST_COURSES {
+            if walk.is_lost || walk.found.courses.len() > MOST_COURSES {
                 return Err(Unlisted::At(walk.now.0));
             }
         }

@@ -2,7 +2,7 @@
 
 use assur_group::Mode;
 
-use super::{CourseEnd, FARTHEST, PAIR, TOGETHER, UNSIGNED, Walk, is_turned};
+use super::{CourseEnd, FAR_AWAY, FARTHEST, PAIR, TOGETHER, UNSIGNED, Walk, is_turned};
 
 /// Modes on both sides of an event; which of those before are left, and the numbers of those after it, as far as they are known.
 struct Sides<'a> {
@@ -42,7 +42,10 @@ impl Walk<'_> {
         self.begin_and_end_in_pairs(to, &mut sides);
         self.go_on(&mut sides, FARTHEST, true);
         self.turn_over(to, &mut sides);
-        for (at, _) in sides.left.iter().enumerate().filter(|(_, left)| **left) {
+        let [before, after] = sides.rest();
+        let each = before.iter().map(|at| &now[*at].1).chain(after.iter().map(|at| &next[*at]));
+        self.is_lost |= each.into_iter().any(|mode| !is_far(mode, self.scale()));
+        for at in before {
             self.end(now[at].0, CourseEnd::Infinity);
         }
         let numbers = sides.numbers.into_iter();
@@ -60,17 +63,17 @@ impl Walk<'_> {
             fits.then(|| self.apart(one, other))
         };
         let taken = nearest_first(pairs, apart, limit, |[a, b], [c, d]| a == c || b == d);
-        taken.iter().for_each(|pair| sides.go_on(*pair));
+        for pair in &taken {
+            sides.go_on(*pair);
+        }
         taken.into_iter().map(|[at, _]| sides.before[at].0).collect()
     }
 
     /// Two modes that meet and both go on: behind the meeting each has the opposite sign of its determinant, so that each was
     /// taken for the other one.
     fn pass(&mut self, to: f64, sides: &mut Sides<'_>) {
-        let all = 0..sides.after.len();
-        for [j, k] in
-            self.pairs(|at| &sides.after[at], all.filter(|next| sides.numbers[*next].is_some()), TOGETHER)
-        {
+        let known = (0..sides.after.len()).filter(|next| sides.numbers[*next].is_some());
+        for [j, k] in self.pairs(|at| &sides.after[at], &known.collect::<Vec<_>>(), TOGETHER) {
             let (Some(one), Some(other)) = (sides.numbers[j], sides.numbers[k]) else { continue };
             let before = sides.before.iter().find(|(number, _)| *number == one);
             if before.is_some_and(|(_, mode)| self.is_passed(to, mode)) {
@@ -83,12 +86,12 @@ impl Walk<'_> {
     /// Of the modes that are left, two that are next to each other end or begin together.
     fn begin_and_end_in_pairs(&mut self, to: f64, sides: &mut Sides<'_>) {
         let [before, after] = sides.rest();
-        for [a, b] in self.pairs(|at| &sides.before[at].1, before.into_iter(), PAIR) {
+        for [a, b] in self.pairs(|at| &sides.before[at].1, &before, PAIR) {
             (sides.left[a], sides.left[b]) = (false, false);
             self.end(sides.before[a].0, CourseEnd::With(sides.before[b].0));
             self.end(sides.before[b].0, CourseEnd::With(sides.before[a].0));
         }
-        for [j, k] in self.pairs(|at| &sides.after[at], after.into_iter(), PAIR) {
+        for [j, k] in self.pairs(|at| &sides.after[at], &after, PAIR) {
             let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
             for (number, partner) in [(one, other), (other, one)] {
                 self.found.courses[number].ends[0] = CourseEnd::With(partner);
@@ -107,19 +110,14 @@ impl Walk<'_> {
     fn is_passed(&self, to: f64, mode: &Mode<f64>) -> bool {
         let back = self.modes_at(self.now.0 - (to - self.now.0)).unwrap_or_default();
         let back: Vec<(usize, Mode<f64>)> = back.into_iter().enumerate().collect();
-        let earlier = self.nearest(&back, mode);
+        let earlier = self.nearest(&back, mode).filter(|(_, moved)| *moved < 2.0 * TOGETHER);
         earlier.is_some_and(|(at, _)| mode.health < back[at].1.health - mode.health)
     }
 
     /// Pairs of modes that are about to meet.
-    fn pairs<'m>(
-        &self,
-        mode: impl Fn(usize) -> &'m Mode<f64>,
-        all: impl Iterator<Item = usize> + Clone,
-        limit: f64,
-    ) -> Vec<[usize; 2]> {
-        let others = |one: usize| all.clone().filter(move |other| *other > one);
-        let both = all.clone().flat_map(|one| others(one).map(move |other| [one, other]));
+    fn pairs<'m>(&self, mode: impl Fn(usize) -> &'m Mode<f64>, all: &[usize], limit: f64) -> Vec<[usize; 2]> {
+        let both =
+            all.iter().enumerate().flat_map(|(k, one)| all[k + 1..].iter().map(|other| [*one, *other]));
         let apart = |[one, other]: [usize; 2]| {
             let [one, other] = [mode(one), mode(other)];
             let meets = one.way != other.way || is_unsigned(one) || is_unsigned(other);
@@ -127,6 +125,11 @@ impl Walk<'_> {
         };
         nearest_first(both, apart, limit, |[a, b], [c, d]| [a, b].contains(&c) || [a, b].contains(&d))
     }
+}
+
+/// Whether a link is so far away that it may run to infinity.
+fn is_far(mode: &Mode<f64>, scale: f64) -> bool {
+    mode.bodies.iter().any(|body| body.x.hypot(body.y) > FAR_AWAY * scale)
 }
 
 /// Whether the sign of a determinant, and so its way, may be rounding.
