@@ -294,9 +294,9 @@ forces-analyzer = force analyzer: { $method }
 forces-calculating = force analyzer: { $method }; the difference is being calculated
 forces-two-analyzers = 1 { $one } (line)  2 { $other } (stars)   largest difference { $difference }
 forces-hodograph = hodograph: { $reaction }
-friction-circle = { $reaction }: circle of friction, radius f r = { $radius }, the force at { $lever }
-friction-cone = { $reaction }: angle of friction { $angle }, friction { $friction }
-friction-cone-of-ends = { $reaction }: angle of friction { $angle }, friction { $friction }, since both ends of the contact are pressed
+friction-circle = { $reaction }: friction circle { $radius }
+friction-cone = { $reaction }: friction angle { $angle }
+friction-cone-of-ends = { $reaction }: friction angle { $angle }, both ends pressed
 curve-zero = zero
 curve-extreme = extreme
 curve-inflection = inflection

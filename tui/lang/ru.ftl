@@ -269,9 +269,9 @@ forces-analyzer = метод силового анализа: { $method }
 forces-calculating = метод расчёта сил: { $method }; разность вычисляется
 forces-two-analyzers = 1 { $one } (линия)  2 { $other } (звёзды)   наибольшая разность { $difference }
 forces-hodograph = годограф: { $reaction }
-friction-circle = { $reaction }: круг трения радиуса f r = { $radius }, сила на расстоянии { $lever }
-friction-cone = { $reaction }: угол трения { $angle }, сила трения { $friction }
-friction-cone-of-ends = { $reaction }: угол трения { $angle }, сила трения { $friction }, так как прижаты оба края контакта
+friction-circle = { $reaction }: круг трения { $radius }
+friction-cone = { $reaction }: угол трения { $angle }
+friction-cone-of-ends = { $reaction }: угол трения { $angle }, прижаты оба края
 curve-zero = нуль
 curve-extreme = экстремум
 curve-inflection = перегиб

@@ -266,9 +266,9 @@ forces-analyzer = метод силового аналізу: { $method }
 forces-calculating = метод розрахунку сил: { $method }; різниця обчислюється
 forces-two-analyzers = 1 { $one } (лінія)  2 { $other } (зірки)   найбільша різниця { $difference }
 forces-hodograph = годограф: { $reaction }
-friction-circle = { $reaction }: круг тертя радіуса f r = { $radius }, сила на відстані { $lever }
-friction-cone = { $reaction }: кут тертя { $angle }, сила тертя { $friction }
-friction-cone-of-ends = { $reaction }: кут тертя { $angle }, сила тертя { $friction }, бо притиснуті обидва краї контакту
+friction-circle = { $reaction }: круг тертя { $radius }
+friction-cone = { $reaction }: кут тертя { $angle }
+friction-cone-of-ends = { $reaction }: кут тертя { $angle }, притиснуті обидва краї
 curve-zero = нуль
 curve-extreme = екстремум
 curve-inflection = перегин

@@ -194,30 +194,27 @@ fn a_reaction_with_friction_is_drawn_at_the_distance_and_with_the_parts_that_wer
             let own = mechanism.frictions.iter().find(|friction| friction.pair == pair.id).unwrap();
             let value = |index: usize| found.series[reaction.series[index]].course.get(position).unwrap();
             let [x, y, size] = [0, 1, 2].map(value);
-            match own.surfaces {
-                Surfaces::Journal { radius, owner } => {
-                    // The moment about the center is f r |R| against the turning of the other link.
-                    let [from, to] = line(&panel.items[3]);
-                    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-                    let [u, v] = [0, 1].map(|axis| (to[axis] - from[axis]) / length);
-                    assert!((u * size - x).abs().max((v * size - y).abs()) < 1e-9 * size);
-                    let moment = size * (from[0] * v - from[1] * u);
-                    let bodies = &scene.pose(position, 0.0).unwrap().bodies;
-                    let other = mechanism.friction_links(own)[0][0];
-                    let turning = (bodies[other].w1 - bodies[owner].w1).signum();
-                    let sign = if link.id == owner { 1.0 } else { -1.0 };
-                    let expected = sign * turning * own.coefficient * radius * size;
-                    assert!((moment - expected).abs() < 1e-9 * expected.abs(), "{position} {reaction:?}");
-                }
-                _ => {
-                    let [[_, across], [_, whole]] = [line(&panel.items[3]), line(&panel.items[5])];
-                    assert_eq!(whole, [x, y]);
-                    let share = Column::of(Quantity::FrictionForce, Owner::Pair(pair.id));
-                    let table = &found.analysis.positions;
-                    let share = table.get(table.row_of(position).unwrap(), share).unwrap();
-                    let along = (whole[0] - across[0]).hypot(whole[1] - across[1]);
-                    assert!((along - share.abs()).abs() < 1e-9 * size, "{position} {reaction:?}");
-                }
+            if let Surfaces::Journal { radius, owner } = own.surfaces {
+                // The moment about the center is f r |R| against the turning of the other link.
+                let [from, to] = line(&panel.items[3]);
+                let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+                let [u, v] = [0, 1].map(|axis| (to[axis] - from[axis]) / length);
+                assert!((u * size - x).abs().max((v * size - y).abs()) < 1e-9 * size);
+                let moment = size * (from[0] * v - from[1] * u);
+                let bodies = &scene.pose(position, 0.0).unwrap().bodies;
+                let other = mechanism.friction_links(own)[0][0];
+                let turning = (bodies[other].w1 - bodies[owner].w1).signum();
+                let sign = if link.id == owner { 1.0 } else { -1.0 };
+                let expected = sign * turning * own.coefficient * radius * size;
+                assert!((moment - expected).abs() < 1e-9 * expected.abs(), "{position} {reaction:?}");
+            } else {
+                let [[_, across], [_, whole]] = [line(&panel.items[3]), line(&panel.items[5])];
+                assert!((whole[0] - x).hypot(whole[1] - y) < 1e-12 * size);
+                let share = Column::of(Quantity::FrictionForce, Owner::Pair(pair.id));
+                let table = &found.analysis.positions;
+                let share = table.get(table.row_of(position).unwrap(), share).unwrap();
+                let along = (whole[0] - across[0]).hypot(whole[1] - across[1]);
+                assert!((along - share.abs()).abs() < 1e-9 * size, "{position} {reaction:?}");
             }
             drawn += 1;
         }

@@ -27,15 +27,16 @@ pub(crate) fn panel(scene: &Scene, found: &Found, position: usize, reaction: &Re
     let mechanism = &scene.linkage.mechanism;
     let friction = mechanism.frictions.iter().find(|friction| friction.pair == pair.id)?;
     let value = |index: usize| found.series[index].course.get(position).filter(|value| value.is_finite());
-    let force = [value(reaction.series[0])?, value(reaction.series[1])?];
+    let [x, y, _] = reaction.series[..] else { return None };
+    let force = [value(x)?, value(y)?];
     let size = force[0].hypot(force[1]);
-    if friction.coefficient == 0.0 || size == 0.0 {
+    if friction.coefficient <= 0.0 || size <= 0.0 {
         return None;
     }
     let row = found.analysis.positions.row_of(position)?;
     let found = |quantity, owner| found.analysis.positions.get(row, Column::of(quantity, owner));
     match (pair.id, friction.surfaces) {
-        (PairId::Pin(_), Surfaces::Journal { radius, owner }) => {
+        (PairId::Pin(_), Surfaces::Journal { radius, owner }) if radius > 0.0 => {
             let moment = if mechanism.friction_links(friction).len() > 1 {
                 found(Quantity::FrictionMoment, Owner::PairOn(pair.id, link.id))?
             } else {
@@ -43,7 +44,8 @@ pub(crate) fn panel(scene: &Scene, found: &Found, position: usize, reaction: &Re
                 let sign = if link.id == owner { -1.0 } else { 1.0 };
                 sign * found(Quantity::FrictionMoment, Owner::Pair(pair.id))?
             };
-            circle(reaction, friction.coefficient * radius, [force[0] / size, force[1] / size], moment / size)
+            let direction = [force[0] / size, force[1] / size];
+            Some(circle(reaction, friction.coefficient * radius, direction, moment / size))
         }
         (PairId::Slide(id), _) => {
             let slide = &mechanism.slides[id];
@@ -58,7 +60,7 @@ pub(crate) fn panel(scene: &Scene, found: &Found, position: usize, reaction: &Re
 
 /// A circle about the center of a pin, and the force: its moment about the center is the friction. `lever`: that moment by the
 /// force, m.
-fn circle(reaction: &Reaction, radius: f64, [x, y]: Point, lever: f64) -> Option<Panel> {
+fn circle(reaction: &Reaction, radius: f64, [x, y]: Point, lever: f64) -> Panel {
     let foot = [lever * y, -lever * x];
     let along = |length: f64| [foot[0] + length * radius * x, foot[1] + length * radius * y];
     let points = (0..=PIECES).map(|piece| {
@@ -74,9 +76,9 @@ fn circle(reaction: &Reaction, radius: f64, [x, y]: Point, lever: f64) -> Option
     ];
     let bounds = Bounds { low: [-ROOM * radius; 2], high: [ROOM * radius; 2] };
     let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
-    let [radius, lever] = [radius, lever.abs()].map(|length| quantity(digits(1e3 * length, 4), "mm"));
-    let title = text!("friction-circle", reaction = &reaction.name, radius = radius, lever = lever);
-    (reaction.series.len() == 3).then_some(Panel { title, frame, items })
+    let radius = quantity(digits(1e3 * radius, 4), "mm");
+    let title = text!("friction-circle", reaction = &reaction.name, radius = radius);
+    Panel { title, frame, items }
 }
 
 /// The force of a slide with its part across the guide, between the lines that lean from that by the angle of friction.
@@ -108,13 +110,11 @@ fn cone(reaction: &Reaction, angle: f64, force: Point, along: Point, share: f64)
     let frame = Frame::Plane { bounds, unit: "N".into(), factor: 1.0, scale: ("F", "N".into()) };
     // Two opposite pressing forces rub more than their sum.
     let is_pressed_on_both_ends = share.abs() > (1.0 + ROUNDING) * angle.tan() * pressing.abs();
-    let (angle, share) =
-        (quantity(digits(angle.to_degrees(), 4), "deg"), quantity(digits(share.abs(), 5), "N"));
-    let name = reaction.name.clone();
+    let (name, angle) = (reaction.name.clone(), quantity(digits(angle.to_degrees(), 4), "deg"));
     let title = if is_pressed_on_both_ends {
-        text!("friction-cone-of-ends", reaction = name, angle = angle, friction = share)
+        text!("friction-cone-of-ends", reaction = name, angle = angle)
     } else {
-        text!("friction-cone", reaction = name, angle = angle, friction = share)
+        text!("friction-cone", reaction = name, angle = angle)
     };
     Panel { title, frame, items }
 }
