@@ -58,8 +58,7 @@ impl Walk<'_> {
         let pairs = before.iter().flat_map(|at| after.iter().map(move |next| [*at, *next]));
         let apart = |[at, next]: [usize; 2]| {
             let [one, other] = [&sides.before[at].1, &sides.after[next]];
-            let fits = !keeps_way || one.way == other.way || is_unsigned(one) || is_unsigned(other);
-            let fits = fits && !is_turned(one, other, self.scale());
+            let fits = (!keeps_way || one.way == other.way) && !is_turned(one, other, self.scale());
             fits.then(|| self.apart(one, other))
         };
         let taken = nearest_first(pairs, apart, limit, |[a, b], [c, d]| a == c || b == d);
