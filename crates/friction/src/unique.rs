@@ -17,7 +17,7 @@ const NOTHING: f64 = 1e-16;
 const STILL: f64 = 8.0 * f64::EPSILON;
 
 /// Least slope of the characteristic polynomial at its greatest root, by the square of the root: below it others are too near.
-const SLOPE: f64 = 1e-3;
+pub(crate) const SLOPE: f64 = 1e-3;
 
 /// Most squarings of the matrix for its spectral radius.
 const SQUARINGS: usize = 14;
