@@ -283,18 +283,14 @@ impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
     /// The equations of the sums of moduli.
     #[inline(always)]
     fn equations(&self, bearings: &Bearings<'_, T>) -> Unique<T, N> {
-        let parts = |[one, other, _]: Pressing<T>| [one, other];
-        let of = |index: usize| {
-            if index >= bearings.count() {
-                return Sum::NONE;
+        let mut equations = [Sum::NONE; N];
+        for (index, (sum, row)) in equations.iter_mut().zip(&self.0).enumerate().take(bearings.count()) {
+            sum.is_vector = !bearings.bearing(index).0.slides();
+            sum.constant = [row[0][0], row[0][1]];
+            for (slope, by) in sum.slopes.iter_mut().zip(&row[1..]) {
+                *slope = [by[0], by[1]];
             }
-            let row = &self.0[index];
-            Sum {
-                is_vector: !bearings.bearing(index).0.slides(),
-                constant: parts(row[0]),
-                slopes: std::array::from_fn(|k| parts(row[k + 1])),
-            }
-        };
-        Unique(std::array::from_fn(of))
+        }
+        Unique(equations)
     }
 }
