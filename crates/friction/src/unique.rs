@@ -110,7 +110,8 @@ impl<T: Real, const N: usize> Unique<T, N> {
             let (mut most, mut size) = (T::ZERO, T::ZERO);
             for (z, change) in z.iter_mut().zip(change) {
                 *z += change * open;
-                (most, size) = (greater(most, change.abs()), greater(size, z.abs()));
+                most += change.abs();
+                size += z.abs();
             }
             // A lane that has converged keeps what it has. Changes fall as the squares of those before.
             let next = size * before * before * T::from_f64(NOTHING) - most * most * most;
@@ -119,7 +120,9 @@ impl<T: Real, const N: usize> Unique<T, N> {
             before = most;
             if open.greatest() <= 0.0 {
                 let sound = z.iter().all(|z| z.at_least(0.0));
-                z.iter_mut().for_each(|z| *z = *z * scale);
+                for z in &mut z {
+                    *z = *z * scale;
+                }
                 return sound.then_some(z);
             }
         }
@@ -163,14 +166,12 @@ fn eliminate<T: Real, const N: usize>(matrix: &mut Matrix<T, N>, right: &mut [T;
     let mut inverses = [T::ZERO; N];
     for k in 0..N {
         inverses[k] = T::ONE / matrix[k][k];
-        for i in k + 1..N {
-            let factor = matrix[i][k] * inverses[k];
-            for j in k + 1..N {
-                let own = matrix[k][j];
-                matrix[i][j] -= factor * own;
-            }
-            let known = right[k];
-            right[i] -= factor * known;
+        let (above, below) = matrix.split_at_mut(k + 1);
+        let (known, rest) = right.split_at_mut(k + 1);
+        for (row, right) in below.iter_mut().zip(rest) {
+            let factor = row[k] * inverses[k];
+            row[k + 1..].iter_mut().zip(&above[k][k + 1..]).for_each(|(entry, own)| *entry -= factor * *own);
+            *right -= factor * known[k];
         }
     }
     for k in (0..N).rev() {
@@ -196,8 +197,7 @@ fn by_determinants<T: Real, const N: usize>(matrix: &Matrix<T, N>, right: &[T; N
         }
     }
     let inverse = T::ONE / determinant;
-    sum.iter_mut().for_each(|sum| *sum = *sum * inverse);
-    sum
+    sum.map(|sum| sum * inverse)
 }
 
 /// The modulus of one vector, z = |a + w z|, where w is shorter than 1.

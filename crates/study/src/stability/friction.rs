@@ -102,19 +102,13 @@ pub(crate) fn friction(
     let Some((&used, others)) = all.split_first() else { return ControlFlow::Continue(Vec::new()) };
     let Some(own) = Scaled::new(linkage, &loads, 1.0) else { return ControlFlow::Continue(Vec::new()) };
     let mut found = greatest(&own, used);
-    let mut walked: Vec<(f64, Option<f64>)> = Vec::new();
     for health in &mut found {
         step()?;
-        if let Some((_, limit)) = walked.iter().find(|(coordinate, _)| *coordinate == health.coordinate) {
-            health.jams_at = *limit;
-            continue;
-        }
         let mut position = linkage.position();
         if linkage.solve(health.coordinate, Order::Second, &mut position).is_err() {
             continue;
         }
         health.jams_at = limit(&own, used, &position);
-        walked.push((health.coordinate, health.jams_at));
         if let (Some(limit), Some(judge)) = (health.jams_at, others.last()) {
             walk(&own, [used, judge], &position, (&health.place, limit), rows);
         }
@@ -145,14 +139,19 @@ fn greatest(own: &Scaled, method: &AnalyzerPlugin) -> Vec<FrictionHealth> {
         } else {
             // Where it jams, the iteration still has its rate.
             for told in forces.iteration(&state, &position) {
-                let group = (0..linkage.groups().len()).find(|group| name(*group) == told.what);
-                group.into_iter().for_each(|group| take(group, told.radius));
+                if let Some(group) = (0..linkage.groups().len()).find(|group| name(*group) == told.what) {
+                    take(group, told.radius);
+                }
             }
         }
     }
     let named = most.into_iter().enumerate().filter(|(_, (radius, _))| !radius.is_nan());
-    let health =
-        |(group, (radius, coordinate))| FrictionHealth { place: name(group), radius, coordinate, jams_at: None };
+    let health = |(group, (radius, coordinate))| FrictionHealth {
+        place: name(group),
+        radius,
+        coordinate,
+        jams_at: None,
+    };
     named.map(health).collect()
 }
 
@@ -178,7 +177,10 @@ fn walk(
         let Ok(known) = scaled.found(judge, position) else { continue };
         let outcome = scaled.found(used, position).map(|found| {
             let size = known.iter().fold(f64::MIN_POSITIVE, |most, force| most.max(force.abs()));
-            found.iter().zip(&known).fold(0.0, |most, (a, b)| assur_number::greater(most, (a - b).abs() / size))
+            found
+                .iter()
+                .zip(&known)
+                .fold(0.0, |most, (a, b)| assur_number::greater(most, (a - b).abs() / size))
         });
         let subject = Subject {
             place: text!("stability-place", group, kind = text!("stability-jamming")),
