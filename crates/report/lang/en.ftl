@@ -420,6 +420,7 @@ note-construction-stage = up to step { $last }
 note-construction = { $title }: { $place }
 note-construction-steps = { $title }: steps
 note-reactions-drawn = Reactions of the pairs over the cycle
+note-friction-drawn = Reactions and circles (angles) of friction, { $place }
 note-reduced-inertia-drawn = Reduced moment of inertia and its derivative
 note-places-drawn = The drive with its flywheel in two places, to one scale; what has no known size is dashed
 note-balancing-curve = Balancing load over the cycle
@@ -665,7 +666,7 @@ missing-losses-how = the reducer has no losses; add `efficiency` to `[drive]` (i
 missing-flywheel = flywheel
 missing-flywheel-how = the drive has none; add `flywheel` to `[drive]`
 missing-friction = friction in pairs
-missing-friction-how = the pairs are ideal, so their reactions do no work, and the reactions themselves make no friction; a known friction force is a `[[force]]` with `against_motion = true`
+missing-friction-how = the pairs are ideal, so their reactions do no work, and the reactions themselves make no friction; `[[friction]]` with a coefficient gives a pair dry friction
 missing-friction-given = the pairs are ideal, so their reactions do no work, and the reactions themselves make no friction; { $forces }, against the motion, may stand for some of it, with the size that the scene gives
 missing-friction-elsewhere = friction in the other pairs
 missing-friction-elsewhere-how = pairs without a `[[friction]]` are ideal: their reactions do no work

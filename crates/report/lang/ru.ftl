@@ -424,6 +424,7 @@ note-construction-stage = до шага { $last }
 note-construction = { $title }: { $place }
 note-construction-steps = { $title }: шаги
 note-reactions-drawn = Реакции в парах в течение цикла
+note-friction-drawn = Реакции и круги (углы) трения, { $place }
 note-reduced-inertia-drawn = Приведённый момент инерции и его производная
 note-places-drawn = Привод с маховиком в двух местах, в одном масштабе; пунктиром — то, размеров чего нет
 note-balancing-curve = Уравновешивающая нагрузка в течение цикла
@@ -642,7 +643,7 @@ missing-losses-how = редуктор без потерь; добавьте `eff
 missing-flywheel = маховик
 missing-flywheel-how = у привода его нет; добавьте `flywheel` к `[drive]`
 missing-friction = трение в парах
-missing-friction-how = пары идеальные, поэтому их реакции не совершают работы и сами трения не вызывают; известная сила трения — это `[[force]]` с `against_motion = true`
+missing-friction-how = пары идеальные, поэтому их реакции не совершают работы и сами трения не вызывают; сухое трение в паре задаёт `[[friction]]` с коэффициентом
 missing-friction-given = пары идеальные, поэтому их реакции не совершают работы и сами трения не вызывают; часть его может представлять { $forces } против движения, заданной сценой величины
 missing-friction-elsewhere = трение в других парах
 missing-friction-elsewhere-how = пары без `[[friction]]` идеальны: их реакции не совершают работы

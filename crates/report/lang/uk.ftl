@@ -424,6 +424,7 @@ note-construction-stage = до кроку { $last }
 note-construction = { $title }: { $place }
 note-construction-steps = { $title }: кроки
 note-reactions-drawn = Реакції в парах за цикл
+note-friction-drawn = Реакції й круги (кути) тертя, { $place }
 note-reduced-inertia-drawn = Зведений момент інерції та його похідна
 note-places-drawn = Привод із маховиком у двох місцях, в одному масштабі; пунктиром — те, розмірів чого немає
 note-balancing-curve = Зрівноважувальне навантаження за цикл
@@ -642,7 +643,7 @@ missing-losses-how = редуктор без втрат; додайте `efficie
 missing-flywheel = маховик
 missing-flywheel-how = у приводу його немає; додайте `flywheel` до `[drive]`
 missing-friction = тертя в парах
-missing-friction-how = пари ідеальні, тому їхні реакції не виконують роботи й самі тертя не спричиняють; відома сила тертя — це `[[force]]` з `against_motion = true`
+missing-friction-how = пари ідеальні, тому їхні реакції не виконують роботи й самі тертя не спричиняють; сухе тертя в парі задає `[[friction]]` з коефіцієнтом
 missing-friction-given = пари ідеальні, тому їхні реакції не виконують роботи й самі тертя не спричиняють; частину його може заступати { $forces } проти руху, заданої сценою величини
 missing-friction-elsewhere = тертя в інших парах
 missing-friction-elsewhere-how = пари без `[[friction]]` ідеальні: їхні реакції не виконують роботи
