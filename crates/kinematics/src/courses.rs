@@ -32,6 +32,9 @@ const FAR_AWAY: f64 = 1e3;
 /// Farthest way of a mode in a step, see [`Walk::apart`].
 const FARTHEST: f64 = 0.3;
 
+/// Opposite places farther away than this, in parts of the scale, are nearer to each other over infinity than [`FARTHEST`].
+const OPPOSITE: f64 = 6.0;
+
 /// Two modes within this of each other on the shortest step are about to meet: their distance grows with its root.
 const TOGETHER: f64 = 1e-3;
 
@@ -315,7 +318,7 @@ impl<'a> Walk<'a> {
 /// Whether a link is far away on opposite sides.
 fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
     one.bodies.iter().zip(&other.bodies).any(|(a, b)| {
-        let is_far = a.x.hypot(a.y).min(b.x.hypot(b.y)) > FAR_AWAY * scale;
+        let is_far = a.x.hypot(a.y).min(b.x.hypot(b.y)) > OPPOSITE * scale;
         is_far && a.x * b.x + a.y * b.y < 0.0
     })
 }
