@@ -212,7 +212,7 @@ fn curves_between_the_positions_are_those_of_more_positions() {
             {
                 continue;
             }
-            let points = series.course.line();
+            let points = series.course.points([1.0; 2]);
             assert!(
                 points.len() > DRAWN && points.iter().all(|at| !at[1].is_nan()),
                 "{name} {}",
