@@ -1,7 +1,7 @@
 //! The modes of every group over the cycle.
 
 use assur_group::Order;
-use assur_kinematics::{Course, CourseEnd, Linkage};
+use assur_kinematics::{Linkage, ModeSpan, SpanEnd};
 use assur_mechanism::{LinkId, Named};
 use serde::Serialize;
 
@@ -47,9 +47,9 @@ pub struct ModeCourse {
     /// Last coordinate.
     pub to: f64,
     /// How it begins.
-    pub begins: CourseEnd,
+    pub begins: SpanEnd,
     /// How it ends.
-    pub ends: CourseEnd,
+    pub ends: SpanEnd,
     /// The circuit, from 0.
     pub circuit: usize,
     /// The branch, from 0.
@@ -74,7 +74,7 @@ pub(crate) fn of(linkage: &Linkage) -> Vec<GroupModes> {
         let way = is_placed.then(|| linkage.modes(index, &position).ok().flatten()).flatten();
         let courses = linkage.courses(index);
         let all = courses.clone().unwrap_or_default();
-        let mode = |(way, course): (usize, &Course)| ModeCourse {
+        let mode = |(way, course): (usize, &ModeSpan)| ModeCourse {
             way,
             from: course.from,
             to: course.to,

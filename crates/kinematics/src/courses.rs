@@ -41,7 +41,7 @@ const MIDDLE: f64 = 0.493;
 /// How a course begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum CourseEnd {
+pub enum SpanEnd {
     /// With the cycle.
     Cycle,
     /// Together with another mode, by its number.
@@ -54,13 +54,13 @@ pub enum CourseEnd {
 
 /// A mode as far as it exists without a gap.
 #[derive(Debug, Clone, Copy)]
-pub struct Course {
+pub struct ModeSpan {
     /// The first coordinate, rad or m.
     pub from: f64,
     /// The last one.
     pub to: f64,
     /// How it begins and ends.
-    pub ends: [CourseEnd; 2],
+    pub ends: [SpanEnd; 2],
     /// The circuit: what can be reached without taking the mechanism apart; from 0.
     pub circuit: usize,
     /// The branch: what can be reached without a singular position; from 0.
@@ -69,9 +69,9 @@ pub struct Course {
 
 /// All modes of a group over a cycle; the number of a mode is its place in `courses`.
 #[derive(Debug, Clone, Default)]
-pub struct Courses {
+pub struct ModeSpans {
     /// Each mode; first those of the first position in their order.
-    pub courses: Vec<Course>,
+    pub courses: Vec<ModeSpan>,
     /// How many modes there are from a coordinate on, rad or m.
     pub counts: Vec<(f64, usize)>,
     /// Where two modes meet and both go on: coordinate and numbers.
@@ -88,14 +88,14 @@ type Present = Option<Vec<(usize, Mode<f64>)>>;
 struct Walk<'a> {
     linkage: &'a Linkage,
     group: usize,
-    found: Courses,
+    found: ModeSpans,
     now: (f64, Present),
 }
 
 impl Linkage {
     /// All modes of a group over a turn of a pinned input, or over the range of the scene; the groups before it are in their
     /// present assembly. `None` where its kind can't list them, and where some can't be told apart.
-    pub fn courses(&self, group: usize) -> Option<Courses> {
+    pub fn courses(&self, group: usize) -> Option<ModeSpans> {
         let lists = !self.structure.groups[group].plugin.iterates || self.groups()[group].lists_modes();
         lists.then(|| Walk::over(self, group))?
     }
@@ -123,15 +123,14 @@ impl Linkage {
 }
 
 impl<'a> Walk<'a> {
-    fn over(linkage: &'a Linkage, group: usize) -> Option<Courses> {
+    fn over(linkage: &'a Linkage, group: usize) -> Option<ModeSpans> {
         let input = &linkage.mechanism.input;
         let last = input.coordinate(input.positions.saturating_sub(1));
         let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
-        let mut walk = Self { linkage, group, found: Courses::default(), now: (input.from, None) };
+        let mut walk = Self { linkage, group, found: ModeSpans::default(), now: (input.from, None) };
         let first = linkage.modes_at(group, input.from);
-        walk.now.1 = first.map(|all| {
-            all.into_iter().map(|mode| (walk.begin(input.from, CourseEnd::Cycle), mode)).collect()
-        });
+        walk.now.1 = first
+            .map(|all| all.into_iter().map(|mode| (walk.begin(input.from, SpanEnd::Cycle), mode)).collect());
         walk.count();
         let start = walk.now.1.clone().unwrap_or_default();
         for step in 1..=SAMPLES {
@@ -143,7 +142,7 @@ impl<'a> Walk<'a> {
         }
         let end = walk.now.1.take().unwrap_or_default();
         for (number, _) in &end {
-            walk.end(*number, CourseEnd::Cycle);
+            walk.end(*number, SpanEnd::Cycle);
         }
         let is_same =
             |one: &Mode<f64>, other: &Mode<f64>| walk.apart(one, other) < TOGETHER && one.way == other.way;
@@ -157,14 +156,14 @@ impl<'a> Walk<'a> {
     }
 
     /// Begins a course at a coordinate; its number.
-    fn begin(&mut self, from: f64, end: CourseEnd) -> usize {
-        let ends = [end, CourseEnd::Cycle];
-        self.found.courses.push(Course { from, to: from, ends, circuit: 0, branch: 0 });
+    fn begin(&mut self, from: f64, end: SpanEnd) -> usize {
+        let ends = [end, SpanEnd::Cycle];
+        self.found.courses.push(ModeSpan { from, to: from, ends, circuit: 0, branch: 0 });
         self.found.courses.len() - 1
     }
 
     /// Ends a course at the present coordinate.
-    fn end(&mut self, number: usize, end: CourseEnd) {
+    fn end(&mut self, number: usize, end: SpanEnd) {
         let course = &mut self.found.courses[number];
         (course.to, course.ends[1]) = (self.now.0, end);
     }
@@ -277,10 +276,10 @@ fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
     })
 }
 
-impl Courses {
+impl ModeSpans {
     /// Numbers circuits and branches; `closed`: courses that go on in others at the end of the cycle.
     fn group(&mut self, closed: &[[usize; 2]]) {
-        let joined = |courses: &[Course], is_circuit: bool, met: &[(f64, [usize; 2])]| {
+        let joined = |courses: &[ModeSpan], is_circuit: bool, met: &[(f64, [usize; 2])]| {
             let mut of: Vec<usize> = (0..courses.len()).collect();
             let mut join = |[a, b]: [usize; 2]| {
                 let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
@@ -295,7 +294,7 @@ impl Courses {
                 }
                 for (number, course) in courses.iter().enumerate() {
                     for end in course.ends {
-                        if let CourseEnd::With(other) = end {
+                        if let SpanEnd::With(other) = end {
                             join([number, other]);
                         }
                     }

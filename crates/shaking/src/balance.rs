@@ -4,7 +4,7 @@ use assur_kinematics::PositionError;
 use nalgebra::{DMatrix, DVector};
 
 use crate::cone::least_maximum;
-use crate::course::{Course, ROUNDING};
+use crate::course::{ROUNDING, ShakingCourse};
 use crate::data::Proof;
 use crate::proof::LinearForce;
 use crate::samples::Sample;
@@ -76,7 +76,7 @@ impl Fit {
     /// between samples, are added to the problem until no force in the cycle is above the bound by more than the gap.
     pub(crate) fn least_maximum(
         &self,
-        course: &mut Course<'_, '_>,
+        course: &mut ShakingCourse<'_, '_>,
     ) -> Result<(Vec<[f64; 2]>, Proof), PositionError> {
         let carriers = course.sampler.carriers.clone();
         let mut rows: Vec<LinearForce> =

@@ -25,13 +25,13 @@ pub(crate) const ROUNDING: f64 = 1e-12;
 const CONSTANT: f64 = ROUNDING;
 
 /// Force and moment on the ground over the cycle.
-pub(crate) struct Course<'s, 'a> {
+pub(crate) struct ShakingCourse<'s, 'a> {
     pub(crate) sampler: &'s mut Sampler<'a>,
     /// In the order of the motion, both ends of the cycle included.
     pub(crate) samples: Vec<Sample>,
 }
 
-impl<'s, 'a> Course<'s, 'a> {
+impl<'s, 'a> ShakingCourse<'s, 'a> {
     /// Halves the intervals between samples, which cover the cycle with both of its ends.
     pub(crate) fn of(sampler: &'s mut Sampler<'a>, given: &[Sample]) -> Result<Self, PositionError> {
         let scales = Scales::of(given);

@@ -10,7 +10,7 @@ use std::num::NonZeroUsize;
 use std::time::Instant;
 
 use assur_all as _;
-use assur_sweep::{Measure, Points, Request, Rows, Sweep, SweepError, Vary};
+use assur_sweep::{Measure, Points, Rows, Sweep, SweepError, SweepRequest, Vary};
 use assur_testkit::yardstick::slider_crank;
 
 /// A slider-crank with masses and a force.
@@ -85,7 +85,7 @@ fn sweep(positions: &str, measures: Vec<Measure>) -> Sweep {
     let scene = SCENE.replace("positions = 48", &format!("positions = {positions}"));
     let ranges = ["link.crank.points.A=80 mm..120 mm", "link.piston.mass=1..3"];
     let vary: Vec<_> = ranges.iter().map(|range| Vary::parse(range, points).unwrap()).collect();
-    Sweep::of("bench", &scene, &vary, Request { points, measures, ..Request::default() }).unwrap()
+    Sweep::of("bench", &scene, &vary, SweepRequest { points, measures, ..SweepRequest::default() }).unwrap()
 }
 
 fn run(sweep: &Sweep, points: usize, threads: usize, csv: bool) {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use assur_scene::edit::{Document, Place, decimal, replaced, split};
+use assur_scene::edit::{ParsedText, TextPlace, decimal, replaced, split};
 use assur_scene::{Dimension, Unit, quantity};
 use assur_words::{Describe, Text, name, text};
 use strum::VariantArray;
@@ -44,7 +44,7 @@ impl Axis {
     /// Finds the parameter in the scene, and what it measures.
     pub(crate) fn of(
         vary: &Vary,
-        document: &Document<'_>,
+        document: &ParsedText<'_>,
         file: &str,
         scene: &str,
     ) -> Result<Self, SweepError> {
@@ -76,7 +76,7 @@ impl Axis {
     pub(crate) fn tied(
         tie: &Tie,
         parameters: &[Self],
-        document: &Document<'_>,
+        document: &ParsedText<'_>,
         file: &str,
         scene: &str,
     ) -> Result<Self, SweepError> {
@@ -139,12 +139,12 @@ impl End {
 /// What the parameter measures; `None` for a count.
 fn dimension(
     vary: &Vary,
-    found: &[Place],
+    found: &[TextPlace],
     ends: [&End; 2],
     file: &str,
     scene: &str,
 ) -> Result<Option<Dimension>, Text> {
-    let written = |place: &Place| scene.get(place.span.clone()).map(|text| text.replace('_', ""));
+    let written = |place: &TextPlace| scene.get(place.span.clone()).map(|text| text.replace('_', ""));
     let own = found.first().and_then(|place| place.text.clone().or_else(|| written(place)));
     let own = own.filter(|text| split(text).is_some());
     let texts = ends.map(End::text);

@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
-use assur_scene::edit::Document;
+use assur_scene::edit::ParsedText;
 use assur_words::Text;
 
 use crate::axis::Axis;
@@ -43,7 +43,7 @@ const PART_NUMBERS: usize = 1 << 23;
 
 /// What a sweep calculates.
 #[derive(Debug, Clone)]
-pub struct Request {
+pub struct SweepRequest {
     /// The points.
     pub points: Points,
     /// Keys that follow parameters.
@@ -56,7 +56,7 @@ pub struct Request {
     pub options: Options,
 }
 
-impl Default for Request {
+impl Default for SweepRequest {
     fn default() -> Self {
         Self {
             points: Points::Grid,
@@ -89,14 +89,19 @@ impl Sweep {
     /// # Errors
     ///
     /// [`SweepError`]: a faulty scene, a parameter that is not in it or not a number, units that don't fit, too many points.
-    pub fn of(file_name: &str, scene: &str, vary: &[Vary], request: Request) -> Result<Self, SweepError> {
+    pub fn of(
+        file_name: &str,
+        scene: &str,
+        vary: &[Vary],
+        request: SweepRequest,
+    ) -> Result<Self, SweepError> {
         let base = assur_scene::read(file_name, scene)?;
         if vary.is_empty() {
             return Err(SweepError::Nothing);
         }
-        let Request { points, ties, targets, measures, options } = request;
+        let SweepRequest { points, ties, targets, measures, options } = request;
         let count = count(points, vary)?;
-        let document = Document::of(scene);
+        let document = ParsedText::of(scene);
         let axis = |vary| Axis::of(vary, &document, file_name, scene);
         let mut axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
         for tie in &ties {

@@ -2,7 +2,7 @@
 
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_group::Order;
-use assur_kinematics::{CourseEnd, Linkage, Position};
+use assur_kinematics::{Linkage, Position, SpanEnd};
 
 use super::linkage_of;
 
@@ -98,7 +98,7 @@ fn modes_over_a_cycle_are_born_and_end_in_pairs_at_the_ends_of_ranges() {
     assert_eq!(found.counts[0].1, modes.all.len());
     // The present mode ends where the range does, together with another one.
     let course = &found.courses[modes.number(modes.present)];
-    let CourseEnd::With(other) = course.ends[1] else { panic!("{course:?}") };
+    let SpanEnd::With(other) = course.ends[1] else { panic!("{course:?}") };
     assert!((course.to - range.high).abs() < 1e-9, "{} {}", course.to, range.high);
     assert_eq!(found.courses[other].circuit, course.circuit);
     assert_ne!(found.courses[other].branch, course.branch);
@@ -134,7 +134,7 @@ fn modes_that_run_fast_before_they_vanish_end_together_and_not_at_infinity() {
         let text = FAST.replace("FROM", from);
         let found = linkage_of(assur_scene::read("fast", &text).unwrap()).courses(0).unwrap();
         assert_eq!((found.courses.len(), found.circuits), (4, 1), "from {from}: {:?}", found.courses);
-        let is_pair = |end| matches!(end, CourseEnd::With(_) | CourseEnd::Cycle);
+        let is_pair = |end| matches!(end, SpanEnd::With(_) | SpanEnd::Cycle);
         assert!(found.courses.iter().all(|course| course.ends.into_iter().all(is_pair)));
     }
 }
@@ -213,7 +213,7 @@ fn modes_of_a_kite_go_on_through_the_place_where_it_turns_freely() {
         let linkage = linkage_of(assur_scene::read("kite", &KITE.replace("FROM", from)).unwrap());
         let found = linkage.courses(0).unwrap();
         assert_eq!((found.courses.len(), found.circuits, found.branches), (2, 1, 2), "{:?}", found.courses);
-        assert!(found.courses.iter().all(|course| course.ends == [CourseEnd::Cycle; 2]));
+        assert!(found.courses.iter().all(|course| course.ends == [SpanEnd::Cycle; 2]));
         let [(at, _)] = found.meetings[..] else { panic!("{:?}", found.meetings) };
         assert!((at / std::f64::consts::TAU).fract().abs() < 1e-6, "{at}");
     }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use assur_scene::edit::{Document, Key, Place, decimal, quoted, replaced, split};
+use assur_scene::edit::{Key, ParsedText, TextPlace, decimal, quoted, replaced, split};
 use assur_scene::{Dimension, Unit};
 use assur_words::{Text, name, text};
 use clap::Args;
@@ -32,8 +32,8 @@ pub(crate) struct SetArgs {
 pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &args.scene)?;
     let text = scene::open(&args.scene, Style { strict: false, ..style })?.text;
-    let document = Document::of(&text);
-    let mut places: Vec<(Place, String)> = Vec::new();
+    let document = ParsedText::of(&text);
+    let mut places: Vec<(TextPlace, String)> = Vec::new();
     if let Some([row, result]) = args.row.as_deref().and_then(|row| <&[String; 2]>::try_from(row).ok()) {
         for (column, number) in parameters(row, Path::new(result))? {
             let (found, dimension) = measured(&document, &column)?;
@@ -68,7 +68,7 @@ fn toml(value: &str) -> String {
 }
 
 /// The number, SI, as it is written in the unit of a place of the scene; in SI where the unit would round it.
-fn in_unit_of(place: &Place, number: f64, dimension: Option<Dimension>) -> String {
+fn in_unit_of(place: &TextPlace, number: f64, dimension: Option<Dimension>) -> String {
     let unit = place.text.as_deref().and_then(split).map(|(_, unit)| unit).unwrap_or_default();
     let scale = dimension.filter(|_| !unit.is_empty()).and_then(|dimension| Unit::of(&unit, dimension).ok());
     let written = scale.map(|scale| (decimal(number / scale.si(1.0)), scale));
@@ -79,7 +79,7 @@ fn in_unit_of(place: &Place, number: f64, dimension: Option<Dimension>) -> Strin
 }
 
 /// The places of a parameter that a column holds, and what it measures: its name is the key, with the unit where it has one.
-fn measured(document: &Document<'_>, column: &str) -> Result<(Vec<Place>, Option<Dimension>), Fault> {
+fn measured(document: &ParsedText<'_>, column: &str) -> Result<(Vec<TextPlace>, Option<Dimension>), Fault> {
     let find = |key: &str| Key::parse(key).and_then(|key| document.find(&key));
     let first = match find(column) {
         Ok(places) => return Ok((places, None)),

@@ -9,7 +9,7 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use assur_sweep::{MEASURES, Measure, Points, Request, Sweep, SweepError, Tally, Target, Tie, Vary};
+use assur_sweep::{MEASURES, Measure, Points, Sweep, SweepError, SweepRequest, Tally, Target, Tie, Vary};
 use assur_words::{Describe, Told, name, number, text};
 use clap::Args;
 
@@ -114,7 +114,8 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let ties = args.tie.iter().map(|tie| Tie::parse(tie)).collect::<Result<_, _>>().map_err(fault)?;
     let targets = args.target.iter().map(|target| Target::parse(target)).collect::<Result<_, _>>();
     let targets = targets.map_err(fault)?;
-    let request = Request { points, ties, targets, measures, options: scene::options(&args.methods, false)? };
+    let request =
+        SweepRequest { points, ties, targets, measures, options: scene::options(&args.methods, false)? };
     let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();

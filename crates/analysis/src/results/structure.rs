@@ -3,7 +3,7 @@
 use assur_group::{Mode, Order, Pair};
 use assur_kinematics::{Length, Linkage, Misfit, Modes, mobility_in};
 use assur_mechanism::{GROUND, LinkId, Mechanism, Name, Named, PairId, Point};
-use assur_structure::Part;
+use assur_structure::PassivePart;
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -123,10 +123,10 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
 }
 
 /// A part in words: `link rod3`.
-pub(crate) fn part(mechanism: &Mechanism, part: Part) -> Text {
+pub(crate) fn part(mechanism: &Mechanism, part: PassivePart) -> Text {
     match part {
-        Part::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
-        Part::Pair(pair, link) => text!(
+        PassivePart::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
+        PassivePart::Pair(pair, link) => text!(
             "analysis-passive-pair",
             pair = &mechanism.named_pair(pair),
             link = &mechanism.named_link(link)
@@ -139,7 +139,7 @@ pub fn passive(linkage: &Linkage) -> Vec<PassiveReport> {
     let mechanism = &linkage.mechanism;
     let of = |found: &Misfit| PassiveReport {
         what: part(mechanism, found.part),
-        link: if let Part::Link(link) = found.part { Some(link) } else { None },
+        link: if let PassivePart::Link(link) = found.part { Some(link) } else { None },
         misfit: found.misfit,
         limit: found.limit,
         at: found.at,

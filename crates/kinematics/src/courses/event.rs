@@ -2,7 +2,7 @@
 
 use assur_group::Mode;
 
-use super::{CourseEnd, TOGETHER, Walk, is_turned};
+use super::{SpanEnd, TOGETHER, Walk, is_turned};
 
 /// Modes on both sides of an event; which of those before are left, and the numbers of those after it, as far as they are known.
 struct Sides<'a> {
@@ -29,8 +29,8 @@ impl Walk<'_> {
     pub(super) fn event(&mut self, to: f64, next: Option<&[Mode<f64>]>) -> Option<Vec<usize>> {
         let now = self.now.1.take();
         let (Some(now), Some(next)) = (&now, next) else {
-            now.iter().flatten().for_each(|(number, _)| self.end(*number, CourseEnd::Barrier));
-            return next.map(|next| next.iter().map(|_| self.begin(to, CourseEnd::Barrier)).collect());
+            now.iter().flatten().for_each(|(number, _)| self.end(*number, SpanEnd::Barrier));
+            return next.map(|next| next.iter().map(|_| self.begin(to, SpanEnd::Barrier)).collect());
         };
         let (left, numbers) = (vec![true; now.len()], vec![None; next.len()]);
         let mut sides = Sides { before: now, after: next, left, numbers };
@@ -39,10 +39,10 @@ impl Walk<'_> {
         self.go_on(&mut sides);
         self.turn_over(to, &mut sides);
         for (at, _) in sides.left.iter().enumerate().filter(|(_, left)| **left) {
-            self.end(now[at].0, CourseEnd::Infinity);
+            self.end(now[at].0, SpanEnd::Infinity);
         }
         let numbers = sides.numbers.into_iter();
-        Some(numbers.map(|known| known.unwrap_or_else(|| self.begin(to, CourseEnd::Infinity))).collect())
+        Some(numbers.map(|known| known.unwrap_or_else(|| self.begin(to, SpanEnd::Infinity))).collect())
     }
 
     /// Pairs that are next to each other after the event: two modes have met, or begin together.
@@ -64,9 +64,9 @@ impl Walk<'_> {
                     sides.go_on(a, k);
                 }
             } else {
-                let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
+                let [one, other] = [0, 1].map(|_| self.begin(to, SpanEnd::Cycle));
                 for (number, partner) in [(one, other), (other, one)] {
-                    self.found.courses[number].ends[0] = CourseEnd::With(partner);
+                    self.found.courses[number].ends[0] = SpanEnd::With(partner);
                 }
                 (sides.numbers[j], sides.numbers[k]) = (Some(one), Some(other));
             }
@@ -79,8 +79,8 @@ impl Walk<'_> {
         for [a, b] in self.pairs(&before) {
             if sides.left[a] && sides.left[b] {
                 (sides.left[a], sides.left[b]) = (false, false);
-                self.end(sides.before[a].0, CourseEnd::With(sides.before[b].0));
-                self.end(sides.before[b].0, CourseEnd::With(sides.before[a].0));
+                self.end(sides.before[a].0, SpanEnd::With(sides.before[b].0));
+                self.end(sides.before[b].0, SpanEnd::With(sides.before[a].0));
             }
         }
     }

@@ -3,7 +3,7 @@
 use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
 use assur_analysis::{GroupModes, Meeting, ModeCourse, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::CourseEnd;
+use assur_kinematics::SpanEnd;
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -200,12 +200,12 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     }
 }
 
-fn mode_end(end: CourseEnd) -> Text {
+fn mode_end(end: SpanEnd) -> Text {
     match end {
-        CourseEnd::Cycle => text!("mode-end-cycle"),
-        CourseEnd::With(other) => text!("mode-end-with", way = number(other)),
-        CourseEnd::Infinity => text!("mode-end-infinity"),
-        CourseEnd::Barrier => text!("mode-end-barrier"),
+        SpanEnd::Cycle => text!("mode-end-cycle"),
+        SpanEnd::With(other) => text!("mode-end-with", way = number(other)),
+        SpanEnd::Infinity => text!("mode-end-infinity"),
+        SpanEnd::Barrier => text!("mode-end-barrier"),
     }
 }
 
