@@ -392,7 +392,7 @@ structure-kind = class { $class }, type { $kind }, order { $order }
 structure-view-links = links: { $links }
 structure-inner = inner pairs: { $pairs }
 structure-outer = outer pairs: { $pairs }
-structure-way = assembly mode { $way } of { $count }
+structure-mode-of = assembly mode { $mode } of { $count }
 structure-determinant = determinant here: { $determinant }
 structure-plugin = plugin: { $name } ({ $crate_name })
 structure-source = source: { $source }
@@ -605,7 +605,7 @@ word-mobility = mobility W
     .meaning = number of independent motions: 3 n - 2 p for n links and p pairs with one freedom each
 word-determinant = determinant
     .meaning = of the equations of a group, without dimension: 0 in a singular position, where it is indeterminate
-word-way = mode
+word-mode = mode
     .meaning = one of the assemblies that a group has with the same lengths
 word-residual = residual
     .meaning = what is left of an equation with the numbers found; it should be rounding
@@ -664,14 +664,14 @@ regime-excess-area = A* = { $work }
 reduction-mechanism = the mechanism
 reduction-model = disc: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (at rest)
-structure-mode = shown: mode { $way }, determinant { $determinant } ({ $key } takes it)
+structure-mode = shown: mode { $mode }, determinant { $determinant } ({ $key } takes it)
 structure-modes = { $key }: shows the others
 say-no-modes = The kind of this group can't list its modes.
 say-no-mode-shown = No mode is shown.
 say-mode-without-points = No point of the group has a name: none can stand under [assembly].
-say-mode-taken = Mode { $way } is taken: its points stand under [assembly].
-say-mode-is-taken = Mode { $way } is taken already.
-say-mode-vanished = The mode of { $group } has vanished; mode { $way } is taken.
+say-mode-taken = Mode { $mode } is taken: its points stand under [assembly].
+say-mode-is-taken = Mode { $mode } is taken already.
+say-mode-vanished = The mode of { $group } has vanished; mode { $mode } is taken.
 
 ## reference of the keys, other numbers of a scene
 cli-keys-near = did you mean `{ $near }`?

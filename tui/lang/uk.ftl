@@ -364,7 +364,7 @@ structure-kind = клас { $class }, вид { $kind }, порядок { $order 
 structure-view-links = ланки: { $links }
 structure-inner = внутрішні пари: { $pairs }
 structure-outer = зовнішні пари: { $pairs }
-structure-way = складання { $way } з { $count }
+structure-mode-of = складання { $mode } з { $count }
 structure-determinant = визначник тут: { $determinant }
 structure-plugin = плагін: { $name } ({ $crate_name })
 structure-source = джерело: { $source }
@@ -577,7 +577,7 @@ word-mobility = рухомість W
     .meaning = кількість незалежних рухів: 3 n - 2 p для n ланок і p однорухомих пар
 word-determinant = визначник
     .meaning = рівнянь групи, безрозмірний: 0 в особливому положенні, де вона невизначена
-word-way = складання
+word-mode = складання
     .meaning = один зі способів складання групи за тих самих довжин
 word-residual = нев'язка
     .meaning = що лишається від рівняння зі знайденими числами; має бути лише округленням
@@ -654,14 +654,14 @@ regime-excess-area = A* = { $work }
 reduction-mechanism = механізм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (у стані спокою)
-structure-mode = показано складання { $way }, визначник { $determinant } ({ $key } бере його)
+structure-mode = показано складання { $mode }, визначник { $determinant } ({ $key } бере його)
 structure-modes = { $key }: показує інші
 say-no-modes = Вид цієї групи не може перелічити її складань.
 say-no-mode-shown = Жодного складання не показано.
 say-mode-without-points = Жодна точка групи не має назви: нічого записати в [assembly].
-say-mode-taken = Узято складання { $way }: його точки стоять у [assembly].
-say-mode-is-taken = Складання { $way } уже взято.
-say-mode-vanished = Складання групи { $group } зникло; узято складання { $way }.
+say-mode-taken = Узято складання { $mode }: його точки стоять у [assembly].
+say-mode-is-taken = Складання { $mode } уже взято.
+say-mode-vanished = Складання групи { $group } зникло; узято складання { $mode }.
 
 ## reference of the keys, other numbers of a scene
 cli-keys-near = можливо, `{ $near }`?

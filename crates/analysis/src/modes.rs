@@ -1,7 +1,7 @@
 //! The modes of every group over the cycle.
 
 use assur_group::Order;
-use assur_kinematics::{Linkage, ModeSpan, SpanEnd};
+use assur_kinematics::{Linkage, ModeSpan};
 use assur_mechanism::{LinkId, Named};
 use serde::Serialize;
 
@@ -14,8 +14,9 @@ pub struct GroupModes {
     pub kind: String,
     /// Its links.
     pub links: Vec<Named<LinkId>>,
-    /// The mode of the mechanism in the first position.
-    pub way: Option<usize>,
+    /// The mode of the mechanism in the first position; results call it `way`.
+    #[serde(rename = "way")]
+    pub mode: Option<usize>,
     /// Number of circuits: what can't be reached without taking the mechanism apart; `None` where the kind can't list modes.
     pub circuits: Option<usize>,
     /// Number of branches: what can't be reached without a singular position.
@@ -23,7 +24,7 @@ pub struct GroupModes {
     /// How many modes there are from a coordinate on.
     pub counts: Vec<CountFrom>,
     /// Each mode, numbered as in the first position; one born later takes the next number.
-    pub modes: Vec<ModeCourse>,
+    pub modes: Vec<ModeSpan>,
     /// Where two modes meet and both go on.
     pub meetings: Vec<Meeting>,
 }
@@ -37,32 +38,14 @@ pub struct CountFrom {
     pub modes: usize,
 }
 
-/// A mode as far as it exists without a gap.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ModeCourse {
-    /// Its number.
-    pub way: usize,
-    /// First coordinate, rad or m.
-    pub from: f64,
-    /// Last coordinate.
-    pub to: f64,
-    /// How it begins.
-    pub begins: SpanEnd,
-    /// How it ends.
-    pub ends: SpanEnd,
-    /// The circuit, from 0.
-    pub circuit: usize,
-    /// The branch, from 0.
-    pub branch: usize,
-}
-
 /// Where two modes meet and both go on.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Meeting {
     /// The coordinate, rad or m.
     pub at: f64,
-    /// The modes.
-    pub ways: [usize; 2],
+    /// The modes; results call them `ways`.
+    #[serde(rename = "ways")]
+    pub modes: [usize; 2],
 }
 
 /// The modes of every group over the cycle.
@@ -71,28 +54,19 @@ pub(crate) fn of(linkage: &Linkage) -> Vec<GroupModes> {
     let is_placed = linkage.solve_index(0, Order::Place, &mut position).is_ok();
     let group = |index: usize| {
         let found = &linkage.structure.groups[index];
-        let way = is_placed.then(|| linkage.modes(index, &position).ok().flatten()).flatten();
-        let courses = linkage.courses(index);
-        let all = courses.clone().unwrap_or_default();
-        let mode = |(way, course): (usize, &ModeSpan)| ModeCourse {
-            way,
-            from: course.from,
-            to: course.to,
-            begins: course.ends[0],
-            ends: course.ends[1],
-            circuit: course.circuit,
-            branch: course.branch,
-        };
+        let first = is_placed.then(|| linkage.modes(index, &position).ok().flatten()).flatten();
+        let spans = linkage.mode_spans(index);
+        let all = spans.clone().unwrap_or_default();
         GroupModes {
             group: index + 1,
             kind: found.plugin.kind.to_owned(),
             links: found.frame.links.iter().map(|&link| linkage.mechanism.named_link(link)).collect(),
-            way: way.filter(|_| courses.is_some()).map(|modes| modes.number(modes.present)),
-            circuits: courses.as_ref().map(|all| all.circuits),
-            branches: courses.as_ref().map(|all| all.branches),
+            mode: first.filter(|_| spans.is_some()).map(|modes| modes.number(modes.present)),
+            circuits: spans.as_ref().map(|all| all.circuits),
+            branches: spans.as_ref().map(|all| all.branches),
             counts: all.counts.iter().map(|&(from, modes)| CountFrom { from, modes }).collect(),
-            modes: all.courses.iter().enumerate().map(mode).collect(),
-            meetings: all.meetings.iter().map(|&(at, ways)| Meeting { at, ways }).collect(),
+            modes: all.spans,
+            meetings: all.meetings.iter().map(|&(at, modes)| Meeting { at, modes }).collect(),
         }
     };
     (0..linkage.structure.groups.len()).map(group).collect()

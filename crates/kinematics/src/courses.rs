@@ -32,13 +32,13 @@ const FARTHEST: f64 = 0.3;
 /// Two modes within this of each other on the shortest step are about to meet: their distance grows with its root.
 const TOGETHER: f64 = 1e-3;
 
-/// A cycle with more courses than this has modes that can't be told apart: rounding makes them begin and end.
-const MOST_COURSES: usize = 500;
+/// A cycle with more modes than this has modes that can't be told apart: rounding makes them begin and end.
+const MOST_SPANS: usize = 500;
 
 /// Where the middle of a step is taken, so that no singular position of round numbers is hit.
 const MIDDLE: f64 = 0.493;
 
-/// How a course begins or ends.
+/// How a mode begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SpanEnd {
@@ -53,25 +53,30 @@ pub enum SpanEnd {
 }
 
 /// A mode as far as it exists without a gap.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ModeSpan {
+    /// Its number; results call it `way`.
+    #[serde(rename = "way")]
+    pub mode: usize,
     /// The first coordinate, rad or m.
     pub from: f64,
     /// The last one.
     pub to: f64,
-    /// How it begins and ends.
-    pub ends: [SpanEnd; 2],
+    /// How it begins.
+    pub begins: SpanEnd,
+    /// How it ends.
+    pub ends: SpanEnd,
     /// The circuit: what can be reached without taking the mechanism apart; from 0.
     pub circuit: usize,
     /// The branch: what can be reached without a singular position; from 0.
     pub branch: usize,
 }
 
-/// All modes of a group over a cycle; the number of a mode is its place in `courses`.
+/// All modes of a group over a cycle; the number of a mode is its place in `spans`.
 #[derive(Debug, Clone, Default)]
 pub struct ModeSpans {
     /// Each mode; first those of the first position in their order.
-    pub courses: Vec<ModeSpan>,
+    pub spans: Vec<ModeSpan>,
     /// How many modes there are from a coordinate on, rad or m.
     pub counts: Vec<(f64, usize)>,
     /// Where two modes meet and both go on: coordinate and numbers.
@@ -95,7 +100,7 @@ struct Walk<'a> {
 impl Linkage {
     /// All modes of a group over a turn of a pinned input, or over the range of the scene; the groups before it are in their
     /// present assembly. `None` where its kind can't list them, and where some can't be told apart.
-    pub fn courses(&self, group: usize) -> Option<ModeSpans> {
+    pub fn mode_spans(&self, group: usize) -> Option<ModeSpans> {
         let lists = !self.structure.groups[group].plugin.iterates || self.groups()[group].lists_modes();
         lists.then(|| Walk::over(self, group))?
     }
@@ -136,7 +141,7 @@ impl<'a> Walk<'a> {
         for step in 1..=SAMPLES {
             let to = walk.beside_free(input.from + length * f64::from(step) / f64::from(SAMPLES));
             walk.advance(to);
-            if walk.found.courses.len() > MOST_COURSES {
+            if walk.found.spans.len() > MOST_SPANS {
                 return None;
             }
         }
@@ -155,17 +160,18 @@ impl<'a> Walk<'a> {
         Some(walk.found)
     }
 
-    /// Begins a course at a coordinate; its number.
+    /// Begins a mode at a coordinate; its number.
     fn begin(&mut self, from: f64, end: SpanEnd) -> usize {
-        let ends = [end, SpanEnd::Cycle];
-        self.found.courses.push(ModeSpan { from, to: from, ends, circuit: 0, branch: 0 });
-        self.found.courses.len() - 1
+        let mode = self.found.spans.len();
+        let ends = SpanEnd::Cycle;
+        self.found.spans.push(ModeSpan { mode, from, to: from, begins: end, ends, circuit: 0, branch: 0 });
+        mode
     }
 
-    /// Ends a course at the present coordinate.
+    /// Ends a mode at the present coordinate.
     fn end(&mut self, number: usize, end: SpanEnd) {
-        let course = &mut self.found.courses[number];
-        (course.to, course.ends[1]) = (self.now.0, end);
+        let span = &mut self.found.spans[number];
+        (span.to, span.ends) = (self.now.0, end);
     }
 
     fn count(&mut self) {
@@ -191,7 +197,7 @@ impl<'a> Walk<'a> {
         };
         let numbers = match continued {
             Some(numbers) => numbers,
-            None if is_short || self.found.courses.len() > MOST_COURSES => self.event(to, next.as_deref()),
+            None if is_short || self.found.spans.len() > MOST_SPANS => self.event(to, next.as_deref()),
             None => {
                 self.advance(self.now.0 + MIDDLE * (to - self.now.0));
                 return self.advance(to);
@@ -277,25 +283,25 @@ fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
 }
 
 impl ModeSpans {
-    /// Numbers circuits and branches; `closed`: courses that go on in others at the end of the cycle.
+    /// Numbers circuits and branches; `closed`: modes that go on in others at the end of the cycle.
     fn group(&mut self, closed: &[[usize; 2]]) {
-        let joined = |courses: &[ModeSpan], is_circuit: bool, met: &[(f64, [usize; 2])]| {
-            let mut of: Vec<usize> = (0..courses.len()).collect();
+        let joined = |spans: &[ModeSpan], is_circuit: bool, met: &[(f64, [usize; 2])]| {
+            let mut of: Vec<usize> = (0..spans.len()).collect();
             let mut join = |[a, b]: [usize; 2]| {
                 let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
                 of.iter_mut().filter(|one| **one == high).for_each(|one| *one = low);
             };
-            // The end of a course that has met another one is not where its beginning can go without that meeting.
+            // The end of a mode that has met another one is not where its beginning can go without that meeting.
             let has_met = |number: usize| met.iter().any(|(_, pair)| pair.contains(&number));
             closed.iter().copied().filter(|[last, _]| is_circuit || !has_met(*last)).for_each(&mut join);
             if is_circuit {
                 for (_, pair) in met {
                     join(*pair);
                 }
-                for (number, course) in courses.iter().enumerate() {
-                    for end in course.ends {
+                for span in spans {
+                    for end in [span.begins, span.ends] {
                         if let SpanEnd::With(other) = end {
-                            join([number, other]);
+                            join([span.mode, other]);
                         }
                     }
                 }
@@ -307,10 +313,10 @@ impl ModeSpans {
             (numbers, all.len())
         };
         let [circuits, branches]: [(Vec<usize>, usize); 2] =
-            [true, false].map(|is_circuit| joined(&self.courses, is_circuit, &self.meetings));
+            [true, false].map(|is_circuit| joined(&self.spans, is_circuit, &self.meetings));
         (self.circuits, self.branches) = (circuits.1, branches.1);
-        for (number, course) in self.courses.iter_mut().enumerate() {
-            (course.circuit, course.branch) = (circuits.0[number], branches.0[number]);
+        for span in &mut self.spans {
+            (span.circuit, span.branch) = (circuits.0[span.mode], branches.0[span.mode]);
         }
     }
 }

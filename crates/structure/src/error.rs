@@ -1,7 +1,7 @@
 //! Errors in decomposing a mechanism.
 
 use assur_group::RegistryError;
-use assur_words::{Describe, Text, joined, list, name, number, quantity, text};
+use assur_words::{Describe, Text, list, name, number, quantity, text};
 
 /// The mobility count that an error shows.
 #[derive(Debug, Clone, PartialEq, Eq)]

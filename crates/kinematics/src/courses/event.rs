@@ -66,7 +66,7 @@ impl Walk<'_> {
             } else {
                 let [one, other] = [0, 1].map(|_| self.begin(to, SpanEnd::Cycle));
                 for (number, partner) in [(one, other), (other, one)] {
-                    self.found.courses[number].ends[0] = SpanEnd::With(partner);
+                    self.found.spans[number].begins = SpanEnd::With(partner);
                 }
                 (sides.numbers[j], sides.numbers[k]) = (Some(one), Some(other));
             }

@@ -1,9 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
-use assur_analysis::{GroupModes, Meeting, ModeCourse, PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, Meeting, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::SpanEnd;
+use assur_kinematics::{ModeSpan, SpanEnd};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -117,8 +117,8 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
         text!("head-links"),
         text!("head-inner"),
         text!("head-outer"),
-        text!("head-way"),
-        text!("head-ways"),
+        text!("head-mode"),
+        text!("head-modes"),
     ];
     let of = |(index, group): (usize, &GroupReport)| {
         row![
@@ -130,8 +130,8 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
             named(&group.links),
             named(&group.inner),
             named(&group.outer),
-            group.way.map(number),
-            group.ways.map(number),
+            group.mode.map(number),
+            group.mode_count.map(number),
         ]
     };
     let columns = heads.map(|head| Column::short(head, Unit::NONE));
@@ -167,13 +167,13 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
         return page.paragraph(text!("report-modes-unlisted", group = named));
     };
-    let of = |mode: &ModeCourse| {
+    let of = |mode: &ModeSpan| {
         let [begins, ends] = [mode.begins, mode.ends].map(mode_end);
-        row![number(mode.way), mode.from, mode.to, begins, ends, number(mode.circuit), number(mode.branch)]
+        row![number(mode.mode), mode.from, mode.to, begins, ends, number(mode.circuit), number(mode.branch)]
     };
     let text = |head: Text| Column::of(head);
     let columns = [
-        text(text!("head-way")),
+        text(text!("head-mode")),
         Column::short(text!("head-from"), unit),
         Column::short(text!("head-to"), unit),
         text(text!("head-begins")),
@@ -187,11 +187,11 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     });
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
     page.paragraph(text!("report-modes-circuits", circuits = circuits, branches = branches));
-    if let Some(way) = group.way {
-        page.paragraph(text!("report-modes-present", way = number(way)));
+    if let Some(mode) = group.mode {
+        page.paragraph(text!("report-modes-present", mode = number(mode)));
     }
     let meeting = |meeting: &Meeting| {
-        let [one, other] = meeting.ways.map(number);
+        let [one, other] = meeting.modes.map(number);
         text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
     };
     if !group.meetings.is_empty() {
@@ -203,7 +203,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
 fn mode_end(end: SpanEnd) -> Text {
     match end {
         SpanEnd::Cycle => text!("mode-end-cycle"),
-        SpanEnd::With(other) => text!("mode-end-with", way = number(other)),
+        SpanEnd::With(other) => text!("mode-end-with", mode = number(other)),
         SpanEnd::Infinity => text!("mode-end-infinity"),
         SpanEnd::Barrier => text!("mode-end-barrier"),
     }

@@ -31,11 +31,11 @@ pub(super) fn take(state: &mut State) {
     let Some(points) = points(scene, group, index).filter(|points| !points.is_empty()) else {
         return state.say(Role::Bad, text!("say-mode-without-points"));
     };
-    let way = scene.first_modes(group).map_or(index, |modes| modes.number(index));
+    let mode = scene.first_modes(group).map_or(index, |modes| modes.number(index));
     if whatif::assemble(state, &points) {
-        state.say(Role::Good, text!("say-mode-taken", way = number(way)));
+        state.say(Role::Good, text!("say-mode-taken", mode = number(mode)));
     } else {
-        state.say(Role::Plain, text!("say-mode-is-taken", way = number(way)));
+        state.say(Role::Plain, text!("say-mode-is-taken", mode = number(mode)));
     }
     state.chosen.mode = None;
 }
@@ -64,8 +64,8 @@ pub(super) fn keep(state: &mut State, before: &Position, counts: &[usize]) {
         let Some((nearest, distance)) = near else { continue };
         if distance > VANISHED && counts.get(group).is_some_and(|count| modes.all.len() < *count) {
             let name = scene.linkage.structure.group_name(&scene.linkage.mechanism, group);
-            let way = number(modes.number(modes.present));
-            return state.say(Role::Bad, text!("say-mode-vanished", group = name, way = way));
+            let mode = number(modes.number(modes.present));
+            return state.say(Role::Bad, text!("say-mode-vanished", group = name, mode = mode));
         }
         if nearest != modes.present && distance <= VANISHED {
             let points = points(scene, group, nearest).unwrap_or_default();

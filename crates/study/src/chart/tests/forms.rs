@@ -8,7 +8,7 @@ use assur_report::text::Style;
 use assur_words::Describe;
 use proptest::prelude::*;
 
-fn json(data: &ChartData) -> serde_json::SettingValue {
+fn json(data: &ChartData) -> serde_json::Value {
     serde_json::from_str(&data.to_json().unwrap()).unwrap()
 }
 
