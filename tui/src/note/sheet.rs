@@ -35,8 +35,8 @@ pub(super) fn author(note: &Note) -> Vec<(Text, String)> {
 
 impl NoteSheet<'_> {
     pub(super) fn line(&self, text: &Text) -> String {
-        // Signs of print, in every language.
-        text.render(self.language).replace("->", "→")
+        // Signs of print, in every language; names need no quotes on paper.
+        text.render(self.language).replace("->", "→").replace('`', "")
     }
 
     /// The caption of a figure or a table with its number.
