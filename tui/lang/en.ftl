@@ -562,6 +562,7 @@ cli-plugin-sort = sort
 cli-plugin-name = name
 cli-plugin-crate = crate
 cli-plugin-what = what
+cli-plugin-source = source
 cli-plugin-group = group
 cli-plugin-analyzer = force analyzer
 cli-plugin-integrator = integrator

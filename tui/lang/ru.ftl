@@ -537,6 +537,7 @@ cli-plugin-sort = род
 cli-plugin-name = имя
 cli-plugin-crate = крейт
 cli-plugin-what = что это
+cli-plugin-source = источник
 cli-plugin-group = группа
 cli-plugin-analyzer = метод силового анализа
 cli-plugin-integrator = интегратор

@@ -534,6 +534,7 @@ cli-plugin-sort = рід
 cli-plugin-name = назва
 cli-plugin-crate = крейт
 cli-plugin-what = що це
+cli-plugin-source = джерело
 cli-plugin-group = група
 cli-plugin-analyzer = метод силового аналізу
 cli-plugin-integrator = інтегратор

@@ -179,7 +179,7 @@ fn symbol<const N: usize>(letter: &'static str, points: [Text; N]) -> Text {
     joined("", [name(letter), name("("), joined("/", points), name(")")])
 }
 
-/// Speed and acceleration of the coordinate; per unit of it without a motion.
+/// Speed and acceleration of the coordinate; without a motion the speed is 1 and the acceleration 0.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rate {
     pub(crate) w: f64,

@@ -64,7 +64,7 @@ struct Drawer<'a> {
     loads: &'a [Acting],
     reactions: &'a Reactions,
     balance: Option<(LinkId, [f64; 2])>,
-    /// A group whose forces are all below this is unloaded: they are rounding, N.
+    /// Forces below this are rounding, N; a group with no greater force is unloaded.
     floor: f64,
 }
 

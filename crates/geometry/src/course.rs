@@ -261,7 +261,8 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// From the positions of rest of a quantity; `None` where it does not go to and fro. `size` gives the stroke.
+    /// The stroke between the positions of rest of a quantity, where `size` gives its displacement; `None` where the quantity does not
+    /// go to and fro.
     pub(crate) fn of(
         rests: &[Rest],
         period: Option<f64>,

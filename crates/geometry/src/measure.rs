@@ -75,7 +75,7 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     })
 }
 
-/// What is asked for first of a motion.
+/// The strokes and swings of the outputs of a machine, and the least transmission angle.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Overview {
     /// The slides on the ground that go to and fro: the outputs of the machine.
@@ -86,7 +86,7 @@ pub struct Overview {
     pub transmission: Option<(usize, f64, f64)>,
 }
 
-/// What is asked for first of a motion.
+/// Measures the strokes and swings of the outputs of a machine, and the least transmission angle.
 ///
 /// # Errors
 ///

@@ -101,7 +101,7 @@ impl<'s, 'a> ShakingCourse<'s, 'a> {
 struct Scales {
     force: f64,
     moment: f64,
-    /// Of a unit counterweight on each carrier; force and turning share their terms.
+    /// The greatest size of what a unit counterweight on each carrier adds to force and moment.
     units: Vec<f64>,
 }
 

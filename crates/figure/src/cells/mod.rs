@@ -38,7 +38,7 @@ pub struct Look {
     pub ratio: f64,
     /// Zoom and pan of planes.
     pub zoom: Zoom,
-    /// In the words of which language.
+    /// The language of the words.
     pub language: &'static Language,
 }
 
