@@ -440,6 +440,7 @@ note-checks-text = Each result is checked by a residual, which must stay below a
 note-model = Model and its limits
 note-model-text = Links are rigid, motion is plane, pairs have no clearance and no friction. What the task does not name is not modelled: links without a mass have no weight and no inertia.
 note-model-text-friction = Links are rigid, motion is plane, pairs have no clearance; dry friction acts in the pairs for which the task gives it. What the task does not name is not modelled: links without a mass have no weight and no inertia.
+note-sources = Letters before a figure, an equation or a stage name the papers that the calculation follows: S is Sychov and Vadimov, Design of important mechanisms in a course of the theory of machines and mechanisms (2019); E is Ladikov and Bychkov on the method of solving problems in the dynamics of mechanisms; D is the equation of motion of a machine in differential form; L is the paper on the reactions in the straight-line-enveloping mechanism by the method of longitudinal reactions.
 note-no-position = Positions without an assembly: { $positions }.
 note-no-forces = Positions without forces: { $positions }. At the first: { $reason }.
 note-too-many = a note shows at most { $most } positions of a scene of { $parts } links, points, slides and loads, and this one has { $count }; lower `positions` in [input]
