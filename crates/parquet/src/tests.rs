@@ -71,7 +71,7 @@ fn parquet_reads_back_as_the_same_cells() {
                 (CsvCell::Empty, Field::Null) => {}
                 (CsvCell::Text(known), Field::Str(text)) => assert_eq!(text, known),
                 (CsvCell::Number(known), Field::Double(value)) => {
-                    assert_eq!(value.to_bits(), known.to_bits())
+                    assert_eq!(value.to_bits(), known.to_bits());
                 }
                 (known, field) => panic!("{known:?} became {field:?}"),
             }
