@@ -23,6 +23,7 @@ pub(crate) mod work;
 
 pub use data::{ChartData, Measurement, Reference, Setting, SettingValue, Stage, csv};
 pub use figure::{WIDTH, figure, stage_text, text};
+pub(crate) use forces::state;
 pub use race::{ChartOptions, Clock, Progress};
 pub use run::{ChartError, chart};
 
