@@ -2,7 +2,7 @@
 
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_group::Order;
-use assur_kinematics::{Linkage, Position, SpanEnd};
+use assur_kinematics::{CourseEnd, Linkage, Position};
 
 use super::linkage_of;
 
@@ -76,8 +76,8 @@ fn a_triad_passes_meetings_of_its_modes_as_the_dyad_that_moves_alike() {
     }
     assert_eq!(triad.change_points().count(), 2);
     for linkage in [&triad, &dyad] {
-        let found = linkage.mode_spans(0).unwrap();
-        assert_eq!((found.circuits, found.branches, found.spans.len()), (1, 2, 2));
+        let found = linkage.courses(0).unwrap();
+        assert_eq!((found.circuits, found.branches, found.courses.len()), (1, 2, 2));
         assert_eq!(found.counts.len(), 1, "{:?}", found.counts);
         let mut at: Vec<f64> = found.meetings.iter().map(|(at, _)| at.to_degrees()).collect();
         at.sort_by(f64::total_cmp);
@@ -91,17 +91,17 @@ fn modes_over_a_cycle_are_born_and_end_in_pairs_at_the_ends_of_ranges() {
     let text = assur_fixtures::scene("triad").replace(longer.0, longer.1);
     let linkage = linkage_of(assur_scene::read("triad", &text).unwrap());
     let range = linkage.range.unwrap();
-    let found = linkage.mode_spans(0).unwrap();
+    let found = linkage.courses(0).unwrap();
     let mut position = linkage.position();
     linkage.solve_index(0, Order::Place, &mut position).unwrap();
     let modes = linkage.modes(0, &position).unwrap().unwrap();
     assert_eq!(found.counts[0].1, modes.all.len());
     // The present mode ends where the range does, together with another one.
-    let course = &found.spans[modes.number(modes.present)];
-    let SpanEnd::With(other) = course.ends else { panic!("{course:?}") };
+    let course = &found.courses[modes.number(modes.present)];
+    let CourseEnd::With(other) = course.ends[1] else { panic!("{course:?}") };
     assert!((course.to - range.high).abs() < 1e-9, "{} {}", course.to, range.high);
-    assert_eq!(found.spans[other].circuit, course.circuit);
-    assert_ne!(found.spans[other].branch, course.branch);
+    assert_eq!(found.courses[other].circuit, course.circuit);
+    assert_ne!(found.courses[other].branch, course.branch);
     // The number changes by two at each birth and end; over a turn it comes back.
     let steps = found.counts.windows(2).map(|two| two[1].1.abs_diff(two[0].1));
     assert!(steps.eq(std::iter::repeat_n(2, found.counts.len() - 1)), "{:?}", found.counts);
@@ -130,12 +130,28 @@ from = FROM
 
 #[test]
 fn modes_that_run_fast_before_they_vanish_end_together_and_not_at_infinity() {
-    for from in ["0.897", "1.177", "1.457"] {
+    for from in ["0.897", "0.947", "1.177", "1.457"] {
         let text = FAST.replace("FROM", from);
-        let found = linkage_of(assur_scene::read("fast", &text).unwrap()).mode_spans(0).unwrap();
-        assert_eq!((found.spans.len(), found.circuits), (4, 1), "from {from}: {:?}", found.spans);
-        let is_pair = |end| matches!(end, SpanEnd::With(_) | SpanEnd::Cycle);
-        assert!(found.spans.iter().all(|course| [course.begins, course.ends].into_iter().all(is_pair)));
+        let found = linkage_of(assur_scene::read("fast", &text).unwrap()).courses(0).unwrap();
+        assert_eq!((found.courses.len(), found.circuits), (4, 1), "from {from}: {:?}", found.courses);
+        let is_pair = |end| matches!(end, CourseEnd::With(_) | CourseEnd::Cycle);
+        assert!(found.courses.iter().all(|course| course.ends.into_iter().all(is_pair)));
+    }
+}
+
+#[test]
+fn a_position_next_to_the_end_of_two_modes_is_noted_with_both() {
+    let scene = |from: f64| format!("{}positions = 1\n", FAST.replace("FROM", &format!("{from:?}")));
+    let courses = linkage_of(assur_scene::read("fast", &scene(0.897)).unwrap()).courses(0).unwrap();
+    // The determinant falls with the root of the distance.
+    for (before, is_noted) in [(1e-9, true), (1e-2, false)] {
+        let json = results(&scene(courses.courses[0].to - before));
+        assert_eq!(json["structure"]["groups"][0]["modes"].as_array().unwrap().len(), 2);
+        let notes = json["notes"].as_array().unwrap();
+        let note = notes.iter().find(|note| note["id"] == "analysis-nearly-singular-modes");
+        assert_eq!(note.is_some(), is_noted, "{notes:?}");
+        let condition = json["structure"]["groups"][0]["modes"][0]["condition"].as_f64().unwrap();
+        assert_eq!(condition > 1e3, is_noted, "{condition}");
     }
 }
 
@@ -211,9 +227,9 @@ from = "FROM deg"
 fn modes_of_a_kite_go_on_through_the_place_where_it_turns_freely() {
     for from in ["50", "-3.37"] {
         let linkage = linkage_of(assur_scene::read("kite", &KITE.replace("FROM", from)).unwrap());
-        let found = linkage.mode_spans(0).unwrap();
-        assert_eq!((found.spans.len(), found.circuits, found.branches), (2, 1, 2), "{:?}", found.spans);
-        assert!(found.spans.iter().all(|course| [course.begins, course.ends] == [SpanEnd::Cycle; 2]));
+        let found = linkage.courses(0).unwrap();
+        assert_eq!((found.courses.len(), found.circuits, found.branches), (2, 1, 2), "{:?}", found.courses);
+        assert!(found.courses.iter().all(|course| course.ends == [CourseEnd::Cycle; 2]));
         let [(at, _)] = found.meetings[..] else { panic!("{:?}", found.meetings) };
         assert!((at / std::f64::consts::TAU).fract().abs() < 1e-6, "{at}");
     }

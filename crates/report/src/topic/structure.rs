@@ -1,9 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
-use assur_analysis::{GroupModes, Meeting, PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, Meeting, ModeCourse, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::{ModeSpan, SpanEnd};
+use assur_kinematics::{CourseEnd, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -165,11 +165,17 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         links = named(&group.links)
     );
     let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
-        return page.paragraph(text!("report-modes-unlisted", group = named));
+        let unlisted = match group.unlisted {
+            Some(Unlisted::At(place)) => {
+                text!("report-modes-together", group = named, coordinate = unit.show(place))
+            }
+            _ => text!("report-modes-unlisted", group = named),
+        };
+        return page.paragraph(unlisted);
     };
-    let of = |mode: &ModeSpan| {
+    let of = |mode: &ModeCourse| {
         let [begins, ends] = [mode.begins, mode.ends].map(mode_end);
-        row![number(mode.mode), mode.from, mode.to, begins, ends, number(mode.circuit), number(mode.branch)]
+        row![number(mode.way), mode.from, mode.to, begins, ends, number(mode.circuit), number(mode.branch)]
     };
     let text = |head: Text| Column::of(head);
     let columns = [
@@ -187,11 +193,11 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     });
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
     page.paragraph(text!("report-modes-circuits", circuits = circuits, branches = branches));
-    if let Some(mode) = group.mode {
-        page.paragraph(text!("report-modes-present", mode = number(mode)));
+    if let Some(way) = group.way {
+        page.paragraph(text!("report-modes-present", mode = number(way)));
     }
     let meeting = |meeting: &Meeting| {
-        let [one, other] = meeting.modes.map(number);
+        let [one, other] = meeting.ways.map(number);
         text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
     };
     if !group.meetings.is_empty() {
@@ -200,12 +206,12 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     }
 }
 
-fn mode_end(end: SpanEnd) -> Text {
+fn mode_end(end: CourseEnd) -> Text {
     match end {
-        SpanEnd::Cycle => text!("mode-end-cycle"),
-        SpanEnd::With(other) => text!("mode-end-with", mode = number(other)),
-        SpanEnd::Infinity => text!("mode-end-infinity"),
-        SpanEnd::Barrier => text!("mode-end-barrier"),
+        CourseEnd::Cycle => text!("mode-end-cycle"),
+        CourseEnd::With(other) => text!("mode-end-with", mode = number(other)),
+        CourseEnd::Infinity => text!("mode-end-infinity"),
+        CourseEnd::Barrier => text!("mode-end-barrier"),
     }
 }
 
