@@ -693,4 +693,6 @@ cli-write-set = write it as KEY=VALUE, such as "link.crank.mass=2 kg"
 cli-row-number = --row { $row }: write the number of the row, a whole number from 0, and the file
 cli-no-row = it has no row { $row }; the first is 0
 cli-no-sweep = it is no result of a sweep: parameters stand before the column `status`
+cli-semicolons = its cells are separated by semicolons, as spreadsheets save it in some languages: take the CSV as `assur sweep` wrote it
+cli-sweep-doubt = note: at { $point }: { $note }
 cli-sweep-size = note: { $rows } rows of { $columns } columns, up to { $megabytes } MB of CSV; `--measure` names what is needed, Parquet takes less.

@@ -75,6 +75,8 @@ scene-right-file = is it the right file?
 scene-unclosed = not TOML: this text has no closing quote
 scene-begins-here = it begins here
 scene-duplicate-key = not TOML: duplicate key `{ $key }`
+scene-stands-already = it stands in line { $line } already: write all its keys there
+scene-no-quotes = write the number without quotes
 scene-unquoted-key = not TOML: { $message }; a name with other characters must be in quotes
 scene-no-toml = not TOML: { $message }
 scene-long-name = `{ $name }` has { $count } characters, at most { $most } are read
@@ -466,6 +468,7 @@ scene-list-repeats = With `to`, { $positions } positions are { $apart } apart an
 scene-part-of-a-turn = A cycle of { $cycle } is no whole number of turns: after it the mechanism is not where it began. Positions of a part of a turn are written with `to`.
 scene-gravity-up = Gravity points up: y grows upward. Write "9.81 m/s^2", or [0, "-9.81 m/s^2"].
 scene-inertia-without-mass = Link `{ $link }` turns about no fixed pin and has a moment of inertia, but no mass: is `mass` missing?
+scene-mass-without-inertia = Link `{ $link }` turns and has a mass, but no moment of inertia, which the others have: it is taken as 0; is `inertia` missing?
 scene-far-lighter = Link `{ $link }` has a mass of { $mass }, the others about { $others }: is a unit wrong?
 scene-turned-twice = A negative speed along direction = "cw" turns counter-clockwise: leave the minus sign out.
 scene-odd-ratio = `ratio` is motor speed / input speed; with { $ratio } the motor is far from its rated speed, { $needed } would reach it.

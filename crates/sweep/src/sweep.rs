@@ -245,8 +245,30 @@ impl Sweep {
             .axes
             .iter()
             .zip(numbers)
-            .map(|(axis, number)| format!("{} = {}", axis.key, axis.shown(number)));
+            .map(|(axis, number)| format!("{} = {}", axis.key, axis.told(number)));
         each.collect::<Vec<_>>().join(", ")
+    }
+
+    /// What is probably not meant at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
+    /// and the note.
+    pub fn doubts(&self) -> Vec<(String, Text)> {
+        let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
+        let known = assur_scene::read("", self.scene()).map(|scene| scene.notes).unwrap_or_default();
+        let mut found: Vec<(String, Text)> = Vec::new();
+        for (index, axis) in self.axes.iter().enumerate() {
+            for end in [axis.from, axis.to] {
+                numbers[index] = end;
+                let notes = self.variants.read(&self.axes, &numbers).map(|scene| scene.notes);
+                let new = notes.unwrap_or_default().into_iter().filter(|note| !known.contains(note));
+                let told: Vec<_> = new
+                    .filter(|note| known.iter().all(|other| other.key != note.key))
+                    .map(|note| (format!("{} = {}", axis.key, axis.told(end)), note.text))
+                    .collect();
+                found.extend(told);
+                numbers[index] = axis.from;
+            }
+        }
+        found
     }
 
     /// The error of a sweep without a point that can be calculated: then the call is at fault, and there is no table.

@@ -118,7 +118,13 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();
-    Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)
+    let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)?;
+    let doubts = sweep.doubts().into_iter();
+    scene::doubted(
+        doubts.map(|(at, note)| text!("cli-sweep-doubt", point = name(at), note = note)).collect(),
+        style,
+    )?;
+    Ok(sweep)
 }
 
 fn fault(path: &Path, error: SweepError) -> Fault {

@@ -134,6 +134,13 @@ fn a_tied_key_follows_its_parameter() {
         error,
         "`link.rod.points.B`: it follows `link.piston.mass`, which is not varied: name that key in --vary"
     );
+    let mass =
+        requested(SLIDER, &["link.crank.points.A=0.1..0.2:2"], request("link.rod.mass=link.crank.points.A"));
+    assert!(
+        mass.unwrap_err()
+            .to_string()
+            .contains("it is a mass and would follow `link.crank.points.A`, a length")
+    );
     let own = request("link.crank.points.A=link.crank.points.A");
     assert!(requested(SLIDER, &vary, own).unwrap_err().to_string().contains("are the same value"));
 }
