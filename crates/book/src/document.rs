@@ -61,6 +61,8 @@ pub enum Term {
     Sign(Text),
     /// A unit.
     Unit(Text),
+    /// What the quantity is, in words behind the equation.
+    Words(Text),
 }
 
 impl Document {

@@ -23,6 +23,7 @@ working-symbols-of-reactions = { $rx }, { $ry }: the force that the pair B exert
 working-symbols-of-loads = { $x }, { $y }: sum of the known forces on link r. { $m }: their moment about A, counter-clockwise positive.
 working-inertia = Inertia loads are -m a at the center of mass and -I φ″ (by time); with them each link is in equilibrium.
 working-assumptions-of-forces = Assumptions: pairs without friction; weights and inertia at the centers of mass.
+working-assumptions-with-friction = Assumptions: dry friction in the pairs for which the scene gives it, none in the others; weights and inertia at the centers of mass.
 working-shares = In a joint B of more than two links, { $share } is the share of links s and t alone; the reaction of B on r is the sum of its shares.
 
 # Words in subscripts, as short as possible.

@@ -65,7 +65,11 @@ impl Work<'_> {
                 m = symbol("M", &["r", "A"]),
             ),
             text!("working-inertia"),
-            text!("working-assumptions-of-forces"),
+            if self.linkage.mechanism.frictions.is_empty() {
+                text!("working-assumptions-of-forces")
+            } else {
+                text!("working-assumptions-with-friction")
+            },
         ]);
         let structure = &self.linkage.structure;
         if (0..structure.pairs.len()).any(|pair| structure.is_share(pair)) {

@@ -10,13 +10,15 @@ use assur_words::{Text, name, number, text};
 use super::context::{Context, still};
 use super::{NoteError, construction};
 use crate::screen::state::{Part, Reaction, Series, View};
-use crate::screen::view::{plans, plots};
+use crate::screen::view::{friction, plans, plots};
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
 const POLYGONS: [f64; 2] = [165.0, 80.0];
 const CURVE: [f64; 2] = [165.0, 85.0];
 /// Loads in one figure.
 const MOST_LOADS: usize = 4;
+/// Pairs with friction in one figure.
+const MOST_CIRCLES: usize = 8;
 /// Reactions in one diagram: there are so many strokes.
 const MOST_REACTIONS: usize = 4;
 
@@ -39,7 +41,20 @@ pub(super) fn forces(context: &mut Context<'_>, page: &mut Document) -> Result<(
         page,
         &[topic::reactions_at_positions, topic::balancing_at_positions, topic::friction_tables],
     )?;
+    touching(context, page)?;
     curves(context, page)
+}
+
+/// The reactions of the pairs with friction in the first of the chosen positions, touching the circles of friction.
+fn touching(context: &Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    let (scene, found, position) = (context.scene()?, context.found()?, context.positions[0]);
+    let of = |reaction| friction::panel(scene, found, position, reaction);
+    let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
+    let figure = Figure { panels, columns: 2, ..Figure::default() };
+    let size = [CURVE[0], 75.0 * figure.rows() as f64];
+    let caption = text!("note-friction-drawn", place = context.place(position));
+    page.figure(Some(figure).filter(|figure| !figure.panels.is_empty()), size, caption);
+    Ok(())
 }
 
 /// The values of the loads that vary over the cycle (S fig. 6), the first ones of many.

@@ -61,5 +61,9 @@ fn terms(equation: &Entry) -> Vec<Term> {
     };
     let sides = equation.sides();
     let sides: Vec<Vec<Term>> = sides.iter().map(|side| side.iter().map(term).collect()).collect();
-    sides.join(&Term::Sign(name(" = ")))
+    let words = match equation {
+        Entry::Given { what, .. } if !what.is_empty() => Some(Term::Words(what.clone())),
+        _ => None,
+    };
+    sides.join(&Term::Sign(name(" = "))).into_iter().chain(words).collect()
 }

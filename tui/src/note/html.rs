@@ -109,6 +109,7 @@ fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
         Term::Sign(text) => escaped(&sign(&sheet.line(text))),
         Term::Power(power) => format!("<sup>{}</sup>", escaped(power)),
         Term::Unit(unit) => format!(" {}", line(unit)),
+        Term::Words(text) => format!("\u{2003}({})", line(text)),
     };
     terms.iter().map(term).collect()
 }

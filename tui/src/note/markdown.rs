@@ -83,6 +83,7 @@ fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
         Term::Power(power) => format!("^{{{power}}}"),
         Term::Sign(text) => sheet.line(text).replace(['·', '*'], "\\cdot ").replace('−', "-"),
         Term::Unit(unit) => format!("\\ {}", word(unit)),
+        Term::Words(text) => format!("\\quad ({})", word(text)),
     };
     terms.iter().map(term).collect()
 }

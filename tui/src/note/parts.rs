@@ -218,6 +218,7 @@ fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let has_friction = context.found()?.analysis.friction.is_some();
     let model = if has_friction { "note-model-text-friction" } else { "note-model-text" };
     page.paragraph(text!(model));
+    page.paragraph(text!("note-sources"));
     let (analysis, poses) = (&context.found()?.analysis, &context.scene()?.poses);
     analysis.notes.iter().for_each(|note| page.paragraph(Text::from(note)));
     let positions = |all: Vec<usize>| list(all.into_iter().map(number));

@@ -35,14 +35,15 @@ pub(super) fn author(note: &Note) -> Vec<(Text, String)> {
 
 impl Sheet<'_> {
     pub(super) fn line(&self, text: &Text) -> String {
-        // Signs of print, in every language.
-        text.render(self.language).replace("->", "→")
+        // Signs of print, in every language; names need no quotes on paper.
+        text.render(self.language).replace("->", "→").replace('`', "")
     }
 
     /// The caption of a figure or a table with its number.
     pub(super) fn numbered(&self, id: &'static str, number: usize, caption: &Text) -> String {
         let values = vec![("number", name(number.to_string())), ("caption", caption.clone())];
-        self.line(&Text::message(id, values))
+        let whole = self.line(&Text::message(id, values));
+        if caption.is_empty() { whole.trim_end_matches(['.', ' ']).to_owned() } else { whole }
     }
 
     pub(super) fn grid(&self, table: &Table) -> Grid {

@@ -106,6 +106,7 @@ fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
             .replace('−', "-")
             .replace('"', "\\\""),
         Term::Unit(unit) => format!(" space {}", quoted(&sheet.line(unit))),
+        Term::Words(text) => format!(" quad ({})", quoted(&sheet.line(text))),
     };
     terms.iter().map(term).collect()
 }

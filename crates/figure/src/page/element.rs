@@ -118,15 +118,12 @@ impl Outline {
 
 /// A text at the start, the middle or the end of its baseline.
 pub(super) fn text(at: Point, words: &str, ink: Ink, anchor: &str) -> Element {
-    let mut attributes = vec![
+    let attributes = vec![
         ("x", mm(at[0])),
         ("y", mm(at[1])),
         ("font-size", mm(EM)),
         ("fill", color(ink).to_owned()),
         ("text-anchor", anchor.to_owned()),
     ];
-    if ink == Ink::Title {
-        attributes.push(("font-weight", "bold".to_owned()));
-    }
     Element { name: "text", attributes, text: words.to_owned() }
 }

@@ -161,6 +161,7 @@ impl Page<'_> {
                 Term::Power(text) => format!("^{text}"),
                 Term::Sign(text) | Term::Number(text) => self.style.line(text),
                 Term::Unit(text) => format!(" {}", self.style.line(text)),
+                Term::Words(text) => format!("  ({})", self.style.line(text)),
             }
         });
         self.wrapped(Kind::Words, &line, 2, 4);

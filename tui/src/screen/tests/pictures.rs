@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use assur_analysis::Options;
+use assur_analysis::results::{Column, Owner, Quantity};
 use assur_figure::{Item, Sample};
+use assur_mechanism::Surfaces;
 
 use super::{View, opened, press};
 use crate::screen::draw::cells;
@@ -172,4 +174,50 @@ fn a_legend_has_the_colors_of_the_drawing() {
             assert!(drawn.contains(&ink), "{scene}: {} {ink:?}", key.text);
         }
     }
+}
+
+#[test]
+fn a_reaction_with_friction_is_drawn_at_the_distance_and_with_the_parts_that_were_found() {
+    let state = analyzed("shaper-friction", &request("forces"));
+    let scene = state.scene.as_ref().unwrap();
+    let (found, mechanism) = (scene.found.as_ref().unwrap(), &scene.linkage.mechanism);
+    let line = |item: &Item| match item {
+        Item::Line { points, .. } => [points[0], *points.last().unwrap()],
+        Item::Arrow { from, to, .. } => [*from, *to],
+        other => panic!("{other:?}"),
+    };
+    let mut drawn = 0;
+    for position in 0..scene.positions() {
+        for reaction in &found.reactions {
+            let Some(panel) = view::friction::panel(scene, found, position, reaction) else { continue };
+            let (pair, link) = reaction.of.as_ref().unwrap();
+            let own = mechanism.frictions.iter().find(|friction| friction.pair == pair.id).unwrap();
+            let value = |index: usize| found.series[reaction.series[index]].course.get(position).unwrap();
+            let [x, y, size] = [0, 1, 2].map(value);
+            if let Surfaces::Journal { radius, owner } = own.surfaces {
+                // The moment about the center is f r |R| against the turning of the other link.
+                let [from, to] = line(&panel.items[3]);
+                let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+                let [u, v] = [0, 1].map(|axis| (to[axis] - from[axis]) / length);
+                assert!((u * size - x).abs().max((v * size - y).abs()) < 1e-9 * size);
+                let moment = size * (from[0] * v - from[1] * u);
+                let bodies = &scene.pose(position, 0.0).unwrap().bodies;
+                let other = mechanism.friction_links(own)[0][0];
+                let turning = (bodies[other].w1 - bodies[owner].w1).signum();
+                let sign = if link.id == owner { 1.0 } else { -1.0 };
+                let expected = sign * turning * own.coefficient * radius * size;
+                assert!((moment - expected).abs() < 1e-9 * expected.abs(), "{position} {reaction:?}");
+            } else {
+                let [[_, across], [_, whole]] = [line(&panel.items[3]), line(&panel.items[5])];
+                assert!((whole[0] - x).hypot(whole[1] - y) < 1e-12 * size);
+                let share = Column::of(Quantity::FrictionForce, Owner::Pair(pair.id));
+                let table = &found.analysis.positions;
+                let share = table.get(table.row_of(position).unwrap(), share).unwrap();
+                let along = (whole[0] - across[0]).hypot(whole[1] - across[1]);
+                assert!((along - share.abs()).abs() < 1e-9 * size, "{position} {reaction:?}");
+            }
+            drawn += 1;
+        }
+    }
+    assert_eq!(drawn, 7 * scene.positions());
 }

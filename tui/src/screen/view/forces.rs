@@ -8,7 +8,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::causes::{self, curves};
 use super::curves::together;
-use super::page;
+use super::{friction, page};
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Part, Purpose, Reaction, Role, Scene, Series, State, View};
 
@@ -53,7 +53,13 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
             return Figure { title: heading(state, scene, found), ..together(state, scene, &all) };
         }
         Part::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
-        Part::Hodograph => (hodograph(state, found).into_iter().collect(), 1),
+        Part::Hodograph => {
+            let mut panels: Vec<Panel> = hodograph(state, found).into_iter().collect();
+            let touching = |reaction| friction::panel(scene, found, state.position, reaction);
+            panels.extend(chosen(state, found).and_then(touching));
+            let columns = panels.len().max(1);
+            (panels, columns)
+        }
         _ => {
             let mut panels = curves(state, scene, found, &[usize::MAX]);
             panels.extend(hodograph(state, found));

@@ -10,6 +10,7 @@ pub(crate) mod curves;
 mod drive;
 mod footer;
 mod forces;
+pub(crate) mod friction;
 mod header;
 pub(crate) mod help;
 pub(crate) mod mechanism;
