@@ -134,8 +134,11 @@ fn a_tied_key_follows_its_parameter() {
         error,
         "`link.rod.points.B`: it follows `link.piston.mass`, which is not varied: name that key in --vary"
     );
-    let mass =
-        requested(SLIDER, &["link.crank.points.A=0.1..0.2:2"], request("link.rod.mass=link.crank.points.A"));
+    let mass = requested(
+        SLIDER,
+        &["link.crank.points.A=0.1..0.2:2"],
+        request("link.piston.mass=link.crank.points.A"),
+    );
     assert!(
         mass.unwrap_err()
             .to_string()
