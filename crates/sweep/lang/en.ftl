@@ -41,6 +41,6 @@ sweep-measure-pf = greatest moduli of the first and second transfer functions of
 sweep-measure-speed = greatest speeds of points, slides and links at a constant speed of the input, between positions
 sweep-measure-acceleration = greatest accelerations of points, slides and links at a constant speed of the input, between positions
 sweep-measure-shaking = shaking force on the ground: greatest, root of the mean square; greatest shaking moment about the origin, between positions
-sweep-measure-distance = least and greatest distance of points from the places of --target, over the positions of the scene
+sweep-measure-distance = least and greatest distance of points from the places of --target, between the positions too
 sweep-write-target = write it as POINT=X,Y, such as "E=100 mm,50 mm"
 sweep-no-point = there is no such point in the results; points: { $points }
