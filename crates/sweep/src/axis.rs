@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use assur_scene::edit::{Document, Place, decimal, replaced, split};
 use assur_scene::{Dimension, Unit, quantity};
-use assur_words::{Describe, Text, name, text};
+use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text};
 use strum::VariantArray;
 
 use crate::vary::Range as Ends;
@@ -123,10 +123,12 @@ impl Axis {
         toml(number, &self.name, !self.name.is_empty())
     }
 
-    /// A value for messages, SI where it is written without a unit: `120 mm`.
-    pub(crate) fn told(&self, number: f64) -> String {
+    /// A value for messages with its key, SI where it is written without a unit: `link.crank.mass = 2 kg`.
+    pub(crate) fn told(&self, number: f64) -> Text {
         let si = self.measures.filter(|_| self.name.is_empty()).map(Dimension::si).unwrap_or_default();
-        End { number, unit: self.name.clone() + si }.text()
+        let value =
+            if si.is_empty() { name(self.shown(number)) } else { quantity_of(number, si.replace('*', "·")) };
+        joined(" = ", [name(self.key.clone()), value])
     }
 
     /// A value as its range has it: `120 mm`.

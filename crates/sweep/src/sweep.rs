@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
 use assur_scene::edit::Document;
-use assur_words::Text;
+use assur_words::{Text, list};
 
 use crate::axis::Axis;
 use crate::layout::Layout;
@@ -239,22 +239,17 @@ impl Sweep {
     }
 
     /// Keys and values of a point: "link.crank.mass = 2 kg, drive.ratio = 24".
-    pub fn describe(&self, index: usize) -> String {
+    pub fn describe(&self, index: usize) -> Text {
         let numbers = self.numbers(index);
-        let each = self
-            .axes
-            .iter()
-            .zip(numbers)
-            .map(|(axis, number)| format!("{} = {}", axis.key, axis.told(number)));
-        each.collect::<Vec<_>>().join(", ")
+        list(self.axes.iter().zip(numbers).map(|(axis, number)| axis.told(number)))
     }
 
     /// What is probably not meant at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
     /// and the note.
-    pub fn doubts(&self) -> Vec<(String, Text)> {
+    pub fn doubts(&self) -> Vec<(Text, Text)> {
         let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
         let known = assur_scene::read("", self.scene()).map(|scene| scene.notes).unwrap_or_default();
-        let mut found: Vec<(String, Text)> = Vec::new();
+        let mut found: Vec<(Text, Text)> = Vec::new();
         for (index, axis) in self.axes.iter().enumerate() {
             for end in [axis.from, axis.to] {
                 numbers[index] = end;
@@ -262,7 +257,7 @@ impl Sweep {
                 let new = notes.unwrap_or_default().into_iter().filter(|note| !known.contains(note));
                 let told: Vec<_> = new
                     .filter(|note| known.iter().all(|other| other.key != note.key))
-                    .map(|note| (format!("{} = {}", axis.key, axis.told(end)), note.text))
+                    .map(|note| (axis.told(end), note.text))
                     .collect();
                 found.extend(told);
                 numbers[index] = axis.from;

@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use assur_sweep::{MEASURES, Measure, Points, Request, Sweep, SweepError, Tally, Target, Tie, Vary};
-use assur_words::{Describe, Told, name, number, text};
+use assur_words::{Describe, Told, number, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -121,7 +121,7 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)?;
     let doubts = sweep.doubts().into_iter();
     scene::doubted(
-        doubts.map(|(at, note)| text!("cli-sweep-doubt", point = name(at), note = note)).collect(),
+        doubts.map(|(at, note)| text!("cli-sweep-doubt", point = at, note = note)).collect(),
         style,
     )?;
     Ok(sweep)
@@ -218,7 +218,7 @@ impl<'a> Job<'a> {
             "cli-sweep-failures",
             failures = number(failures),
             points = number(points),
-            point = name(self.sweep.describe(first)),
+            point = self.sweep.describe(first),
             message = self.sweep.failure(first).unwrap_or_default(),
         ));
         Status::Failed
