@@ -113,8 +113,11 @@ impl Calculation {
             nodes.collect::<Option<Vec<_>>>()?.into_iter().unzip();
         let jumps = trajectory.events.iter().map(|event| {
             let Place { time, coordinate, speed } = event.state;
-            let sample = Sample { time, coordinate, speed, acceleration: 0.0 };
-            Some([at(&sample, true)?.0, at(&sample, false)?.0])
+            let sample = |acceleration| Sample { time, coordinate, speed, acceleration };
+            // From which side it came to a speed at which loads jump, as to rest where it turns back.
+            let earlier = trajectory.samples.partition_point(|sample| sample.time < time);
+            let change = trajectory.samples[..earlier].last().map_or(0.0, |before| speed - before.speed);
+            Some([at(&sample(change), true)?.0, at(&sample(0.0), false)?.0])
         });
         let jumps = jumps.collect::<Option<Vec<_>>>()?;
         let intervals = nodes.windows(parts + 1).step_by(parts).map(|nodes| over_time(nodes, &jumps));

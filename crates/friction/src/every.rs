@@ -28,14 +28,20 @@ pub struct Solutions {
     pub continuum: bool,
 }
 
-/// Relative difference up to which a solution that was found in another way is one of those found.
+/// Relative difference up to which solutions that were found in different ways are one: near a place where two meet, Newton's method
+/// leaves the root of the rounding.
 const FOUND: f64 = 1e-6;
+
+/// Whether the moduli of two solutions that were found in different ways are those of one.
+pub fn is_same(one: &[f64], other: &[f64]) -> bool {
+    let size = one.iter().chain(other).fold(0.0_f64, |most, z| most.max(z.abs()));
+    distance(one, other) <= FOUND * size
+}
 
 impl Solutions {
     /// The index of a solution that was found in another way. One that is missing among these joins them: they were not all.
     pub fn index_of(&mut self, z: Vec<f64>) -> usize {
-        let size = z.iter().fold(0.0_f64, |most, z| most.max(*z));
-        if let Some(known) = self.points.iter().position(|known| distance(known, &z) <= FOUND * size) {
+        if let Some(known) = self.points.iter().position(|known| is_same(known, &z)) {
             return known;
         }
         self.complete = false;
@@ -171,23 +177,7 @@ impl Moduli {
             return;
         };
         let direction: Vec<f64> = directions.row(only).iter().copied().collect();
-        // The part of the line on which no modulus is negative.
-        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        for i in 0..n {
-            let (z, d) = (point[i], direction[i]);
-            if d.abs() <= 1e-12 {
-                if z < -SIGN * size {
-                    return;
-                }
-            } else if d > 0.0 {
-                low = low.max(-z / d);
-            } else {
-                high = high.min(-z / d);
-            }
-        }
-        if low > high + SIGN * size {
-            return;
-        }
+        let Some([low, high]) = nonnegative(point.as_slice(), &direction, SIGN * size) else { return };
         let ends: Vec<f64> = [low, high].into_iter().filter(|t| t.is_finite()).collect();
         found.continuum |= high - low > SIGN * size;
         for t in ends {
@@ -199,6 +189,24 @@ impl Moduli {
             }
         }
     }
+}
+
+/// The ends of the part of a line, from a point along a direction, on which no coordinate is negative beyond `slack`; `None` where there
+/// is no such part.
+fn nonnegative(point: &[f64], direction: &[f64], slack: f64) -> Option<[f64; 2]> {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (z, d) in point.iter().zip(direction) {
+        if d.abs() <= 1e-12 {
+            if *z < -slack {
+                return None;
+            }
+        } else if *d > 0.0 {
+            low = low.max(-z / d);
+        } else {
+            high = high.min(-z / d);
+        }
+    }
+    (low <= high + slack).then_some([low, high])
 }
 
 /// Greatest difference of two solutions.

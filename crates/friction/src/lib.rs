@@ -24,7 +24,7 @@ mod quadrics;
 mod radius;
 mod unique;
 
-pub use every::Solutions;
+pub use every::{Solutions, is_same};
 pub use moduli::{Moduli, Width};
 pub use path::{Node, path};
 pub use radius::spectral_radius;

@@ -16,8 +16,14 @@ const NOTHING: f64 = 1e-16;
 /// Relative change below which a spectral radius has converged.
 const STILL: f64 = 8.0 * f64::EPSILON;
 
+/// Relative change that is rounding.
+const ROUNDING: f64 = 0.25 * f64::EPSILON;
+
+/// Number of products of the matrix with a vector of ones, for a bound of its spectral radius.
+const POWERS: usize = 3;
+
 /// Least slope of the characteristic polynomial at its greatest root, by the square of the root: below it others are too near.
-const SLOPE: f64 = 1e-3;
+pub(crate) const SLOPE: f64 = 1e-3;
 
 /// Most squarings of the matrix for its spectral radius.
 const SQUARINGS: usize = 14;
@@ -67,7 +73,12 @@ impl<T: Real, const N: usize> Unique<T, N> {
     /// every lane.
     #[inline(always)]
     fn certificate(&self) -> Option<T> {
-        let lengths = self.0.map(|sum| sum.slopes.map(|slope| sum.size(slope)));
+        let mut lengths = [[T::ZERO; N]; N];
+        for (row, sum) in lengths.iter_mut().zip(&self.0) {
+            for (length, slope) in row.iter_mut().zip(&sum.slopes) {
+                *length = sum.size(*slope);
+            }
+        }
         match N {
             1 => Some(lengths[0][0]),
             3 => greatest_root(&lengths).or_else(|| by_powers(&lengths)),
@@ -79,18 +90,28 @@ impl<T: Real, const N: usize> Unique<T, N> {
     #[inline(always)]
     fn solution(&self) -> Option<[T; N]> {
         // Forces of any size are divided by their sum first, so that no square of them leaves the range of numbers.
-        let of = |sum: &Sum<T, N>| sum.constant[0].abs() + sum.constant[1].abs();
-        let scale = self.0.iter().fold(T::ZERO, |all, sum| all + of(sum));
-        let inverse = T::ONE / (scale + T::from_f64(f64::MIN_POSITIVE));
-        let constants = self.0.map(|sum| sum.constant.map(|part| part * inverse));
-        let mut z: [T; N] = std::array::from_fn(|i| self.0[i].size(constants[i]));
+        let mut scale = T::from_f64(f64::MIN_POSITIVE);
+        for sum in &self.0 {
+            scale += sum.constant[0].abs() + sum.constant[1].abs();
+        }
+        let inverse = T::ONE / scale;
+        let (mut constants, mut z) = ([[T::ZERO; 2]; N], [T::ZERO; N]);
+        for (i, sum) in self.0.iter().enumerate() {
+            constants[i] = [sum.constant[0] * inverse, sum.constant[1] * inverse];
+            z[i] = sum.size(constants[i]);
+        }
+        if N == 1 && self.0[0].is_vector {
+            z[0] = only(constants[0], self.0[0].slopes[0]) * scale;
+            return z[0].at_least(0.0).then_some(z);
+        }
         let (mut before, mut open) = (T::ONE, T::ONE);
         for _ in 0..STEPS {
             let change = self.change(&constants, &z);
             let (mut most, mut size) = (T::ZERO, T::ZERO);
             for (z, change) in z.iter_mut().zip(change) {
                 *z += change * open;
-                (most, size) = (greater(most, change.abs()), greater(size, z.abs()));
+                most += change.abs();
+                size += z.abs();
             }
             // A lane that has converged keeps what it has. Changes fall as the squares of those before.
             let next = size * before * before * T::from_f64(NOTHING) - most * most * most;
@@ -99,7 +120,10 @@ impl<T: Real, const N: usize> Unique<T, N> {
             before = most;
             if open.greatest() <= 0.0 {
                 let sound = z.iter().all(|z| z.at_least(0.0));
-                return sound.then(|| z.map(|z| z * scale));
+                for z in &mut z {
+                    *z = *z * scale;
+                }
+                return sound.then_some(z);
             }
         }
         None
@@ -128,6 +152,9 @@ impl<T: Real, const N: usize> Unique<T, N> {
                 *entry = T::from_f64(f64::from(u8::from(i == k))) - (unit[0] * slope[0] + unit[1] * slope[1]);
             }
         }
+        if N == 3 {
+            return by_determinants(&matrix, &change);
+        }
         eliminate(&mut matrix, &mut change);
         change
     }
@@ -139,17 +166,45 @@ fn eliminate<T: Real, const N: usize>(matrix: &mut Matrix<T, N>, right: &mut [T;
     let mut inverses = [T::ZERO; N];
     for k in 0..N {
         inverses[k] = T::ONE / matrix[k][k];
-        for i in k + 1..N {
-            let factor = matrix[i][k] * inverses[k];
-            let (own, known) = (matrix[k], right[k]);
-            matrix[i].iter_mut().zip(own).skip(k + 1).for_each(|(entry, own)| *entry -= factor * own);
-            right[i] -= factor * known;
+        let (above, below) = matrix.split_at_mut(k + 1);
+        let (known, rest) = right.split_at_mut(k + 1);
+        for (row, right) in below.iter_mut().zip(rest) {
+            let factor = row[k] * inverses[k];
+            row[k + 1..].iter_mut().zip(&above[k][k + 1..]).for_each(|(entry, own)| *entry -= factor * *own);
+            *right -= factor * known[k];
         }
     }
     for k in (0..N).rev() {
         let known = (k + 1..N).fold(right[k], |rest, j| rest - matrix[k][j] * right[j]);
         right[k] = known * inverses[k];
     }
+}
+
+/// Solves matrix x = right with three rows: one division, on which nothing else waits.
+#[inline(always)]
+fn by_determinants<T: Real, const N: usize>(matrix: &Matrix<T, N>, right: &[T; N]) -> [T; N] {
+    let mut sum = [T::ZERO; N];
+    let mut determinant = T::ZERO;
+    for i in 0..3 {
+        let (one, other) = (&matrix[(i + 1) % 3], &matrix[(i + 2) % 3]);
+        for j in 0..3 {
+            let (k, l) = ((j + 1) % 3, (j + 2) % 3);
+            let minor = one[k] * other[l] - one[l] * other[k];
+            sum[j] += minor * right[i];
+            if i == 0 {
+                determinant += matrix[0][j] * minor;
+            }
+        }
+    }
+    let inverse = T::ONE / determinant;
+    sum.map(|sum| sum * inverse)
+}
+
+/// The modulus of one vector, z = |a + w z|, where w is shorter than 1.
+#[inline(always)]
+fn only<T: Real>([a, b]: [T; 2], [u, v]: [T; 2]) -> T {
+    let (along, left) = (a * u + b * v, T::ONE - (u * u + v * v));
+    (along + (along * along + left * (a * a + b * b)).sqrt()) / left
 }
 
 /// The spectral radius of a nonnegative matrix of three rows, the greatest root of its characteristic polynomial, by Newton's
@@ -161,14 +216,27 @@ fn greatest_root<T: Real, const N: usize>(matrix: &Matrix<T, N>) -> Option<T> {
     let minors = minor(0, 1) + minor(0, 2) + minor(1, 2);
     let across = |i: usize, j: usize| matrix[1][i] * matrix[2][j] - matrix[1][j] * matrix[2][i];
     let determinant = matrix[0][0] * across(1, 2) - matrix[0][1] * across(0, 2) + matrix[0][2] * across(0, 1);
-    let mut root = matrix.iter().fold(T::ZERO, |most, row| greater(most, total(row)));
+    // Whatever the vector: the greatest quotient of its image and itself is not less (Collatz and Wielandt).
+    let mut root = T::ZERO;
+    let (mut vector, mut image) = ([T::ONE; N], [T::ONE; N]);
+    for _ in 0..POWERS {
+        vector = image;
+        for (image, row) in image.iter_mut().zip(matrix) {
+            *image = row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2];
+        }
+    }
+    for (image, vector) in image.into_iter().zip(vector) {
+        root = greater(root, over(image, vector));
+    }
     let mut open = T::ONE;
     for _ in 0..STEPS {
         let value = ((root - trace) * root + minors) * root - determinant;
-        let slope = (root + root.twice() - trace.twice()) * root + minors;
+        let bend = root + root.twice() - trace;
+        let slope = (bend - trace) * root + minors;
         let step = over(value, slope);
         root -= step * open;
-        open = open.half() - open.half() * (root * T::from_f64(STILL) - step).sign();
+        // The next step is as the square of this one.
+        open = open.half() - open.half() * (slope * root * T::from_f64(ROUNDING) - step * step * bend).sign();
         if open.greatest() <= 0.0 {
             let apart = slope - root * root * T::from_f64(SLOPE);
             return apart.at_least(0.0).then_some(root);

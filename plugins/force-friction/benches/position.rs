@@ -12,34 +12,35 @@ use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_number::Lanes;
 
-const ROUNDS: usize = 201;
+const ROUNDS: usize = 2001;
 const POSITIONS: usize = 64;
 
-/// Seconds for a position, one by one or in lanes.
-fn seconds(linkage: &Linkage, method: &str, lanes: bool) -> f64 {
-    let loads = Loads::compile(linkage).unwrap();
+/// Seconds for a position, one by one or in lanes, each time it is called.
+fn timed<'a>(linkage: &'a Linkage, loads: &'a Loads, method: &str, lanes: bool) -> impl FnMut() -> f64 {
     let carrying = vec![true; linkage.groups().len()];
-    let mut single = Kinetostatics::new(linkage, &loads, find(method).unwrap().instance, &carrying);
+    let mut single = Kinetostatics::new(linkage, loads, find(method).unwrap().instance, &carrying);
     let mut eight = LaneKinetostatics::new(single.clone());
     let (mut position, mut together) = (linkage.position(), linkage.lane_position());
     let coordinate = |index: usize| (index * 37 % POSITIONS) as f64 * 0.098;
-    let start = Instant::now();
-    if lanes {
-        for block in 0..POSITIONS / Lanes::WIDTH {
-            let at = Lanes::of(|lane| coordinate(block * Lanes::WIDTH + lane));
-            linkage.solve_lanes(at, Order::Second, &mut together).unwrap();
-            let states = at.0.map(|q| State::prescribed(&linkage.mechanism, q));
-            eight.solve(&states, &together).unwrap();
-            black_box(&eight.reactions.balancing);
+    move || {
+        let start = Instant::now();
+        if lanes {
+            for block in 0..POSITIONS / Lanes::WIDTH {
+                let at = Lanes::of(|lane| coordinate(block * Lanes::WIDTH + lane));
+                linkage.solve_lanes(at, Order::Second, &mut together).unwrap();
+                let states = at.0.map(|q| State::prescribed(&linkage.mechanism, q));
+                eight.solve(&states, &together).unwrap();
+                black_box(&eight.reactions.balancing);
+            }
+        } else {
+            for q in (0..POSITIONS).map(coordinate) {
+                linkage.solve(q, Order::Second, &mut position).unwrap();
+                single.solve(&State::prescribed(&linkage.mechanism, q), &position).unwrap();
+                black_box(&single.reactions.balancing);
+            }
         }
-    } else {
-        for q in (0..POSITIONS).map(coordinate) {
-            linkage.solve(q, Order::Second, &mut position).unwrap();
-            single.solve(&State::prescribed(&linkage.mechanism, q), &position).unwrap();
-            black_box(&single.reactions.balancing);
-        }
+        start.elapsed().as_secs_f64() / POSITIONS as f64
     }
-    start.elapsed().as_secs_f64() / POSITIONS as f64
 }
 
 fn main() {
@@ -48,11 +49,14 @@ fn main() {
     let with_friction = Linkage::compile(mechanism.clone()).unwrap();
     mechanism.frictions.clear();
     let ideal = Linkage::compile(mechanism).unwrap();
+    let [rubbing, smooth] = [&with_friction, &ideal].map(|linkage| Loads::compile(linkage).unwrap());
     for lanes in [false, true] {
+        let mut without = timed(&ideal, &smooth, "groups", lanes);
+        let mut with = timed(&with_friction, &rubbing, "coulomb", lanes);
         let mut times = [Vec::new(), Vec::new()];
         for _ in 0..ROUNDS {
-            times[0].push(seconds(&ideal, "groups", lanes));
-            times[1].push(seconds(&with_friction, "coulomb", lanes));
+            times[0].push(without());
+            times[1].push(with());
         }
         let [without, with] = times.map(|mut all| {
             all.sort_by(f64::total_cmp);

@@ -101,8 +101,9 @@ impl Chain<'_> {
         found.continuum |= all.continuum;
         if !all.complete {
             found.proved = false;
-            let continued = self.continued(block, &branch, scale)?;
-            all.points.extend(continued.filter(|z| all.points.iter().all(|known| !same(known, z))));
+            if let Some(continued) = self.continued(block, &branch, scale)? {
+                all.index_of(continued);
+            }
         }
         found.branches.extend(all.points.iter().map(|point| branch.clone().with(block, &prepared, point)));
         Ok(())
@@ -155,15 +156,6 @@ impl Chain<'_> {
         let start = Node { part: 0.0, moduli: ideal.moduli.step(&vec![0.0; ideal.moduli.count()]) };
         Ok(path(start, |part, expected| moduli(part).ok()??.moduli.near(expected)))
     }
-}
-
-/// Relative difference up to which two solutions are one.
-const SAME: f64 = 1e-6;
-
-/// Whether two solutions are one.
-pub(crate) fn same(one: &[f64], other: &[f64]) -> bool {
-    let size = one.iter().chain(other).fold(0.0_f64, |most, z| most.max(z.abs()));
-    one.iter().zip(other).all(|(a, b)| (a - b).abs() <= SAME * size)
 }
 
 /// Most steps of the iteration that are reported, and the relative change at which it stands still.

@@ -138,15 +138,7 @@ impl<'a> Chain<'a> {
             self.balance(&unit, &self.respond(block, own, no_pairs)?, &mut all)?;
         }
         if let Some(motion) = self.free {
-            let mut own = self.respond(block, motion.inertia.to_vec(), vec![Wrench::ZERO; pairs.len()])?;
-            own.drive += motion.drive_inertia;
-            // The base moves under the drive, what friction adds without it.
-            for (index, response) in all.iter_mut().enumerate() {
-                let given = if index == 0 { motion.drive } else { 0.0 };
-                let acceleration = (given - response.drive) / own.drive;
-                response.add(acceleration, &own);
-                response.drive = acceleration;
-            }
+            self.accelerate(block, motion, pairs.len(), &mut all)?;
         }
         let shift = |unknown: usize| self.frictions.unknowns[unknown].kind == UnknownKind::Shift;
         for (index, &unknown) in block.unknowns.iter().enumerate().filter(|(_, unknown)| shift(**unknown)) {
@@ -175,6 +167,27 @@ impl<'a> Chain<'a> {
                 .collect(),
         };
         Ok(Some(Prepared { base, each: moduli.into_iter().map(|(_, of)| of).collect(), moduli: system }))
+    }
+
+    /// Adds to each response that of the inertia loads of the acceleration with which the drive gives what is known of it; the
+    /// acceleration replaces the load of the drive.
+    fn accelerate(
+        &self,
+        block: &Block,
+        motion: &FreeMotion<'_>,
+        pairs: usize,
+        all: &mut [Response],
+    ) -> Result<(), ForceError> {
+        let mut own = self.respond(block, motion.inertia.to_vec(), vec![Wrench::ZERO; pairs])?;
+        own.drive += motion.drive_inertia;
+        // The base moves under the drive, what friction adds without it.
+        for (index, response) in all.iter_mut().enumerate() {
+            let given = if index == 0 { motion.drive } else { 0.0 };
+            let acceleration = (given - response.drive) / own.drive;
+            response.add(acceleration, &own);
+            response.drive = acceleration;
+        }
+        Ok(())
     }
 
     /// Adds to each response that of the balancing load with which the drive is idle; its size replaces that of the drive.

@@ -1,9 +1,9 @@
 //! Which of several solutions is taken, and up to which part of the coefficients there is any.
 
-use assur_friction::{Node, path};
+use assur_friction::{Node, is_same, path};
 use assur_group::Wrench;
 
-use crate::branches::{Branch, Solutions, same};
+use crate::branches::{Branch, Solutions};
 use crate::chain::Chain;
 
 /// The part of the coefficients at which a path begins, at most.
@@ -37,7 +37,7 @@ fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<
 
 fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
     let moduli = path(start(chain, loads, found)?, |part, expected| chain.near(loads, part, expected))?;
-    found.branches.iter().position(|branch| same(&branch.moduli, &moduli))
+    found.branches.iter().position(|branch| is_same(&branch.moduli, &moduli))
 }
 
 /// The upper end of the interval from 0 of the parts of the coefficients for which there is a solution.

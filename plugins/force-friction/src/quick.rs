@@ -27,45 +27,57 @@ type Pressing<T> = [T; 3];
 /// whose friction has a moment; C is 1 + 2 N.
 struct Table<T, const N: usize, const C: usize>([[Pressing<T>; C]; N]);
 
-/// The bearings of a block.
-struct Bearings<'a, T> {
-    frictions: &'a Frictions,
-    senses: &'a [T],
-    bodies: &'a [Body<T>],
-    block: &'a Block,
+/// A bearing, with the first of what its friction depends on, and its sense times its coefficient.
+#[derive(Clone, Copy)]
+struct Rubbing<'a, T> {
+    bearing: &'a Bearing,
+    unknown: &'a Unknown,
+    factor: T,
+    /// Whether its friction has a moment that is linear in the normal force.
+    is_shifted: bool,
 }
 
-impl<T: Real> Bearings<'_, T> {
+/// The bearings of a block, at most N.
+struct Bearings<'a, T, const N: usize> {
+    count: usize,
+    all: [Rubbing<'a, T>; N],
+}
+
+impl<'a, T: Real, const N: usize> Bearings<'a, T, N> {
+    /// `None` of a block without friction.
     #[inline(always)]
-    fn count(&self) -> usize {
-        self.block.firsts.len()
+    fn of(frictions: &'a Frictions, senses: &[T], block: &Block) -> Option<Self> {
+        let read = |unknown: usize| {
+            let unknown = &frictions.unknowns[unknown];
+            let bearing = &frictions.bearings[unknown.bearing];
+            let factor = senses[unknown.bearing] * T::from_f64(bearing.coefficient);
+            Rubbing { bearing, unknown, factor, is_shifted: bearing.is_shifted() }
+        };
+        let mut all = [read(*block.firsts.first()?); N];
+        for (one, unknown) in all.iter_mut().zip(&block.firsts) {
+            *one = read(*unknown);
+        }
+        Some(Self { count: block.firsts.len().min(N), all })
     }
 
-    /// A bearing, with the first of what its friction depends on.
     #[inline(always)]
-    fn bearing(&self, index: usize) -> (&Bearing, &Unknown) {
-        let unknown = &self.frictions.unknowns[self.block.firsts[index]];
-        (&self.frictions.bearings[unknown.bearing], unknown)
+    fn each(&self) -> &[Rubbing<'a, T>] {
+        &self.all[..self.count]
     }
 
     /// The bearings whose friction has a moment that is linear in the normal force.
     #[inline(always)]
     fn shifted(&self) -> impl Iterator<Item = usize> {
-        (0..self.count()).filter(|index| self.bearing(*index).0.is_shifted())
+        (0..self.count).filter(|index| self.all[*index].is_shifted)
     }
+}
 
+impl<T: Real> Rubbing<'_, T> {
+    /// Adds the load of a sum of moduli of this size, or of a normal force.
     #[inline(always)]
-    fn factor(&self, index: usize) -> T {
-        let (bearing, unknown) = self.bearing(index);
-        self.senses[unknown.bearing] * T::from_f64(bearing.coefficient)
-    }
-
-    /// Adds the load of a sum of moduli, or of a normal force.
-    #[inline(always)]
-    fn load(&self, index: usize, is_normal: bool, size: T, loads: &mut [Wrench<T>]) {
-        let (bearing, unknown) = self.bearing(index);
-        let kind = if is_normal { UnknownKind::Shift } else { unknown.kind };
-        kind.load(bearing, self.bodies, self.factor(index) * size, loads);
+    fn load(&self, is_normal: bool, size: T, bodies: &[Body<T>], loads: &mut [Wrench<T>]) {
+        let kind = if is_normal { UnknownKind::Shift } else { self.unknown.kind };
+        kind.load(self.bearing, bodies, self.factor * size, loads);
     }
 }
 
@@ -98,9 +110,9 @@ impl<T: Number> Quick<'_, T> {
             let [stage] = block.stages[..] else { return None };
             match block.firsts.len() {
                 0 => {}
-                1 => self.block::<1, 3>(block, stage, loads, out)?,
-                2..=3 => self.block::<3, 7>(block, stage, loads, out)?,
-                4..=6 => self.block::<6, 13>(block, stage, loads, out)?,
+                1 => self.block::<1, 3>(&frictions, block, stage, loads, out)?,
+                2..=3 => self.block::<3, 7>(&frictions, block, stage, loads, out)?,
+                4..=6 => self.block::<6, 13>(&frictions, block, stage, loads, out)?,
                 _ => return None,
             }
             let drive = self.respond(stage, &out.solved, loads, &mut out.pairs)?;
@@ -143,29 +155,28 @@ impl<T: Number> Quick<'_, T> {
     #[inline(always)]
     fn block<const N: usize, const C: usize>(
         &self,
+        frictions: &Frictions,
         block: &Block,
         stage: usize,
         loads: &mut [Wrench<T>],
         out: &mut Reactions<T>,
     ) -> Option<()> {
-        let mut table = self.table::<N, C>(block, stage, loads, out)?;
-        let FrictionForces { frictions, senses, forces, certificates, .. } = out.friction.as_mut()?;
-        let bearings = Bearings { frictions, senses: &senses[..], bodies: self.bodies, block };
+        let bearings = Bearings::of(frictions, &out.friction.as_ref()?.senses, block)?;
+        let mut table: Table<T, N, C> = self.table(&bearings, stage, loads, out)?;
         table.without_normals(&bearings)?;
-        let (radius, z) = table.equations(&bearings).solve()?;
+        let (radius, sums) = table.equations(&bearings).solve()?;
+        let FrictionForces { forces, certificates, .. } = out.friction.as_mut()?;
         if let Some(group) = stage.checked_sub(1) {
             certificates[group] = radius;
         }
-        for (index, z) in z.into_iter().enumerate().take(bearings.count()) {
-            let (bearing, unknown) = bearings.bearing(index);
-            forces[unknown.bearing] =
-                bearings.factor(index) * T::from_f64(unknown.share(bearing)) * z + T::ZERO;
-            bearings.load(index, false, z, loads);
-        }
-        for index in bearings.shifted() {
-            let row = &table.0[index];
-            let normal = row[1..=N].iter().zip(z).fold(row[0][2], |sum, (by, z)| sum + by[2] * z);
-            bearings.load(index, true, normal, loads);
+        for ((one, z), row) in bearings.each().iter().zip(sums).zip(&table.0) {
+            forces[one.unknown.bearing] =
+                one.factor * T::from_f64(one.unknown.share(one.bearing)) * z + T::ZERO;
+            one.load(false, z, self.bodies, loads);
+            if one.is_shifted {
+                let normal = row[1..=N].iter().zip(sums).fold(row[0][2], |sum, (by, z)| sum + by[2] * z);
+                one.load(true, normal, self.bodies, loads);
+            }
         }
         Some(())
     }
@@ -174,38 +185,32 @@ impl<T: Number> Quick<'_, T> {
     #[inline(always)]
     fn table<const N: usize, const C: usize>(
         &self,
-        block: &Block,
+        bearings: &Bearings<'_, T, N>,
         stage: usize,
         loads: &[Wrench<T>],
         out: &mut Reactions<T>,
     ) -> Option<Table<T, N, C>> {
-        let Reactions { friction, pairs, solved, scratch_pairs, scratch_bodies, .. } = out;
-        let FrictionForces { frictions, senses, .. } = friction.as_ref()?;
-        let bearings = Bearings { frictions, senses: &senses[..], bodies: self.bodies, block };
-        let sums = (0..bearings.count()).map(|index| (1 + index, (index, false)));
-        let normals = bearings.shifted().enumerate().map(|(nth, index)| (1 + N + nth, (index, true)));
+        let Reactions { pairs, solved, scratch_pairs, scratch_bodies, .. } = out;
         let (links, count) = (loads.len(), pairs.len());
-        let sets = 1 + N + bearings.shifted().count();
+        let sets = 1 + bearings.count + bearings.shifted().count();
         scratch_bodies.resize(scratch_bodies.len().max(sets * links), Wrench::ZERO);
         scratch_pairs.resize(scratch_pairs.len().max(sets * count), Wrench::ZERO);
-        // A stage reads the loads of its own links only; a joint may have reactions that are known before.
-        for (set, (own, found)) in scratch_bodies
-            .chunks_exact_mut(links)
-            .zip(scratch_pairs.chunks_exact_mut(count))
-            .enumerate()
-            .take(sets)
-        {
-            for &link in self.links(stage) {
-                own[link] = if set == 0 { loads[link] } else { Wrench::ZERO };
-            }
-            for &(pair, _) in (0..bearings.count()).flat_map(|index| &bearings.bearing(index).1.pairs) {
-                found[pair] = if set == 0 { pairs[pair] } else { Wrench::ZERO };
-            }
-        }
-        for (column, (index, is_normal)) in sums.chain(normals) {
-            bearings.load(index, is_normal, T::ONE, &mut scratch_bodies[column * links..]);
-        }
         let (own, found) = (&mut scratch_bodies[..sets * links], &mut scratch_pairs[..sets * count]);
+        // A stage reads the loads of its own links only; a joint may have reactions that are known before.
+        for link in self.links(stage) {
+            own.iter_mut().skip(*link).step_by(links).for_each(|load| *load = Wrench::ZERO);
+            own[*link] = loads[*link];
+        }
+        for &(pair, _) in bearings.each().iter().flat_map(|one| &one.unknown.pairs) {
+            found.iter_mut().skip(pair).step_by(count).for_each(|reaction| *reaction = Wrench::ZERO);
+            found[pair] = pairs[pair];
+        }
+        let mut each = own.chunks_exact_mut(links).skip(1);
+        for is_normal in [false, true] {
+            for one in bearings.each().iter().filter(|one| one.is_shifted || !is_normal) {
+                one.load(is_normal, T::ONE, self.bodies, each.next()?);
+            }
+        }
         match stage.checked_sub(1) {
             Some(group) if !solved[group] => {}
             Some(group) => self.groups[group].reactions_under(self.bodies, own, found, sets).ok()?,
@@ -216,12 +221,14 @@ impl<T: Number> Quick<'_, T> {
             }
         }
         let mut table = Table([[[T::ZERO; 3]; C]; N]);
-        for (index, row) in table.0.iter_mut().enumerate().take(bearings.count()) {
-            let (bearing, unknown) = bearings.bearing(index);
-            let pressing = unknown.pressing(bearing, self.bodies);
-            for (entry, found) in row.iter_mut().zip(found.chunks_exact(count)) {
-                let ([one, other], normal) = pressing.of(&unknown.load_on(found));
-                *entry = [one, other, normal];
+        for (row, one) in table.0.iter_mut().zip(bearings.each()) {
+            let pressing = one.unknown.pressing(one.bearing, self.bodies);
+            let mut each = found.chunks_exact(count);
+            // The normal forces have their columns behind those of all sums.
+            let columns = (0..=bearings.count).chain(1 + N..);
+            for (column, found) in columns.zip(&mut each) {
+                let ([one, other], normal) = pressing.of(&one.unknown.load_on(found));
+                row[column] = [one, other, normal];
             }
         }
         Some(table)
@@ -258,7 +265,7 @@ impl<T: Number> Quick<'_, T> {
 impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
     /// Expresses the normal forces by the sums of moduli; `None` where these determine none.
     #[inline(always)]
-    fn without_normals(&mut self, bearings: &Bearings<'_, T>) -> Option<()> {
+    fn without_normals(&mut self, bearings: &Bearings<'_, T, N>) -> Option<()> {
         for (nth, own) in bearings.shifted().enumerate() {
             let column = 1 + N + nth;
             let left = T::ONE - self.0[own][column][2];
@@ -282,19 +289,15 @@ impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
 
     /// The equations of the sums of moduli.
     #[inline(always)]
-    fn equations(&self, bearings: &Bearings<'_, T>) -> Unique<T, N> {
-        let parts = |[one, other, _]: Pressing<T>| [one, other];
-        let of = |index: usize| {
-            if index >= bearings.count() {
-                return Sum::NONE;
+    fn equations(&self, bearings: &Bearings<'_, T, N>) -> Unique<T, N> {
+        let mut equations = [Sum::NONE; N];
+        for ((sum, row), one) in equations.iter_mut().zip(&self.0).zip(bearings.each()) {
+            sum.is_vector = !one.bearing.slides();
+            sum.constant = [row[0][0], row[0][1]];
+            for (slope, by) in sum.slopes.iter_mut().zip(&row[1..]) {
+                *slope = [by[0], by[1]];
             }
-            let row = &self.0[index];
-            Sum {
-                is_vector: !bearings.bearing(index).0.slides(),
-                constant: parts(row[0]),
-                slopes: std::array::from_fn(|k| parts(row[k + 1])),
-            }
-        };
-        Unique(std::array::from_fn(of))
+        }
+        Unique(equations)
     }
 }

@@ -26,7 +26,7 @@ pub(crate) struct Loaded<'a> {
 }
 
 /// The state in which forces are compared: the prescribed motion, or the initial or mean speed without acceleration.
-fn state(mechanism: &Mechanism, coordinate: f64) -> State {
+pub(crate) fn state(mechanism: &Mechanism, coordinate: f64) -> State {
     match mechanism.motion {
         Some(Motion::Transient { speed, .. } | Motion::Steady { mean_speed: speed, .. }) => {
             State { coordinate, speed, ..State::default() }

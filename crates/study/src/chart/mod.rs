@@ -23,6 +23,7 @@ pub(crate) mod work;
 
 pub use data::{ChartData, Measurement, Reference, Setting, Stage, Value, csv};
 pub use figure::{WIDTH, figure, stage_text, text};
+pub(crate) use forces::state;
 pub use race::{Clock, Options, Progress};
 pub use run::{ChartError, chart};
 

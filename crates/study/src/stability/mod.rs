@@ -7,6 +7,7 @@
 //! dimensionless determinant. A method must keep that bound, or report that it has no result.
 
 mod exact;
+mod friction;
 mod margin;
 mod nearest;
 mod report;
@@ -15,6 +16,7 @@ mod target;
 mod text;
 mod walk;
 
+pub use friction::FrictionHealth;
 pub use margin::Margin;
 pub use nearest::GroupHealth;
 pub use report::{Stability, stability};

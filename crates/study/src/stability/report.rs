@@ -8,6 +8,7 @@ use assur_report::csv::{CsvError, finished};
 use assur_words::Text;
 use serde::Serialize;
 
+use super::friction::{FrictionHealth, friction};
 use super::margin::{self, Margin};
 use super::nearest::{self, GroupHealth};
 use super::row::Comparison;
@@ -25,6 +26,9 @@ pub struct Stability {
     pub groups: Vec<GroupHealth>,
     /// By length: the least change at which assembly fails, the smallest first.
     pub lengths: Vec<Margin>,
+    /// By group with dry friction: how near it comes to jamming.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub friction: Vec<FrictionHealth>,
     /// The walks.
     pub rows: Vec<Comparison>,
     /// Number of places of least health without a walk, because the mechanism has very many groups; the worst places
@@ -58,7 +62,8 @@ pub fn stability(
     };
     let (targets, places_left_out) = targets(&linkage, &groups);
     let lengths = if failure.is_none() { margin::lengths(&linkage) } else { Vec::new() };
-    let total = targets.len() + lengths.len();
+    let rubbing = if linkage.mechanism.frictions.is_empty() { 0 } else { linkage.groups().len() };
+    let total = targets.len() + rubbing + lengths.len();
     let mut done = 0;
     let mut step = || {
         done += 1;
@@ -71,9 +76,19 @@ pub fn stability(
             walk.to(target, &mut rows);
         }
     }
+    let friction = friction(&linkage, &mut rows, &mut step)?;
     let lengths = margin::margins(&linkage, &lengths, &mut step)?;
     let (title, angular) = (linkage.mechanism.title.clone(), linkage.angular());
-    ControlFlow::Continue(Ok(Stability { title, angular, groups, lengths, rows, places_left_out, failure }))
+    ControlFlow::Continue(Ok(Stability {
+        title,
+        angular,
+        groups,
+        lengths,
+        friction,
+        rows,
+        places_left_out,
+        failure,
+    }))
 }
 
 impl Stability {

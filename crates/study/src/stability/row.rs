@@ -13,6 +13,9 @@ pub const FACTOR: f64 = 16.0;
 /// The reactions, as rows name them.
 pub(crate) const REACTIONS: &str = "reactions";
 
+/// The forces of friction and the balancing load, as rows name them.
+pub(crate) const FRICTION: &str = "friction";
+
 /// Where the bound is above this, a method may have no result: fewer than three digits could remain.
 pub(crate) const FEW_DIGITS: f64 = 1e-3;
 
@@ -30,11 +33,11 @@ pub struct Comparison {
     pub place: Text,
     /// The method.
     pub method: Text,
-    /// `pf0`, `pf1`, `pf2` or `reactions`.
+    /// `pf0`, `pf1`, `pf2`, `reactions` or `friction`.
     pub quantity: &'static str,
-    /// Dimensionless distance from the singular position.
+    /// Dimensionless distance from the singular position, or from the coefficients at which it jams.
     pub distance: f64,
-    /// Dimensionless determinant there.
+    /// Dimensionless determinant there; with friction the distance.
     pub health: f64,
     /// Largest relative deviation from the reference; `None` if the method has no result.
     pub error: Option<f64>,
@@ -49,7 +52,11 @@ pub struct Comparison {
 impl Comparison {
     /// The quantity for a reader.
     pub(crate) fn quantity(&self) -> Text {
-        if self.quantity == REACTIONS { text!("stability-reactions") } else { name(self.quantity) }
+        match self.quantity {
+            REACTIONS => text!("stability-reactions"),
+            FRICTION => text!("stability-friction"),
+            other => name(other),
+        }
     }
 }
 

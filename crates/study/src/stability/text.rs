@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use assur_words::{Language, Text, joined, list, name, number, quantity, text};
 
 use super::report::Stability;
-use super::row::Comparison;
+use super::row::{Comparison, FRICTION};
 use super::{margin, walk};
 
 /// Most failed rows that the conclusion lists.
@@ -74,6 +74,9 @@ impl Stability {
         if self.failure.is_none() && !self.groups.is_empty() {
             self.margins(&mut lines);
         }
+        if !self.friction.is_empty() {
+            self.frictions(&mut lines);
+        }
         if !self.rows.is_empty() {
             self.walks(&mut lines);
         }
@@ -90,13 +93,12 @@ impl Stability {
 
     fn nearest(&self, lines: &mut Lines<'_>) {
         lines.heading(&text!("stability-nearest"));
-        let (unit, size) = if self.angular { ("deg", 180.0 / std::f64::consts::PI) } else { ("mm", 1e3) };
         for group in &self.groups {
             lines.line(&text!(
                 "stability-group",
                 group = &group.place,
                 health = number(format_args!("{:.6}", group.health)),
-                coordinate = quantity(format_args!("{:.4}", group.coordinate * size), unit),
+                coordinate = self.coordinate(group.coordinate),
                 position = number(group.position),
                 what = &group.angle_of,
                 angle = quantity(format_args!("{:.3}", group.angle.to_degrees()), "deg"),
@@ -104,6 +106,18 @@ impl Stability {
         }
         if let Some(failure) = &self.failure {
             lines.line(&text!("stability-no-assembly", failure));
+        }
+    }
+
+    fn coordinate(&self, coordinate: f64) -> Text {
+        let (unit, size) = if self.angular { ("deg", 180.0 / std::f64::consts::PI) } else { ("mm", 1e3) };
+        quantity(format_args!("{:.4}", coordinate * size), unit)
+    }
+
+    fn frictions(&self, lines: &mut Lines<'_>) {
+        lines.heading(&text!("stability-friction-nearest"));
+        for group in &self.friction {
+            lines.line(&group.words(self.coordinate(group.coordinate)));
         }
     }
 
@@ -133,6 +147,9 @@ impl Stability {
         lines.text.push('\n');
         lines.line(&text!("stability-distance", what = text!(walk::ALONG)));
         lines.line(&text!("stability-bound", what = text!(walk::EXPECTED)));
+        if self.rows.iter().any(|row| row.quantity == FRICTION) {
+            lines.line(&text!("stability-friction-walk"));
+        }
         if self.places_left_out > 0 {
             let [groups, places] = [self.groups.len(), self.places_left_out].map(number);
             lines.line(&text!("stability-places-left-out", groups, places));

@@ -5,4 +5,6 @@ mod cases;
 #[cfg(test)]
 mod guides;
 #[cfg(test)]
+mod published;
+#[cfg(test)]
 mod random;

@@ -7,9 +7,10 @@ use assur_mechanism::Mechanism;
 use assur_words::{Language, name, text};
 
 use super::studied;
+use crate::stability::friction::friction;
 use crate::stability::nearest::nearest;
 use crate::stability::target::targets;
-use crate::stability::{DISTANCES, stability};
+use crate::stability::{Comparison, DISTANCES, stability};
 
 fn scene(text: &str) -> Mechanism {
     assur_scene::read("scene.toml", text).unwrap()
@@ -228,4 +229,25 @@ fn a_mechanism_of_many_groups_is_walked_to_its_worst_places() {
     let worst = walked.iter().copied().fold(0.0, f64::max);
     let better = groups.iter().filter(|group| group.health > worst).count();
     assert!(better >= left_out, "{better} of {left_out} are healthier than {worst}");
+}
+
+/// Two guides across each other jam where the product of their coefficients is 1, wherever the input is.
+#[test]
+fn a_walk_to_jamming_ends_where_two_crossing_guides_jam() {
+    let linkage = Linkage::compile(scene(assur_fixtures::scene("shaper-friction"))).unwrap();
+    let mut rows = Vec::new();
+    let ControlFlow::Continue(found) = friction(&linkage, &mut rows, &mut || ControlFlow::Continue(()))
+    else {
+        panic!("nothing stops it")
+    };
+    assert_eq!(found.len(), 2);
+    let limit = 1.0 / f64::sqrt(0.12 * 0.1);
+    for group in &found {
+        assert!((group.jams_at.unwrap() / limit - 1.0).abs() < 1e-10, "{group:?}");
+        assert!(group.radius > 0.0 && group.radius < 1.0, "{group:?}");
+    }
+    let judged = |row: &&Comparison| row.error.is_some();
+    assert!(rows.iter().filter(judged).count() > 20 && rows.iter().all(|row| row.ok), "{rows:?}");
+    // Nearer than the rounding of the limit itself there may be no solution.
+    assert!(rows.iter().filter(|row| row.distance > 1e-13).all(|row| row.error.is_some()), "{rows:?}");
 }

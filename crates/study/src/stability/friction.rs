@@ -1,0 +1,195 @@
+//! How near the dry friction of a mechanism comes to jamming, and what is lost on the way there.
+//!
+//! At the coordinate where friction is strongest all coefficients grow by one factor, up to that at which no equilibrium is left. A walk
+//! compares the method that is used with the most independent one, at factors that are less by a distance. Forces grow at most as
+//! its reciprocal, and so do errors of data.
+
+use std::ops::ControlFlow;
+
+use assur_force::{AnalyzerPlugin, Kinetostatics, Loads, analyzers};
+use assur_group::Order;
+use assur_kinematics::{Linkage, Position};
+use assur_words::{Describe, Text, name, number, text};
+use serde::Serialize;
+
+use super::nearest;
+use super::row::{Comparison, DISTANCES, FACTOR, FRICTION, Subject};
+use super::walk::growth;
+use crate::chart::state;
+
+/// Each of so many coordinates of the survey of healths is tried.
+const STRIDE: usize = 6;
+
+/// Greatest factor of the coefficients up to which jamming is looked for: beyond it any surface would have long seized.
+const MOST: f64 = 1e3;
+
+/// How near the friction of a group comes to jamming.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FrictionHealth {
+    /// `group 1 (RRR rod, rocker)`.
+    #[serde(rename = "where")]
+    pub place: Text,
+    /// Greatest spectral radius over the cycle: below 1 there is exactly one solution.
+    pub radius: f64,
+    /// Where, rad or m.
+    pub coordinate: f64,
+    /// The factor of all coefficients from which the mechanism jams there; `None`: none up to a thousand.
+    pub jams_at: Option<f64>,
+}
+
+impl FrictionHealth {
+    /// As a sentence about a coordinate in words.
+    pub(crate) fn words(&self, coordinate: Text) -> Text {
+        let Self { place: group, radius, jams_at, .. } = self;
+        let radius = number(format_args!("{radius:.6}"));
+        match jams_at {
+            Some(factor) => {
+                let factor = number(format_args!("{factor:.6}"));
+                text!("stability-friction-jams", group, radius, coordinate, factor)
+            }
+            None => text!("stability-friction-free", group, radius, coordinate, most = number(MOST)),
+        }
+    }
+}
+
+/// The methods that treat the friction of a mechanism, the one that is used first.
+fn methods(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
+    let mut all = analyzers().unwrap_or_default();
+    all.retain(|plugin| plugin.treats_friction && plugin.gives_reactions && plugin.supports(linkage).is_ok());
+    all.sort_by_key(|plugin| plugin.rank);
+    all
+}
+
+/// A mechanism with all coefficients times a factor, and its loads.
+struct Scaled {
+    linkage: Linkage,
+    loads: Loads,
+}
+
+impl Scaled {
+    fn new(linkage: &Linkage, loads: &Loads, factor: f64) -> Option<Self> {
+        let mut scaled = linkage.clone();
+        scaled.mechanism.frictions.iter_mut().for_each(|friction| friction.coefficient *= factor);
+        let loads = Loads::varied(&scaled, Some((&linkage.mechanism, loads))).ok()?;
+        Some(Self { linkage: scaled, loads })
+    }
+
+    fn by(&self, method: &AnalyzerPlugin) -> Kinetostatics<'_> {
+        let carrying = vec![true; self.linkage.groups().len()];
+        Kinetostatics::new(&self.linkage, &self.loads, method.instance, &carrying)
+    }
+
+    /// The forces of friction and the balancing load.
+    fn found(&self, method: &AnalyzerPlugin, position: &Position) -> Result<Vec<f64>, Text> {
+        let mut forces = self.by(method);
+        let solved = forces.solve(&state(&self.linkage.mechanism, position.coordinate), position);
+        solved.map_err(|error| error.describe())?;
+        let friction = forces.reactions.friction.iter().flat_map(|friction| &friction.forces);
+        Ok(friction.copied().chain([forces.reactions.balancing]).collect())
+    }
+}
+
+/// The friction of each group that has some, and the walks to where it jams.
+pub(crate) fn friction(
+    linkage: &Linkage,
+    rows: &mut Vec<Comparison>,
+    step: &mut impl FnMut() -> ControlFlow<()>,
+) -> ControlFlow<(), Vec<FrictionHealth>> {
+    let Some(loads) = Loads::compile(linkage).ok().filter(|loads| loads.frictions().is_some()) else {
+        return ControlFlow::Continue(Vec::new());
+    };
+    let all = methods(linkage);
+    let Some((&used, others)) = all.split_first() else { return ControlFlow::Continue(Vec::new()) };
+    let Some(own) = Scaled::new(linkage, &loads, 1.0) else { return ControlFlow::Continue(Vec::new()) };
+    let mut found = greatest(&own, used);
+    for health in &mut found {
+        step()?;
+        let mut position = linkage.position();
+        if linkage.solve(health.coordinate, Order::Second, &mut position).is_err() {
+            continue;
+        }
+        health.jams_at = limit(&own, used, &position);
+        if let (Some(limit), Some(judge)) = (health.jams_at, others.last()) {
+            walk(&own, [used, judge], &position, (&health.place, limit), rows);
+        }
+    }
+    ControlFlow::Continue(found)
+}
+
+/// The greatest spectral radius of each group with friction over the cycle.
+fn greatest(own: &Scaled, method: &AnalyzerPlugin) -> Vec<FrictionHealth> {
+    let linkage = &own.linkage;
+    let mut forces = own.by(method);
+    let mut position = linkage.position();
+    let name = |group: usize| linkage.structure.group_name(&linkage.mechanism, group);
+    let mut most = vec![(f64::NAN, 0.0); linkage.groups().len()];
+    for q in nearest::coordinates(linkage).into_iter().step_by(STRIDE) {
+        let state = state(&linkage.mechanism, q);
+        if linkage.solve(q, Order::Second, &mut position).is_err() {
+            continue;
+        }
+        let mut take = |group: usize, radius: f64| {
+            if radius > most[group].0 || most[group].0.is_nan() {
+                most[group] = (radius, q);
+            }
+        };
+        if forces.solve(&state, &position).is_ok() {
+            let radii = forces.reactions.friction.iter().flat_map(|friction| &friction.certificates);
+            radii.enumerate().for_each(|(group, radius)| take(group, *radius));
+        } else {
+            // Where it jams, the iteration still has its rate.
+            for told in forces.iteration(&state, &position) {
+                if let Some(group) = (0..linkage.groups().len()).find(|group| name(*group) == told.what) {
+                    take(group, told.radius);
+                }
+            }
+        }
+    }
+    let named = most.into_iter().enumerate().filter(|(_, (radius, _))| !radius.is_nan());
+    let health = |(group, (radius, coordinate))| FrictionHealth {
+        place: name(group),
+        radius,
+        coordinate,
+        jams_at: None,
+    };
+    named.map(health).collect()
+}
+
+/// The factor of all coefficients at which a position jams.
+fn limit(own: &Scaled, method: &AnalyzerPlugin, position: &Position) -> Option<f64> {
+    let strong = Scaled::new(&own.linkage, &own.loads, MOST)?;
+    let state = state(&own.linkage.mechanism, position.coordinate);
+    let part = strong.by(method).jamming_limit(&state, position)?;
+    (part < 1.0).then_some(part * MOST)
+}
+
+/// Compares the method that is used with another one, ever nearer to the factor at which a position jams.
+fn walk(
+    own: &Scaled,
+    [used, judge]: [&AnalyzerPlugin; 2],
+    position: &Position,
+    (group, limit): (&Text, f64),
+    rows: &mut Vec<Comparison>,
+) {
+    let all = growth(position.health.iter().map(|health| health.abs()));
+    for distance in DISTANCES {
+        let Some(scaled) = Scaled::new(&own.linkage, &own.loads, limit * (1.0 - distance)) else { return };
+        let Ok(known) = scaled.found(judge, position) else { continue };
+        let outcome = scaled.found(used, position).map(|found| {
+            let size = known.iter().fold(f64::MIN_POSITIVE, |most, force| most.max(force.abs()));
+            found
+                .iter()
+                .zip(&known)
+                .fold(0.0, |most, (a, b)| assur_number::greater(most, (a - b).abs() / size))
+        });
+        let subject = Subject {
+            place: text!("stability-place", group, kind = text!("stability-jamming")),
+            method: name(used.name),
+            quantity: FRICTION,
+            distance,
+            health: distance,
+            bound: FACTOR * f64::EPSILON * all * all / distance,
+        };
+        rows.push(subject.row(outcome));
+    }
+}
