@@ -273,7 +273,7 @@ impl Sweep {
         } else {
             Refusal::Row(self.failure(first).unwrap_or_default())
         };
-        SweepError::AllRefused { point: self.describe(first), problem }
+        SweepError::AllRefused { point: Box::new(self.describe(first)), problem }
     }
 
     fn numbers(&self, index: usize) -> Vec<f64> {

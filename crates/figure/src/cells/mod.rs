@@ -217,7 +217,7 @@ fn heading(title: &str, width: u16, rows: u16) -> Vec<String> {
     }
     let rest = lines.split_off(lines.len().min(most));
     if let Some(last) = lines.last_mut().filter(|_| !rest.is_empty()) {
-        *last = cut(&format!("{last} {}", rest.join(" ")), width);
+        *last = cut(&format!("{last}  {}", rest.join("  ")), width);
     }
     lines.iter().map(|line| cut(line, width)).collect()
 }
