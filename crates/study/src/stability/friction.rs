@@ -23,7 +23,7 @@ const STRIDE: usize = 6;
 /// Greatest factor of the coefficients up to which jamming is looked for: beyond it any surface would have long seized.
 const MOST: f64 = 1e3;
 
-/// How near the friction of a group comes to jamming.
+/// How near the friction of a group, or of the input link, comes to jamming.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FrictionHealth {
     /// `group 1 (RRR rod, rocker)`.
@@ -116,43 +116,29 @@ pub(crate) fn friction(
     ControlFlow::Continue(found)
 }
 
-/// The greatest spectral radius of each group with friction over the cycle.
+/// The greatest spectral radius over the cycle of what is solved together: it is the rate of the iteration, which a position that jams
+/// has too.
 fn greatest(own: &Scaled, method: &AnalyzerPlugin) -> Vec<FrictionHealth> {
     let linkage = &own.linkage;
     let mut forces = own.by(method);
     let mut position = linkage.position();
-    let name = |group: usize| linkage.structure.group_name(&linkage.mechanism, group);
-    let mut most = vec![(f64::NAN, 0.0); linkage.groups().len()];
-    for q in nearest::coordinates(linkage).into_iter().step_by(STRIDE) {
-        let state = state(&linkage.mechanism, q);
-        if linkage.solve(q, Order::Second, &mut position).is_err() {
+    let mut found: Vec<FrictionHealth> = Vec::new();
+    for coordinate in nearest::coordinates(linkage).into_iter().step_by(STRIDE) {
+        if linkage.solve(coordinate, Order::Second, &mut position).is_err() {
             continue;
         }
-        let mut take = |group: usize, radius: f64| {
-            if radius > most[group].0 || most[group].0.is_nan() {
-                most[group] = (radius, q);
-            }
-        };
-        if forces.solve(&state, &position).is_ok() {
-            let radii = forces.reactions.friction.iter().flat_map(|friction| &friction.certificates);
-            radii.enumerate().for_each(|(group, radius)| take(group, *radius));
-        } else {
-            // Where it jams, the iteration still has its rate.
-            for told in forces.iteration(&state, &position) {
-                if let Some(group) = (0..linkage.groups().len()).find(|group| name(*group) == told.what) {
-                    take(group, told.radius);
-                }
+        let all = forces.iteration(&state(&linkage.mechanism, coordinate), &position);
+        // Friction that does not act back on what it depends on can't jam.
+        for told in all.into_iter().filter(|told| told.radius > 0.0) {
+            let health = FrictionHealth { place: told.what, radius: told.radius, coordinate, jams_at: None };
+            match found.iter_mut().find(|known| known.place == health.place) {
+                None => found.push(health),
+                Some(known) if health.radius > known.radius => *known = health,
+                Some(_) => {}
             }
         }
     }
-    let named = most.into_iter().enumerate().filter(|(_, (radius, _))| !radius.is_nan());
-    let health = |(group, (radius, coordinate))| FrictionHealth {
-        place: name(group),
-        radius,
-        coordinate,
-        jams_at: None,
-    };
-    named.map(health).collect()
+    found
 }
 
 /// The factor of all coefficients at which a position jams.
@@ -160,7 +146,8 @@ fn limit(own: &Scaled, method: &AnalyzerPlugin, position: &Position) -> Option<f
     let strong = Scaled::new(&own.linkage, &own.loads, MOST)?;
     let state = state(&own.linkage.mechanism, position.coordinate);
     let part = strong.by(method).jamming_limit(&state, position)?;
-    (part < 1.0).then_some(part * MOST)
+    // Bisection ends at the greatest number below 1 where there is a solution up to the last.
+    (part < 1.0 - 4.0 * f64::EPSILON).then_some(part * MOST)
 }
 
 /// Compares the method that is used with another one, ever nearer to the factor at which a position jams.

@@ -51,7 +51,7 @@ pub fn stability(
     watch: &mut dyn FnMut(usize, usize) -> ControlFlow<()>,
 ) -> ControlFlow<(), Result<Stability, CompileError>> {
     // The walks apply their own loads to every link, with the balancing load on the input link.
-    mechanism.balance = None;
+    let balance = mechanism.balance.take();
     let linkage = match Linkage::compile(mechanism) {
         Ok(linkage) => linkage,
         Err(error) => return ControlFlow::Continue(Err(error)),
@@ -62,8 +62,8 @@ pub fn stability(
     };
     let (targets, places_left_out) = targets(&linkage, &groups);
     let lengths = if failure.is_none() { margin::lengths(&linkage) } else { Vec::new() };
-    let rubbing = if linkage.mechanism.frictions.is_empty() { 0 } else { linkage.groups().len() };
-    let total = targets.len() + rubbing + lengths.len();
+    let blocks = if linkage.mechanism.frictions.is_empty() { 0 } else { linkage.groups().len() + 1 };
+    let total = targets.len() + blocks + lengths.len();
     let mut done = 0;
     let mut step = || {
         done += 1;
@@ -76,7 +76,10 @@ pub fn stability(
             walk.to(target, &mut rows);
         }
     }
-    let friction = friction(&linkage, &mut rows, &mut step)?;
+    // Friction under the loads of the scene, balanced where it says.
+    let mut rubbing = linkage.clone();
+    rubbing.mechanism.balance = balance;
+    let friction = friction(&rubbing, &mut rows, &mut step)?;
     let lengths = margin::margins(&linkage, &lengths, &mut step)?;
     let (title, angular) = (linkage.mechanism.title.clone(), linkage.angular());
     ControlFlow::Continue(Ok(Stability {

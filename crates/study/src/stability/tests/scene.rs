@@ -251,3 +251,44 @@ fn a_walk_to_jamming_ends_where_two_crossing_guides_jam() {
     // Nearer than the rounding of the limit itself there may be no solution.
     assert!(rows.iter().filter(|row| row.distance > 1e-13).all(|row| row.error.is_some()), "{rows:?}");
 }
+
+/// A drawer has no group: its walk is that of the balancing load, which pulls beside the guide. It jams at the length over twice
+/// the distance.
+#[test]
+fn a_walk_to_jamming_is_made_of_a_drawer_too() {
+    let text = |pull: f64| {
+        format!(
+            r#"
+            [ground]
+            points = {{ O = 0 }}
+            [link.drawer]
+            points = {{ K = 0 }}
+            [[slide]]
+            link = "drawer"
+            on = "ground"
+            [input]
+            link = "drawer"
+            to = 0.2
+            [[force]]
+            link = "drawer"
+            at = "K"
+            angle = "180 deg"
+            value = 100
+            [balance]
+            link = "drawer"
+            at = [0, {pull}]
+            angle = 0
+            [[friction]]
+            pair = "drawer/ground"
+            coefficient = 0.1
+            length = 0.3
+            "#
+        )
+    };
+    let found = studied(scene(&text(0.4))).unwrap();
+    let [drawer] = &found.friction[..] else { panic!("{:?}", found.friction) };
+    assert!((drawer.jams_at.unwrap() - 0.3 / (2.0 * 0.4) / 0.1).abs() < 1e-9, "{drawer:?}");
+    assert!((drawer.radius - 0.1 / (0.3 / (2.0 * 0.4))).abs() < 1e-12, "{drawer:?}");
+    assert!(found.is_ok() && found.rows.iter().any(|row| row.quantity == "friction"), "{:?}", found.rows);
+    assert_eq!(studied(scene(&text(0.0))).unwrap().friction, []);
+}
