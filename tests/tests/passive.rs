@@ -148,7 +148,8 @@ fn equations(q: f64, size: f64) -> (DMatrix<f64>, DVector<f64>) {
 
 #[test]
 fn the_last_of_three_cranks_is_passive_and_turns_as_the_others() {
-    let (analysis, json) = analyzed(CRANKS, false);
+    // Also 5 degrees before all links lie in line, where rounding is magnified in every link, the passive one too.
+    let (analysis, json) = analyzed(&CRANKS.replace("[motion]", "positions = 24\n[motion]"), false);
     let passive = &analysis.structure.passive;
     assert_eq!(passive.len(), 1);
     assert_eq!((passive[0].what.to_string().as_str(), passive[0].fits()), ("link crank3", true));

@@ -389,6 +389,7 @@ structure-drawn = drawn: input link{ $groups } ({ $key }: next)
 structure-with-group = { "," } with group { $group }
 structure-least = least determinant { $determinant } at position { $position }
 structure-kind = class { $class }, type { $kind }, order { $order }
+structure-kind-named = class { $class }, { $kind }, order { $order }
 structure-view-links = links: { $links }
 structure-inner = inner pairs: { $pairs }
 structure-outer = outer pairs: { $pairs }

@@ -364,6 +364,7 @@ structure-drawn = на рисунке: входное звено{ $groups } ({ $
 structure-with-group = { "," } с группой { $group }
 structure-least = наименьший определитель { $determinant } в положении { $position }
 structure-kind = класс { $class }, вид { $kind }, порядок { $order }
+structure-kind-named = класс { $class }, { $kind }, порядок { $order }
 structure-view-links = звенья: { $links }
 structure-inner = внутренние пары: { $pairs }
 structure-outer = внешние пары: { $pairs }

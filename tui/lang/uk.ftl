@@ -361,6 +361,7 @@ structure-drawn = на рисунку: вхідна ланка{ $groups } ({ $ke
 structure-with-group = { "," } з групою { $group }
 structure-least = найменший визначник { $determinant } у положенні { $position }
 structure-kind = клас { $class }, вид { $kind }, порядок { $order }
+structure-kind-named = клас { $class }, { $kind }, порядок { $order }
 structure-view-links = ланки: { $links }
 structure-inner = внутрішні пари: { $pairs }
 structure-outer = зовнішні пари: { $pairs }

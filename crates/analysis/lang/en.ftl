@@ -70,6 +70,8 @@ analysis-never-reached = The prescribed motion never reaches { $count ->
     }: it turns back before; loads over time take there the time of the turning point.
 analysis-spring-without-direction = The ends of spring `{ $spring }` meet in { $positions }: it has no direction and gives no force there, though its free length is { $length }; place one end elsewhere.
 analysis-change-points = Change points, where two assembly modes meet: { $places }. A real mechanism may go on in either mode there; calculated is the smooth motion.
+analysis-nearly-singular-modes = Nearly singular: { $group } in position { $position } ({ $place }) has the condition number { $condition }; PF1 and reactions lose as many digits as it has, PF2 twice as many. Its modes { $one } and { $other } nearly coincide there: they meet, or begin, next to it.
+analysis-nearly-singular = Nearly singular: { $group } in position { $position } ({ $place }) has the condition number { $condition }; PF1 and reactions lose as many digits as it has, PF2 twice as many.
 analysis-interpolated = In { $positions } the group is singular, its equations have the form 0/0: the motion there is interpolated from both sides.
 analysis-place = { $place } ({ $group })
 analysis-place-of-several = { $place } ({ $group } and { $more } more)

@@ -1,7 +1,7 @@
 //! The modes of every group over the cycle.
 
 use assur_group::Order;
-use assur_kinematics::{Course, CourseEnd, Linkage};
+use assur_kinematics::{Course, CourseEnd, Linkage, Unlisted};
 use assur_mechanism::{LinkId, Named};
 use serde::Serialize;
 
@@ -16,7 +16,10 @@ pub struct GroupModes {
     pub links: Vec<Named<LinkId>>,
     /// The mode of the mechanism in the first position.
     pub way: Option<usize>,
-    /// Number of circuits: what can't be reached without taking the mechanism apart; `None` where the kind can't list modes.
+    /// Why its modes are not listed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unlisted: Option<Unlisted>,
+    /// Number of circuits: what can't be reached without taking the mechanism apart; `None` where modes are not listed.
     pub circuits: Option<usize>,
     /// Number of branches: what can't be reached without a singular position.
     pub branches: Option<usize>,
@@ -72,7 +75,10 @@ pub(crate) fn of(linkage: &Linkage) -> Vec<GroupModes> {
     let group = |index: usize| {
         let found = &linkage.structure.groups[index];
         let way = is_placed.then(|| linkage.modes(index, &position).ok().flatten()).flatten();
-        let courses = linkage.courses(index);
+        let (unlisted, courses) = match linkage.courses(index) {
+            Ok(courses) => (None, Some(courses)),
+            Err(why) => (Some(why), None),
+        };
         let all = courses.clone().unwrap_or_default();
         let mode = |(way, course): (usize, &Course)| ModeCourse {
             way,
@@ -88,6 +94,7 @@ pub(crate) fn of(linkage: &Linkage) -> Vec<GroupModes> {
             kind: found.plugin.kind.to_owned(),
             links: found.frame.links.iter().map(|&link| linkage.mechanism.named_link(link)).collect(),
             way: way.filter(|_| courses.is_some()).map(|modes| modes.number(modes.present)),
+            unlisted,
             circuits: courses.as_ref().map(|all| all.circuits),
             branches: courses.as_ref().map(|all| all.branches),
             counts: all.counts.iter().map(|&(from, modes)| CountFrom { from, modes }).collect(),

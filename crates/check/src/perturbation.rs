@@ -48,11 +48,12 @@ impl Perturbation {
         if self.state >> 63 == 0 { self.part } else { -self.part }
     }
 
-    /// The structure with perturbed lengths and angles of all groups.
+    /// The structure with perturbed lengths and angles of all groups and passive links.
     pub(crate) fn lengths(&mut self, structure: &Structure) -> Structure {
         let mut perturbed = structure.clone();
-        for group in &mut perturbed.groups {
-            for pair in group.frame.inner.iter_mut().chain(&mut group.frame.outer) {
+        let groups = perturbed.groups.iter_mut().map(|group| &mut group.frame);
+        for frame in groups.chain(perturbed.passive.iter_mut().map(|passive| &mut passive.frame)) {
+            for pair in frame.inner.iter_mut().chain(&mut frame.outer) {
                 self.pair(pair);
             }
         }

@@ -161,6 +161,12 @@ impl<'a, T: Precision> Differences<'a, T> {
             }
         }
         bodies[0] = Body::ground();
+        perturbation.ground(&mut bodies[0]);
+        chain.hang(&mut bodies, Order::Second);
+        for &link in subject.linkage.structure.passive.iter().flat_map(|passive| &passive.frame.links) {
+            perturbation.link(&mut bodies[link], link);
+        }
+        bodies[0] = Body::ground();
         Some(bodies)
     }
 

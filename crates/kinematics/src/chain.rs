@@ -155,8 +155,13 @@ impl<T: Number> Chain<T> {
                 Err(source) => return Err(ChainError { group, source }),
             }
         }
-        self.hanging.iter().for_each(|link| link.solve(bodies, order));
+        self.hang(bodies, order);
         Ok(())
+    }
+
+    /// Places the passive links by the bodies that carry them.
+    pub fn hang(&self, bodies: &mut [Body<T>], order: Order) {
+        self.hanging.iter().for_each(|link| link.solve(bodies, order));
     }
 }
 

@@ -20,6 +20,9 @@ const SAMPLES: u32 = 720;
 /// A birth, a meeting or an end is found to this, in units of the coordinate.
 const SHORTEST: f64 = 1e-11;
 
+/// This far behind an event, in the same units, rounding no longer makes one or both of two modes that meet come and go.
+const BEHIND: f64 = 1e-9;
+
 /// A meeting after which both modes go on is found to this: nearer to it the two can't be told apart.
 const SHORTEST_EQUAL: f64 = 1e-6;
 
@@ -31,6 +34,12 @@ const FARTHEST: f64 = 0.3;
 
 /// Two modes within this of each other on the shortest step are about to meet: their distance grows with its root.
 const TOGETHER: f64 = 1e-3;
+
+/// Two modes left over by an event, which have met or begin, are within this of each other up to [`BEHIND`] it.
+const PAIR: f64 = 1e-2;
+
+/// The sign of a smaller determinant may be rounding: the determinant is the root of a difference.
+const UNSIGNED: f64 = 1e-6;
 
 /// A cycle with more courses than this has modes that can't be told apart: rounding makes them begin and end.
 const MOST_COURSES: usize = 500;
@@ -82,22 +91,40 @@ pub struct Courses {
     pub branches: usize,
 }
 
+/// Why the modes of a group have no courses.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unlisted {
+    /// Its kind doesn't list modes.
+    ByKind,
+    /// Up to this coordinate, rad or m, rounding made modes begin or end that can't be told apart.
+    At(f64),
+}
+
 /// The modes at a coordinate with their numbers; `None` where the groups before can't be placed.
 type Present = Option<Vec<(usize, Mode<f64>)>>;
 
 struct Walk<'a> {
     linkage: &'a Linkage,
     group: usize,
+    /// Unit of the coordinate, negative where it falls.
+    unit: f64,
     found: Courses,
     now: (f64, Present),
+    /// Whether a mode that is not far away began or ended alone, which only rounding can make.
+    is_lost: bool,
 }
 
 impl Linkage {
     /// All modes of a group over a turn of a pinned input, or over the range of the scene; the groups before it are in their
-    /// present assembly. `None` where its kind can't list them, and where some can't be told apart.
-    pub fn courses(&self, group: usize) -> Option<Courses> {
+    /// present assembly.
+    ///
+    /// # Errors
+    ///
+    /// [`Unlisted`] where its kind can't list them, and where some can't be told apart.
+    pub fn courses(&self, group: usize) -> Result<Courses, Unlisted> {
         let lists = !self.structure.groups[group].plugin.iterates || self.groups()[group].lists_modes();
-        lists.then(|| Walk::over(self, group))?
+        if lists { Walk::over(self, group) } else { Err(Unlisted::ByKind) }
     }
 
     /// The modes of a group at a coordinate, in their order.
@@ -123,22 +150,23 @@ impl Linkage {
 }
 
 impl<'a> Walk<'a> {
-    fn over(linkage: &'a Linkage, group: usize) -> Option<Courses> {
+    fn over(linkage: &'a Linkage, group: usize) -> Result<Courses, Unlisted> {
         let input = &linkage.mechanism.input;
         let last = input.coordinate(input.positions.saturating_sub(1));
         let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
-        let mut walk = Self { linkage, group, found: Courses::default(), now: (input.from, None) };
-        let first = linkage.modes_at(group, input.from);
+        let unit = linkage.coordinate_unit().copysign(length);
+        let mut walk =
+            Self { linkage, group, unit, found: Courses::default(), now: (input.from, None), is_lost: false };
+        let first = walk.modes_at(input.from);
         walk.now.1 = first.map(|all| {
             all.into_iter().map(|mode| (walk.begin(input.from, CourseEnd::Cycle), mode)).collect()
         });
-        walk.count();
+        walk.count(input.from);
         let start = walk.now.1.clone().unwrap_or_default();
         for step in 1..=SAMPLES {
-            let to = walk.beside_free(input.from + length * f64::from(step) / f64::from(SAMPLES));
-            walk.advance(to);
-            if walk.found.courses.len() > MOST_COURSES {
-                return None;
+            walk.sample(input.from + length * f64::from(step) / f64::from(SAMPLES));
+            if walk.is_lost || walk.found.courses.len() > MOST_COURSES {
+                return Err(Unlisted::At(walk.now.0));
             }
         }
         let end = walk.now.1.take().unwrap_or_default();
@@ -153,7 +181,11 @@ impl<'a> Walk<'a> {
         };
         let closed: Vec<[usize; 2]> = end.iter().filter_map(closing).collect();
         walk.found.group(&closed);
-        Some(walk.found)
+        Ok(walk.found)
+    }
+
+    fn modes_at(&self, q: f64) -> Option<Vec<Mode<f64>>> {
+        self.linkage.modes_at(self.group, q)
     }
 
     /// Begins a course at a coordinate; its number.
@@ -169,53 +201,69 @@ impl<'a> Walk<'a> {
         (course.to, course.ends[1]) = (self.now.0, end);
     }
 
-    fn count(&mut self) {
+    fn count(&mut self, from: f64) {
         let count = self.now.1.as_ref().map_or(0, Vec::len);
         if self.found.counts.last().is_none_or(|(_, last)| *last != count) {
-            self.found.counts.push((self.now.0, count));
+            self.found.counts.push((from, count));
         }
     }
 
-    /// Goes on to a coordinate.
-    fn advance(&mut self, to: f64) {
-        let next = self.linkage.modes_at(self.group, to);
+    /// Goes on to a sample, or beside it where a group can turn freely there and has no mode.
+    fn sample(&mut self, to: f64) {
+        let count = |modes: Option<&Vec<Mode<f64>>>| modes.map(Vec::len);
+        let (next, present) = (self.modes_at(to), self.now.1.as_ref().map(Vec::len));
+        if present > Some(0) && count(next.as_ref()) == Some(0) {
+            let beside = to + SHORTEST_EQUAL * self.unit;
+            let modes = self.modes_at(beside);
+            if count(modes.as_ref()) == present {
+                return self.advance(beside, modes);
+            }
+        }
+        self.advance(to, next);
+    }
+
+    /// Goes on to a coordinate with its modes.
+    fn advance(&mut self, to: f64, mut next: Option<Vec<Mode<f64>>>) {
+        if (to - self.now.0) * self.unit <= 0.0 {
+            // An event reaches beyond it.
+            return;
+        }
         let count = |modes: Option<usize>| modes.map_or(-1, |count| i64::try_from(count).unwrap_or(0));
         let is_equal = count(self.now.1.as_ref().map(Vec::len)) == count(next.as_ref().map(Vec::len));
         // Modes that are about to vanish run faster the nearer they are to that: they don't meet yet.
         let is_meeting = is_equal && self.is_together(next.as_deref());
         let shortest = if is_meeting { SHORTEST_EQUAL } else { SHORTEST };
-        let is_short = (to - self.now.0).abs() <= shortest * self.linkage.coordinate_unit();
+        let is_short = (to - self.now.0).abs() <= shortest * self.unit.abs();
         let continued = match (&self.now.1, &next) {
             (None, None) => Some(None),
             (Some(now), Some(next)) => self.continued(now, next).map(Some),
             _ => None,
         };
+        let mut behind = to;
         let numbers = match continued {
             Some(numbers) => numbers,
-            None if is_short || self.found.courses.len() > MOST_COURSES => self.event(to, next.as_deref()),
+            None if is_short || self.found.courses.len() > MOST_COURSES => {
+                if !is_meeting {
+                    behind = to + BEHIND * self.unit;
+                    next = self.modes_at(behind);
+                }
+                self.event(to, next.as_deref())
+            }
             None => {
-                self.advance(self.now.0 + MIDDLE * (to - self.now.0));
-                return self.advance(to);
+                let middle = self.now.0 + MIDDLE * (to - self.now.0);
+                self.advance(middle, self.modes_at(middle));
+                return self.advance(to, next);
             }
         };
         let numbered = |(numbers, next): (Vec<usize>, Vec<_>)| numbers.into_iter().zip(next).collect();
-        self.now = (to, numbers.zip(next).map(numbered));
-        self.count();
+        self.now = (behind, numbers.zip(next).map(numbered));
+        self.count(to);
     }
 
     /// Whether each next mode is next to a present one.
     fn is_together(&self, next: Option<&[Mode<f64>]>) -> bool {
         let is_near = |mode| self.now.1.iter().flatten().any(|(_, one)| self.apart(one, mode) < TOGETHER);
         next.unwrap_or_default().iter().all(is_near)
-    }
-
-    /// The coordinate, or one beside it where a group can turn freely there and has no mode.
-    fn beside_free(&self, to: f64) -> f64 {
-        let count = |q: f64| self.linkage.modes_at(self.group, q).map(|all| all.len());
-        let present = self.now.1.as_ref().map(Vec::len).filter(|count| *count > 0);
-        let beside =
-            to + SHORTEST_EQUAL * self.linkage.coordinate_unit() * self.linkage.mechanism.input.sign();
-        if present.is_some() && count(to) == Some(0) && count(beside) == present { beside } else { to }
     }
 
     /// The numbers of the next modes where it is certain which is which.
@@ -225,7 +273,7 @@ impl<'a> Walk<'a> {
         };
         let mut taken: Vec<(usize, f64)> = Vec::with_capacity(next.len());
         for mode in next {
-            let (at, moved) = self.nearest(now, mode, |_| true)?;
+            let (at, moved) = self.nearest(now, mode)?;
             if taken.iter().any(|(other, _)| *other == at) || is_turned(&now[at].1, mode, self.scale()) {
                 return None;
             }
@@ -241,14 +289,9 @@ impl<'a> Walk<'a> {
         is_certain.then(|| taken.into_iter().map(|(at, _)| now[at].0).collect())
     }
 
-    /// The nearest mode of the same way that is left, with its distance; `None` where it is far.
-    fn nearest(
-        &self,
-        now: &[(usize, Mode<f64>)],
-        mode: &Mode<f64>,
-        is_left: impl Fn(usize) -> bool,
-    ) -> Option<(usize, f64)> {
-        let same = now.iter().enumerate().filter(|(at, (_, one))| is_left(*at) && one.way == mode.way);
+    /// The nearest mode of the same way with its distance; `None` where it is far.
+    fn nearest(&self, now: &[(usize, Mode<f64>)], mode: &Mode<f64>) -> Option<(usize, f64)> {
+        let same = now.iter().enumerate().filter(|(_, (_, one))| one.way == mode.way);
         let near = same.map(|(at, (_, one))| (at, self.apart(one, mode)));
         near.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, moved)| *moved < FARTHEST)
     }

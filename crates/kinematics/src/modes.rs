@@ -23,6 +23,22 @@ impl Modes {
     }
 }
 
+impl Modes {
+    /// The mode nearest to the present one, which has the opposite sign of its determinant: the one that it meets where both end.
+    pub fn rival(&self, linkage: &Linkage) -> Option<usize> {
+        let present = &self.all[self.present];
+        let apart = |mode: &Mode<f64>| {
+            pose_distance(
+                mode.bodies.iter().copied(),
+                present.bodies.iter().copied(),
+                linkage.structure.scale,
+            )
+        };
+        let others = self.all.iter().enumerate().filter(|(_, mode)| mode.way != present.way);
+        others.min_by(|a, b| apart(a.1).total_cmp(&apart(b.1))).map(|(index, _)| index)
+    }
+}
+
 impl Linkage {
     /// The modes of a group in a solved position; `None` where its kind can't list them.
     ///

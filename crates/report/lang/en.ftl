@@ -707,7 +707,8 @@ report-misfit = { $what } is passive by count, but misses by { $misfit } mm at {
 report-closes = ; it closes with { $key } = { $value } (SI)
 report-formula-without = { $formula }; passive: { $parts }
 report-modes-of = Modes of group { $group } ({ $kind } { $links }) over the cycle
-report-modes-unlisted = { $group }: its modes can't be listed over the cycle: its kind does not list them, or rounding makes some of them begin and end.
+report-modes-unlisted = { $group }: its kind does not list its modes.
+report-modes-together = { $group }: not listed. Shortly before { $coordinate } modes begin or end that can't be told apart: some coincide over a part of the cycle, or several meet in one place, and rounding decides how many there are. Lengths that differ a little tell them apart.
 head-from = From
 head-to = To
 head-begins = Begins

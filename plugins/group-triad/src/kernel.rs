@@ -83,6 +83,12 @@ impl<T: Real> Legged<T> {
         Ok(Self { frame: parts.frame.clone(), legs, plate, base, spread, rounding })
     }
 
+    /// Violation of a condition that is rounding where base and plate are, m: far away places are rounded by their distance.
+    pub(crate) fn rounding_at(&self, bodies: &[Body<T>]) -> f64 {
+        let [base, plate] = self.core(bodies).map(|body| body.x.to_f64().hypot(body.y.to_f64()));
+        self.rounding * (base.max(plate) / self.frame.scale).max(1.0)
+    }
+
     #[inline(always)]
     pub(crate) fn lines(&self, bodies: &[Body<T>]) -> Lines<T> {
         let plate = self.plate.hub(bodies);

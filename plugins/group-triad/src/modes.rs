@@ -73,7 +73,10 @@ impl<T: Real> Legged<T> {
             self.put_pose(pose, bodies);
             let raw = self.core(bodies);
             let polished = self.polish(bodies);
-            if !polished.converged || polished.way > FAR || self.lines(bodies).open() > self.rounding {
+            if !polished.converged
+                || polished.way > FAR
+                || self.lines(bodies).open() > self.rounding_at(bodies)
+            {
                 // Where two modes meet, Newton's method converges slowly, if at all.
                 self.put_core(&raw, bodies);
                 if !self.approach(bodies) {
@@ -83,8 +86,13 @@ impl<T: Real> Legged<T> {
             let lines = self.lines(bodies);
             let health = self.measure(&lines).to_f64();
             let core = self.core(bodies);
-            let limit = (1e-4 * health.abs()).max(64.0 * T::EPSILON);
-            let is_new = found.each().all(|(other, _)| self.apart(other, &core) > limit);
+            // One mode that is found twice has its rounding, magnified by the determinant; two that are next to each other have
+            // opposite signs.
+            let rounding = 64.0 * T::EPSILON;
+            let is_new = found.each().all(|(other, its)| {
+                let twice = if (its > 0.0) == (health > 0.0) { rounding / health.abs() } else { 0.0 };
+                self.apart(other, &core) > (1e-4 * health.abs()).max(rounding).max(twice)
+            });
             if is_new && found.count < MOST_MODES {
                 (found.all[found.count], found.health[found.count]) = (core, health);
                 found.count += 1;
@@ -112,7 +120,7 @@ impl<T: Real> Legged<T> {
             }
         }
         self.put_core(&best.1, bodies);
-        best.0 <= self.rounding
+        best.0 <= self.rounding_at(bodies)
     }
 
     /// Places base and plate in the mode whose determinant has the sign of the way and which is nearest to their poses.

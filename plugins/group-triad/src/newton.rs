@@ -113,7 +113,7 @@ impl<T: Real> Legged<T> {
         if polished.converged && polished.is_near {
             let lines = self.lines(bodies);
             let health = self.measure(&lines);
-            if (health.to_f64() > 0.0) == (way == 0) && lines.open() <= self.rounding {
+            if (health.to_f64() > 0.0) == (way == 0) && lines.open() <= self.rounding_at(bodies) {
                 return self.complete(bodies, (&lines, health), order);
             }
         }

@@ -130,12 +130,28 @@ from = FROM
 
 #[test]
 fn modes_that_run_fast_before_they_vanish_end_together_and_not_at_infinity() {
-    for from in ["0.897", "1.177", "1.457"] {
+    for from in ["0.897", "0.947", "1.177", "1.457"] {
         let text = FAST.replace("FROM", from);
         let found = linkage_of(assur_scene::read("fast", &text).unwrap()).courses(0).unwrap();
         assert_eq!((found.courses.len(), found.circuits), (4, 1), "from {from}: {:?}", found.courses);
         let is_pair = |end| matches!(end, CourseEnd::With(_) | CourseEnd::Cycle);
         assert!(found.courses.iter().all(|course| course.ends.into_iter().all(is_pair)));
+    }
+}
+
+#[test]
+fn a_position_next_to_the_end_of_two_modes_is_noted_with_both() {
+    let scene = |from: f64| format!("{}positions = 1\n", FAST.replace("FROM", &format!("{from:?}")));
+    let courses = linkage_of(assur_scene::read("fast", &scene(0.897)).unwrap()).courses(0).unwrap();
+    // The determinant falls with the root of the distance.
+    for (before, is_noted) in [(1e-9, true), (1e-2, false)] {
+        let json = results(&scene(courses.courses[0].to - before));
+        assert_eq!(json["structure"]["groups"][0]["modes"].as_array().unwrap().len(), 2);
+        let notes = json["notes"].as_array().unwrap();
+        let note = notes.iter().find(|note| note["id"] == "analysis-nearly-singular-modes");
+        assert_eq!(note.is_some(), is_noted, "{notes:?}");
+        let condition = json["structure"]["groups"][0]["modes"][0]["condition"].as_f64().unwrap();
+        assert_eq!(condition > 1e3, is_noted, "{condition}");
     }
 }
 

@@ -10,7 +10,47 @@ use crate::Calculation;
 /// Change points of several groups nearer than this count as one, rad or m.
 const SAME: f64 = 1e-6;
 
+/// A group with a greater condition number than this is nearly singular: PF1 and reactions lose as many digits as it has, PF2
+/// twice as many.
+const ILL: f64 = 1e3;
+
 impl Calculation {
+    /// Groups that are nearly singular in a position and not interpolated there: two of their modes meet or begin next to it.
+    pub(crate) fn nearly_singular(&self, worst: &[(usize, (usize, f64))]) -> Vec<Text> {
+        let linkage = &self.linkage;
+        let mut found = linkage.position();
+        let mut notes = Vec::new();
+        for (group, (index, condition)) in worst.iter().filter(|(_, (_, condition))| *condition > ILL) {
+            let coordinate = linkage.mechanism.input.coordinate(*index);
+            if linkage.is_interpolated(coordinate)
+                || linkage.solve_index(*index, Order::Place, &mut found).is_err()
+            {
+                continue;
+            }
+            let name = linkage.structure.group_name(&linkage.mechanism, *group);
+            let (position, place) = (number(index), self.show(coordinate));
+            let condition = number(format_args!("{condition:.3e}"));
+            let modes = linkage.modes(*group, &found).ok().flatten();
+            notes.push(
+                match modes.and_then(|modes| {
+                    Some([modes.present, modes.rival(linkage)?].map(|index| modes.number(index)))
+                }) {
+                    Some([one, other]) => text!(
+                        "analysis-nearly-singular-modes",
+                        group = name,
+                        position,
+                        place,
+                        condition,
+                        one = number(one),
+                        other = number(other)
+                    ),
+                    None => text!("analysis-nearly-singular", group = name, position, place, condition),
+                },
+            );
+        }
+        notes
+    }
+
     /// Where assembly modes meet; the motion passes through without any sign in the numbers but a great condition
     /// number.
     pub(super) fn change_points(&self) -> Option<Text> {

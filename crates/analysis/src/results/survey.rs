@@ -17,6 +17,8 @@ pub struct Survey {
     pub greatest_balancing: Option<(usize, f64)>,
     /// By guide, its moment of greatest modulus, N m, likewise.
     pub greatest_moments: Vec<(PairId, (usize, f64))>,
+    /// By group, its greatest condition number, likewise.
+    pub worst_conditions: Vec<(usize, (usize, f64))>,
     /// The first number that is not finite: its place among the rows and its column.
     pub not_finite: Option<(usize, usize)>,
     /// By section, whether any row has its numbers.
@@ -37,6 +39,16 @@ fn farthest(rows: &Table, column: Column, earlier: Option<(usize, f64)>) -> Opti
         let is_greater = most.is_none_or(|(_, value)| next.1.abs() > value.abs() * (1.0 + TIE));
         if is_greater { Some(next) } else { most }
     })
+}
+
+/// Raises the greatest number of an owner by that of more rows.
+fn raise<O: PartialEq>(known: &mut Vec<(O, (usize, f64))>, owner: O, rows: &Table, column: Column) {
+    let before = known.iter().position(|(other, _)| *other == owner);
+    match (before, farthest(rows, column, before.map(|at| known[at].1))) {
+        (Some(at), Some(found)) => known[at].1 = found,
+        (None, Some(found)) => known.push((owner, found)),
+        (_, None) => {}
+    }
 }
 
 impl Survey {
@@ -67,13 +79,11 @@ impl Survey {
         self.greatest_balancing = farthest(rows, Column::BALANCING, self.greatest_balancing);
         for owner in schema.owners(Quantity::Moment) {
             let Owner::Pair(pair) = owner else { continue };
-            let before = self.greatest_moments.iter().position(|(known, _)| *known == pair);
-            let known = before.map(|at| self.greatest_moments[at].1);
-            match (before, farthest(rows, Column::of(Quantity::Moment, owner), known)) {
-                (Some(at), Some(found)) => self.greatest_moments[at].1 = found,
-                (None, Some(found)) => self.greatest_moments.push((pair, found)),
-                (_, None) => {}
-            }
+            raise(&mut self.greatest_moments, pair, rows, Column::of(Quantity::Moment, owner));
+        }
+        for owner in schema.owners(Quantity::Condition) {
+            let Owner::Group(group) = owner else { continue };
+            raise(&mut self.worst_conditions, group, rows, Column::of(Quantity::Condition, owner));
         }
         let Some(coordinate) = schema.find(Column::COORDINATE) else { return };
         for (pair, link, sizes) in &mut self.sizes {

@@ -2,7 +2,7 @@
 
 use assur_group::Mode;
 
-use super::{CourseEnd, TOGETHER, Walk, is_turned};
+use super::{CourseEnd, FAR_AWAY, FARTHEST, PAIR, TOGETHER, UNSIGNED, Walk, is_turned};
 
 /// Modes on both sides of an event; which of those before are left, and the numbers of those after it, as far as they are known.
 struct Sides<'a> {
@@ -13,14 +13,15 @@ struct Sides<'a> {
 }
 
 impl Sides<'_> {
-    fn go_on(&mut self, at: usize, next: usize) {
+    fn go_on(&mut self, [at, next]: [usize; 2]) {
         self.left[at] = false;
         self.numbers[next] = Some(self.before[at].0);
     }
 
-    /// The first mode before the event that is left and fits.
-    fn find_left(&self, fits: impl Fn(&Mode<f64>) -> bool) -> Option<usize> {
-        (0..self.before.len()).find(|at| self.left[*at] && fits(&self.before[*at].1))
+    /// The modes before and after the event that are left.
+    fn rest(&self) -> [Vec<usize>; 2] {
+        let before = (0..self.before.len()).filter(|at| self.left[*at]).collect();
+        [before, (0..self.after.len()).filter(|next| self.numbers[*next].is_none()).collect()]
     }
 }
 
@@ -34,101 +35,122 @@ impl Walk<'_> {
         };
         let (left, numbers) = (vec![true; now.len()], vec![None; next.len()]);
         let mut sides = Sides { before: now, after: next, left, numbers };
-        self.meet_or_begin(to, &mut sides);
-        self.end_in_pairs(&mut sides);
-        self.go_on(&mut sides);
+        // What hardly moves goes on. Only of what is left two can have met and vanished, or begin: they run the faster the nearer
+        // they are to that.
+        self.go_on(&mut sides, 2.0 * TOGETHER, true);
+        self.pass(to, &mut sides);
+        self.begin_and_end_in_pairs(to, &mut sides);
+        self.go_on(&mut sides, FARTHEST, true);
         self.turn_over(to, &mut sides);
-        for (at, _) in sides.left.iter().enumerate().filter(|(_, left)| **left) {
+        let [before, after] = sides.rest();
+        let each = before.iter().map(|at| &now[*at].1).chain(after.iter().map(|at| &next[*at]));
+        self.is_lost |= each.into_iter().any(|mode| !is_far(mode, self.scale()));
+        for at in before {
             self.end(now[at].0, CourseEnd::Infinity);
         }
         let numbers = sides.numbers.into_iter();
         Some(numbers.map(|known| known.unwrap_or_else(|| self.begin(to, CourseEnd::Infinity))).collect())
     }
 
-    /// Pairs that are next to each other after the event: two modes have met, or begin together.
-    fn meet_or_begin(&mut self, to: f64, sides: &mut Sides<'_>) {
-        for [j, k] in self.pairs(&sides.after.iter().collect::<Vec<_>>()) {
-            let modes = [&sides.after[j], &sides.after[k]];
-            // After a meeting each mode has the opposite sign of its determinant. The two are within this of each other, and each of
-            // them of where it was.
-            let near = |way: usize| {
-                sides.find_left(|one| one.way == way && self.apart(one, modes[0]) < 2.0 * TOGETHER)
-            };
-            if let (Some(a), Some(b)) = (near(modes[1].way), near(modes[0].way)) {
-                if self.is_passed(to, &sides.before[a].1) {
-                    self.found.meetings.push((to, [sides.before[a].0, sides.before[b].0]));
-                    sides.go_on(a, j);
-                    sides.go_on(b, k);
-                } else {
-                    sides.go_on(b, j);
-                    sides.go_on(a, k);
-                }
-            } else {
-                let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
-                for (number, partner) in [(one, other), (other, one)] {
-                    self.found.courses[number].ends[0] = CourseEnd::With(partner);
-                }
-                (sides.numbers[j], sides.numbers[k]) = (Some(one), Some(other));
+    /// Modes that are left go on where they are, the nearest first; those that did.
+    fn go_on(&self, sides: &mut Sides<'_>, limit: f64, keeps_way: bool) -> Vec<usize> {
+        let [before, after] = sides.rest();
+        let pairs = before.iter().flat_map(|at| after.iter().map(move |next| [*at, *next]));
+        let apart = |[at, next]: [usize; 2]| {
+            let [one, other] = [&sides.before[at].1, &sides.after[next]];
+            let fits = (!keeps_way || one.way == other.way) && !is_turned(one, other, self.scale());
+            fits.then(|| self.apart(one, other))
+        };
+        let taken = nearest_first(pairs, apart, limit, |[a, b], [c, d]| a == c || b == d);
+        for pair in &taken {
+            sides.go_on(*pair);
+        }
+        taken.into_iter().map(|[at, _]| sides.before[at].0).collect()
+    }
+
+    /// Two modes that meet and both go on: behind the meeting each has the opposite sign of its determinant, so that each was
+    /// taken for the other one.
+    fn pass(&mut self, to: f64, sides: &mut Sides<'_>) {
+        let known = (0..sides.after.len()).filter(|next| sides.numbers[*next].is_some());
+        for [j, k] in self.pairs(|at| &sides.after[at], &known.collect::<Vec<_>>(), TOGETHER) {
+            let (Some(one), Some(other)) = (sides.numbers[j], sides.numbers[k]) else { continue };
+            let before = sides.before.iter().find(|(number, _)| *number == one);
+            if before.is_some_and(|(_, mode)| self.is_passed(to, mode)) {
+                self.found.meetings.push((to, [other, one]));
+                (sides.numbers[j], sides.numbers[k]) = (Some(other), Some(one));
             }
         }
     }
 
-    /// Pairs that were next to each other before the event end together.
-    fn end_in_pairs(&mut self, sides: &mut Sides<'_>) {
-        let before: Vec<&Mode<f64>> = sides.before.iter().map(|(_, mode)| mode).collect();
-        for [a, b] in self.pairs(&before) {
-            if sides.left[a] && sides.left[b] {
-                (sides.left[a], sides.left[b]) = (false, false);
-                self.end(sides.before[a].0, CourseEnd::With(sides.before[b].0));
-                self.end(sides.before[b].0, CourseEnd::With(sides.before[a].0));
-            }
+    /// Of the modes that are left, two that are next to each other end or begin together.
+    fn begin_and_end_in_pairs(&mut self, to: f64, sides: &mut Sides<'_>) {
+        let [before, after] = sides.rest();
+        for [a, b] in self.pairs(|at| &sides.before[at].1, &before, PAIR) {
+            (sides.left[a], sides.left[b]) = (false, false);
+            self.end(sides.before[a].0, CourseEnd::With(sides.before[b].0));
+            self.end(sides.before[b].0, CourseEnd::With(sides.before[a].0));
         }
-    }
-
-    /// The others go on where they are.
-    fn go_on(&self, sides: &mut Sides<'_>) {
-        for next in (0..sides.after.len()).filter(|next| sides.numbers[*next].is_none()).collect::<Vec<_>>() {
-            let mode = &sides.after[next];
-            let is_left = |at: usize| sides.left[at] && !is_turned(&sides.before[at].1, mode, self.scale());
-            if let Some((at, _)) = self.nearest(sides.before, mode, is_left) {
-                sides.go_on(at, next);
+        for [j, k] in self.pairs(|at| &sides.after[at], &after, PAIR) {
+            let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
+            for (number, partner) in [(one, other), (other, one)] {
+                self.found.courses[number].ends[0] = CourseEnd::With(partner);
             }
+            (sides.numbers[j], sides.numbers[k]) = (Some(one), Some(other));
         }
     }
 
     /// Where a group can turn freely, each of its two modes goes on with the other sign of its determinant.
     fn turn_over(&mut self, to: f64, sides: &mut Sides<'_>) {
-        let mut turned = Vec::new();
-        for next in (0..sides.after.len()).filter(|next| sides.numbers[*next].is_none()).collect::<Vec<_>>() {
-            let near = sides.find_left(|one| self.apart(one, &sides.after[next]) < TOGETHER);
-            if let Some(at) = near {
-                sides.go_on(at, next);
-                turned.push(sides.before[at].0);
-            }
-        }
+        let turned = self.go_on(sides, TOGETHER, false);
         self.found.meetings.extend(turned.chunks_exact(2).map(|pair| (to, [pair[0], pair[1]])));
     }
 
     /// Whether a mode meets another one before the next coordinate: its determinant, which falls evenly, is zero there.
     fn is_passed(&self, to: f64, mode: &Mode<f64>) -> bool {
-        let back = self.linkage.modes_at(self.group, self.now.0 - (to - self.now.0)).unwrap_or_default();
+        let back = self.modes_at(self.now.0 - (to - self.now.0)).unwrap_or_default();
         let back: Vec<(usize, Mode<f64>)> = back.into_iter().enumerate().collect();
-        let earlier = self.nearest(&back, mode, |_| true);
+        let earlier = self.nearest(&back, mode).filter(|(_, moved)| *moved < 2.0 * TOGETHER);
         earlier.is_some_and(|(at, _)| mode.health < back[at].1.health - mode.health)
     }
 
     /// Pairs of modes that are about to meet.
-    fn pairs(&self, all: &[&Mode<f64>]) -> Vec<[usize; 2]> {
-        let mut pairs: Vec<[usize; 2]> = Vec::new();
-        for (j, one) in all.iter().enumerate() {
-            let free = |k: usize| !pairs.iter().flatten().any(|taken| *taken == k);
-            let meets = |k: &usize| all[*k].way != one.way && self.apart(one, all[*k]) < TOGETHER && free(*k);
-            if free(j)
-                && let Some(k) = (j + 1..all.len()).find(meets)
-            {
-                pairs.push([j, k]);
-            }
-        }
-        pairs
+    fn pairs<'m>(&self, mode: impl Fn(usize) -> &'m Mode<f64>, all: &[usize], limit: f64) -> Vec<[usize; 2]> {
+        let both =
+            all.iter().enumerate().flat_map(|(k, one)| all[k + 1..].iter().map(|other| [*one, *other]));
+        let apart = |[one, other]: [usize; 2]| {
+            let [one, other] = [mode(one), mode(other)];
+            let meets = one.way != other.way || is_unsigned(one) || is_unsigned(other);
+            meets.then(|| self.apart(one, other))
+        };
+        nearest_first(both, apart, limit, |[a, b], [c, d]| [a, b].contains(&c) || [a, b].contains(&d))
     }
+}
+
+/// Whether a link is so far away that it may run to infinity.
+fn is_far(mode: &Mode<f64>, scale: f64) -> bool {
+    mode.bodies.iter().any(|body| body.x.hypot(body.y) > FAR_AWAY * scale)
+}
+
+/// Whether the sign of a determinant, and so its way, may be rounding.
+fn is_unsigned(mode: &Mode<f64>) -> bool {
+    mode.health < UNSIGNED
+}
+
+/// Pairs of two that are less than a limit apart, the nearest first, none of which excludes another one.
+fn nearest_first(
+    all: impl Iterator<Item = [usize; 2]>,
+    apart: impl Fn([usize; 2]) -> Option<f64>,
+    limit: f64,
+    excludes: impl Fn([usize; 2], [usize; 2]) -> bool,
+) -> Vec<[usize; 2]> {
+    let near = all.filter_map(|pair| Some((apart(pair).filter(|apart| *apart < limit)?, pair)));
+    let mut near: Vec<(f64, [usize; 2])> = near.collect();
+    near.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let mut taken: Vec<[usize; 2]> = Vec::new();
+    for (_, pair) in near {
+        if !taken.iter().any(|one| excludes(*one, pair)) {
+            taken.push(pair);
+        }
+    }
+    taken
 }

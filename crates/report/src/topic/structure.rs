@@ -3,7 +3,7 @@
 use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
 use assur_analysis::{GroupModes, Meeting, ModeCourse, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::CourseEnd;
+use assur_kinematics::{CourseEnd, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -165,7 +165,13 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         links = named(&group.links)
     );
     let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
-        return page.paragraph(text!("report-modes-unlisted", group = named));
+        let unlisted = match group.unlisted {
+            Some(Unlisted::At(place)) => {
+                text!("report-modes-together", group = named, coordinate = unit.show(place))
+            }
+            _ => text!("report-modes-unlisted", group = named),
+        };
+        return page.paragraph(unlisted);
     };
     let of = |mode: &ModeCourse| {
         let [begins, ends] = [mode.begins, mode.ends].map(mode_end);

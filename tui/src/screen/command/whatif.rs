@@ -107,10 +107,11 @@ pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>,
             let is_of_modes = what.is_of_modes(&change.edits);
             what.shown.clone_from(&change.edits);
             let before = state.scene.as_ref().filter(|_| !late && !is_of_modes);
-            let before = before.and_then(|scene| Some((scene.poses.first()?.clone()?, modes::counts(scene))));
+            let before =
+                before.and_then(|scene| Some((scene.poses.first()?.as_ref()?.coordinate, modes::all(scene))));
             show(state, *scene);
-            if let Some((before, counts)) = before {
-                modes::keep(state, &before, &counts);
+            if let Some((coordinate, before)) = before {
+                modes::keep(state, coordinate, &before);
             }
         }
         Err(text) if !late => {

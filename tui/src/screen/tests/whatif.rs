@@ -303,6 +303,12 @@ fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
         let (first, count) = present(&state);
         assert!(count > 1);
         let before = text(&state, 80, 24);
+        for (language, kind) in
+            [("uk", "клас III, RR-RR-RR, порядок 3"), ("en", "class III, RR-RR-RR, order 3")]
+        {
+            state.look.language = language;
+            assert!(text(&state, 80, 40).contains(kind), "{}", text(&state, 80, 40));
+        }
         for step in 1..=count {
             press(&mut state, "]");
             let frame = text(&state, 80, 40);

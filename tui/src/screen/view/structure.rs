@@ -133,12 +133,11 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     let pairs = |pairs: &[assur_group::Pair]| {
         list(pairs.iter().map(|pair| Text::from(linkage.structure.pair_name(mechanism, pair.id))))
     };
-    let kind = text!(
-        "structure-kind",
-        class = name(assur_structure::roman(group.class)),
-        kind = number(group.plugin.number),
-        order = number(group.order),
-    );
+    let (class, order) = (name(assur_structure::roman(group.class)), number(group.order));
+    let kind = match group.plugin.number {
+        0 => text!("structure-kind-named", class, kind = name(group.plugin.kind), order),
+        kind => text!("structure-kind", class, kind = number(kind), order),
+    };
     let mut lines = vec![
         kind,
         text!("structure-view-links", links = links),
