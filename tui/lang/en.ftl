@@ -325,7 +325,7 @@ regime-greatest-speed = greatest speed
 regime-input-speed = input speed, rad/s
 regime-course = regime
 regime-first-turn = first turn
-regime-moments = moments on the input, N m
+regime-moments = moments on the input, N·m
 regime-motor = motor
 regime-driving-loads = driving loads
 regime-resistance = resistance
@@ -334,8 +334,8 @@ regime-whole = whole
 regime-delta = δ = { $delta }
 regime-working-section = working section
 regime-motor-speed = speed of the motor, rad/s
-regime-characteristic = motor characteristic, N m
-regime-links-inertia = reduced inertia of the links, kg m2
+regime-characteristic = motor characteristic, N·m
+regime-links-inertia = reduced inertia of the links, kg·m²
 regime-work = work
 regime-energy-mass = energy-mass diagram, J
 regime-shares = reduced inertia: { $names }
@@ -355,7 +355,7 @@ regime-friction-work = friction work
 regime-kinetic-energy = kinetic energy
 regime-energies = energies, J
 motion-none = no [motion] in the scene, so J and Q alone; add it, with speed = "60 rpm"
-motion-loads = moments of the loads on the input, N m
+motion-loads = moments of the loads on the input, N·m
 motion-coordinate = coordinate
 motion-speed = speed
 motion-acceleration = acceleration
@@ -698,4 +698,6 @@ cli-write-set = write it as KEY=VALUE, such as "link.crank.mass=2 kg"
 cli-row-number = --row { $row }: write the number of the row, a whole number from 0, and the file
 cli-no-row = it has no row { $row }; the first is 0
 cli-no-sweep = it is no result of a sweep: parameters stand before the column `status`
+cli-semicolons = its cells are separated by semicolons, as spreadsheets save it in some languages: take the CSV as `assur sweep` wrote it
+cli-sweep-doubt = note: at { $point }: { $note }
 cli-sweep-size = note: { $rows } rows of { $columns } columns, up to { $megabytes } MB of CSV; `--measure` names what is needed, Parquet takes less.

@@ -691,4 +691,6 @@ cli-write-set = запишите как KEY=VALUE, например "link.crank.
 cli-row-number = --row { $row }: запишите номер строки, целое число от 0, и файл
 cli-no-row = в нем нет строки { $row }; первая имеет номер 0
 cli-no-sweep = это не результат варьирования: параметры стоят перед столбцом `status`
+cli-semicolons = его ячейки разделены точкой с запятой, как их сохраняют таблицы на некоторых языках: возьмите CSV таким, как его записал `assur sweep`
+cli-sweep-doubt = примечание: при { $point }: { $note }
 cli-sweep-size = примечание: строк { $rows }, столбцов { $columns }, до { $megabytes } МБ в CSV; `--measure` называет нужное, Parquet занимает меньше.

@@ -688,4 +688,6 @@ cli-write-set = запишіть як KEY=VALUE, наприклад "link.crank.
 cli-row-number = --row { $row }: запишіть номер рядка, ціле число від 0, і файл
 cli-no-row = у ньому немає рядка { $row }; перший має номер 0
 cli-no-sweep = це не результат варіювання: параметри стоять перед стовпцем `status`
+cli-semicolons = його клітинки розділені крапкою з комою, як їх зберігають таблиці деякими мовами: візьміть CSV таким, як його записав `assur sweep`
+cli-sweep-doubt = примітка: при { $point }: { $note }
 cli-sweep-size = примітка: рядків { $rows }, стовпців { $columns }, до { $megabytes } МБ у CSV; `--measure` називає потрібне, Parquet займає менше.

@@ -20,4 +20,4 @@ pub use course::Extremes;
 pub use course::Stroke;
 pub use data::{AtPosition, Courses, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 pub use instant::{Center, CenterAt, Centers, Curvature, centers_of, instant_centers};
-pub use measure::{GeometryError, Overview, courses, geometry, overview};
+pub use measure::{GeometryError, Overview, courses, distances, geometry, overview};

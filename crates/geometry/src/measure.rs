@@ -3,12 +3,13 @@
 use std::f64::consts::TAU;
 
 use assur_group::Order;
+use assur_group::plane::dot;
 use assur_kinematics::{Linkage, PositionError};
-use assur_mechanism::{GROUND, LinkId, Point, PointId, SlideId};
+use assur_mechanism::{GROUND, LinkId, Place, Point, PointId, SlideId};
 use assur_words::{Describe, Text, text};
 
 use crate::course::Cycle;
-use crate::course::{Motion, Rest, VectorCourse};
+use crate::course::{Extremes, Motion, Rest, VectorCourse};
 use crate::data::{AtPosition, Courses, Each, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 use crate::rigid::RigidParts;
 use crate::{Centers, Curvature, Stroke, centers_of};
@@ -143,6 +144,31 @@ pub fn courses(
         slides: slides.map(|id| slide(&cycle, id)).collect::<Result<_, _>>()?,
         points: points.map(|id| point(&cycle, id)).collect::<Result<_, _>>()?,
     })
+}
+
+/// The distances of points of links from places in the frame of the ground over the cycle, m.
+///
+/// # Errors
+///
+/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
+pub fn distances(
+    linkage: &Linkage,
+    targets: impl Iterator<Item = (Place, [f64; 2])>,
+) -> Result<Vec<Extremes>, GeometryError> {
+    let cycle = Cycle::of(linkage)?;
+    let of = |(place, from): (Place, [f64; 2])| {
+        // Of the square, which is smooth where the distance is zero.
+        let square = VectorCourse::of(&cycle, |position| {
+            let body = &position.bodies[place.link];
+            let (at, [first, second]) = (body.point(place.at), body.motion(body.arm(place.at)));
+            let away = [at[0] - from[0], at[1] - from[1]];
+            let slope = 2.0 * dot(away, first);
+            [[dot(away, away)], [slope], [2.0 * (dot(first, first) + dot(away, second))]]
+        });
+        let found = square.extremes(ORDERS[0])?;
+        Ok(Extremes { min: found.min.max(0.0).sqrt(), max: found.max.sqrt(), ..found })
+    };
+    targets.map(of).collect()
 }
 
 fn coordinates(rests: &[Rest]) -> Vec<f64> {

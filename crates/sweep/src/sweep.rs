@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
 use assur_scene::edit::ParsedText;
-use assur_words::Text;
+use assur_words::{Text, list};
 
 use crate::axis::Axis;
 use crate::layout::Layout;
@@ -244,14 +244,31 @@ impl Sweep {
     }
 
     /// Keys and values of a point: "link.crank.mass = 2 kg, drive.ratio = 24".
-    pub fn describe(&self, index: usize) -> String {
+    pub fn describe(&self, index: usize) -> Text {
         let numbers = self.numbers(index);
-        let each = self
-            .axes
-            .iter()
-            .zip(numbers)
-            .map(|(axis, number)| format!("{} = {}", axis.key, axis.shown(number)));
-        each.collect::<Vec<_>>().join(", ")
+        list(self.axes.iter().zip(numbers).map(|(axis, number)| axis.told(number)))
+    }
+
+    /// What is probably not meant at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
+    /// and the note.
+    pub fn doubts(&self) -> Vec<(Text, Text)> {
+        let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
+        let known = assur_scene::read("", self.scene()).map(|scene| scene.notes).unwrap_or_default();
+        let mut found: Vec<(Text, Text)> = Vec::new();
+        for (index, axis) in self.axes.iter().enumerate() {
+            for end in [axis.from, axis.to] {
+                numbers[index] = end;
+                let notes = self.variants.read(&self.axes, &numbers).map(|scene| scene.notes);
+                let new = notes.unwrap_or_default().into_iter().filter(|note| !known.contains(note));
+                let told: Vec<_> = new
+                    .filter(|note| known.iter().all(|other| other.key != note.key))
+                    .map(|note| (axis.told(end), note.text))
+                    .collect();
+                found.extend(told);
+                numbers[index] = axis.from;
+            }
+        }
+        found
     }
 
     /// The error of a sweep without a point that can be calculated: then the call is at fault, and there is no table.
@@ -261,7 +278,7 @@ impl Sweep {
         } else {
             Refusal::Row(self.failure(first).unwrap_or_default())
         };
-        SweepError::AllRefused { point: self.describe(first), problem }
+        SweepError::AllRefused { point: Box::new(self.describe(first)), problem }
     }
 
     fn numbers(&self, index: usize) -> Vec<f64> {

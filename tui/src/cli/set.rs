@@ -54,7 +54,7 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
         places.extend(found.into_iter().map(|place| (place, toml(value.trim()))));
     }
     let text = replaced(&text, places.iter().map(|(place, toml)| (&place.span, toml.as_str())));
-    let file = args.output.as_deref().unwrap_or(&args.scene).display().to_string();
+    let file = args.scene.display().to_string();
     let mechanism = assur_scene::read(&file, &text).map_err(|errors| scene::faults(&errors))?;
     scene::doubt_of(&mechanism.notes, style)?;
     output.write(&text, Status::Done)?;
@@ -95,7 +95,7 @@ fn measured(document: &ParsedText<'_>, column: &str) -> Result<(Vec<TextPlace>, 
 
 /// The parameters of a row of a sweep: names of the columns before `status`, and their numbers.
 fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
-    let refused = |problem: Text| Fault::from(files::FileError::refused(result, problem));
+    let refused = |problem: Text| Fault::from(files::FileError::read(result, problem));
     let row: usize =
         row.parse().map_err(|_| Fault::Other(text!("cli-row-number", row = name(row.to_owned()))))?;
     if result.extension().is_some_and(|end| end.eq_ignore_ascii_case("parquet")) {
@@ -105,13 +105,15 @@ fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
         return found.ok_or_else(|| refused(text!("cli-no-row", row = assur_words::number(row))));
     }
     let table = files::read(result)?;
-    let mut lines = table.lines();
+    let mut lines = table.trim_start_matches('\u{feff}').lines();
     let cells = |line: &str| -> Vec<String> {
         line.split(',').map(|cell| cell.trim_matches('"').to_owned()).collect()
     };
     let header = lines.next().map(cells).unwrap_or_default();
-    let count =
-        header.iter().position(|name| name == "status").ok_or_else(|| refused(text!("cli-no-sweep")))?;
+    let count = header.iter().position(|name| name == "status").ok_or_else(|| {
+        let semicolons = header.iter().any(|cell| cell.contains(';'));
+        refused(if semicolons { text!("cli-semicolons") } else { text!("cli-no-sweep") })
+    })?;
     let line = lines
         .nth(row)
         .map(cells)

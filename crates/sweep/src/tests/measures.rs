@@ -134,6 +134,16 @@ fn a_tied_key_follows_its_parameter() {
         error,
         "`link.rod.points.B`: it follows `link.piston.mass`, which is not varied: name that key in --vary"
     );
+    let mass = requested(
+        SLIDER,
+        &["link.crank.points.A=0.1..0.2:2"],
+        request("link.piston.mass=link.crank.points.A"),
+    );
+    assert!(
+        mass.unwrap_err()
+            .to_string()
+            .contains("it is a mass and would follow `link.crank.points.A`, a length")
+    );
     let own = request("link.crank.points.A=link.crank.points.A");
     assert!(requested(SLIDER, &vary, own).unwrap_err().to_string().contains("are the same value"));
 }
@@ -141,10 +151,12 @@ fn a_tied_key_follows_its_parameter() {
 /// The pin A of the crank runs round O at r: from a place on the x axis at 300 mm it is 300 mm - r and 300 mm + r away.
 #[test]
 fn distances_from_places_are_those_of_a_circle() {
-    let targets = vec![Target::parse("A=300 mm, 0").unwrap(), Target::parse("A=0,0").unwrap()];
+    let places = ["A=300 mm, 0", "A=0,0", "A=0,300 mm"];
+    let targets = places.map(|place| Target::parse(place).unwrap()).to_vec();
     let request = SweepRequest { targets, ..SweepRequest::default() };
     let vary = ["link.crank.points.A=50 mm..100 mm:2"];
-    let table = rows(&requested(SLIDER, &vary, request).unwrap(), 1);
+    let scene = SLIDER.replace("positions = 12", "positions = 7");
+    let table = rows(&requested(&scene, &vary, request).unwrap(), 1);
     for (row, r) in [0.05, 0.1].into_iter().enumerate() {
         for (name, known) in [
             ("A_distance_1_least_m", 0.3 - r),
@@ -152,9 +164,14 @@ fn distances_from_places_are_those_of_a_circle() {
             ("A_distance_1_greatest_m", 0.3 + r),
             ("A_distance_1_greatest_at_rad", TAU / 2.0),
             ("A_distance_2_least_m", r),
+            // Between the seven positions.
+            ("A_distance_3_least_m", 0.3 - r),
+            ("A_distance_3_least_at_rad", TAU / 4.0),
         ] {
             let found = numbers(&table, name)[row];
-            assert!((found - known).abs() < 1e-12, "{name}: {found}, {known}");
+            // A turn later is the same place.
+            let miss = (found - known).abs();
+            assert!(miss.min((miss - TAU).abs()) < 1e-12, "{name}: {found}, {known}");
         }
     }
     let request = SweepRequest { targets: vec![Target::parse("X=0,0").unwrap()], ..SweepRequest::default() };
