@@ -67,8 +67,8 @@ const MISTAKES: &[(&str, &str, &str, &str, &str)] = &[
         "cutting",
     ),
     ("value = 0", "value = \"1 kN\"", "force[0]", "analysis-load-idle", "cutting"),
-    ("gravity = 9810\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "9810 m/s^2"),
-    ("gravity = \"9.81 mm/s^2\"\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "0.00981 m/s^2"),
+    ("gravity = 9810\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "9810 m/s²"),
+    ("gravity = \"9.81 mm/s^2\"\n[ground]", "[ground]", "gravity", "scene-odd-gravity", "0.00981 m/s²"),
     ("mass = 2000", "mass = \"2 kg\"", "link.rod.mass", "scene-far-heavier", "2000 kg"),
     ("inertia = 3", "inertia = \"0.03 kg*m^2\"", "link.rod.inertia", "scene-great-inertia", "1.225 m"),
     ("inertia = 3e-7", "inertia = \"0.03 kg*m^2\"", "link.rod.inertia", "scene-small-inertia", "0.0003873 m"),
@@ -186,6 +186,23 @@ fn what_never_moves_is_told() {
     assert_eq!((of("analysis-link-rests"), of("analysis-slide-rests")), (1, 1), "{found:?}");
 }
 
+#[test]
+fn a_moment_of_inertia_that_others_have_is_missed() {
+    let scene =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures/four-bar.toml")).unwrap();
+    let told = |line: &str| {
+        let found = mistakes(&scene.replace(line, ""));
+        found.into_iter().map(|one| (one.key.unwrap_or_default(), one.text.identity())).collect::<Vec<_>>()
+    };
+    let id = Some("scene-mass-without-inertia");
+    assert_eq!(told("inertia = \"0.019 kg*m^2\"\n"), [("link.coupler.mass".to_owned(), id)]);
+    assert_eq!(
+        told("inertia = \"0.003 kg*m^2\"\n"),
+        [],
+        "that of the input link does nothing at a constant speed"
+    );
+}
+
 /// A motion from rest that nothing drives stays there.
 #[test]
 fn a_motion_that_never_starts_is_told() {
@@ -291,6 +308,15 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
         ("value = { formula = \"sin(2q)\" }", "value = \"1 kN\"", "write `*`"),
         ("value = { formula = \"q**2\" }", "value = \"1 kN\"", "written with `^`"),
         ("value = { formula = \"sin(phi)\" }", "value = \"1 kN\"", "did you mean `q`?"),
+        ("value = { formula = \"9*sin q\" }", "value = \"1 kN\"", "as in sin(q)"),
+        ("value = { formula = \"1,5*q\" }", "value = \"1 kN\"", "is a comma meant as the decimal sign?"),
+        ("value = { formula = \"9*(q > pi)\" }", "value = \"1 kN\"", "step(q - 3)"),
+        ("formula = \"9*q\"", "value = \"1 kN\"", "it belongs in value = { ... }"),
+        ("A = 0,1 }", "A = \"100 mm\" }", "is a comma meant as the decimal sign?"),
+        ("positions = \"12\"", "positions = 12", "without quotes"),
+        ("step = \"30 deg\"", "positions = 12", "did you mean `positions`?"),
+        ("speed = \"60 1/min\"", "speed = \"60 rpm\"", "did you mean `rpm`?"),
+        ("[input]\nlink = \"crank\"\n[input]", "[input]", "it stands in line 21 already"),
         ("value = { formula = \"sin(\u{445})\" }", "value = \"1 kN\"", "Latin letters"),
         (
             "value = { over = \"time\", table = [[0, 0]], repeat = true }",

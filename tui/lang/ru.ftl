@@ -368,7 +368,7 @@ structure-kind-named = класс { $class }, { $kind }, порядок { $order
 structure-view-links = звенья: { $links }
 structure-inner = внутренние пары: { $pairs }
 structure-outer = внешние пары: { $pairs }
-structure-way = сборка { $way } из { $count }
+structure-mode-of = сборка { $mode } из { $count }
 structure-determinant = определитель здесь: { $determinant }
 structure-plugin = плагин: { $name } ({ $crate_name })
 structure-source = источник: { $source }
@@ -538,6 +538,7 @@ cli-plugin-sort = род
 cli-plugin-name = имя
 cli-plugin-crate = крейт
 cli-plugin-what = что это
+cli-plugin-source = источник
 cli-plugin-group = группа
 cli-plugin-analyzer = метод силового анализа
 cli-plugin-integrator = интегратор
@@ -581,7 +582,7 @@ word-mobility = подвижность W
     .meaning = число независимых движений: 3 n - 2 p для n звеньев и p одноподвижных пар
 word-determinant = определитель
     .meaning = уравнений группы, безразмерный: 0 в особом положении, где она неопределённа
-word-way = сборка
+word-mode = сборка
     .meaning = один из способов сборки группы при тех же длинах
 word-residual = невязка
     .meaning = что остаётся от уравнения с найденными числами; должно быть лишь округлением
@@ -658,14 +659,14 @@ regime-excess-area = A* = { $work }
 reduction-mechanism = механизм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (в покое)
-structure-mode = показана сборка { $way }, определитель { $determinant } ({ $key } берёт её)
+structure-mode = показана сборка { $mode }, определитель { $determinant } ({ $key } берёт её)
 structure-modes = { $key }: показывает другие
 say-no-modes = Вид этой группы не может перечислить её сборки.
 say-no-mode-shown = Ни одна сборка не показана.
 say-mode-without-points = Ни одна точка группы не имеет имени: в [assembly] нечего записать.
-say-mode-taken = Взята сборка { $way }: её точки стоят в [assembly].
-say-mode-is-taken = Сборка { $way } уже взята.
-say-mode-vanished = Сборка группы { $group } исчезла; взята сборка { $way }.
+say-mode-taken = Взята сборка { $mode }: её точки стоят в [assembly].
+say-mode-is-taken = Сборка { $mode } уже взята.
+say-mode-vanished = Сборка группы { $group } исчезла; взята сборка { $mode }.
 
 ## reference of the keys, other numbers of a scene
 cli-keys-near = возможно, `{ $near }`?
@@ -690,4 +691,6 @@ cli-write-set = запишите как KEY=VALUE, например "link.crank.
 cli-row-number = --row { $row }: запишите номер строки, целое число от 0, и файл
 cli-no-row = в нем нет строки { $row }; первая имеет номер 0
 cli-no-sweep = это не результат варьирования: параметры стоят перед столбцом `status`
+cli-semicolons = его ячейки разделены точкой с запятой, как их сохраняют таблицы на некоторых языках: возьмите CSV таким, как его записал `assur sweep`
+cli-sweep-doubt = примечание: при { $point }: { $note }
 cli-sweep-size = примечание: строк { $rows }, столбцов { $columns }, до { $megabytes } МБ в CSV; `--measure` называет нужное, Parquet занимает меньше.

@@ -365,7 +365,7 @@ structure-kind-named = клас { $class }, { $kind }, порядок { $order }
 structure-view-links = ланки: { $links }
 structure-inner = внутрішні пари: { $pairs }
 structure-outer = зовнішні пари: { $pairs }
-structure-way = складання { $way } з { $count }
+structure-mode-of = складання { $mode } з { $count }
 structure-determinant = визначник тут: { $determinant }
 structure-plugin = плагін: { $name } ({ $crate_name })
 structure-source = джерело: { $source }
@@ -535,6 +535,7 @@ cli-plugin-sort = рід
 cli-plugin-name = назва
 cli-plugin-crate = крейт
 cli-plugin-what = що це
+cli-plugin-source = джерело
 cli-plugin-group = група
 cli-plugin-analyzer = метод силового аналізу
 cli-plugin-integrator = інтегратор
@@ -578,7 +579,7 @@ word-mobility = рухомість W
     .meaning = кількість незалежних рухів: 3 n - 2 p для n ланок і p однорухомих пар
 word-determinant = визначник
     .meaning = рівнянь групи, безрозмірний: 0 в особливому положенні, де вона невизначена
-word-way = складання
+word-mode = складання
     .meaning = один зі способів складання групи за тих самих довжин
 word-residual = нев'язка
     .meaning = що лишається від рівняння зі знайденими числами; має бути лише округленням
@@ -655,14 +656,14 @@ regime-excess-area = A* = { $work }
 reduction-mechanism = механізм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (у стані спокою)
-structure-mode = показано складання { $way }, визначник { $determinant } ({ $key } бере його)
+structure-mode = показано складання { $mode }, визначник { $determinant } ({ $key } бере його)
 structure-modes = { $key }: показує інші
 say-no-modes = Вид цієї групи не може перелічити її складань.
 say-no-mode-shown = Жодного складання не показано.
 say-mode-without-points = Жодна точка групи не має назви: нічого записати в [assembly].
-say-mode-taken = Узято складання { $way }: його точки стоять у [assembly].
-say-mode-is-taken = Складання { $way } уже взято.
-say-mode-vanished = Складання групи { $group } зникло; узято складання { $way }.
+say-mode-taken = Узято складання { $mode }: його точки стоять у [assembly].
+say-mode-is-taken = Складання { $mode } уже взято.
+say-mode-vanished = Складання групи { $group } зникло; узято складання { $mode }.
 
 ## reference of the keys, other numbers of a scene
 cli-keys-near = можливо, `{ $near }`?
@@ -687,4 +688,6 @@ cli-write-set = запишіть як KEY=VALUE, наприклад "link.crank.
 cli-row-number = --row { $row }: запишіть номер рядка, ціле число від 0, і файл
 cli-no-row = у ньому немає рядка { $row }; перший має номер 0
 cli-no-sweep = це не результат варіювання: параметри стоять перед стовпцем `status`
+cli-semicolons = його клітинки розділені крапкою з комою, як їх зберігають таблиці деякими мовами: візьміть CSV таким, як його записав `assur sweep`
+cli-sweep-doubt = примітка: при { $point }: { $note }
 cli-sweep-size = примітка: рядків { $rows }, стовпців { $columns }, до { $megabytes } МБ у CSV; `--measure` називає потрібне, Parquet займає менше.

@@ -5,7 +5,7 @@ use assur_analysis::results::{Analysis, Column, Dynamics, Owner, Quantity, Table
 use assur_figure::extent;
 use assur_mechanism::{Mechanism, Motion, Torque};
 use assur_words::text;
-use assur_working::{Cycle, Done, Drive, Ending, EnergyForm, Place, Task, Working, WorkingError};
+use assur_working::{Cycle, Done, Drive, Ending, EnergyForm, PositionOrSample, Task, Working, WorkingError};
 use assur_worksheet::Section;
 
 /// The working of a position: with its forces, unless the motion is found from an initial state.
@@ -14,7 +14,7 @@ pub(crate) fn of_position(calculation: &Calculation, index: usize) -> Result<Wor
     let is_transient = matches!(mechanism.motion, Some(Motion::Transient { .. }));
     let has_forces = !is_transient && (mechanism.motion.is_some() || mechanism.has_loads());
     let state = calculation.state(mechanism.input.coordinate(index));
-    work(calculation, Place::Position(index), state, has_forces)
+    work(calculation, PositionOrSample::Position(index), state, has_forces)
 }
 
 /// The working of a sample of a transient motion, in which the motion has this state.
@@ -23,12 +23,12 @@ pub(crate) fn of_sample(
     number: usize,
     state: assur_force::State,
 ) -> Result<Working, WorkingError> {
-    work(calculation, Place::Sample(number), state, true)
+    work(calculation, PositionOrSample::Sample(number), state, true)
 }
 
 fn work(
     calculation: &Calculation,
-    place: Place,
+    place: PositionOrSample,
     state: assur_force::State,
     has_forces: bool,
 ) -> Result<Working, WorkingError> {

@@ -87,7 +87,7 @@ fn bad_usage_ends_with_2_and_touches_no_file() {
         ),
         (
             &["--vary", "link.piston.mass=-1..-2:3", "-o", "b.csv"],
-            "error: a.toml: no point of the sweep can be calculated; the first, link.piston.mass = -1:\n\
+            "error: a.toml: no point of the sweep can be calculated; the first, link.piston.mass = -1 kg:\n\
              error: `mass` must not be negative, got -1\n  a.toml, line 9, column 8\n  |\n9 | mass = -1\n  \
              |        ^^ such as \"4 kg\", or a number in kg\n",
         ),

@@ -25,7 +25,7 @@ const IN_INTERVAL: u32 = 4;
 const INSIDE: f64 = 1e-6;
 
 /// Energies over a motion.
-struct Course {
+struct EnergyCourse {
     /// Between each sample and the next one: the works, and how much their rates change.
     intervals: Vec<[Works; 2]>,
     /// Kinetic energy at each sample, of flywheel and rotor as well, J.
@@ -94,7 +94,7 @@ impl Calculation {
     }
 
     /// Works need the moments between the samples.
-    fn transient_course(&self, loads: &Loads, found: &Transient) -> Option<Course> {
+    fn transient_course(&self, loads: &Loads, found: &Transient) -> Option<EnergyCourse> {
         let samples = found.instants.len() - 1;
         let mechanism = &self.linkage.mechanism;
         let fewest = FEWEST[usize::from(!mechanism.frictions.is_empty())];
@@ -124,11 +124,11 @@ impl Calculation {
         let intervals = intervals.collect();
         let acting = nodes.iter().step_by(parts).cloned().collect();
         let links = links.into_iter().step_by(parts).collect();
-        Some(Course { intervals, kinetic: found.energy.kinetic.clone(), acting, links })
+        Some(EnergyCourse { intervals, kinetic: found.energy.kinetic.clone(), acting, links })
     }
 
     /// A cycle of the regime, whose state is known at every coordinate.
-    fn steady_course(&self, loads: &Loads, found: &Steady) -> Option<Course> {
+    fn steady_course(&self, loads: &Loads, found: &Steady) -> Option<EnergyCourse> {
         let input = &self.linkage.mechanism.input;
         let step = input.sign() * input.period()? / f64::from(CYCLE_INTERVALS);
         let at = |i: u32| input.from + step * f64::from(i);
@@ -149,7 +149,7 @@ impl Calculation {
             Some((Acting::of(loads, mechanism, &state, &position.bodies, moments), links))
         });
         let (acting, links) = samples.collect::<Option<Vec<_>>>()?.into_iter().unzip();
-        Some(Course { intervals, kinetic, acting, links })
+        Some(EnergyCourse { intervals, kinetic, acting, links })
     }
 
     /// The force analysis of the dry friction in a regime; `None` where all pairs are ideal.
@@ -248,7 +248,7 @@ fn energies_of_links(mechanism: &Mechanism, state: &State, bodies: &[Body<f64>])
     mechanism.heavy_links().map(of).collect()
 }
 
-impl Course {
+impl EnergyCourse {
     /// The works up to each sample, J. What the quadrature misses of the change of the kinetic energy belongs to each work as its
     /// rate changes.
     fn works(&self) -> Vec<Works> {

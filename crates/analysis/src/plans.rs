@@ -2,8 +2,8 @@
 
 use crate::results::{Analysis, Column, Cycle, Owner, Part, Quantity, Schema, Survey, Table};
 use assur_diagram::{
-    DiagramError, Enveloping, Hodograph, Share, Sheet, SignChange, Sizes, Solver, constructions, enveloping,
-    sheet, sign_changes, split,
+    DiagramError, Enveloping, Hodograph, PlanSheet, Share, SignChange, Sizes, Solver, constructions,
+    enveloping, sheet, sign_changes, split,
 };
 use assur_force::{AnalyzerPlugin, Construction, Loads};
 use assur_group::Order;
@@ -23,7 +23,7 @@ impl Calculation {
     /// regime is found, the positions have no forces, and plans of forces are left out.
     ///
     /// Needs the whole mechanism: see [`Plan::is_partial`](crate::plan::Plan::is_partial).
-    pub fn sheet(&self, index: usize) -> Result<Sheet, DiagramError> {
+    pub fn sheet(&self, index: usize) -> Result<PlanSheet, DiagramError> {
         // An error names the number of the position.
         self.linkage.solve_index(index, Order::Place, &mut self.linkage.position())?;
         let state = self.state(self.linkage.mechanism.input.coordinate(index));
@@ -40,7 +40,7 @@ impl Calculation {
         if self.positions_have_forces() {
             return Ok(found);
         }
-        Ok(Sheet { polygons: Vec::new(), constructions: Vec::new(), by_cause: None, ..found })
+        Ok(PlanSheet { polygons: Vec::new(), constructions: Vec::new(), by_cause: None, ..found })
     }
 
     /// The constructions on paper of the force analyzers at a position, step by step, each with the name of its analyzer; none where the position has no

@@ -27,13 +27,13 @@ pub struct SolutionReport {
     /// Whether it is the one that all other results are those of.
     pub taken: bool,
     /// Forces and moments by pair, as in the results of a position.
-    pub reactions: IndexMap<String, IndexMap<String, Load>>,
+    pub reactions: IndexMap<String, IndexMap<String, ForceOrMoment>>,
 }
 
 /// A force or a moment.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Load {
+pub enum ForceOrMoment {
     /// A force, N.
     Force([f64; 2]),
     /// A moment, N m.
@@ -56,15 +56,16 @@ impl SolutionReport {
         let reactions = joints(mechanism, &linkage.structure).into_iter().map(|joint| {
             let found = joint.reaction(&solution.pairs);
             let open = joint.open(open);
-            let or_open = |nth: usize, load| if open.get(nth) == Some(&true) { Load::Open } else { load };
+            let or_open =
+                |nth: usize, load| if open.get(nth) == Some(&true) { ForceOrMoment::Open } else { load };
             let forces = found.forces.iter().enumerate();
-            let mut all: IndexMap<String, Load> = forces
+            let mut all: IndexMap<String, ForceOrMoment> = forces
                 .map(|(nth, (link, force))| {
-                    (mechanism.links[*link].name.to_string(), or_open(nth, Load::Force(*force)))
+                    (mechanism.links[*link].name.to_string(), or_open(nth, ForceOrMoment::Force(*force)))
                 })
                 .collect();
             if let Some(moment) = found.moment {
-                all.insert("moment".to_owned(), or_open(found.forces.len(), Load::Moment(moment)));
+                all.insert("moment".to_owned(), or_open(found.forces.len(), ForceOrMoment::Moment(moment)));
             }
             (name_of(mechanism, joint.id).to_string(), all)
         });

@@ -152,13 +152,8 @@ impl Course {
         Some((end.value - first.value).abs() <= CLOSED * self.size())
     }
 
-    /// Coordinate and value of what is drawn: of the nodes, of what lies between them, and of the end of the cycle; NaN where the
-    /// line is interrupted.
-    pub fn line(&self) -> &[[f64; 2]] {
-        &self.line
-    }
-
-    /// What is drawn, each coordinate and value multiplied by its factor.
+    /// Coordinate and value of what is drawn, each multiplied by its factor: of the nodes, of what lies between them, and of the
+    /// end of the cycle; NaN where the line is interrupted.
     pub fn points(&self, factors: [f64; 2]) -> Vec<[f64; 2]> {
         let point = |at: &[f64; 2]| {
             if at[1].is_nan() { [f64::NAN; 2] } else { [factors[0] * at[0], factors[1] * at[1]] }

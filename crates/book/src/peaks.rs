@@ -69,6 +69,9 @@ fn farthest(
     found.or_else(first)
 }
 
+/// A mean below this part of the root mean square has no correct digit: some rounding units.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// Mean and root mean square over the cycle; a part of a cycle has no mean of this kind.
 fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -> Option<[f64; 2]> {
     let input = &calculation.linkage.mechanism.input;
@@ -78,5 +81,7 @@ fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -
     let course = Course::of(positions, Some(edges), Column::COORDINATE, Column::BALANCING);
     let jumps: Vec<f64> = course.steps().map(|step| step.at).collect();
     let ends = [0, input.positions].map(|index| input.coordinate(index));
-    calculation.means(ends, &jumps, |table, row| table.get(row, Column::BALANCING))
+    let [mean, rms] = calculation.means(ends, &jumps, |table, row| table.get(row, Column::BALANCING))?;
+    // What is left of a mean of zero is rounding.
+    Some([if mean.abs() <= ROUNDING * rms { 0.0 } else { mean }, rms])
 }

@@ -5,19 +5,19 @@ use assur_group::plane::{minus, plus, scaled};
 
 use assur_words::text;
 
-use crate::plan::{Plan, PlanVector, length};
+use crate::plan::{PlanVector, VectorPlan, length};
 
 /// One plan for each drawing of the construction: mechanism (m), polygon (N), lever (m/rad).
 ///
 /// Forces in a drawing of lengths are scaled: the greatest is half as long as the drawing is wide. Their
 /// [`size`](PlanVector::size) stays in N. The residual of the polygon is its closure error.
-pub fn construction_plans(construction: &Construction) -> Vec<Plan> {
+pub fn construction_plans(construction: &Construction) -> Vec<VectorPlan> {
     let drawings = [Drawing::Mechanism, Drawing::Polygon, Drawing::Lever];
     drawings.into_iter().filter_map(|drawing| construction_plan(construction, drawing)).collect()
 }
 
 /// One drawing of a construction; `None` if the construction has no step in it.
-fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Plan> {
+fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<VectorPlan> {
     let steps: Vec<&Step> = construction.steps.iter().filter(|step| step.drawing == drawing).collect();
     let first = steps.first()?;
     let (title, unit) = match drawing {
@@ -25,7 +25,7 @@ fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Pl
         Drawing::Polygon => ("plan-construction-polygon", "N"),
         Drawing::Lever => ("plan-construction-lever", if is_force(first) { "m/rad" } else { first.unit }),
     };
-    let mut plan = Plan::new(text!(title, method = construction.title.clone()), unit);
+    let mut plan = VectorPlan::new(text!(title, method = construction.title.clone()), unit);
     let per_newton = if unit == "N" { 1.0 } else { drawn_per_newton(&steps) };
     for step in &steps {
         if step.kind == VectorKind::Point {

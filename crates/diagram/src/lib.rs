@@ -25,9 +25,9 @@ pub use cycle::{Extreme, Hodograph, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;
 pub use motion_plan::{acceleration_plan, velocity_plan};
-pub use plan::{Plan, PlanPoint, PlanVector};
+pub use plan::{PlanPoint, PlanVector, VectorPlan};
 pub use polygon::force_polygons;
-pub use sheet::{JointForce, Share, Sheet, Split, constructions, sheet, split};
+pub use sheet::{JointForce, PlanSheet, Share, Split, constructions, sheet, split};
 pub use sign::{SignChange, Solver, sign_changes};
 
 assur_words::resources!();

@@ -6,7 +6,7 @@ use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{GROUND, LinkId, Place, PointId, Slide};
 use assur_words::{Text, joined, name, text};
 
-use crate::plan::{Plan, length};
+use crate::plan::{VectorPlan, length};
 use assur_force::VectorKind;
 
 /// The plan of velocities at a position: from the pole (the origin) to the image of each point, then the rotation of
@@ -14,7 +14,7 @@ use assur_force::VectorKind;
 ///
 /// With a state in m/s; without, PF1: per unit speed of the coordinate. The residual is the greatest difference between
 /// the components, found from the rotation of the links, and the images, found from the points.
-pub fn velocity_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> Plan {
+pub fn velocity_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> VectorPlan {
     draw(linkage, position, state, 1)
 }
 
@@ -24,18 +24,18 @@ pub fn velocity_plan(linkage: &Linkage, position: &Position, state: Option<&Stat
 ///
 /// With a state in m/s^2; without, PF2: for unit speed of the coordinate and no acceleration of it. `position` needs
 /// PF2. The residual is the greatest difference between the sums of the components and PF2 w^2 + PF1 e of the points.
-pub fn acceleration_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> Plan {
+pub fn acceleration_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> VectorPlan {
     draw(linkage, position, state, 2)
 }
 
-fn draw(linkage: &Linkage, position: &Position, state: Option<&State>, order: usize) -> Plan {
+fn draw(linkage: &Linkage, position: &Position, state: Option<&State>, order: usize) -> VectorPlan {
     let title = match (order, state.is_some()) {
         (1, true) => text!("plan-velocities"),
         (1, false) => text!("plan-velocities-unit"),
         (_, true) => text!("plan-accelerations"),
         (_, false) => text!("plan-accelerations-unit"),
     };
-    let plan = Plan::new(title, unit(linkage, state.is_some(), order));
+    let plan = VectorPlan::new(title, unit(linkage, state.is_some(), order));
     let rate = Rate::of(state);
     let mut drawer = Drawer { linkage, position, rate, of_velocities: order == 1, plan, open: 0.0 };
     drawer.plan.point(text!("plan-pole"), [0.0; 2]);
@@ -60,7 +60,7 @@ struct Drawer<'a> {
     position: &'a Position,
     rate: Rate,
     of_velocities: bool,
-    plan: Plan,
+    plan: VectorPlan,
     /// Greatest difference between the components and the images.
     open: f64,
 }
@@ -179,7 +179,7 @@ fn symbol<const N: usize>(letter: &'static str, points: [Text; N]) -> Text {
     joined("", [name(letter), name("("), joined("/", points), name(")")])
 }
 
-/// Speed and acceleration of the coordinate; per unit of it without a motion.
+/// Speed and acceleration of the coordinate; without a motion the speed is 1 and the acceleration 0.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rate {
     pub(crate) w: f64,

@@ -42,7 +42,7 @@ pub struct PlanPoint {
 
 /// Vectors and points in one drawing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Plan {
+pub struct VectorPlan {
     /// One line.
     pub title: Text,
     /// Unit of the coordinates.
@@ -58,7 +58,7 @@ pub struct Plan {
     pub residual: f64,
 }
 
-impl Plan {
+impl VectorPlan {
     pub(crate) fn new(title: Text, unit: &str) -> Self {
         let unit = unit.to_owned();
         Self { title, unit, scale: 0.0, items: Vec::new(), points: Vec::new(), residual: 0.0 }

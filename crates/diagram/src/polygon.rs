@@ -7,7 +7,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, InputPair, LinkId};
 use assur_words::{Text, joined, name, text};
 
-use crate::plan::{Plan, length};
+use crate::plan::{VectorPlan, length};
 use assur_force::VectorKind;
 
 /// Forces below this part of the greatest reaction of the mechanism count as zero.
@@ -23,7 +23,7 @@ pub fn force_polygons(
     position: &Position,
     loads: &[Acting],
     reactions: &Reactions,
-) -> Vec<Plan> {
+) -> Vec<VectorPlan> {
     let (mechanism, structure) = (&linkage.mechanism, &linkage.structure);
     let greatest = reactions.pairs.iter().map(|pair| length(pair.force())).fold(0.0, f64::max);
     let balance = balancing_force(linkage, position, reactions);
@@ -64,13 +64,13 @@ struct Drawer<'a> {
     loads: &'a [Acting],
     reactions: &'a Reactions,
     balance: Option<(LinkId, [f64; 2])>,
-    /// A group whose forces are all below this is unloaded: they are rounding, N.
+    /// Forces below this are rounding, N; a group with no greater force is unloaded.
     floor: f64,
 }
 
 impl Drawer<'_> {
-    fn polygon(&self, title: Text, links: &[LinkId]) -> Plan {
-        let mut plan = Plan::new(title, "N");
+    fn polygon(&self, title: Text, links: &[LinkId]) -> VectorPlan {
+        let mut plan = VectorPlan::new(title, "N");
         let mut corner = [0.0; 2];
         for (nth, &link) in links.iter().enumerate() {
             corner = self.sides(&mut plan, link, links, corner);
@@ -88,7 +88,7 @@ impl Drawer<'_> {
     }
 
     /// Draws the loads of a link, then the reactions from other bodies; returns the last corner.
-    fn sides(&self, plan: &mut Plan, link: LinkId, links: &[LinkId], mut corner: [f64; 2]) -> [f64; 2] {
+    fn sides(&self, plan: &mut VectorPlan, link: LinkId, links: &[LinkId], mut corner: [f64; 2]) -> [f64; 2] {
         let mechanism = &self.linkage.mechanism;
         for load in self.loads.iter().filter(|load| load.link == link && load.wrench.force() != [0.0, 0.0]) {
             let kind = match load.cause {

@@ -12,23 +12,23 @@ use assur_words::{Text, text};
 use serde::Serialize;
 
 use crate::plan::length;
-use crate::{DiagramError, Plan, acceleration_plan, construction_plans, force_polygons, velocity_plan};
+use crate::{DiagramError, VectorPlan, acceleration_plan, construction_plans, force_polygons, velocity_plan};
 
 /// All plans of one position.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Sheet {
+pub struct PlanSheet {
     /// Coordinate, rad or m.
     pub coordinate: f64,
     /// Velocities.
-    pub velocities: Plan,
+    pub velocities: VectorPlan,
     /// Accelerations.
-    pub accelerations: Plan,
+    pub accelerations: VectorPlan,
     /// Instant centers.
     pub centers: Vec<Center>,
     /// Force polygons, from the last group to the input link; empty without loads.
-    pub polygons: Vec<Plan>,
+    pub polygons: Vec<VectorPlan>,
     /// Constructions of the registered analyzers that have one and support the mechanism.
-    pub constructions: Vec<Plan>,
+    pub constructions: Vec<VectorPlan>,
     /// Reactions by cause; `None` without loads.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub by_cause: Option<Split>,
@@ -48,7 +48,7 @@ pub fn sheet(
     state: &State,
     moves: bool,
     analyzer: &AnalyzerPlugin,
-) -> Result<Sheet, DiagramError> {
+) -> Result<PlanSheet, DiagramError> {
     let mut position = linkage.position();
     linkage.solve(state.coordinate, Order::Second, &mut position)?;
     loads.finite(&linkage.mechanism, state, &position.bodies)?;
@@ -62,7 +62,7 @@ pub fn sheet(
         by_cause = Some(split(linkage, &position, loads, state, analyzer.instance)?);
     }
     let motion = moves.then_some(state);
-    Ok(Sheet {
+    Ok(PlanSheet {
         coordinate: state.coordinate,
         velocities: velocity_plan(linkage, &position, motion),
         accelerations: acceleration_plan(linkage, &position, motion),

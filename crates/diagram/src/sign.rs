@@ -12,7 +12,7 @@ use crate::DiagramError;
 
 /// A force below this part of the greatest is zero up to rounding, and has no side.
 const ROUNDING: f64 = 1e-12;
-/// Of more positions only so many are examined for changes.
+/// The most positions that are examined for changes; of more positions only so many are taken.
 const MOST_POSITIONS: usize = 3600;
 /// Least number of coordinates over the range of the input at which the forces are computed, even with fewer positions
 /// in the scene.
@@ -113,7 +113,7 @@ struct Sample {
     is_position: bool,
 }
 
-/// The positions, with samples between them.
+/// The coordinates at which the forces are computed: those of the positions, and samples between them.
 fn samples(loads: &Loads, positions: &[f64], state_at: &dyn Fn(f64) -> State) -> Vec<Sample> {
     let range = positions.last().map_or(0.0, |last| last - positions[0]);
     let mut all = Vec::new();

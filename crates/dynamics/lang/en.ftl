@@ -20,7 +20,7 @@ dynamics-not-tuned = no ratio and flywheel give the requested regime: after { $t
 dynamics-too-weak = the motor is too weak for every ratio: the mean resistance needs { $needed }, the motor gives at most { $most }
 dynamics-off-section = the motor stays on the stable section of its characteristic, { $low } to { $high } rad/s, at no unevenness: at constant speed it turns with { $speed } rad/s; use `ratio = "solve"` or another motor
 dynamics-no-motor = the scene has no motor; give [drive] a `motor`, such as "auto"
-dynamics-no-load = the loads do { $work } of work in a cycle: the machine needs no motor, and no power to choose one by; give a motor
+dynamics-no-load = the loads do { $work } of work in a cycle: the machine needs no motor, and no power to choose one by; give what resists `against_motion = true`, or name a motor
 dynamics-rated = motor: { $cause }
 dynamics-stopped = stopped on request
 dynamics-flywheel-excess-work = J = A/(w² δ), A with a constant drive, E eq. 10

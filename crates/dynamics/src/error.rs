@@ -116,6 +116,21 @@ fn fine(value: f64) -> Text {
     number(format_args!("{value:.6}"))
 }
 
+/// A number to a thousandth.
+fn thousandths(value: f64) -> Text {
+    number(format_args!("{value:.3}"))
+}
+
+/// A coordinate.
+fn place(value: f64) -> Text {
+    number(format_args!("{value:.9}"))
+}
+
+/// A number that tells a size.
+fn brief(value: f64) -> Text {
+    number(format_args!("{value:.3e}"))
+}
+
 /// A number in scientific notation.
 fn scientific(value: f64) -> String {
     format!("{value:.6e}")
@@ -136,15 +151,13 @@ impl Describe for DynamicsError {
             ),
             Self::OverTime => text!("dynamics-over-time"),
             Self::SteadyOnly(key) => text!("dynamics-steady-only", key = name(*key)),
-            Self::Equation { coordinate, source } => text!(
-                "dynamics-no-value",
-                coordinate = number(format_args!("{coordinate:.9}")),
-                cause = source.describe()
-            ),
+            Self::Equation { coordinate, source } => {
+                text!("dynamics-no-value", coordinate = place(*coordinate), cause = source.describe())
+            }
             Self::NoInertia { coordinate, inertia } => text!(
                 "dynamics-no-inertia",
                 inertia = number(format_args!("{inertia:e}")),
-                coordinate = number(format_args!("{coordinate:.9}"))
+                coordinate = place(*coordinate)
             ),
             Self::Stalled(coordinate) => text!("dynamics-stalled", coordinate = fine(*coordinate)),
             Self::Held(coordinate) => text!("dynamics-held", coordinate = fine(*coordinate)),
@@ -158,16 +171,14 @@ impl Describe for DynamicsError {
             Self::OtherSpeed { wanted, found } => {
                 text!("dynamics-other-speed", wanted = fine(*wanted), found = fine(*found))
             }
-            Self::NotPeriodic { cycles, residual } => text!(
-                "dynamics-not-periodic",
-                cycles = *cycles,
-                residual = number(format_args!("{residual:.3e}"))
-            ),
+            Self::NotPeriodic { cycles, residual } => {
+                text!("dynamics-not-periodic", cycles = *cycles, residual = brief(*residual))
+            }
             Self::NotTuned { trials, mean_miss, unevenness_miss } => text!(
                 "dynamics-not-tuned",
                 trials = *trials,
-                mean = number(format_args!("{:.3e}", 100.0 * mean_miss)),
-                unevenness = number(format_args!("{:.3e}", 100.0 * unevenness_miss))
+                mean = brief(100.0 * mean_miss),
+                unevenness = brief(100.0 * unevenness_miss)
             ),
             Self::TooWeak { needed, most } => text!(
                 "dynamics-too-weak",
@@ -176,9 +187,9 @@ impl Describe for DynamicsError {
             ),
             Self::OffSection { speed, low, high } => text!(
                 "dynamics-off-section",
-                low = number(format_args!("{low:.3}")),
-                high = number(format_args!("{high:.3}")),
-                speed = number(format_args!("{speed:.3}"))
+                low = thousandths(*low),
+                high = thousandths(*high),
+                speed = thousandths(*speed)
             ),
             Self::NoMotor => text!("dynamics-no-motor"),
             Self::NoLoad(work) => text!("dynamics-no-load", work = quantity(scientific(*work), "J")),

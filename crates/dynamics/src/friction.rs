@@ -25,7 +25,7 @@ pub(crate) struct Friction {
     wrenches: Vec<Wrench<f64>>,
     inertia: Vec<Wrench<f64>>,
     /// The motion is known, and friction is that of its accelerations.
-    course: Option<Course>,
+    course: Option<KnownMotion>,
     /// Where the friction of that motion bends, ascending, and the cycle of these places.
     bends: (Vec<f64>, f64),
     /// The interval of the coordinate that was entered last.
@@ -38,7 +38,7 @@ pub(crate) struct Friction {
 
 /// A motion over the coordinate.
 #[derive(Debug, Clone)]
-pub(crate) enum Course {
+pub(crate) enum KnownMotion {
     /// At a constant speed.
     Uniform(f64),
     /// A periodic regime.
@@ -62,7 +62,7 @@ pub(crate) struct Configuration<'a> {
     pub(crate) position: &'a Position,
 }
 
-impl Course {
+impl KnownMotion {
     /// Speed and acceleration at a coordinate.
     pub(crate) fn at(&self, coordinate: f64) -> [f64; 2] {
         match self {
@@ -109,7 +109,7 @@ impl Friction {
     }
 
     /// Takes the accelerations of a known motion from now on; without one those that it leaves possible.
-    pub(crate) fn assume(&mut self, course: Option<Course>) {
+    pub(crate) fn assume(&mut self, course: Option<KnownMotion>) {
         self.course = course;
         self.bends.0.clear();
     }

@@ -6,7 +6,7 @@ use assur_integrator::{Motion as _, State};
 use assur_mechanism::Mechanism;
 use assur_number::search::try_bisect;
 
-use crate::friction::Course;
+use crate::friction::KnownMotion;
 use crate::machine::Watcher;
 use crate::scene::{Steady, cycle_request, steady_motion};
 use crate::steady::CycleRequest;
@@ -20,14 +20,14 @@ pub(crate) fn regime(
     mut watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Steady, DynamicsError> {
     let (request, _) = cycle_request(mechanism)?;
-    let mut course = Course::Uniform(request.mean_speed);
+    let mut course = KnownMotion::Uniform(request.mean_speed);
     let mut before = f64::INFINITY;
     for _ in 0..MOST_ROUNDS {
         machine.assume(course.clone());
         let bends = bends(&mut machine, &request)?;
         machine.bend_at(bends, request.length);
         let found = steady_motion(&mut machine, mechanism, watcher.as_deref_mut())?;
-        let next = Course::Regime(Arc::new(found.regime.clone()));
+        let next = KnownMotion::Regime(Arc::new(found.regime.clone()));
         let change = change(&course, &next, &request);
         // It falls by the same factor from round to round, down to its rounding.
         if change <= CONVERGED || change <= NEARLY && change > 0.5 * before {
@@ -53,7 +53,7 @@ fn places(request: &CycleRequest) -> impl Iterator<Item = f64> {
 }
 
 /// The greatest change of the speed from one course to another, as part of the mean speed.
-fn change(before: &Course, after: &Course, request: &CycleRequest) -> f64 {
+fn change(before: &KnownMotion, after: &KnownMotion, request: &CycleRequest) -> f64 {
     let off = |place: f64| ((after.at(place)[0] - before.at(place)[0]) / request.mean_speed).abs();
     places(request).map(off).fold(0.0, f64::max)
 }

@@ -10,7 +10,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_words::text;
 
 use crate::Regime;
-use crate::friction::{Configuration, Course, Friction, FrictionMoment};
+use crate::friction::{Configuration, Friction, FrictionMoment, KnownMotion};
 
 /// The equation of motion of a compiled mechanism under its loads. Without dry friction in pairs evaluating it allocates nothing.
 #[derive(Debug, Clone)]
@@ -33,7 +33,7 @@ impl<'a> Machine<'a> {
 
     /// Takes the dry friction of a known motion from now on: the moment depends on the coordinate alone then, as far as friction
     /// goes.
-    pub(crate) fn assume(&mut self, course: Course) {
+    pub(crate) fn assume(&mut self, course: KnownMotion) {
         if let Some(friction) = &mut self.friction {
             friction.assume(Some(course));
         }
@@ -42,7 +42,7 @@ impl<'a> Machine<'a> {
     /// The machine in a regime that was found, whose dry friction it takes.
     #[must_use]
     pub fn in_regime(mut self, regime: &Regime) -> Self {
-        self.assume(Course::Regime(Arc::new(regime.clone())));
+        self.assume(KnownMotion::Regime(Arc::new(regime.clone())));
         self
     }
 

@@ -152,11 +152,6 @@ impl SteadyMotor {
         }
     }
 
-    /// Whether the motor does its work without being overloaded.
-    pub fn is_fit(&self) -> bool {
-        !self.warnings.iter().any(MotorWarning::is_unfit)
-    }
-
     /// `count` points (speed rad/s, torque N m) of the characteristic between two speeds of the motor.
     pub fn curve(&self, [low, high]: [f64; 2], count: usize) -> Vec<[f64; 2]> {
         let last = count.saturating_sub(1).max(1) as f64;

@@ -10,7 +10,7 @@ use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, Refusal, flyw
 use assur_number::search;
 use assur_words::Describe;
 
-use crate::friction::Course;
+use crate::friction::KnownMotion;
 use crate::machine::{Watched, Watcher};
 use crate::motor::{DriveMotor, SteadyMotor};
 use crate::steady::{CycleRequest, DriveRequest, Regime, RegimeSolver, TorqueRequest};
@@ -146,7 +146,7 @@ pub(crate) fn chosen_motor(
 ) -> Result<DriveMotor, DynamicsError> {
     let (request, _) = cycle_request(mechanism)?;
     let mut machine = Machine::new(linkage, loads);
-    machine.assume(Course::Uniform(request.mean_speed));
+    machine.assume(KnownMotion::Uniform(request.mean_speed));
     let solver = RegimeSolver::new(&mut machine, request)?;
     drive_request(mechanism, &solver, None)?.1.ok_or(DynamicsError::NoMotor)
 }

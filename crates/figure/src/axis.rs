@@ -7,7 +7,7 @@ use assur_words::{Text, number};
 
 use crate::number::{round_up, stepped};
 
-/// What is told apart on an axis.
+/// How the numbers of an axis are spread, and where its ticks are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Equal steps, ticks at round numbers.

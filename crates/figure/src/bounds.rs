@@ -33,7 +33,7 @@ impl Bounds {
 
     /// Width and height; 0 where it is empty, or what it holds lies in one place but for rounding.
     pub fn size(&self) -> [f64; 2] {
-        /// Of the greatest coordinate.
+        /// A width or height this small compared with the greatest coordinate is rounding.
         const ROUNDING: f64 = 1e-12;
         let size = [0, 1].map(|axis| (self.high[axis] - self.low[axis]).max(0.0));
         let far = self.low.iter().chain(&self.high).fold(0.0_f64, |far, x| far.max(x.abs()));

@@ -16,7 +16,7 @@ use crate::model::{Ink, Item, Point, Sign, Stroke};
 
 /// A guide is longer than the stroke of its slider by this part, at each end.
 const BEYOND: f64 = 0.08;
-/// Of more points only the names that cover nothing are written.
+/// The most points that are all named; of more points only the names that cover nothing are written.
 const MOST_NAMES: usize = 40;
 /// Straight pieces of an arc.
 const ARC: usize = 48;

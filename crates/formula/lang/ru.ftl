@@ -10,5 +10,8 @@ formula-arguments = `{ $name }`: аргументов должно быть { $c
 formula-many-switches = в формуле не более { $most } функций sign, step, abs, min, max и atan2
 formula-foreign-sign = `{ $sign }` в формуле не стоит: в ней латинские буквы, цифры и + - * / ^
 formula-power-sign = степень пишут через `^`: q^2
+formula-decimal-comma = запятая здесь десятичный знак? им является точка
+formula-condition = условие пишут через `step`: step(q - 3) равно 0 до q = 3 и 1 после
+formula-parentheses = аргумент функции пишут в скобках, как sin(q); здесь `{ $sign }` без скобки
 formula-missing-sign = после { $number } не хватает знака: между числом и именем пишите `*`; единицы стоят в `unit`
 formula-meant = `{ $name }` в формуле неизвестно: имелось в виду `{ $meant }`?

@@ -10,5 +10,8 @@ formula-arguments = `{ $name }`: аргументів має бути { $count }
 formula-many-switches = у формулі щонайбільше { $most } функцій sign, step, abs, min, max і atan2
 formula-foreign-sign = `{ $sign }` у формулі не стоїть: у ній латинські літери, цифри та + - * / ^
 formula-power-sign = степінь пишуть через `^`: q^2
+formula-decimal-comma = кома тут десятковий знак? ним є крапка
+formula-condition = умову пишуть через `step`: step(q - 3) дорівнює 0 до q = 3 і 1 після
+formula-parentheses = аргумент функції пишуть у дужках, як sin(q); тут `{ $sign }` без дужки
 formula-missing-sign = після { $number } бракує знака: між числом і назвою пишіть `*`; одиниці стоять у `unit`
 formula-meant = `{ $name }` у формулі невідоме: чи мали ви на увазі `{ $meant }`?

@@ -91,6 +91,11 @@ pub(crate) fn read(text: &str) -> Result<Program, FormulaError> {
             let end = text[at..].chars().next().map_or(at, |c| at + c.len_utf8());
             let what = match text[at..].chars().next() {
                 None => text!("formula-ends-early"),
+                Some(',') => text!("formula-decimal-comma"),
+                Some('<' | '>' | '=') => text!("formula-condition"),
+                Some(sign) if ends_with_function(&text[..at]) => {
+                    text!("formula-parentheses", sign = letters(sign))
+                }
                 Some(sign) => {
                     text!("formula-misplaced-sign", sign = letters(sign), known = letters(FUNCTIONS))
                 }
@@ -120,6 +125,13 @@ fn slip(text: &str) -> Option<FormulaError> {
         let fault = || fault(at, 1, text!("formula-missing-sign", number = letters(number)));
         if is_number && !is_exponent { fault() } else { None }
     })
+}
+
+/// Whether a text ends with the name of a function.
+fn ends_with_function(text: &str) -> bool {
+    let before = text.trim_end();
+    let name = &before[before.trim_end_matches(|c: char| c.is_ascii_alphanumeric()).len()..];
+    name.len() > 1 && name != "pi" && FUNCTIONS.split([' ', ';']).any(|known| known == name)
 }
 
 fn two(operation: Operation) -> impl Fn(Tree, Tree) -> Tree {

@@ -35,7 +35,7 @@ pub struct Extremes {
 pub(crate) type Motion<const N: usize> = [[f64; N]; 3];
 
 /// A vector over the cycle.
-pub(crate) struct Course<'a, const N: usize> {
+pub(crate) struct VectorCourse<'a, const N: usize> {
     pub(crate) cycle: &'a Cycle<'a>,
     of: Box<dyn Fn(&Position) -> Motion<N> + 'a>,
     /// Its values at the samples of the cycle.
@@ -51,7 +51,7 @@ pub(crate) struct Rest {
     pub(crate) reverses: bool,
 }
 
-impl<'a, const N: usize> Course<'a, N> {
+impl<'a, const N: usize> VectorCourse<'a, N> {
     /// A vector that is a function of the position.
     pub(crate) fn of(cycle: &'a Cycle<'a>, of: impl Fn(&Position) -> Motion<N> + 'a) -> Self {
         let samples = cycle.samples.iter().map(&of).collect();
@@ -261,7 +261,8 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// From the positions of rest of a quantity; `None` where it does not go to and fro. `size` gives the stroke.
+    /// The stroke between the positions of rest of a quantity, where `size` gives its displacement; `None` where the quantity does not
+    /// go to and fro.
     pub(crate) fn of(
         rests: &[Rest],
         period: Option<f64>,

@@ -26,7 +26,7 @@ pub struct Centers {
 }
 
 impl Centers {
-    /// Of a link that never moves against the other one.
+    /// The centers of a link that never moves against the other one: every point is a center.
     pub(crate) const RIGID: Self =
         Self { center: CenterAt::Everywhere, on_link: None, inflection_pole: None, acceleration_pole: None };
 }

@@ -3,7 +3,7 @@
 //! * [`geometry`]: strokes with their dead points, time ratio, extremes, force angles and positions of rest over the
 //!   cycle, found between positions; centrodes, inflection circles and curvature in every position.
 //! * [`instant_centers`]: absolute and relative, at infinity as a direction.
-//! * [`Centers`], [`Curvature`]: the same for one link or one point in one position.
+//! * [`Centers`], [`Curvature`]: the instant center of one link, the curvature of the path of one point, in one position.
 //!
 //! SI units, angles in rad. Derivatives are by the input coordinate, so that nothing here needs a motion; only mean
 //! speeds do.
@@ -20,4 +20,4 @@ pub use course::Extremes;
 pub use course::Stroke;
 pub use data::{AtPosition, Courses, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 pub use instant::{Center, CenterAt, Centers, Curvature, centers_of, instant_centers};
-pub use measure::{GeometryError, Overview, courses, geometry, overview};
+pub use measure::{GeometryError, Overview, courses, distances, geometry, overview};

@@ -3,12 +3,13 @@
 use std::f64::consts::TAU;
 
 use assur_group::Order;
+use assur_group::plane::dot;
 use assur_kinematics::{Linkage, PositionError};
-use assur_mechanism::{GROUND, LinkId, Point, PointId, SlideId};
+use assur_mechanism::{GROUND, LinkId, Place, Point, PointId, SlideId};
 use assur_words::{Describe, Text, text};
 
 use crate::course::Cycle;
-use crate::course::{Course, Motion, Rest};
+use crate::course::{Extremes, Motion, Rest, VectorCourse};
 use crate::data::{AtPosition, Courses, Each, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
 use crate::rigid::RigidParts;
 use crate::{Centers, Curvature, Stroke, centers_of};
@@ -75,7 +76,7 @@ pub fn geometry(linkage: &Linkage, against: LinkId) -> Result<Geometry, Geometry
     })
 }
 
-/// What is asked for first of a motion.
+/// The strokes and swings of the outputs of a machine, and the least transmission angle.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Overview {
     /// The slides on the ground that go to and fro: the outputs of the machine.
@@ -86,7 +87,7 @@ pub struct Overview {
     pub transmission: Option<(usize, f64, f64)>,
 }
 
-/// What is asked for first of a motion.
+/// Measures the strokes and swings of the outputs of a machine, and the least transmission angle.
 ///
 /// # Errors
 ///
@@ -109,7 +110,7 @@ pub fn overview(linkage: &Linkage) -> Result<Overview, GeometryError> {
             .extend(Some((id, link(&cycle, id, &parts)?)).filter(|(_, course)| course.stroke.is_some()));
     }
     for (number, group) in linkage.structure.groups.iter().enumerate() {
-        let course = Course::of(&cycle, |position| {
+        let course = VectorCourse::of(&cycle, |position| {
             let health = position.health[number].abs();
             [
                 [group.plugin.force_angle.transmission(&group.frame, &position.bodies, health)],
@@ -145,11 +146,36 @@ pub fn courses(
     })
 }
 
+/// The distances of points of links from places in the frame of the ground over the cycle, m.
+///
+/// # Errors
+///
+/// [`GeometryError`] if the mechanism can't be assembled somewhere in its cycle.
+pub fn distances(
+    linkage: &Linkage,
+    targets: impl Iterator<Item = (Place, [f64; 2])>,
+) -> Result<Vec<Extremes>, GeometryError> {
+    let cycle = Cycle::of(linkage)?;
+    let of = |(place, from): (Place, [f64; 2])| {
+        // Of the square, which is smooth where the distance is zero.
+        let square = VectorCourse::of(&cycle, |position| {
+            let body = &position.bodies[place.link];
+            let (at, [first, second]) = (body.point(place.at), body.motion(body.arm(place.at)));
+            let away = [at[0] - from[0], at[1] - from[1]];
+            let slope = 2.0 * dot(away, first);
+            [[dot(away, away)], [slope], [2.0 * (dot(first, first) + dot(away, second))]]
+        });
+        let found = square.extremes(ORDERS[0])?;
+        Ok(Extremes { min: found.min.max(0.0).sqrt(), max: found.max.sqrt(), ..found })
+    };
+    targets.map(of).collect()
+}
+
 fn coordinates(rests: &[Rest]) -> Vec<f64> {
     rests.iter().map(|rest| rest.coordinate).collect()
 }
 
-/// The three orders of a scalar, for [`Course::extremes`]: value, first and second derivative of each.
+/// The three orders of a scalar, for [`VectorCourse::extremes`]: value, first and second derivative of each.
 const ORDERS: [fn(&Motion<1>) -> [f64; 3]; 3] = [
     |motion| motion.map(|[value]| value),
     |motion| [motion[1][0], motion[2][0], f64::NAN],
@@ -158,13 +184,13 @@ const ORDERS: [fn(&Motion<1>) -> [f64; 3]; 3] = [
 
 fn link(cycle: &Cycle<'_>, id: LinkId, parts: &RigidParts) -> Result<LinkCourse, PositionError> {
     let linkage = cycle.linkage;
-    let angle = Course::angle(cycle, |position| {
+    let angle = VectorCourse::angle(cycle, |position| {
         let found = linkage.link_motion(id, position);
         [[found.pf0], [found.pf1], [found.pf2]]
     });
     let unit = 1.0 / linkage.coordinate_unit();
     let scale = linkage.structure.scale;
-    let whole = Course::of(cycle, |position| {
+    let whole = VectorCourse::of(cycle, |position| {
         let body = &position.bodies[id];
         [[body.x, body.y, 0.0], [body.x1, body.y1, scale * body.w1], [body.x2, body.y2, scale * body.w2]]
     });
@@ -189,7 +215,7 @@ fn link(cycle: &Cycle<'_>, id: LinkId, parts: &RigidParts) -> Result<LinkCourse,
 
 fn slide(cycle: &Cycle<'_>, id: SlideId) -> Result<SlideCourse, PositionError> {
     let linkage = cycle.linkage;
-    let course = Course::of(cycle, |position| {
+    let course = VectorCourse::of(cycle, |position| {
         let found = linkage.slide_motion(id, position);
         [[found.pf0], [found.pf1], [found.pf2]]
     });
@@ -207,7 +233,7 @@ fn slide(cycle: &Cycle<'_>, id: SlideId) -> Result<SlideCourse, PositionError> {
 
 fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PointCourse, PositionError> {
     let linkage = cycle.linkage;
-    let course = Course::of(cycle, |position| {
+    let course = VectorCourse::of(cycle, |position| {
         let found = linkage.point_motion(id, position);
         [found.pf0, found.pf1, found.pf2]
     });
@@ -240,7 +266,7 @@ fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PointCourse, PositionError> {
 fn force_angles(cycle: &Cycle<'_>, group: usize) -> Result<ForceAngles, PositionError> {
     let found = &cycle.linkage.structure.groups[group];
     let force_angle = &found.plugin.force_angle;
-    let course = Course::of(cycle, |position| {
+    let course = VectorCourse::of(cycle, |position| {
         let angle = (force_angle.of)(&found.frame, &position.bodies, position.health[group].abs());
         [[angle], [f64::NAN], [f64::NAN]]
     });

@@ -19,7 +19,7 @@ pub(crate) struct RigidParts {
 }
 
 impl RigidParts {
-    /// Those that follow from the structure: a group can't move against a part to which all its outer pairs lead.
+    /// The rigid parts that follow from the structure: a group can't move against a part to which all its outer pairs lead.
     pub(crate) fn of_structure(linkage: &Linkage) -> Self {
         let mut parts = Self { first: (0..linkage.mechanism.links.len()).collect() };
         let groups = &linkage.structure.groups;
@@ -38,8 +38,8 @@ impl RigidParts {
         parts
     }
 
-    /// Those, and links that do not move against each other because of their dimensions, as two couplers of one
-    /// parallelogram: their relative PF1 is rounding over the whole cycle.
+    /// The rigid parts that follow from the structure, and from the dimensions: two couplers of one parallelogram don't move
+    /// against each other; their relative PF1 is rounding over the whole cycle.
     pub(crate) fn of(cycle: &Cycle<'_>) -> Self {
         let mut parts = Self::of_structure(cycle.linkage);
         let factors: Vec<_> = cycle.samples.iter().map(|position| factors(cycle.linkage, position)).collect();

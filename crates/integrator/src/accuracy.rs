@@ -21,7 +21,7 @@ const FEW_STEPS: usize = 1000;
 const LEAST_TOLERANCE: f64 = 1e-15;
 
 /// Solves the equation to the tolerance for the motion as a whole: with finer and finer steps, until a still finer run
-/// gives the same motion. The estimated error is in [`Statistics::error`](crate::Statistics::error).
+/// gives the same motion. The estimated error is in [`SolutionCost::error`](crate::SolutionCost::error).
 pub(crate) fn solve(
     plugin: &IntegratorPlugin,
     motion: &mut dyn Motion,

@@ -1,6 +1,6 @@
 //! The equation with a counter: every evaluation of every method is counted here.
 
-use crate::{Motion, MotionError, Partials, Piece, State, Statistics};
+use crate::{Motion, MotionError, Partials, Piece, SolutionCost, State};
 
 /// The equation of motion as a step sees it.
 pub struct Equation<'a> {
@@ -23,9 +23,9 @@ impl<'a> Equation<'a> {
     }
 
     /// A statistic with the counts of this equation.
-    pub(crate) fn counted(&self, statistics: Statistics) -> Statistics {
+    pub(crate) fn counted(&self, statistics: SolutionCost) -> SolutionCost {
         let Self { evaluations, jacobians, pieces, .. } = *self;
-        Statistics { evaluations, jacobians, pieces, ..statistics }
+        SolutionCost { evaluations, jacobians, pieces, ..statistics }
     }
 
     /// The moment depends on time.

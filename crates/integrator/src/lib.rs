@@ -53,7 +53,7 @@ pub use inventory;
 pub use motion::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
 pub use piece_ahead::enter;
 pub use plugin::{Cost, Integrator, IntegratorPlugin, Knob, Suitability, find, integrators};
-pub use request::{Event, EventKind, FixedStep, Request, Sample, Statistics, Trajectory, Until};
+pub use request::{Event, EventKind, FixedStep, Request, Sample, SolutionCost, Trajectory, Until};
 pub use run::Run;
 pub use segment::Curve;
 pub use stepper::{Attempt, Node, Pace, Step, Stepper};

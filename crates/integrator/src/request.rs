@@ -183,7 +183,7 @@ pub struct Event {
 
 /// What the solution cost.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Statistics {
+pub struct SolutionCost {
     /// Accepted steps (panels, for the energy form).
     pub steps: usize,
     /// Rejected steps, and steps redone to end on an event.
@@ -214,7 +214,7 @@ pub struct Trajectory {
     /// What happened between, in order of time.
     pub events: Vec<Event>,
     /// What it cost.
-    pub statistics: Statistics,
+    pub statistics: SolutionCost,
     /// The state in which the motion ended.
     pub end: State,
 }

@@ -4,8 +4,8 @@ use assur_words::{Text, text};
 
 use crate::segment::{Segment, instant, samples};
 use crate::{
-    Curve, Equation, Event, EventKind, IntegrationError, Motion, MotionError, Node, Piece, Request, State,
-    Statistics, Trajectory, Until, enter,
+    Curve, Equation, Event, EventKind, IntegrationError, Motion, MotionError, Node, Piece, Request,
+    SolutionCost, State, Trajectory, Until, enter,
 };
 
 /// The reason where the speed only decays, so that the requested end is never reached.
@@ -26,7 +26,7 @@ pub struct Run<'a, C> {
     /// Present smooth piece.
     pub piece: Piece,
     /// Cost so far; the counts of the equation are added at the end.
-    pub statistics: Statistics,
+    pub statistics: SolutionCost,
     /// The requested end is reached.
     pub finished: bool,
     first: Node,
@@ -47,7 +47,7 @@ impl<'a, C: Curve> Run<'a, C> {
             request,
             node,
             piece: Piece::UNBOUNDED,
-            statistics: Statistics::default(),
+            statistics: SolutionCost::default(),
             finished: false,
             first: node,
             segments: Vec::with_capacity(64),

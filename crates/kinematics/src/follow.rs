@@ -100,7 +100,7 @@ pub(crate) fn by_samples(
     Followed { ways, range: Some(range), first_failure: None, ends, interpolants, guesses }
 }
 
-type Course = (Ways, Range, [Option<ChainError>; 2], Option<Guesses>);
+type FollowedWays = (Ways, Range, [Option<ChainError>; 2], Option<Guesses>);
 
 /// Follows the branches that start at the first position.
 struct Path<'a> {
@@ -111,7 +111,7 @@ struct Path<'a> {
 
 impl Path<'_> {
     /// A pinned input: a full turn if possible, otherwise both directions up to the ends of the range.
-    fn turn(&mut self) -> Course {
+    fn turn(&mut self) -> FollowedWays {
         let mut turns = 1;
         loop {
             let (length, samples) = (TAU * turns as f64, SAMPLES * turns);
@@ -139,7 +139,7 @@ impl Path<'_> {
 
     /// A sliding input: the range of the scene, extended on both sides to find where the mechanism can no longer be
     /// assembled.
-    fn stroke(&mut self, mechanism: &Mechanism, scale: f64) -> Course {
+    fn stroke(&mut self, mechanism: &Mechanism, scale: f64) -> FollowedWays {
         let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
         let length = 4.0 * scale.max((last - self.from).abs());
         let (forth, back) = (self.branch(length, 4 * SAMPLES), self.branch(-length, 4 * SAMPLES));
@@ -153,7 +153,7 @@ impl Path<'_> {
     }
 
     /// Joins two branches from one start into one interval, which repeats after `period` if it is shorter.
-    fn joined(&self, forth: &Branch, back: &Branch, period: Option<f64>) -> Course {
+    fn joined(&self, forth: &Branch, back: &Branch, period: Option<f64>) -> FollowedWays {
         let mut all = transitions(back, false);
         all.extend(transitions(forth, true));
         let range = Range { low: self.from + back.reached, high: self.from + forth.reached, full: false };

@@ -132,8 +132,8 @@ impl Describe for LookupHint {
             Self::Nearest(nearest) => text!("motor-hint-nearest", nearest = names(nearest)),
             Self::OfPower { power, count, candidates } => text!(
                 "motor-hint-power",
-                // As the command line reads it, in every language.
-                power = name((power / 1e3).to_string()),
+                // As the command line reads it, in every language; to a milliwatt, without the rounding of the units.
+                power = name(((power * 1e3).round() / 1e6).to_string()),
                 count = *count,
                 candidates = names(candidates),
                 more = more(*count, candidates)

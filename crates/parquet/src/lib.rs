@@ -25,7 +25,7 @@ use ::parquet::schema::types::{ColumnDescPtr, ColumnPath, Type, TypePtr};
 use bytes::Bytes;
 use rayon::prelude::*;
 
-use assur_report::csv::Cell;
+use assur_report::csv::CsvCell;
 use assur_words::{Describe, Text, errors, name, text};
 
 pub use positions::Writer;
@@ -82,13 +82,13 @@ impl Column {
     }
 
     /// Adds the cell of a row; one that does not suit the column is empty.
-    pub fn push(&mut self, cell: Cell<'_>) {
+    pub fn push(&mut self, cell: CsvCell<'_>) {
         let has = match (&mut self.values, cell) {
-            (Values::Numbers(numbers), Cell::Number(number)) => {
+            (Values::Numbers(numbers), CsvCell::Number(number)) => {
                 numbers.push(number);
                 true
             }
-            (Values::Texts(texts), Cell::Text(text)) => {
+            (Values::Texts(texts), CsvCell::Text(text)) => {
                 texts.push(text.into());
                 true
             }

@@ -20,7 +20,7 @@ const LAST: &str = "assur.last";
 /// Key of the text of the scene.
 const SCENE: &str = "assur.scene";
 
-/// Rows as a whole file with one group. It keeps what [`Part`] reads back.
+/// Rows as a whole file with one group. It keeps what [`FilePart`] reads back.
 pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
     let tally = Tally::of(rows);
     let first = tally.first.map_or_else(String::new, |first| first.to_string());
@@ -36,14 +36,14 @@ pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
 
 /// A part that was written earlier.
 #[derive(Debug)]
-pub struct Part {
+pub struct FilePart {
     /// How its points ended.
     pub tally: Tally,
     /// Its last row as CSV.
     pub last: String,
 }
 
-impl Part {
+impl FilePart {
     /// Reads a part; `None` if the file is none of this sweep.
     pub fn read(file: File, sweep: &Sweep) -> Option<Self> {
         let reader = SerializedFileReader::new(file).ok()?;

@@ -4,8 +4,8 @@ use std::num::NonZeroUsize;
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
 use ::parquet::record::Field;
 use assur_all as _;
-use assur_report::csv::Cell;
-use assur_sweep::{Points, Request, Rows, Sweep, SweepError, Vary};
+use assur_report::csv::CsvCell;
+use assur_sweep::{Points, Rows, Sweep, SweepError, SweepRequest, Vary};
 
 use crate::sweep::{join, parameters, part};
 
@@ -32,7 +32,7 @@ B = [0.4, 0]
 fn grid() -> Result<Sweep, SweepError> {
     let vary = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
     let vary = vary.iter().map(|vary| Vary::parse(vary, Points::Grid)).collect::<Result<Vec<_>, _>>()?;
-    Sweep::of("a.toml", SLIDER, &vary, Request::default())
+    Sweep::of("a.toml", SLIDER, &vary, SweepRequest::default())
 }
 
 fn run(threads: usize) -> Result<Rows, SweepError> {
@@ -68,9 +68,11 @@ fn parquet_reads_back_as_the_same_cells() {
         assert_eq!(names, table.header().iter().collect::<Vec<_>>());
         for (column, (_, field)) in found.get_column_iter().enumerate() {
             match (table.cell(row, column), field) {
-                (Cell::Empty, Field::Null) => {}
-                (Cell::Text(known), Field::Str(text)) => assert_eq!(text, known),
-                (Cell::Number(known), Field::Double(value)) => assert_eq!(value.to_bits(), known.to_bits()),
+                (CsvCell::Empty, Field::Null) => {}
+                (CsvCell::Text(known), Field::Str(text)) => assert_eq!(text, known),
+                (CsvCell::Number(known), Field::Double(value)) => {
+                    assert_eq!(value.to_bits(), known.to_bits());
+                }
                 (known, field) => panic!("{known:?} became {field:?}"),
             }
         }

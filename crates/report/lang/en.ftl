@@ -225,8 +225,8 @@ head-unevenness = Unevenness
 head-unit = Unit
 head-value = Value
 head-vector = Vector
-head-way = Mode
-head-ways = Modes
+head-mode = Mode
+head-modes = Modes
 head-what = What
 head-width = Width
 
@@ -724,10 +724,10 @@ report-modes-circuits = { $circuits ->
         [one] one branch
        *[other] { $branches } branches
     } (what is reached without a singular position).
-report-modes-present = In the first position the mechanism is in mode { $way }.
+report-modes-present = In the first position the mechanism is in mode { $mode }.
 report-modes-meeting = { $one } and { $other } at { $coordinate }
 report-modes-meet = Modes that meet and both go on: { $meetings }.
 mode-end-cycle = with the cycle
-mode-end-with = together with { $way }
+mode-end-with = together with { $mode }
 mode-end-infinity = links run to infinity
 mode-end-barrier = groups solved before it can't be assembled

@@ -232,8 +232,8 @@ head-unevenness = Неравномерность
 head-unit = Единица
 head-value = Значение
 head-vector = Вектор
-head-way = Сборка
-head-ways = Сборок
+head-mode = Сборка
+head-modes = Сборок
 head-what = Что
 head-width = Ширина
 
@@ -703,10 +703,10 @@ report-modes-circuits = { $circuits ->
         [few] { $branches } ветви
        *[other] { $branches } ветвей
     } (достижимое без особого положения).
-report-modes-present = В первом положении механизм находится в сборке { $way }.
+report-modes-present = В первом положении механизм находится в сборке { $mode }.
 report-modes-meeting = { $one } и { $other } при { $coordinate }
 report-modes-meet = Сборки, которые встречаются и обе продолжаются: { $meetings }.
 mode-end-cycle = вместе с циклом
-mode-end-with = вместе со сборкой { $way }
+mode-end-with = вместе со сборкой { $mode }
 mode-end-infinity = звенья уходят в бесконечность
 mode-end-barrier = предыдущие группы не собираются

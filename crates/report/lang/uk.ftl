@@ -232,8 +232,8 @@ head-unevenness = Нерівномірність
 head-unit = Одиниця
 head-value = Значення
 head-vector = Вектор
-head-way = Складання
-head-ways = Складань
+head-mode = Складання
+head-modes = Складань
 head-what = Що
 head-width = Ширина
 
@@ -703,10 +703,10 @@ report-modes-circuits = { $circuits ->
         [few] { $branches } гілки
        *[other] { $branches } гілок
     } (досяжне без особливого положення).
-report-modes-present = У першому положенні механізм перебуває в складанні { $way }.
+report-modes-present = У першому положенні механізм перебуває в складанні { $mode }.
 report-modes-meeting = { $one } і { $other } при { $coordinate }
 report-modes-meet = Складання, що зустрічаються й обидва тривають далі: { $meetings }.
 mode-end-cycle = разом із циклом
-mode-end-with = разом зі складанням { $way }
+mode-end-with = разом зі складанням { $mode }
 mode-end-infinity = ланки віддаляються в нескінченність
 mode-end-barrier = попередні групи не складаються

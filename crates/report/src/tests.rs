@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::csv::{Cell, CsvError, CsvTable, of_positions, write};
+use crate::csv::{CsvCell, CsvError, CsvTable, of_positions, write};
 use crate::json::analysis::to_json;
 use crate::to_ascii;
 use assur_analysis::results::{
@@ -120,7 +120,7 @@ fn numbers_that_are_not_finite_are_never_written() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let fault = to_json(&analysis(bad), false).unwrap_err().to_string();
         assert!(fault.contains("`positions[0].links.größe.pf0` is not finite"), "{fault}");
-        let fault = write(&["a", "b"], [[Cell::Empty, Cell::Number(bad)]], false).unwrap_err();
+        let fault = write(&["a", "b"], [[CsvCell::Empty, CsvCell::Number(bad)]], false).unwrap_err();
         assert!(matches!(&fault, CsvError::NotFinite { column, row: 1 } if column == "b"), "{fault}");
         let scene = assur_scene::read("shaper", assur_fixtures::scene("shaper")).unwrap();
         let linkage = assur_kinematics::Linkage::compile(scene).unwrap();
@@ -206,12 +206,12 @@ fn ascii_spells_signs_and_letters() {
 
 #[test]
 fn columns_are_harmless_and_have_one_name_each() {
-    let cells = [Cell::Number(1.0), Cell::Text("-sum(A1)"), Cell::Number(3.0), Cell::Empty];
+    let cells = [CsvCell::Number(1.0), CsvCell::Text("-sum(A1)"), CsvCell::Number(3.0), CsvCell::Empty];
     let text = write(&["=a", "b", "ä", "ae"], [cells], true).unwrap();
     assert_eq!(text, "_=a,b,ae,ae_2\n1,_-sum(A1),3,\n");
     // Full and small width, which some spreadsheets take for the common sign; after a letter it is a name's own.
     for begins in ["＝1", "＋1", "－1", "＠a", "﹦1", "﹢1", "﹣1", "﹫a", "−1"] {
-        let text = write(&[begins], [[Cell::Text(begins)], [Cell::Text("a＝1")]], false).unwrap();
+        let text = write(&[begins], [[CsvCell::Text(begins)], [CsvCell::Text("a＝1")]], false).unwrap();
         assert_eq!(text, format!("_{begins}\n_{begins}\na＝1\n"));
     }
 }

@@ -78,6 +78,8 @@ scene-right-file = чи той це файл?
 scene-unclosed = не TOML: текст не закрито лапкою
 scene-begins-here = він починається тут
 scene-duplicate-key = не TOML: ключ `{ $key }` повторюється
+scene-stands-already = вона вже є в рядку { $line }: усі її ключі пишуть там
+scene-no-quotes = число пишуть без лапок
 scene-unquoted-key = не TOML: { $message }; ім'я з іншими знаками має бути в лапках
 scene-no-toml = не TOML: { $message }
 scene-long-name = у `{ $name }` знаків { $count }, читається щонайбільше { $most }
@@ -473,6 +475,7 @@ scene-list-repeats = З `to` відстань між { $positions } положе
 scene-part-of-a-turn = Цикл { $cycle } не є цілим числом обертів: після нього механізм не там, де починав. Положення на частині оберту задають через `to`.
 scene-gravity-up = Сила тяжіння напрямлена вгору: y зростає вгору. Напишіть "9.81 m/s^2" або [0, "-9.81 m/s^2"].
 scene-inertia-without-mass = Ланка `{ $link }` не обертається навколо нерухомого шарніра й має момент інерції, але не має маси: чи не пропущено `mass`?
+scene-mass-without-inertia = Ланка `{ $link }` обертається й має масу, але не має моменту інерції, який мають інші: його взято за 0; чи не пропущено `inertia`?
 scene-far-lighter = Ланка `{ $link }` має масу { $mass }, інші - близько { $others }: чи не хибна одиниця?
 scene-turned-twice = Від'ємна швидкість уздовж direction = "cw" - це обертання проти годинникової стрілки: приберіть мінус.
 scene-odd-ratio = `ratio` - це швидкість двигуна / швидкість вхідної ланки; з { $ratio } двигун далеко від номінальної швидкості, її дало б { $needed }.

@@ -8,7 +8,7 @@ use assur_words::{Text, text};
 use crate::error::Fault;
 use crate::input::coordinate_of;
 use crate::limits;
-use crate::linkage::Linkage;
+use crate::linkage::SceneLinks;
 use crate::reference::Table;
 use crate::text::shown;
 use crate::units::Dimension;
@@ -17,7 +17,7 @@ use crate::walk::{Entry, Section};
 /// What is known after links, slides and input have been read.
 #[derive(Debug)]
 pub(crate) struct Context<'s> {
-    pub(crate) linkage: &'s Linkage,
+    pub(crate) linkage: &'s SceneLinks,
     /// `None` if the input is faulty.
     pub(crate) input: Option<&'s Input>,
     pub(crate) loads: usize,

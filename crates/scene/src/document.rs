@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use assur_words::{Text, name, text};
+use assur_words::{Text, name, number, text};
 use toml::Spanned;
 use toml::de::DeTable;
 
@@ -106,7 +106,15 @@ fn syntax_faults<'m>(text: &str, errors: impl Iterator<Item = (Range<usize>, &'m
     let mut errors: Vec<_> = errors.collect();
     errors.sort_by_key(|(span, _)| span.start);
     let mut faults = Vec::new();
+    let mut read_on = 0;
     for (span, message) in errors.into_iter().take(SYNTAX_FAULTS) {
+        if span.start < read_on {
+            continue;
+        }
+        if let Some(comma) = text.get(..span.start).and_then(decimal_comma) {
+            faults.push(Fault::new(comma..comma + 1, text!("scene-decimal-comma")));
+            break;
+        }
         if let Some(start) = unclosed(text, span.start, message) {
             let fault = Fault::new(start..start + 1, text!("scene-unclosed"));
             faults.push(fault.label(text!("scene-begins-here")));
@@ -117,9 +125,37 @@ fn syntax_faults<'m>(text: &str, errors: impl Iterator<Item = (Range<usize>, &'m
             faults.push(Fault::new(at..at + 1, words));
             break;
         }
-        faults.push(Fault::new(span.clone(), syntax_words(message, text.get(span))));
+        let fault = Fault::new(span.clone(), syntax_words(message, text.get(span.clone())));
+        let earlier = if message == "duplicate key" { earlier(text, &span) } else { None };
+        faults.push(match earlier {
+            Some(line) => fault.label(text!("scene-stands-already", line = number(line))),
+            None => fault,
+        });
+        if earlier.is_some() {
+            // Of a table that stands twice each key stands twice.
+            read_on = text[span.end..].find("\n[").map_or(text.len(), |next| span.end + next);
+        }
     }
     faults
+}
+
+/// The line, from 1, in which a table stands whose header is repeated here; `None` for a key that is repeated.
+fn earlier(text: &str, span: &Range<usize>) -> Option<usize> {
+    let before = text.get(..span.start)?;
+    let start = before.rfind('\n').map_or(0, |end| end + 1);
+    let header = text[start..].lines().next()?.trim();
+    let same = || before[..start].lines().position(|line| line.trim() == header);
+    header.starts_with('[').then(same).flatten().map(|line| line + 1)
+}
+
+/// Where the comma is in a number of a table in braces that the text ends with: `{ A = 0,5`.
+fn decimal_comma(before: &str) -> Option<usize> {
+    let digits = |text: &str| text.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+    let text = before.trim_end();
+    let comma = text[..digits(text)].strip_suffix(',')?;
+    let value = comma[..digits(comma)].trim_end_matches(['+', '-']);
+    let is_number = comma.len() + 1 < text.len() && digits(comma) < comma.len();
+    (is_number && value.trim_end().ends_with('=')).then_some(comma.len())
 }
 
 /// A slip of those who write TOML for the first time, and where it is.

@@ -45,6 +45,7 @@ pub(crate) fn of(mechanism: &Mechanism, units: bool) -> Vec<Notice> {
             notices.extend(inertia(mechanism, link, size, *length));
             notices.extend(center(mechanism, link, size));
             notices.extend(without_mass(mechanism, link));
+            notices.extend(without_inertia(mechanism, link, &extents));
         }
     }
     notices
@@ -184,6 +185,33 @@ fn without_mass(mechanism: &Mechanism, link: LinkId) -> Option<Notice> {
     (body.mass == 0.0 && !is_pinned(mechanism, link) && body.inertia.constant() > 0.0).then(|| {
         let text = text!("scene-inertia-without-mass", link = shown(&body.name));
         Notice::mistake(key(mechanism, link, &["inertia"]), text)
+    })
+}
+
+/// A link whose moment of inertia is missing: others that turn have one. Of the input link it is often left out, since it does nothing
+/// at a constant speed; a link that is guided on the ground does not turn.
+fn without_inertia(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice> {
+    let is_guided = |link: LinkId| {
+        mechanism
+            .slides
+            .iter()
+            .any(|slide| [slide.link, slide.on] == [link, GROUND] || [slide.on, slide.link] == [link, GROUND])
+    };
+    let turns = |link: LinkId| {
+        link != GROUND
+            && link != mechanism.input.link
+            && extents[link] > 0.0
+            && mechanism.links[link].mass > 0.0
+            && !is_guided(link)
+    };
+    let has = |link: LinkId| {
+        let inertia = &mechanism.links[link].inertia;
+        inertia.constant() > 0.0 || inertia.varying().is_some()
+    };
+    let mut others = (0..extents.len()).filter(|other| *other != link && turns(*other)).peekable();
+    (turns(link) && !has(link) && others.peek().is_some() && others.all(has)).then(|| {
+        let text = text!("scene-mass-without-inertia", link = shown(&mechanism.links[link].name));
+        Notice::mistake(key(mechanism, link, &["mass"]), text)
     })
 }
 

@@ -19,7 +19,7 @@ pub(crate) use values::{key_of, key_of_steps};
 
 /// Place of a number or a text in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct TextPlace {
     /// Bytes of the file that it takes, quotes included.
     pub span: Range<usize>,
     /// The text of a string; `None` for a bare number.
@@ -28,12 +28,12 @@ pub struct Place {
 
 /// The parsed text of a scene, which may have faults.
 #[derive(Debug)]
-pub struct Document<'a> {
+pub struct ParsedText<'a> {
     text: &'a str,
     table: toml::Spanned<DeTable<'a>>,
 }
 
-impl<'a> Document<'a> {
+impl<'a> ParsedText<'a> {
     /// Parses a text; parts that are not TOML are left out.
     pub fn of(text: &'a str) -> Self {
         Self { text, table: DeTable::parse_recoverable(text).0 }
@@ -44,7 +44,7 @@ impl<'a> Document<'a> {
     /// # Errors
     ///
     /// A message about the key, with the keys that exist instead.
-    pub fn find(&self, key: &Key) -> Result<Vec<Place>, Text> {
+    pub fn find(&self, key: &Key) -> Result<Vec<TextPlace>, Text> {
         find::find(self.table.get_ref(), &key.0)
     }
 

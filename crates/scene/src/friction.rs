@@ -4,7 +4,7 @@ use assur_mechanism::{Friction, GROUND, Middle, Motion, PairId, Surfaces};
 use assur_words::text;
 
 use crate::error::Fault;
-use crate::linkage::Linkage;
+use crate::linkage::SceneLinks;
 use crate::numbers::Bound;
 use crate::reference;
 use crate::text::{row, shown, such_as};
@@ -16,7 +16,7 @@ use crate::wishes;
 const LEAST_CONTACT: f64 = 1e-6;
 
 /// Reads all `[[friction]]`.
-pub(crate) fn read(root: &Section<'_>, linkage: &Linkage, motion: Option<&Motion>) -> Vec<Friction> {
+pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Motion>) -> Vec<Friction> {
     let Some(entry) = root.get("friction") else { return Vec::new() };
     if let (Some(Motion::Transient { .. } | Motion::Steady { .. }), Some(balance)) =
         (motion, root.get("balance"))
@@ -37,7 +37,7 @@ pub(crate) fn read(root: &Section<'_>, linkage: &Linkage, motion: Option<&Motion
     all
 }
 
-fn one(section: &Section<'_>, linkage: &Linkage) -> Option<Friction> {
+fn one(section: &Section<'_>, linkage: &SceneLinks) -> Option<Friction> {
     let pair = section.need("pair").and_then(|entry| wishes::pair_id(&entry, linkage));
     let coefficient = section.need("coefficient");
     let coefficient = coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative));
@@ -70,7 +70,7 @@ fn refuse(section: &Section<'_>, sort: &str, message: &'static str) {
     }
 }
 
-fn owner(entry: &Entry<'_>, linkage: &Linkage, links: &[usize]) -> Option<usize> {
+fn owner(entry: &Entry<'_>, linkage: &SceneLinks, links: &[usize]) -> Option<usize> {
     let owner = linkage.link(entry)?;
     if !links.contains(&owner) {
         let names = links.iter().map(|link| linkage.links[*link].name.as_str());

@@ -5,7 +5,7 @@ use assur_mechanism::{GROUND, Inertia, Input, LinkId, Mechanism, Motion, Until, 
 use assur_words::{Text, name, text};
 
 use crate::error::Fault;
-use crate::linkage::Linkage;
+use crate::linkage::SceneLinks;
 use crate::numbers::Bound;
 use crate::reference;
 use crate::text::{brief, shown};
@@ -14,7 +14,7 @@ use crate::value::{formula_with_unit, within_text};
 use crate::walk::Section;
 
 /// Reads the moment of inertia of a link, whose points are known.
-pub(crate) fn read(linkage: &Linkage, id: LinkId, section: &Section<'_>) -> Inertia {
+pub(crate) fn read(linkage: &SceneLinks, id: LinkId, section: &Section<'_>) -> Inertia {
     let Some(entry) = section.get("inertia") else { return Inertia::NONE };
     if !entry.value.is_table() {
         let number = entry.bounded(Dimension::Inertia, Bound::NotNegative);
@@ -23,7 +23,7 @@ pub(crate) fn read(linkage: &Linkage, id: LinkId, section: &Section<'_>) -> Iner
     formula(linkage, id, &entry).unwrap_or_default()
 }
 
-fn formula(linkage: &Linkage, id: LinkId, entry: &crate::walk::Entry<'_>) -> Option<Inertia> {
+fn formula(linkage: &SceneLinks, id: LinkId, entry: &crate::walk::Entry<'_>) -> Option<Inertia> {
     let section = entry.section(text!("scene-a-formula"), &reference::INERTIA)?;
     if section.get("formula").is_none() {
         section.missing("formula", Text::default());

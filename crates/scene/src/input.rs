@@ -6,7 +6,7 @@ use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
 
 use assur_words::{name, number, quantity, text};
 
-use crate::linkage::Linkage;
+use crate::linkage::SceneLinks;
 use crate::links::on_ground;
 use crate::loads::exclude;
 use crate::numbers::Bound;
@@ -22,7 +22,7 @@ const MOST: usize = 1_000_000_000;
 const SAME_TURN: f64 = 1e-6;
 
 /// Reads the input; `None` if its link or pair is not known.
-pub(crate) fn read(root: &Section<'_>, linkage: &Linkage) -> Option<Input> {
+pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
     let Some(entry) = root.get("input") else {
         root.missing("input", text!("scene-add-input"));
         return None;
@@ -51,7 +51,7 @@ pub(crate) fn coordinate_of(pair: InputPair) -> Dimension {
 }
 
 /// The single pair between the link and the ground.
-fn pair(linkage: &Linkage, link: LinkId, entry: &Entry<'_>) -> Option<InputPair> {
+fn pair(linkage: &SceneLinks, link: LinkId, entry: &Entry<'_>) -> Option<InputPair> {
     let stands = |id: usize, link| linkage.points[id].places.iter().any(|place| place.link == link);
     let pins =
         (0..linkage.points.len()).filter(|&id| stands(id, GROUND) && stands(id, link)).map(InputPair::Pin);

@@ -5,7 +5,7 @@ use assur_mechanism::{Contact, LinkId, LoadKind, Place, PointId, Spring, Value};
 use assur_words::{name, text};
 
 use crate::context::{Context, Sort};
-use crate::linkage::{Linkage, pair};
+use crate::linkage::{SceneLinks, pair};
 use crate::numbers::Bound;
 use crate::reference;
 use crate::text::{row, shown};
@@ -58,11 +58,11 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
         return linkage.points[id].places.first().map(|place| (id, *place));
     };
     let Some(link) = linkage.links.iter().position(|known| known.name == link) else {
-        Linkage::unknown(entry, "link", link, linkage.links.iter().map(|known| known.name.as_str()));
+        SceneLinks::unknown(entry, "link", link, linkage.links.iter().map(|known| known.name.as_str()));
         return None;
     };
     let Some(id) = linkage.point_named(point) else {
-        Linkage::unknown(entry, "point", point, linkage.points.iter().map(|known| known.name.as_str()));
+        SceneLinks::unknown(entry, "point", point, linkage.points.iter().map(|known| known.name.as_str()));
         return None;
     };
     let places = &linkage.points[id].places;

@@ -35,7 +35,7 @@ use toml::de::{DeTable, DeValue};
 
 use context::Context;
 use error::{Fault, Faults};
-use linkage::Linkage;
+use linkage::SceneLinks;
 use walk::Section;
 
 pub use error::{SceneError, SceneErrors};
@@ -139,7 +139,7 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
         ..Mechanism::default()
     };
     let input = input.unwrap_or_default();
-    let Linkage { links, points, slides, .. } = linkage;
+    let SceneLinks { links, points, slides, .. } = linkage;
     let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
         inertia::refuse_not_positive(root, &mechanism);

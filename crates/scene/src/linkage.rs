@@ -14,7 +14,7 @@ use crate::walk::Entry;
 
 /// Links, points and slides of the scene.
 #[derive(Debug, Default)]
-pub(crate) struct Linkage {
+pub(crate) struct SceneLinks {
     pub(crate) links: Vec<Link>,
     pub(crate) points: Vec<Point>,
     pub(crate) slides: Vec<Slide>,
@@ -25,7 +25,7 @@ pub(crate) struct Linkage {
     slide_names: HashSet<String>,
 }
 
-impl Linkage {
+impl SceneLinks {
     /// The link named by an entry.
     pub(crate) fn link(&self, entry: &Entry<'_>) -> Option<LinkId> {
         let name = entry.text(text!("scene-name-of-a-link"))?;

@@ -8,7 +8,7 @@ use toml::de::DeValue;
 use crate::error::Fault;
 use crate::inertia;
 use crate::limits;
-use crate::linkage::{Linkage, coordinates};
+use crate::linkage::{SceneLinks, coordinates};
 use crate::numbers::Bound;
 use crate::reference;
 use crate::text::{is_unprintable, row, shown, such_as};
@@ -16,8 +16,8 @@ use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
 /// Reads the ground and the links; returns the first point of each link as well.
-pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
-    let mut linkage = Linkage::default();
+pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<[f64; 2]>) {
+    let mut linkage = SceneLinks::default();
     linkage.add_link(massless(Name::ground()));
     let mut firsts = vec![[0.0; 2]];
     let ground =
@@ -44,7 +44,7 @@ pub(crate) fn read(root: &Section<'_>) -> (Linkage, Vec<[f64; 2]>) {
 
 /// Refuses links without a slide whose pins all coincide: they rotate freely about them, so their angle is not
 /// determined.
-pub(crate) fn refuse_points(root: &Section<'_>, linkage: &Linkage) {
+pub(crate) fn refuse_points(root: &Section<'_>, linkage: &SceneLinks) {
     let entries = root.get("link").map(|entry| entry.named(text!("scene-tables-of-links"), Text::default()));
     let entries = entries.unwrap_or_default();
     for id in links_of_length_zero(linkage.links.len(), &linkage.points, &linkage.slides) {
@@ -61,7 +61,11 @@ fn massless(name: Name) -> Link {
 }
 
 /// A faulty link is added too: its name is then known to the rest of the scene.
-fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry<'a>) -> Option<Section<'a>> {
+fn add_link<'a>(
+    linkage: &mut SceneLinks,
+    firsts: &mut Vec<[f64; 2]>,
+    entry: &Entry<'a>,
+) -> Option<Section<'a>> {
     check_name(entry, "scene-no-link-name");
     if entry.name == "ground" {
         entry.fault(text!("scene-ground-as-link"), text!("scene-points-of-ground"));
@@ -81,7 +85,7 @@ fn add_link<'a>(linkage: &mut Linkage, firsts: &mut Vec<[f64; 2]>, entry: &Entry
 }
 
 /// Adds the points of a link; returns the first of them.
-fn add_points(linkage: &mut Linkage, entry: &Entry<'_>, link: LinkId) -> [f64; 2] {
+fn add_points(linkage: &mut SceneLinks, entry: &Entry<'_>, link: LinkId) -> [f64; 2] {
     let mut first = None;
     for point in entry.named(text!("scene-table-of-points"), such_as("{ A = 0, B = \"120 mm\" }")) {
         check_name(&point, "scene-no-point-name");
@@ -102,7 +106,7 @@ fn check_name(entry: &Entry<'_>, message: &'static str) {
     limits::check_name(entry, &entry.key, name);
 }
 
-fn add_mass(linkage: &mut Linkage, (id, first): (LinkId, [f64; 2]), section: &Section<'_>) {
+fn add_mass(linkage: &mut SceneLinks, (id, first): (LinkId, [f64; 2]), section: &Section<'_>) {
     let mass = section.quantity_or("mass", Dimension::Mass, Bound::NotNegative, 0.0);
     let inertia = inertia::read(linkage, id, section);
     let center = match section.get("center") {
@@ -126,7 +130,7 @@ fn default_center(section: &Section<'_>, first: [f64; 2], heavy: bool) -> Option
 }
 
 /// Reads the slides into the linkage.
-pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) {
+pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) {
     for section in root.get("slide").iter().flat_map(|entry| entry.sections(&reference::SLIDE)) {
         if let Some(slide) = one(&section, linkage, firsts) {
             linkage.slides.push(slide);
@@ -134,7 +138,7 @@ pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut Linkage, firsts: &[[
     }
 }
 
-fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Option<Slide> {
+fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) -> Option<Slide> {
     let angle = section.quantity_or("angle", Dimension::Angle, Bound::Direction, 0.0);
     let tilt = section.quantity_or("tilt", Dimension::Angle, Bound::Direction, 0.0);
     let (link, on) = (section.need("link"), section.need("on"));
@@ -155,7 +159,7 @@ fn one(section: &Section<'_>, linkage: &mut Linkage, firsts: &[[f64; 2]]) -> Opt
     Some(Slide { name, link, on, point: point.unwrap_or_default(), through, angle, tilt })
 }
 
-fn name(section: &Section<'_>, linkage: &mut Linkage, default: Name) -> Name {
+fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Name) -> Name {
     let given = section.get("name").and_then(|entry| Some((entry.text(text!("scene-a-name"))?, entry)));
     let name = given.as_ref().map_or(default, |given| given.0.into());
     if let Some((name, entry)) = &given {
@@ -172,7 +176,7 @@ fn name(section: &Section<'_>, linkage: &mut Linkage, default: Name) -> Name {
 }
 
 /// Slides between a link and the ground, in either order.
-pub(crate) fn on_ground(linkage: &Linkage, link: usize) -> Vec<usize> {
+pub(crate) fn on_ground(linkage: &SceneLinks, link: usize) -> Vec<usize> {
     let joins = |slide: &Slide| slide.link == link && slide.on == GROUND;
     (0..linkage.slides.len()).filter(|&index| joins(&linkage.slides[index])).collect()
 }

@@ -153,7 +153,8 @@ impl Entry<'_> {
             DeValue::Integer(digits) => usize::from_str_radix(digits.as_str(), digits.radix()).ok(),
             DeValue::Float(_) => None,
             _ => {
-                self.wrong(wanted(), Text::default());
+                let quoted = self.value.as_str().is_some_and(|text| text.trim().parse::<usize>().is_ok());
+                self.wrong(wanted(), if quoted { text!("scene-no-quotes") } else { Text::default() });
                 return None;
             }
         };

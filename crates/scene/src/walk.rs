@@ -49,7 +49,7 @@ impl Known {
         if let Some(sorts) = table.sorts(word) {
             return text!("scene-key-of-sorts", sorts = name(sorts));
         }
-        let (also, elsewhere) = (table.meant(word).filter(|key| known.contains(key)), Table::elsewhere(word));
+        let (also, elsewhere) = (table.meant(word).filter(|key| known.contains(key)), table.holders(word));
         match also.or_else(|| nearest(word, known.iter().copied())) {
             None if !elsewhere.is_empty() => {
                 text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))

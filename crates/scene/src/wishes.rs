@@ -4,7 +4,7 @@ use assur_mechanism::{Balance, LinkId, Output, PairId, PointId, SlideId};
 
 use assur_words::{name, text};
 
-use crate::linkage::{Linkage, pair};
+use crate::linkage::{SceneLinks, pair};
 use crate::numbers::Bound;
 use crate::reference;
 use crate::text::{row, shown, such_as};
@@ -12,7 +12,7 @@ use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
 /// Reads `[assembly]`: rough positions of points.
-pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [f64; 2])> {
+pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId, [f64; 2])> {
     let Some(entry) = root.get("assembly") else {
         return Vec::new();
     };
@@ -23,18 +23,18 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &Linkage) -> Vec<(PointId, [
         .collect()
 }
 
-fn hinted(hint: &Entry<'_>, linkage: &Linkage) -> Option<PointId> {
+fn hinted(hint: &Entry<'_>, linkage: &SceneLinks) -> Option<PointId> {
     let id = linkage.point_named(&hint.name);
     if id.is_none() {
         let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
         let names = linkage.points.iter().map(|point| point.name.as_str());
-        Linkage::unknown(&at_key, "point", &hint.name, names);
+        SceneLinks::unknown(&at_key, "point", &hint.name, names);
     }
     id
 }
 
 /// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
-pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> {
+pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balance> {
     let section = root.get("balance")?.section(text!("scene-the-balance"), &reference::BALANCE)?;
     let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-ground-carries")));
     match (section.get("at"), section.get("angle")) {
@@ -52,7 +52,7 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &Linkage) -> Option<Balance> 
 }
 
 /// Reads `[output]`: the wanted results.
-pub(crate) fn output(root: &Section<'_>, linkage: &Linkage) -> Option<Output> {
+pub(crate) fn output(root: &Section<'_>, linkage: &SceneLinks) -> Option<Output> {
     let section = root.get("output")?.section(text!("scene-the-output"), &reference::OUTPUT)?;
     Some(Output {
         points: each(&section, "points", |entry| linkage.point(entry)),
@@ -67,21 +67,21 @@ fn each<T>(section: &Section<'_>, key: &str, read: impl Fn(&Entry<'_>) -> Option
     items.iter().filter_map(read).collect()
 }
 
-fn link(entry: &Entry<'_>, linkage: &Linkage) -> Option<LinkId> {
+fn link(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<LinkId> {
     linkage.moving(entry, text!("scene-ground-does-not-move"))
 }
 
-fn slide(entry: &Entry<'_>, linkage: &Linkage) -> Option<SlideId> {
+fn slide(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<SlideId> {
     let name = entry.text(text!("scene-name-of-a-slide"))?;
     let found = linkage.slides.iter().position(|slide| slide.name == name);
     if found.is_none() {
-        Linkage::unknown(entry, "slide", name, linkage.slides.iter().map(|slide| slide.name.as_str()));
+        SceneLinks::unknown(entry, "slide", name, linkage.slides.iter().map(|slide| slide.name.as_str()));
     }
     found
 }
 
 /// The pin or slide named by an entry.
-pub(crate) fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
+pub(crate) fn pair_id(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<PairId> {
     let name = entry.text(text!("scene-name-of-a-pair"))?;
     if let Some(id) = linkage.slides.iter().position(|slide| slide.name == name) {
         return Some(PairId::Slide(id));
@@ -96,7 +96,7 @@ pub(crate) fn pair_id(entry: &Entry<'_>, linkage: &Linkage) -> Option<PairId> {
         }
         None => {
             let slides = linkage.slides.iter().map(|slide| slide.name.as_str());
-            Linkage::unknown(entry, "pair", name, pins.chain(slides));
+            SceneLinks::unknown(entry, "pair", name, pins.chain(slides));
             None
         }
     }

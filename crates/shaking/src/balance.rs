@@ -4,7 +4,7 @@ use assur_kinematics::PositionError;
 use nalgebra::{DMatrix, DVector};
 
 use crate::cone::least_maximum;
-use crate::course::{Course, ROUNDING};
+use crate::course::{ROUNDING, ShakingCourse};
 use crate::data::Proof;
 use crate::proof::LinearForce;
 use crate::samples::Sample;
@@ -21,7 +21,7 @@ const GAP: f64 = 1e-9;
 /// quadratically, so that about six times are enough.
 const MOST_ROUNDS: usize = 40;
 
-/// Each such sample is in the problem from its beginning, so that it determines all unknowns.
+/// Of this many samples one is in the problem from its beginning, so that all unknowns are determined.
 const SPREAD: usize = 24;
 
 /// Counterweights on some links, and how the forces depend on them.
@@ -30,17 +30,18 @@ pub(crate) struct Fit {
     force: f64,
     /// Greatest sum of the moduli of the terms of the force, N.
     terms: f64,
-    /// Greatest force of an unknown of size 1, over that force.
+    /// Greatest force of a counterweight of 1 kg m along each axis, over the greatest force without counterweights.
     scales: Vec<f64>,
     /// The unknowns that make the mean square least.
     least_squares: DVector<f64>,
-    /// Unknowns w, as many as are independent, whose forces have the mean square |w|² over the samples: from these to all.
+    /// The map from independent unknowns w, scaled so that their forces have the mean square |w|² over the samples, to all
+    /// unknowns.
     map: DMatrix<f64>,
     carriers: usize,
 }
 
 impl Fit {
-    /// Of counterweights on the first `carriers` links, over samples that are equally spaced; `None` without any force.
+    /// The fit of counterweights on the first `carriers` links, over samples that are equally spaced; `None` without any force.
     pub(crate) fn of(samples: &[Sample], carriers: usize) -> Option<Self> {
         let mut rows: Vec<LinearForce> = samples.iter().map(|sample| plain(sample, carriers)).collect();
         // Forces and columns of size 1, so that neither units nor lengths matter.
@@ -76,7 +77,7 @@ impl Fit {
     /// between samples, are added to the problem until no force in the cycle is above the bound by more than the gap.
     pub(crate) fn least_maximum(
         &self,
-        course: &mut Course<'_, '_>,
+        course: &mut ShakingCourse<'_, '_>,
     ) -> Result<(Vec<[f64; 2]>, Proof), PositionError> {
         let carriers = course.sampler.carriers.clone();
         let mut rows: Vec<LinearForce> =
@@ -117,7 +118,7 @@ impl Fit {
         greatest.max(ROUNDING / GAP * self.terms)
     }
 
-    /// A sample as a function of the independent unknowns, of size 1.
+    /// The force of a sample as a linear function of the independent unknowns, divided by the greatest force.
     fn row(&self, sample: &Sample) -> LinearForce {
         let mut row = plain(sample, self.carriers);
         scale(&mut row, self.force, &self.scales);

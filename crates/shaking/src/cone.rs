@@ -19,14 +19,14 @@ const INSIDE: f64 = 0.99;
 /// A shorter step no longer moves anything but rounding.
 const SHORTEST: f64 = 1e-8;
 
-/// The least maximum of rows.
+/// The unknowns that make the greatest modulus of some forces least.
 pub(crate) struct Least {
     pub(crate) unknowns: DVector<f64>,
-    /// No unknowns make the greatest modulus less.
+    /// No unknowns make the greatest modulus less than this.
     pub(crate) bound: f64,
 }
 
-/// The least maximum of rows of size 1, from any start. `radius` is a bound of the modulus of the best unknowns; what is
+/// Makes the greatest modulus of the forces of `rows`, which are of size 1, least, from any start. `radius` is a bound of the modulus of the best unknowns; what is
 /// missing between maximum and bound is at most `missing`, if rounding permits.
 pub(crate) fn least_maximum(rows: &[LinearForce], start: &DVector<f64>, radius: f64, missing: f64) -> Least {
     let mut points = Points::above(rows, start);

@@ -25,13 +25,13 @@ pub(crate) const ROUNDING: f64 = 1e-12;
 const CONSTANT: f64 = ROUNDING;
 
 /// Force and moment on the ground over the cycle.
-pub(crate) struct Course<'s, 'a> {
+pub(crate) struct ShakingCourse<'s, 'a> {
     pub(crate) sampler: &'s mut Sampler<'a>,
     /// In the order of the motion, both ends of the cycle included.
     pub(crate) samples: Vec<Sample>,
 }
 
-impl<'s, 'a> Course<'s, 'a> {
+impl<'s, 'a> ShakingCourse<'s, 'a> {
     /// Halves the intervals between samples, which cover the cycle with both of its ends.
     pub(crate) fn of(sampler: &'s mut Sampler<'a>, given: &[Sample]) -> Result<Self, PositionError> {
         let scales = Scales::of(given);
@@ -101,7 +101,7 @@ impl<'s, 'a> Course<'s, 'a> {
 struct Scales {
     force: f64,
     moment: f64,
-    /// Of a unit counterweight on each carrier; force and turning share their terms.
+    /// The greatest size of what a unit counterweight on each carrier adds to force and moment.
     units: Vec<f64>,
 }
 

@@ -72,7 +72,7 @@ pub struct Balanced {
     pub counterweights: Vec<Counterweight>,
     /// Sizes with them.
     pub after: Size,
-    /// Of the least maximum: the proof that it is the least.
+    /// Where the greatest modulus is made least: the proof that no counterweights on these links make it less.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub proof: Option<Proof>,
 }

@@ -60,7 +60,7 @@ impl<'r> Shares<'r> {
         shares
     }
 
-    /// What each unknown finds to work on: `sum B_i y_i`.
+    /// The sums `sum B_i y_i`, one for each unknown: a proof needs them to be zero.
     fn left(&self) -> DVector<f64> {
         let unknowns = self.rows.first().map_or(0, |row| row.columns.len());
         let mut left = DVector::zeros(unknowns);

@@ -49,9 +49,9 @@ pub(crate) struct Sample {
     pub(crate) force: [f64; 2],
     /// Shaking moment about the origin, N m.
     pub(crate) moment: f64,
-    /// What they are sums of.
+    /// Sums of the moduli of the terms of force and moment.
     pub(crate) terms: Terms,
-    /// For each carrier.
+    /// What a unit counterweight on each carrier adds.
     pub(crate) units: Vec<Unit>,
 }
 
@@ -147,7 +147,7 @@ impl<'a> Sampler<'a> {
         Ok(Sample { coordinate, force: total.force(), moment: total.m, terms, units: units.collect() })
     }
 
-    /// The same, and the torque (sliding input: force) that the input needs for the motion under all loads.
+    /// Forces and moments on the ground, and the torque (sliding input: force) that the input needs for the motion under all loads.
     pub(crate) fn driven(&mut self, coordinate: f64) -> Result<(Sample, f64), ShakingError> {
         let sample = self.at(coordinate)?;
         let (bodies, state) = (&self.position.bodies, (self.state)(coordinate));
@@ -161,10 +161,11 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// Greatest order that is given.
+/// Greatest order of a harmonic in the results.
 const GREATEST: usize = 12;
 
-/// Harmonics of samples, with the torque of the input, that are equally spaced over a cycle of this length.
+/// Harmonics of the shaking force and moment and of the torque of the input. The samples are equally spaced over a cycle of the
+/// length `period`.
 pub(crate) fn harmonics(samples: &[(Sample, f64)], period: f64) -> Vec<Harmonic> {
     let count = samples.len() as f64;
     let of = |order: usize| {

@@ -6,7 +6,7 @@ use assur_mechanism::{Mechanism, Motion, Range};
 
 use crate::ShakingError;
 use crate::balance::Fit;
-use crate::course::Course;
+use crate::course::ShakingCourse;
 use crate::data::{AtPosition, Balanced, Counterweight, Criterion, Proof, Shaking, Size};
 use crate::samples::{Carrier, Sample, Sampler, harmonics};
 
@@ -28,7 +28,7 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
     let harmonics = harmonics(&driven, period);
     let mut samples: Vec<Sample> = driven.into_iter().map(|(sample, _)| sample).collect();
     samples.push(sampler.at(coordinate(SAMPLES))?);
-    let mut course = Course::of(&mut sampler, &samples)?;
+    let mut course = ShakingCourse::of(&mut sampler, &samples)?;
     // Of a whole cycle, once around.
     samples.pop();
     let balances = balances(linkage, &samples, &mut course)?;
@@ -57,7 +57,7 @@ pub fn shaking_size(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<S
     let mut sampler = Sampler::new(linkage, &loads, state);
     let samples = (0..=SAMPLES).map(|i| sampler.at(input.from + step * i as f64));
     let mut samples = samples.collect::<Result<Vec<_>, _>>()?;
-    let mut course = Course::of(&mut sampler, &samples)?;
+    let mut course = ShakingCourse::of(&mut sampler, &samples)?;
     samples.pop();
     Ok(size(&samples, &mut course, &[])?)
 }
@@ -81,7 +81,7 @@ type Products = (Balanced, Vec<[f64; 2]>);
 fn balances(
     linkage: &Linkage,
     samples: &[Sample],
-    course: &mut Course<'_, '_>,
+    course: &mut ShakingCourse<'_, '_>,
 ) -> Result<Vec<Products>, PositionError> {
     let carriers = course.sampler.carriers.clone();
     let mut counts = vec![1, carriers.len()];
@@ -130,7 +130,7 @@ fn positions(sampler: &mut Sampler<'_>, balances: &[Products]) -> Result<Vec<AtP
 /// The greatest values between samples, and the mean squares over samples that are equally spaced.
 fn size(
     samples: &[Sample],
-    course: &mut Course<'_, '_>,
+    course: &mut ShakingCourse<'_, '_>,
     products: &[[f64; 2]],
 ) -> Result<Size, PositionError> {
     let carriers = course.sampler.carriers.clone();

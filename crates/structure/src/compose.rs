@@ -10,8 +10,8 @@ use crate::excess::LeftOut;
 use crate::frame::{Incidence, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{
-    Counted, Group, Mobility, NamedPair, Part, Passive, Structure, StructureError, SurplusCause, name_of,
-    roman,
+    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, SurplusCause,
+    name_of, roman,
 };
 
 impl Structure {
@@ -26,7 +26,7 @@ impl Structure {
     /// # Errors
     ///
     /// Those of [`of`](Self::of), for what remains.
-    pub fn without(mechanism: &Mechanism, parts: &[Part]) -> Result<Self, StructureError> {
+    pub fn without(mechanism: &Mechanism, parts: &[PassivePart]) -> Result<Self, StructureError> {
         let mobility = count(mechanism);
         let left_out = LeftOut::of(mechanism, parts);
         let graph = counted_system(mechanism, &left_out);
@@ -51,13 +51,15 @@ impl Structure {
         let mut passive = Vec::with_capacity(parts.len());
         for (index, &part) in parts.iter().rev().enumerate() {
             let frame = match part {
-                Part::Link(link) => {
+                PassivePart::Link(link) => {
                     let from = (mechanism, &incidence, &left_out);
                     let frame = frame_of(from, vec![link], &rank, scale, &mut pairs);
                     rank[link] = groups.len() + 2 + index;
                     frame
                 }
-                Part::Pair(pair, link) => pair_alone(mechanism, (pair, link), &rank, scale, &mut pairs),
+                PassivePart::Pair(pair, link) => {
+                    pair_alone(mechanism, (pair, link), &rank, scale, &mut pairs)
+                }
             };
             passive.push(Passive { part, frame });
         }

@@ -1,7 +1,7 @@
 //! Errors in decomposing a mechanism.
 
-use assur_group::{BuildError, RegistryError};
-use assur_words::{Describe, Text, joined, list, name, number, quantity, text};
+use assur_group::RegistryError;
+use assur_words::{Describe, Text, list, name, number, quantity, text};
 
 /// The mobility count that an error shows.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -68,13 +68,6 @@ pub enum StructureError {
         /// Its pairs by letter and name.
         pattern: Text,
     },
-    /// The lengths don't form a group of the kind.
-    Build {
-        /// The group.
-        group: Text,
-        /// What is wrong.
-        source: BuildError,
-    },
     /// The registry of groups is faulty.
     Registry(RegistryError),
 }
@@ -86,7 +79,7 @@ impl StructureError {
             Self::Loose { links, .. } | Self::Surplus { links, .. } | Self::NoPlugin { links, .. } => {
                 links.first().map(String::as_str)
             }
-            Self::Build { .. } | Self::Registry(_) => None,
+            Self::Registry(_) => None,
         }
     }
 }
@@ -157,7 +150,6 @@ impl Describe for StructureError {
                 order = number(order),
                 pattern
             ),
-            Self::Build { group, source } => joined(": ", [group.clone(), source.describe()]),
             Self::Registry(error) => error.describe(),
         }
     }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use assur_mechanism::{LinkId, Mechanism, PairId};
 
-use crate::Part;
+use crate::PassivePart;
 use crate::compose::counted_system;
 
 /// The parts that are left out.
@@ -14,12 +14,12 @@ pub(crate) struct LeftOut {
 }
 
 impl LeftOut {
-    pub(crate) fn of(mechanism: &Mechanism, parts: &[Part]) -> Self {
+    pub(crate) fn of(mechanism: &Mechanism, parts: &[PassivePart]) -> Self {
         let mut found = Self { links: vec![false; mechanism.links.len()], pairs: HashSet::new() };
         for part in parts {
             match *part {
-                Part::Link(link) => found.links[link] = true,
-                Part::Pair(pair, link) => _ = found.pairs.insert((pair, link)),
+                PassivePart::Link(link) => found.links[link] = true,
+                PassivePart::Pair(pair, link) => _ = found.pairs.insert((pair, link)),
             }
         }
         found
@@ -52,7 +52,7 @@ pub struct Excess {
 
 impl Excess {
     /// Counts; nothing is solved, and lengths don't matter.
-    pub fn of(mechanism: &Mechanism, without: &[Part]) -> Self {
+    pub fn of(mechanism: &Mechanism, without: &[PassivePart]) -> Self {
         let graph = counted_system(mechanism, &LeftOut::of(mechanism, without));
         Self { surplus: graph.unmatched(), loose: graph.is_loose() }
     }

@@ -16,7 +16,7 @@ assur_words::resources!();
 
 pub use error::{Counted, StructureError, SurplusCause};
 pub use excess::Excess;
-pub use taken_apart::{Group, Mobility, NamedPair, Part, Passive, Structure, name_of, roman};
+pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, name_of, roman};
 
 #[cfg(test)]
 mod tests;

@@ -61,7 +61,7 @@ pub struct Group {
 
 /// A link, or a pair of a link, that may be left out of a mechanism.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Part {
+pub enum PassivePart {
     /// A link with all its pairs.
     Link(LinkId),
     /// The pair that holds this link: of a slide the sliding link.
@@ -72,7 +72,7 @@ pub enum Part {
 #[derive(Debug, Clone)]
 pub struct Passive {
     /// The part.
-    pub part: Part,
+    pub part: PassivePart,
     /// Its pairs (and the link, where it is one) in the compiled chain; all are outer ones.
     pub frame: GroupFrame,
 }
@@ -80,7 +80,7 @@ pub struct Passive {
 impl Structure {
     /// Whether a link is passive: no group has it, and it is placed after all groups.
     pub fn is_passive(&self, link: LinkId) -> bool {
-        self.passive.iter().any(|passive| passive.part == Part::Link(link))
+        self.passive.iter().any(|passive| passive.part == PassivePart::Link(link))
     }
 
     /// Class of the mechanism: the highest among its groups; 1 without groups.

@@ -10,7 +10,7 @@ use std::num::NonZeroUsize;
 use std::time::Instant;
 
 use assur_all as _;
-use assur_sweep::{Measure, Points, Request, Rows, Sweep, SweepError, Vary};
+use assur_sweep::{Measure, Points, Rows, Sweep, SweepError, SweepRequest, Vary};
 use assur_testkit::yardstick::slider_crank;
 
 /// A slider-crank with masses and a force.
@@ -62,10 +62,12 @@ fn main() {
         ("48 positions, all measures", one("48", all), 48, 1, false),
         ("48 positions, no measures", one("48", Vec::new()), 48, 1, false),
         ("1 position, no measures: compiling and following", one("1", Vec::new()), 1, 1, false),
-        ("480 positions, default measures", one("480", default), 480, 1, false),
+        ("480 positions, default measures", one("480", default.clone()), 480, 1, false),
+        ("48 positions, default measures, a force over the stroke", over_stroke(default), 48, 1, false),
+        ("48 positions, no measures, a force over the stroke", over_stroke(Vec::new()), 48, 1, false),
     ];
     let mut yardstick = f64::INFINITY;
-    let mut least = [f64::INFINITY; 7];
+    let mut least = [f64::INFINITY; 9];
     for _ in 0..ROUNDS {
         yardstick = yardstick.min(by_hand());
         for (least, (_, sweep, positions, threads, csv)) in least.iter_mut().zip(&contestants) {
@@ -76,16 +78,26 @@ fn main() {
     println!("y = {:.1} ns", 1e9 * yardstick);
     for (seconds, (name, _, positions, ..)) in least.into_iter().zip(&contestants) {
         let each = seconds / yardstick / f64::from(*positions);
-        println!("{name:52} {:8.2} us a point {each:8.1} y a position", 1e6 * seconds);
+        println!("{name:56} {:8.2} us a point {each:8.1} y a position", 1e6 * seconds);
     }
 }
 
 fn sweep(positions: &str, measures: Vec<Measure>) -> Sweep {
+    of(&SCENE.replace("positions = 48", &format!("positions = {positions}")), measures)
+}
+
+/// The force is that of a gas: its ends are where the piston reverses, and its rows where it passes them.
+fn over_stroke(measures: Vec<Measure>) -> Sweep {
+    let gas = "{ over = \"stroke\", axis = 0, forward = [[0, 0], [0.5, 700], [0.8, 3000], [1, 3000]], \
+        back = [[0, 0], [0.8, 0], [1, 3000]] }";
+    of(&SCENE.replace("\"1 kN\"", gas), measures)
+}
+
+fn of(scene: &str, measures: Vec<Measure>) -> Sweep {
     let points = Points::Sample { count: 1_000_000, seed: 1 };
-    let scene = SCENE.replace("positions = 48", &format!("positions = {positions}"));
     let ranges = ["link.crank.points.A=80 mm..120 mm", "link.piston.mass=1..3"];
     let vary: Vec<_> = ranges.iter().map(|range| Vary::parse(range, points).unwrap()).collect();
-    Sweep::of("bench", &scene, &vary, Request { points, measures, ..Request::default() }).unwrap()
+    Sweep::of("bench", scene, &vary, SweepRequest { points, measures, ..SweepRequest::default() }).unwrap()
 }
 
 fn run(sweep: &Sweep, points: usize, threads: usize, csv: bool) {

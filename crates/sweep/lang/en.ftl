@@ -36,10 +36,11 @@ sweep-not-finite = the number found for `{ $column }` is not finite
 sweep-misfit = the passive links miss by { $misfit } over the cycle
 sweep-write-tie = write it as KEY=KEY or KEY=KEY*FACTOR; the second key is varied
 sweep-tie-not-varied = it follows `{ $key }`, which is not varied: name that key in --vary
+sweep-tie-other-quantity = it is { $own } and would follow `{ $key }`, { $other }: write the factor in SI units (*1 too) if that is meant
 sweep-measure-pf = greatest moduli of the first and second transfer functions of points, slides and links, between positions
 sweep-measure-speed = greatest speeds of points, slides and links at a constant speed of the input, between positions
 sweep-measure-acceleration = greatest accelerations of points, slides and links at a constant speed of the input, between positions
 sweep-measure-shaking = shaking force on the ground: greatest, root of the mean square; greatest shaking moment about the origin, between positions
-sweep-measure-distance = least and greatest distance of points from the places of --target, over the positions of the scene
+sweep-measure-distance = least and greatest distance of points from the places of --target, between the positions too
 sweep-write-target = write it as POINT=X,Y, such as "E=100 mm,50 mm"
 sweep-no-point = there is no such point in the results; points: { $points }

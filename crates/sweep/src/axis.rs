@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use assur_scene::edit::{Document, Place, decimal, replaced, split};
+use assur_scene::edit::{ParsedText, TextPlace, decimal, replaced, split};
 use assur_scene::{Dimension, Unit, quantity};
-use assur_words::{Describe, Text, name, text};
+use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text};
 use strum::VariantArray;
 
 use crate::vary::Range as Ends;
@@ -31,6 +31,8 @@ pub(crate) struct Axis {
     name: String,
     /// That unit; `None` for a count.
     unit: Option<Unit>,
+    /// What it measures; `None` for a count.
+    measures: Option<Dimension>,
 }
 
 /// One end of a range.
@@ -44,7 +46,7 @@ impl Axis {
     /// Finds the parameter in the scene, and what it measures.
     pub(crate) fn of(
         vary: &Vary,
-        document: &Document<'_>,
+        document: &ParsedText<'_>,
         file: &str,
         scene: &str,
     ) -> Result<Self, SweepError> {
@@ -69,6 +71,7 @@ impl Axis {
             follows: None,
             name: from.unit,
             unit,
+            measures: dimension,
         })
     }
 
@@ -76,7 +79,7 @@ impl Axis {
     pub(crate) fn tied(
         tie: &Tie,
         parameters: &[Self],
-        document: &Document<'_>,
+        document: &ParsedText<'_>,
         file: &str,
         scene: &str,
     ) -> Result<Self, SweepError> {
@@ -85,12 +88,24 @@ impl Axis {
         let leader = leader.ok_or_else(|| {
             SweepError::vary(tie.key.to_string(), text!("sweep-tie-not-varied", key = name(follows)))
         })?;
+        let factor = tie.factor.unwrap_or(1.0);
         let end = |number: f64| {
-            End { number: decimal(number * tie.factor), unit: parameters[leader].name.clone() }.text()
+            End { number: decimal(number * factor), unit: parameters[leader].name.clone() }.text()
         };
         let range = Ends { from: end(parameters[leader].from), to: end(parameters[leader].to), count: 1 };
         let axis = Self::of(&Vary { key: tie.key.clone(), range }, document, file, scene)?;
-        Ok(Self { follows: Some((leader, tie.factor)), ..axis })
+        let kinds = [axis.measures, parameters[leader].measures];
+        if let ([Some(own), Some(other)], None) = (kinds, tie.factor)
+            && own != other
+        {
+            let [own, other] = [own, other].map(|kind| kind.describe());
+            let key = name(parameters[leader].key.clone());
+            return Err(SweepError::vary(
+                axis.key,
+                text!("sweep-tie-other-quantity", own = own, key = key, other = other),
+            ));
+        }
+        Ok(Self { follows: Some((leader, factor)), ..axis })
     }
 
     /// Whether both set a number of the scene.
@@ -108,7 +123,15 @@ impl Axis {
         toml(number, &self.name, !self.name.is_empty())
     }
 
-    /// A value for messages: `120 mm`.
+    /// A value for messages with its key, SI where it is written without a unit: `link.crank.mass = 2 kg`.
+    pub(crate) fn told(&self, number: f64) -> Text {
+        let si = self.measures.filter(|_| self.name.is_empty()).map(Dimension::si).unwrap_or_default();
+        let value =
+            if si.is_empty() { name(self.shown(number)) } else { quantity_of(number, si.replace('*', "·")) };
+        joined(" = ", [name(self.key.clone()), value])
+    }
+
+    /// A value as its range has it: `120 mm`.
     pub(crate) fn shown(&self, number: f64) -> String {
         End { number, unit: self.name.clone() }.text()
     }
@@ -139,12 +162,12 @@ impl End {
 /// What the parameter measures; `None` for a count.
 fn dimension(
     vary: &Vary,
-    found: &[Place],
+    found: &[TextPlace],
     ends: [&End; 2],
     file: &str,
     scene: &str,
 ) -> Result<Option<Dimension>, Text> {
-    let written = |place: &Place| scene.get(place.span.clone()).map(|text| text.replace('_', ""));
+    let written = |place: &TextPlace| scene.get(place.span.clone()).map(|text| text.replace('_', ""));
     let own = found.first().and_then(|place| place.text.clone().or_else(|| written(place)));
     let own = own.filter(|text| split(text).is_some());
     let texts = ends.map(End::text);

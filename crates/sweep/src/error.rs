@@ -46,7 +46,7 @@ pub enum SweepError {
     /// No point makes a scene that can be calculated.
     AllRefused {
         /// Keys and values of the first point.
-        point: String,
+        point: Box<Text>,
         /// What is wrong with it.
         problem: Refusal,
     },
@@ -97,7 +97,7 @@ impl Describe for SweepError {
                     Refusal::Scene(errors) => errors.describe(),
                     Refusal::Row(message) => message.clone(),
                 };
-                text!("sweep-all-refused", point = name(point.clone()), problem = problem)
+                text!("sweep-all-refused", point = point.as_ref(), problem = problem)
             }
             Self::Threads { threads, problem } => {
                 text!("sweep-no-threads", threads = *threads, problem = name(problem.clone()))

@@ -1,6 +1,6 @@
 //! A scene with many values of its numbers: one row of results for each point.
 //!
-//! [`Sweep::of`] takes the text of a scene, the parameters ([`Vary`]) and what is wanted ([`Request`]); [`Sweep::run`]
+//! [`Sweep::of`] takes the text of a scene, the parameters ([`Vary`]) and what is wanted ([`SweepRequest`]); [`Sweep::run`]
 //! calculates points in threads and hands on their [`Rows`] block by block, which are written as CSV
 //! ([`Rows::to_csv`]), and by another crate as Parquet. Nothing here opens a file by its name or prints, and memory does not grow with the
 //! number of points.
@@ -44,7 +44,7 @@ pub use error::{Refusal, SweepError};
 pub use measure::{MEASURES, Measure};
 pub use points::Points;
 pub use rows::{Columns, Rows, Status, Tally};
-pub use sweep::{MOST_POINTS, Request, Sweep};
+pub use sweep::{MOST_POINTS, Sweep, SweepRequest};
 pub use vary::{Target, Tie, Vary};
 
 assur_words::resources!();

@@ -2,7 +2,7 @@
 
 use assur_analysis::results::FrictionCycle;
 use assur_dynamics::{Instant, Steady};
-use assur_geometry::Courses;
+use assur_geometry::{Courses, Extremes};
 use assur_mechanism::{Input, PairId};
 use assur_shaking::Size;
 use assur_words::{Describe, Text, text};
@@ -21,6 +21,8 @@ pub(crate) enum Need {
     Transmission,
     /// The motion between positions.
     Courses,
+    /// The distances of points from places between positions.
+    Distances,
     /// The shaking force.
     Shaking,
     /// The dry friction over the cycle.
@@ -52,7 +54,7 @@ pub const MEASURES: &[Measure] = &[
     Measure::new("reactions", "sweep-measure-reactions", reactions),
     Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms).asked(None),
     Measure { need: Some(Need::Angles), ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
-    Measure::new("distance", "sweep-measure-distance", distance),
+    Measure { need: Some(Need::Distances), ..Measure::new("distance", "sweep-measure-distance", distance) },
     Measure::new("stroke", "sweep-measure-stroke", stroke).asked(Some(Need::Courses)),
     Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio).asked(Some(Need::Courses)),
     Measure::new("pf", "sweep-measure-pf", transfer).asked(Some(Need::Courses)),
@@ -79,8 +81,8 @@ pub(crate) struct Measured {
     /// Of each joint: modulus of its moment.
     pub(crate) moments: Vec<Statistics>,
     pub(crate) points: Vec<[Statistics; 2]>,
-    /// Squares of the distances of points from places.
-    pub(crate) distances: Vec<Statistics>,
+    /// The distances of points from places between positions; empty where the cycle has a part without a solution.
+    pub(crate) distances: Vec<Extremes>,
     pub(crate) slides: Vec<Statistics>,
     /// Angles of links.
     pub(crate) links: Vec<Statistics>,
@@ -122,7 +124,7 @@ impl Measured {
             forces: many(layout.joints.len()),
             moments: many(layout.joints.len()),
             points: vec![[Statistics::NONE; 2]; layout.points.len()],
-            distances: many(layout.targets.len()),
+            distances: Vec::new(),
             slides: many(layout.slides.len()),
             links: many(layout.links.len()),
             input: None,
@@ -140,7 +142,7 @@ impl Measured {
         let Self { health, transmission, points, distances, slides, links, input, courses, .. } = self;
         (*health, *transmission, *input, *courses) = (Statistics::NONE, Statistics::NONE, None, None);
         points.fill([Statistics::NONE; 2]);
-        distances.fill(Statistics::NONE);
+        distances.clear();
         slides.fill(Statistics::NONE);
         links.fill(Statistics::NONE);
     }
@@ -311,13 +313,13 @@ fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
 }
 
 fn distance(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    for (number, ((point, _), square)) in layout.targets.iter().zip(&found.distances).enumerate() {
+    for (number, (point, _)) in layout.targets.iter().enumerate() {
         let column = |what: &str| format!("{}_distance_{}_{what}", layout.points[*point].name, number + 1);
-        let at = layout.units.coordinate;
-        sink.of(square, |square| square.least().sqrt(), || column("least_m"));
-        sink.put(found.coordinate(square, Statistics::at_least), || column(&format!("least_at_{at}")));
-        sink.of(square, |square| square.greatest().sqrt(), || column("greatest_m"));
-        sink.put(found.coordinate(square, Statistics::at_greatest), || column(&format!("greatest_at_{at}")));
+        let (at, of) = (layout.units.coordinate, found.distances.get(number));
+        sink.put(of.map(|of| of.min), || column("least_m"));
+        sink.put(of.map(|of| of.at_min), || column(&format!("least_at_{at}")));
+        sink.put(of.map(|of| of.max), || column("greatest_m"));
+        sink.put(of.map(|of| of.at_max), || column(&format!("greatest_at_{at}")));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use assur_analysis::Calculation;
 use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics};
-use assur_geometry::courses;
+use assur_geometry::{courses, distances};
 use assur_group::plane::{dot, minus, vector};
 use assur_group::{Body, GroupError, Wrench};
 use assur_kinematics::{LanePosition, Position, PositionError};
@@ -159,6 +159,11 @@ impl<'a, 'w> Positions<'a, 'w> {
             let points = layout.points.iter().map(|point| point.id.0);
             self.worker.found.courses = courses(linkage, links, slides, points).ok();
         }
+        if moved && !layout.targets.is_empty() && self.wants(Need::Distances) {
+            let wanted = &self.calculation.plan.wanted.points;
+            let targets = layout.targets.iter().map(|(point, from)| (wanted[*point].1, *from));
+            self.worker.found.distances = distances(linkage, targets).unwrap_or_default();
+        }
         self.worker.found.speed = match linkage.mechanism.motion {
             Some(Motion::Prescribed { speed, acceleration: 0.0 }) => Some(speed),
             _ => None,
@@ -200,12 +205,6 @@ impl<'a, 'w> Positions<'a, 'w> {
         for ((_, place), extent) in plan.wanted.points.iter().zip(&mut found.points) {
             let at = bodies[place.link].point(vector(place.at));
             (0..2).for_each(|axis| extent[axis].add(block.valid, numbers, at[axis]));
-        }
-        for ((point, from), square) in layout.targets.iter().zip(&mut found.distances) {
-            let (_, place) = &plan.wanted.points[*point];
-            let (at, from) = (bodies[place.link].point(vector(place.at)), vector(*from));
-            let [x, y] = [at[0] - from[0], at[1] - from[1]];
-            square.add(block.valid, numbers, x * x + y * y);
         }
         for (slide, displacement) in layout.slides.iter().zip(&mut found.slides) {
             let along = along(&linkage.mechanism.slides[slide.id], bodies);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use assur_report::csv::{Cell, CsvError, header, rows};
+use assur_report::csv::{CsvCell, CsvError, header, rows};
 use assur_words::Text;
 use strum::{EnumString, IntoStaticStr};
 
@@ -201,26 +201,26 @@ impl Rows {
     }
 
     /// One cell; empty outside the table.
-    pub fn cell(&self, row: usize, column: usize) -> Cell<'_> {
+    pub fn cell(&self, row: usize, column: usize) -> CsvCell<'_> {
         let (Some(outcome), Some(content)) = (self.outcomes.get(row), self.columns.contents.get(column))
         else {
-            return Cell::Empty;
+            return CsvCell::Empty;
         };
         match *content {
             Content::Number(index) => match self.numbers.get(row * self.columns.numbers + index) {
-                Some(value) if value.is_finite() => Cell::Number(*value),
-                _ => Cell::Empty,
+                Some(value) if value.is_finite() => CsvCell::Number(*value),
+                _ => CsvCell::Empty,
             },
-            Content::Status => Cell::Text(outcome.status.text()),
+            Content::Status => CsvCell::Text(outcome.status.text()),
             Content::Message => text(&outcome.message),
-            Content::Failed => outcome.failed.map_or(Cell::Empty, |count| Cell::Number(count as f64)),
+            Content::Failed => outcome.failed.map_or(CsvCell::Empty, |count| CsvCell::Number(count as f64)),
             Content::Motor => text(outcome.motor.as_deref().unwrap_or_default()),
         }
     }
 }
 
-fn text(text: &str) -> Cell<'_> {
-    if text.is_empty() { Cell::Empty } else { Cell::Text(text) }
+fn text(text: &str) -> CsvCell<'_> {
+    if text.is_empty() { CsvCell::Empty } else { CsvCell::Text(text) }
 }
 
 impl Sweep {

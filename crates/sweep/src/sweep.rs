@@ -6,8 +6,8 @@ use std::sync::mpsc::{Receiver, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
-use assur_scene::edit::Document;
-use assur_words::Text;
+use assur_scene::edit::ParsedText;
+use assur_words::{Text, list};
 
 use crate::axis::Axis;
 use crate::layout::Layout;
@@ -43,7 +43,7 @@ const PART_NUMBERS: usize = 1 << 23;
 
 /// What a sweep calculates.
 #[derive(Debug, Clone)]
-pub struct Request {
+pub struct SweepRequest {
     /// The points.
     pub points: Points,
     /// Keys that follow parameters.
@@ -56,7 +56,7 @@ pub struct Request {
     pub options: Options,
 }
 
-impl Default for Request {
+impl Default for SweepRequest {
     fn default() -> Self {
         Self {
             points: Points::Grid,
@@ -89,14 +89,19 @@ impl Sweep {
     /// # Errors
     ///
     /// [`SweepError`]: a faulty scene, a parameter that is not in it or not a number, units that don't fit, too many points.
-    pub fn of(file_name: &str, scene: &str, vary: &[Vary], request: Request) -> Result<Self, SweepError> {
+    pub fn of(
+        file_name: &str,
+        scene: &str,
+        vary: &[Vary],
+        request: SweepRequest,
+    ) -> Result<Self, SweepError> {
         let base = assur_scene::read(file_name, scene)?;
         if vary.is_empty() {
             return Err(SweepError::Nothing);
         }
-        let Request { points, ties, targets, measures, options } = request;
+        let SweepRequest { points, ties, targets, measures, options } = request;
         let count = count(points, vary)?;
-        let document = Document::of(scene);
+        let document = ParsedText::of(scene);
         let axis = |vary| Axis::of(vary, &document, file_name, scene);
         let mut axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
         for tie in &ties {
@@ -239,14 +244,31 @@ impl Sweep {
     }
 
     /// Keys and values of a point: "link.crank.mass = 2 kg, drive.ratio = 24".
-    pub fn describe(&self, index: usize) -> String {
+    pub fn describe(&self, index: usize) -> Text {
         let numbers = self.numbers(index);
-        let each = self
-            .axes
-            .iter()
-            .zip(numbers)
-            .map(|(axis, number)| format!("{} = {}", axis.key, axis.shown(number)));
-        each.collect::<Vec<_>>().join(", ")
+        list(self.axes.iter().zip(numbers).map(|(axis, number)| axis.told(number)))
+    }
+
+    /// What is probably not meant at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
+    /// and the note.
+    pub fn doubts(&self) -> Vec<(Text, Text)> {
+        let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
+        let known = assur_scene::read("", self.scene()).map(|scene| scene.notes).unwrap_or_default();
+        let mut found: Vec<(Text, Text)> = Vec::new();
+        for (index, axis) in self.axes.iter().enumerate() {
+            for end in [axis.from, axis.to] {
+                numbers[index] = end;
+                let notes = self.variants.read(&self.axes, &numbers).map(|scene| scene.notes);
+                let new = notes.unwrap_or_default().into_iter().filter(|note| !known.contains(note));
+                let told: Vec<_> = new
+                    .filter(|note| known.iter().all(|other| other.key != note.key))
+                    .map(|note| (axis.told(end), note.text))
+                    .collect();
+                found.extend(told);
+                numbers[index] = axis.from;
+            }
+        }
+        found
     }
 
     /// The error of a sweep without a point that can be calculated: then the call is at fault, and there is no table.
@@ -256,7 +278,7 @@ impl Sweep {
         } else {
             Refusal::Row(self.failure(first).unwrap_or_default())
         };
-        SweepError::AllRefused { point: self.describe(first), problem }
+        SweepError::AllRefused { point: Box::new(self.describe(first)), problem }
     }
 
     fn numbers(&self, index: usize) -> Vec<f64> {

@@ -11,9 +11,9 @@ mod written;
 use std::num::NonZeroUsize;
 
 use assur_all as _;
-use assur_report::csv::Cell;
+use assur_report::csv::CsvCell;
 
-use crate::{Request, Rows, Status, Sweep, SweepError, Vary};
+use crate::{Rows, Status, Sweep, SweepError, SweepRequest, Vary};
 
 /// A slider-crank whose places are known in closed form: crank r, rod l, slide along x.
 const SLIDER: &str = r#"[ground]
@@ -55,14 +55,14 @@ value = 0
 B = [0.4, 0]
 "#;
 
-fn requested(scene: &str, vary: &[&str], request: Request) -> Result<Sweep, SweepError> {
+fn requested(scene: &str, vary: &[&str], request: SweepRequest) -> Result<Sweep, SweepError> {
     let vary: Vec<Vary> =
         vary.iter().map(|vary| Vary::parse(vary, request.points)).collect::<Result<_, _>>()?;
     Sweep::of("a.toml", scene, &vary, request)
 }
 
 fn sweep(scene: &str, vary: &[&str]) -> Result<Sweep, SweepError> {
-    requested(scene, vary, Request::default())
+    requested(scene, vary, SweepRequest::default())
 }
 
 fn rows(sweep: &Sweep, threads: usize) -> Rows {
@@ -91,7 +91,7 @@ fn column(table: &Rows, name: &str) -> usize {
 fn numbers(table: &Rows, name: &str) -> Vec<f64> {
     let column = column(table, name);
     let cells = (0..table.len()).map(|row| match table.cell(row, column) {
-        Cell::Number(value) => value,
+        CsvCell::Number(value) => value,
         other => panic!("row {row} of {name}: {other:?}"),
     });
     cells.collect()

@@ -61,7 +61,8 @@ impl Vary {
 pub struct Tie {
     pub(crate) key: Key,
     pub(crate) follows: Key,
-    pub(crate) factor: f64,
+    /// `None` where none is written, which is 1.
+    pub(crate) factor: Option<f64>,
 }
 
 impl Tie {
@@ -76,11 +77,11 @@ impl Tie {
         // A `*` in brackets stands for all elements of a list.
         let (follows, factor) = match follows.rsplit_once('*').filter(|(_, factor)| !factor.contains(']')) {
             Some((follows, factor)) => {
-                (follows, factor.trim().parse().ok().filter(|factor: &f64| factor.is_finite()))
+                let factor = factor.trim().parse().ok().filter(|factor: &f64| factor.is_finite());
+                (follows, Some(factor.ok_or_else(|| fault(text!("sweep-write-tie")))?))
             }
-            None => (follows, Some(1.0)),
+            None => (follows, None),
         };
-        let factor = factor.ok_or_else(|| fault(text!("sweep-write-tie")))?;
         Ok(Self {
             key: Key::parse(key).map_err(fault)?,
             follows: Key::parse(follows).map_err(fault)?,

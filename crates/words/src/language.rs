@@ -131,11 +131,8 @@ impl Language {
         format!("{mantissa}·10{}", exponent.chars().map(raised).collect::<String>())
     }
 
-    /// A unit with the signs of print, in the letters of the language: `m/s2` as м/с².
+    /// A unit with the signs of print, in the letters of the language: `m/s2` as m/s², or м/с².
     fn unit(&self, symbol: &str) -> String {
-        if self.is_english() {
-            return symbol.to_owned();
-        }
         let factor = |factor: &str| {
             let end = factor.find(|letter: char| !letter.is_ascii_alphabetic()).unwrap_or(factor.len());
             let (base, power) = factor.split_at(end);

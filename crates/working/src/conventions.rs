@@ -3,16 +3,16 @@
 use assur_words::{Text, joined, name, number, text};
 use assur_worksheet::Symbol;
 
-use crate::{Place, Work};
+use crate::{PositionOrSample, Work};
 
 impl Work<'_> {
     /// Writes the first section: signs, symbols, assumptions.
-    pub(crate) fn conventions(&mut self, place: Place, forces: bool) {
+    pub(crate) fn conventions(&mut self, place: PositionOrSample, forces: bool) {
         let title = &self.linkage.mechanism.title;
         let title = if title.is_empty() { text!("worksheet-working") } else { name(title.clone()) };
         let of = match place {
-            Place::Position(index) => text!("working-at-position", position = index),
-            Place::Sample(index) => {
+            PositionOrSample::Position(index) => text!("working-at-position", position = index),
+            PositionOrSample::Sample(index) => {
                 text!("working-at-sample", sample = index, time = number(self.state.time))
             }
         };

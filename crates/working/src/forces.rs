@@ -5,7 +5,7 @@ use assur_group::PairGeometry;
 use assur_kinematics::Position;
 use assur_mechanism::{Balance, InputPair};
 use assur_words::{name, text};
-use assur_worksheet::{Expr, Load, Symbol, plugin_for};
+use assur_worksheet::{Expr, Symbol, WorkedLoad, plugin_for};
 
 use crate::{Work, WorkingError, balancing};
 
@@ -76,7 +76,7 @@ impl Work<'_> {
             Balance::Moment(link) => {
                 let p = self.sheet.work("p", &self.sheet.angle(link)[1].clone(), self.sheet.units.angle[1]);
                 let moment = self.sheet.work(balancing("M"), &-(power / p), "N·m");
-                self.sheet.load(link, Load { force: None, moment: moment.clone(), applied: true });
+                self.sheet.load(link, WorkedLoad { force: None, moment: moment.clone(), applied: true });
                 Some(moment)
             }
             Balance::Force { at, angle } => {
@@ -91,8 +91,10 @@ impl Work<'_> {
                     let of = text!("working-balancing");
                     self.sheet.components("F", of, &[&size * &c, &size * &s], "N")
                 };
-                self.sheet
-                    .load(at.link, Load { force: Some((force, point)), moment: Expr::zero(), applied: true });
+                self.sheet.load(
+                    at.link,
+                    WorkedLoad { force: Some((force, point)), moment: Expr::zero(), applied: true },
+                );
                 Some(size)
             }
         }

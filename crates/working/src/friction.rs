@@ -6,7 +6,7 @@ use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId, Mechanism, PairId, Surfaces};
 use assur_structure::name_of;
 use assur_words::{Text, joined, number, quantity, text};
-use assur_worksheet::{Expr, Load, Symbol};
+use assur_worksheet::{Expr, Symbol, WorkedLoad};
 
 use crate::Work;
 
@@ -131,7 +131,8 @@ impl Work<'_> {
             let local = [body.c * off[0] + body.s * off[1], body.c * off[1] - body.s * off[0]];
             let at = self.sheet.point(link, local);
             let parts = [0, 1].map(|axis| &size * &along[axis] * Expr::number(sign));
-            self.sheet.load(link, Load { force: Some((parts, at)), moment: Expr::zero(), applied: true });
+            self.sheet
+                .load(link, WorkedLoad { force: Some((parts, at)), moment: Expr::zero(), applied: true });
         }
         if let Surfaces::Faces { offset, .. } = bearing.surfaces
             && offset != 0.0
@@ -146,7 +147,7 @@ impl Work<'_> {
 
     fn turn(&mut self, link: LinkId, moment: Expr) {
         if link != GROUND {
-            self.sheet.load(link, Load { force: None, moment, applied: true });
+            self.sheet.load(link, WorkedLoad { force: None, moment, applied: true });
         }
     }
 }

@@ -5,7 +5,7 @@
 use assur_group::{Pair, PairGeometry, Wrench};
 use assur_words::{Text, text};
 use assur_worksheet::dyad::{across, along};
-use assur_worksheet::{Expr, Load, Point, Pose, Symbol};
+use assur_worksheet::{Expr, Point, Pose, Symbol, WorkedLoad};
 
 use crate::Work;
 
@@ -125,7 +125,7 @@ impl Work<'_> {
             return false;
         }
         self.sheet.note(text!("working-linear-reactions"));
-        let mut acting: Vec<(usize, Load)> = Vec::new();
+        let mut acting: Vec<(usize, WorkedLoad)> = Vec::new();
         for pair in frame.pairs() {
             self.given_reaction(pair, &found[pair.id], &frame.links, &mut acting);
         }
@@ -140,7 +140,7 @@ impl Work<'_> {
         pair: &Pair,
         found: &Wrench<f64>,
         links: &[usize],
-        acting: &mut Vec<(usize, Load)>,
+        acting: &mut Vec<(usize, WorkedLoad)>,
     ) {
         let [(link, at), _] = pair.places();
         let at = self.sheet.point(link, at);
@@ -152,9 +152,12 @@ impl Work<'_> {
         let force = [("x", found.fx), ("y", found.fy)].map(|(axis, size)| given("R", axis, size, "N"));
         let moment = if pair.is_slide() { given("M", "R", found.m, "N·m") } else { Expr::zero() };
         self.sheet.record(pair.id, pair.a, &force, &moment, &at);
-        let on_b =
-            Load { force: Some(([-&force[0], -&force[1]], at.clone())), moment: -&moment, applied: false };
-        let on_a = Load { force: Some((force, at)), moment, applied: false };
+        let on_b = WorkedLoad {
+            force: Some(([-&force[0], -&force[1]], at.clone())),
+            moment: -&moment,
+            applied: false,
+        };
+        let on_a = WorkedLoad { force: Some((force, at)), moment, applied: false };
         for (body, load) in [(pair.a, on_a), (pair.b, on_b)] {
             if links.contains(&body) {
                 acting.push((body, load));
@@ -164,7 +167,7 @@ impl Work<'_> {
         }
     }
 
-    fn equilibrium(&mut self, link: usize, acting: &[(usize, Load)]) {
+    fn equilibrium(&mut self, link: usize, acting: &[(usize, WorkedLoad)]) {
         let Some(base) = self.sheet.pose(link).map(|pose| pose.base.clone()) else { return };
         self.sheet.resultant(link);
         self.sheet.moment_about(link, &base);

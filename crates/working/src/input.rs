@@ -4,11 +4,11 @@ use assur_mechanism::{GROUND, InputPair, Range};
 use assur_words::{Text, text, unit};
 use assur_worksheet::{Expr, Pose, Symbol};
 
-use crate::{Place, Work};
+use crate::{PositionOrSample, Work};
 
 impl Work<'_> {
     /// Writes the coordinate and the motion of the input link.
-    pub(crate) fn input(&mut self, place: Place) {
+    pub(crate) fn input(&mut self, place: PositionOrSample) {
         let input = &self.linkage.mechanism.input;
         let link = input.link;
         let name = self.sheet.body_name(link);
@@ -29,10 +29,10 @@ impl Work<'_> {
         self.points_of(&[link]);
     }
 
-    fn coordinate(&mut self, place: Place) -> Expr {
+    fn coordinate(&mut self, place: PositionOrSample) -> Expr {
         let input = &self.linkage.mechanism.input;
         let unit = if self.linkage.angular() { "rad" } else { "m" };
-        let Place::Position(index) = place else {
+        let PositionOrSample::Position(index) = place else {
             return self.sheet.given("q", self.state.coordinate, unit, text!("working-coordinate-of-sample"));
         };
         let from =

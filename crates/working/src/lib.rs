@@ -62,7 +62,7 @@ pub enum WorkingError {
     /// A load has no value there.
     Load {
         /// The position or the sample.
-        place: Place,
+        place: PositionOrSample,
         /// Which load.
         error: LoadError,
     },
@@ -95,7 +95,7 @@ pub struct Task<'a> {
     /// The state of the input.
     pub state: State,
     /// Which position it is.
-    pub place: Place,
+    pub place: PositionOrSample,
     /// What drives the input where its acceleration follows from the equation of motion.
     pub drive: Option<Drive>,
     /// Name of the force analyzer whose working follows that of the groups, where it has one.
@@ -104,7 +104,7 @@ pub struct Task<'a> {
 
 /// Which position is worked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum PositionOrSample {
     /// A position of the scene, by its number.
     Position(usize),
     /// A sample of a motion, by its number.
@@ -118,7 +118,7 @@ impl WorkingError {
     }
 }
 
-impl Describe for Place {
+impl Describe for PositionOrSample {
     fn describe(&self) -> Text {
         match self {
             Self::Position(index) => text!("working-position", position = *index),
@@ -158,14 +158,14 @@ impl Working {
         let Task { linkage, loads, state, place, drive, analyzer } = *task;
         let mut position = linkage.position();
         match place {
-            Place::Position(index) => {
+            PositionOrSample::Position(index) => {
                 let count = linkage.mechanism.input.positions;
                 if index >= count {
                     return Err(WorkingError::Index { index, last: count.saturating_sub(1) });
                 }
                 linkage.solve_index(index, Order::Second, &mut position)?;
             }
-            Place::Sample(_) => linkage.solve(state.coordinate, Order::Second, &mut position)?,
+            PositionOrSample::Sample(_) => linkage.solve(state.coordinate, Order::Second, &mut position)?,
         }
         if let Some(loads) = loads {
             let finite = loads.finite(&linkage.mechanism, &state, &position.bodies);

@@ -5,7 +5,7 @@ use assur_group::Wrench;
 use assur_group::plane::direction;
 use assur_mechanism::{Contact, Direction, Force, Inertia, LinkId, LoadKind, Place, Spring};
 use assur_words::{Text, name, text};
-use assur_worksheet::{Expr, Load, Point, Symbol};
+use assur_worksheet::{Expr, Point, Symbol, WorkedLoad};
 
 use crate::Work;
 
@@ -66,7 +66,7 @@ impl Work<'_> {
     }
 
     fn apply(&mut self, link: LinkId, force: [Expr; 2], at: Point) {
-        self.sheet.load(link, Load { force: Some((force, at)), moment: Expr::zero(), applied: true });
+        self.sheet.load(link, WorkedLoad { force: Some((force, at)), moment: Expr::zero(), applied: true });
     }
 
     pub(crate) fn mass(&mut self, link: LinkId) -> Expr {
@@ -143,7 +143,7 @@ impl Work<'_> {
             let changing = slope * &first * w.squared() / Expr::number(2.0);
             let moment = -(i * by_time(&first, &second)) - changing;
             let moment = self.sheet.work_unless_zero(Symbol::from("M").of(tag), &moment, "N·m");
-            self.sheet.load(link, Load { force: None, moment, applied: true });
+            self.sheet.load(link, WorkedLoad { force: None, moment, applied: true });
         }
     }
 
@@ -186,7 +186,7 @@ impl Work<'_> {
         let symbol = Symbol::from("M").of(name);
         let what = text!("working-on-link-here", link = self.sheet.body_name(link));
         let moment = self.sheet.given(symbol, value, "N·m", what);
-        self.sheet.load(link, Load { force: None, moment, applied: true });
+        self.sheet.load(link, WorkedLoad { force: None, moment, applied: true });
     }
 
     fn spring(&mut self, name: &Text, spring: &Spring) {

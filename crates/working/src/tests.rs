@@ -4,7 +4,7 @@ use assur_group::Wrench;
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion;
 
-use crate::{Place, Task, Working};
+use crate::{PositionOrSample, Task, Working};
 
 mod energy;
 mod evaluate;
@@ -25,8 +25,15 @@ pub(crate) fn compiled(mechanism: assur_mechanism::Mechanism) -> (Linkage, Optio
 
 pub(crate) fn worked(linkage: &Linkage, loads: Option<&Loads>, index: usize) -> Working {
     let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
-    Working::of(&Task { linkage, loads, state, place: Place::Position(index), drive: None, analyzer: None })
-        .unwrap()
+    Working::of(&Task {
+        linkage,
+        loads,
+        state,
+        place: PositionOrSample::Position(index),
+        drive: None,
+        analyzer: None,
+    })
+    .unwrap()
 }
 
 /// Every reaction and the balancing load are those of the independent analyzer.

@@ -25,7 +25,7 @@ mod term;
 
 pub use expr::Expr;
 pub use line::{Entry, Line, RESULT_DIGITS, Section};
-pub use load::{Load, Reaction};
+pub use load::{Reaction, WorkedLoad};
 pub use place::{Guide, Point, Pose, Rod};
 pub use render::{WIDTH, text};
 pub use sheet::{Names, Sheet, Units};

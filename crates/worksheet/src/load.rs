@@ -4,7 +4,7 @@ use crate::{Expr, Point, Sheet, Symbol};
 
 /// A force at a point, or a moment, on a link.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Load {
+pub struct WorkedLoad {
     /// The force, N, and its point of application.
     pub force: Option<([Expr; 2], Point)>,
     /// A moment, N m, counter-clockwise.
@@ -30,7 +30,7 @@ pub struct Reaction {
 
 impl Sheet {
     /// Adds a load to a link.
-    pub fn load(&mut self, body: usize, load: Load) {
+    pub fn load(&mut self, body: usize, load: WorkedLoad) {
         self.loads[body].push(load);
     }
 
@@ -40,7 +40,7 @@ impl Sheet {
     }
 
     /// The loads on a link that are already known.
-    pub fn loads_on(&self, body: usize) -> &[Load] {
+    pub fn loads_on(&self, body: usize) -> &[WorkedLoad] {
         &self.loads[body]
     }
 
@@ -114,7 +114,7 @@ impl Sheet {
     pub fn hand_on(&mut self, body: usize, at: &Point, force: &[Expr; 2], moment: &Expr) {
         if body != 0 {
             let force = Some(([-&force[0], -&force[1]], at.clone()));
-            self.load(body, Load { force, moment: -moment, applied: false });
+            self.load(body, WorkedLoad { force, moment: -moment, applied: false });
         }
     }
 

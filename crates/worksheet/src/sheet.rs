@@ -7,7 +7,7 @@ use assur_plugin::RegistryError;
 use assur_words::{Language, Text, text};
 
 use crate::figure::shortest;
-use crate::{Entry, Expr, Line, Load, Point, Pose, Reaction, Section, Symbol};
+use crate::{Entry, Expr, Line, Point, Pose, Reaction, Section, Symbol, WorkedLoad};
 
 /// Number of digits of a given quantity.
 const GIVEN_DIGITS: usize = 9;
@@ -52,7 +52,7 @@ pub struct Sheet {
     symbols: BTreeMap<String, f64>,
     pub(crate) points: Vec<Point>,
     pub(crate) poses: Vec<Option<Pose>>,
-    pub(crate) loads: Vec<Vec<Load>>,
+    pub(crate) loads: Vec<Vec<WorkedLoad>>,
     pub(crate) reactions: Vec<Reaction>,
     group: usize,
     unfit: bool,

@@ -10,7 +10,7 @@ use assur_mechanism::GROUND;
 use assur_words::{Text, text, unit};
 use assur_working::{AnalyzerWorking, FoundForces};
 use assur_worksheet::dyad::{along, minus as less};
-use assur_worksheet::{Expr, Load, Point, Sheet, Symbol};
+use assur_worksheet::{Expr, Point, Sheet, Symbol, WorkedLoad};
 
 use crate::Form;
 use crate::layout::{End, Layout};
@@ -155,7 +155,7 @@ impl Axes {
 }
 
 /// The applied loads of a link; reactions that other groups have handed on are none.
-fn applied(sheet: &Sheet, link: usize) -> Vec<Load> {
+fn applied(sheet: &Sheet, link: usize) -> Vec<WorkedLoad> {
     sheet.loads_on(link).iter().filter(|load| load.applied).cloned().collect()
 }
 
@@ -207,7 +207,7 @@ fn third(sheet: &mut Sheet, layout: &Layout, axes: &Axes) -> Expr {
         }
         End::Pin(pin) => {
             let c = sheet.point(GROUND, pin.at);
-            let of = |load: &Load| {
+            let of = |load: &WorkedLoad| {
                 let force = load.force.as_ref().map(|(force, at)| at.moment_about(&c, force));
                 force.unwrap_or_else(Expr::zero) + &load.moment
             };
@@ -328,7 +328,7 @@ fn reactions(sheet: &mut Sheet, layout: &Layout, axes: &Axes, (found, s): (&Unkn
     sheet.note(text!("force-longitudinal-working-reactions"));
     sheet.work(Symbol::from("R").of("A"), &(fb.squared() + r1.squared()).sqrt(), "N");
     sheet.work(Symbol::from("R").of("B"), r3, "N");
-    let sum = |loads: &[Load]| {
+    let sum = |loads: &[WorkedLoad]| {
         let forces = loads.iter().filter_map(|load| load.force.as_ref());
         forces
             .fold([Expr::zero(), Expr::zero()], |sum, (force, _)| [&sum[0] + &force[0], &sum[1] + &force[1]])
@@ -355,7 +355,7 @@ fn reactions(sheet: &mut Sheet, layout: &Layout, axes: &Axes, (found, s): (&Unkn
         (pair, on, sheet.components("R", of, &force, "N"))
     });
     let reactions = reactions.collect();
-    let about = |load: &Load| {
+    let about = |load: &WorkedLoad| {
         let force = load.force.as_ref().map(|(force, at)| at.moment_about(&axes.o, force));
         force.unwrap_or_else(Expr::zero) + &load.moment
     };

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use assur_all as _;
+use assur_analysis::results::Analysis;
 use assur_analysis::{Calculation, Coverage, Options, Progress};
 use assur_kinematics::Misfit;
 use assur_report::{csv, json as writer, text};
@@ -94,17 +95,23 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     let Ok(mut analysis) = calculation.analyze(&mut watch) else { return Ok(Outcome::Stopped) };
     let Ok(checks) = calculation.checks(Coverage::Sample, &mut watch) else { return Ok(Outcome::Stopped) };
     analysis.add_checks(checks);
+    written(&calculation, &analysis, scene)?;
+    judged(&calculation, &analysis)
+}
+
+/// What is written of a calculation has only numbers, and no column twice.
+fn written(calculation: &Calculation, analysis: &Analysis, scene: &str) -> Result<(), Finding> {
     let written =
-        writer::analysis::to_json(&analysis, false).map_err(|why| Finding::new("not finite", why))?;
+        writer::analysis::to_json(analysis, false).map_err(|why| Finding::new("not finite", why))?;
     json::check(&written).map_err(|why| Finding::new("JSON", why))?;
     let report = text::report(
-        &analysis,
+        analysis,
         &calculation.linkage,
         None,
         text::Style { ascii: true, ..text::Style::english() },
     );
     clean("report", &report.map_err(|why| Finding::new("not finite", why))?, scene)?;
-    for sheet in csv::of_positions(&analysis, true).into_iter().chain(csv::of_trajectory(&analysis, true)) {
+    for sheet in csv::of_positions(analysis, true).into_iter().chain(csv::of_trajectory(analysis, true)) {
         let header = sheet.header().map_err(|why| Finding::new("CSV", why))?;
         unique_columns(&String::from_utf8_lossy(&header))?;
     }
@@ -112,6 +119,11 @@ fn calculated(scene: &str) -> Result<Outcome, Finding> {
     for message in messages {
         clean("error", &message.to_string(), scene)?;
     }
+    Ok(())
+}
+
+/// What became of a calculation: a check that fails must be confirmed by 32 digits.
+fn judged(calculation: &Calculation, analysis: &Analysis) -> Result<Outcome, Finding> {
     let failed = analysis.checks.iter().find(|check| check.failed());
     match failed {
         // What a passive part that does not fit misses by, the checks find too.

@@ -98,7 +98,7 @@ fn charted(
     stop: &AtomicBool,
 ) -> Result<Result<ChartData, ChartError>, Fault> {
     let linkage = scene::linkage(session)?;
-    let options = if quick { chart::Options::QUICK } else { chart::Options::THOROUGH };
+    let options = if quick { chart::ChartOptions::QUICK } else { chart::ChartOptions::THOROUGH };
     let line = ProgressLine::new(style.language);
     let mut clock = SystemClock::default();
     let found = chart::chart(&linkage, &mut clock, options, &mut |progress| {

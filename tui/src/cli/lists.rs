@@ -14,25 +14,26 @@ use super::fault::{Fault, Status};
 use super::style::Style;
 use super::{output, scene};
 
-/// Every registered plugin: kind, name, crate, one line.
+/// Every registered plugin: kind, name, crate, one line, and the source of its formulas or numbers.
 pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     let mut rows = Vec::new();
-    let mut add = |sort: &'static str, of: &'static str, crate_name: &'static str, summary: &Text| {
-        rows.push(vec![text!(sort), name(of), name(crate_name), summary.clone()]);
+    let mut add = |sort: &'static str, of: [&'static str; 2], told: [&Text; 2]| {
+        rows.push([text!(sort)].into_iter().chain(of.map(name)).chain(told.map(Text::clone)).collect());
     };
     for plugin in assur_group::groups().map_err(Fault::told)? {
-        add("cli-plugin-group", plugin.name, plugin.crate_name, &plugin.summary);
+        add("cli-plugin-group", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);
     }
     for plugin in assur_force::analyzers().map_err(Fault::told)? {
-        add("cli-plugin-analyzer", plugin.name, plugin.crate_name, &plugin.summary);
+        add("cli-plugin-analyzer", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);
     }
     for plugin in assur_integrator::integrators().map_err(Fault::told)? {
-        add("cli-plugin-integrator", plugin.name, plugin.crate_name, &plugin.summary);
+        add("cli-plugin-integrator", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);
     }
     for plugin in catalogues().map_err(Fault::told)? {
-        add("cli-plugin-catalogue", plugin.name, plugin.crate_name, &plugin.summary);
+        add("cli-plugin-catalogue", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);
     }
-    let head = ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what"];
+    let head =
+        ["cli-plugin-sort", "cli-plugin-name", "cli-plugin-crate", "cli-plugin-what", "cli-plugin-source"];
     output::print(&columns(&head.map(|id| text!(id)), &rows, style.words()))?;
     Ok(Status::Done)
 }

@@ -59,7 +59,7 @@ pub(crate) fn doubt_of(doubts: &[Notice], style: Style) -> Result<(), Fault> {
     doubted(doubts.iter().map(|doubt| text!("cli-note", note = doubt)).collect(), style)
 }
 
-fn doubted(told: Vec<Text>, style: Style) -> Result<(), Fault> {
+pub(super) fn doubted(told: Vec<Text>, style: Style) -> Result<(), Fault> {
     if style.strict && !told.is_empty() {
         return Err(Fault::Scene(text!("cli-strict", notes = joined("\n", told))));
     }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use assur_scene::edit::{Document, Key, Place, decimal, quoted, replaced, split};
+use assur_scene::edit::{Key, ParsedText, TextPlace, decimal, quoted, replaced, split};
 use assur_scene::{Dimension, Unit};
 use assur_words::{Text, name, text};
 use clap::Args;
@@ -32,8 +32,8 @@ pub(crate) struct SetArgs {
 pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &args.scene)?;
     let text = scene::open(&args.scene, Style { strict: false, ..style })?.text;
-    let document = Document::of(&text);
-    let mut places: Vec<(Place, String)> = Vec::new();
+    let document = ParsedText::of(&text);
+    let mut places: Vec<(TextPlace, String)> = Vec::new();
     if let Some([row, result]) = args.row.as_deref().and_then(|row| <&[String; 2]>::try_from(row).ok()) {
         for (column, number) in parameters(row, Path::new(result))? {
             let (found, dimension) = measured(&document, &column)?;
@@ -54,7 +54,7 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
         places.extend(found.into_iter().map(|place| (place, toml(value.trim()))));
     }
     let text = replaced(&text, places.iter().map(|(place, toml)| (&place.span, toml.as_str())));
-    let file = args.output.as_deref().unwrap_or(&args.scene).display().to_string();
+    let file = args.scene.display().to_string();
     let mechanism = assur_scene::read(&file, &text).map_err(|errors| scene::faults(&errors))?;
     scene::doubt_of(&mechanism.notes, style)?;
     output.write(&text, Status::Done)?;
@@ -68,7 +68,7 @@ fn toml(value: &str) -> String {
 }
 
 /// The number, SI, as it is written in the unit of a place of the scene; in SI where the unit would round it.
-fn in_unit_of(place: &Place, number: f64, dimension: Option<Dimension>) -> String {
+fn in_unit_of(place: &TextPlace, number: f64, dimension: Option<Dimension>) -> String {
     let unit = place.text.as_deref().and_then(split).map(|(_, unit)| unit).unwrap_or_default();
     let scale = dimension.filter(|_| !unit.is_empty()).and_then(|dimension| Unit::of(&unit, dimension).ok());
     let written = scale.map(|scale| (decimal(number / scale.si(1.0)), scale));
@@ -79,7 +79,7 @@ fn in_unit_of(place: &Place, number: f64, dimension: Option<Dimension>) -> Strin
 }
 
 /// The places of a parameter that a column holds, and what it measures: its name is the key, with the unit where it has one.
-fn measured(document: &Document<'_>, column: &str) -> Result<(Vec<Place>, Option<Dimension>), Fault> {
+fn measured(document: &ParsedText<'_>, column: &str) -> Result<(Vec<TextPlace>, Option<Dimension>), Fault> {
     let find = |key: &str| Key::parse(key).and_then(|key| document.find(&key));
     let first = match find(column) {
         Ok(places) => return Ok((places, None)),
@@ -95,7 +95,7 @@ fn measured(document: &Document<'_>, column: &str) -> Result<(Vec<Place>, Option
 
 /// The parameters of a row of a sweep: names of the columns before `status`, and their numbers.
 fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
-    let refused = |problem: Text| Fault::from(files::FileError::refused(result, problem));
+    let refused = |problem: Text| Fault::from(files::FileError::read(result, problem));
     let row: usize =
         row.parse().map_err(|_| Fault::Other(text!("cli-row-number", row = name(row.to_owned()))))?;
     if result.extension().is_some_and(|end| end.eq_ignore_ascii_case("parquet")) {
@@ -105,13 +105,15 @@ fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
         return found.ok_or_else(|| refused(text!("cli-no-row", row = assur_words::number(row))));
     }
     let table = files::read(result)?;
-    let mut lines = table.lines();
+    let mut lines = table.trim_start_matches('\u{feff}').lines();
     let cells = |line: &str| -> Vec<String> {
         line.split(',').map(|cell| cell.trim_matches('"').to_owned()).collect()
     };
     let header = lines.next().map(cells).unwrap_or_default();
-    let count =
-        header.iter().position(|name| name == "status").ok_or_else(|| refused(text!("cli-no-sweep")))?;
+    let count = header.iter().position(|name| name == "status").ok_or_else(|| {
+        let semicolons = header.iter().any(|cell| cell.contains(';'));
+        refused(if semicolons { text!("cli-semicolons") } else { text!("cli-no-sweep") })
+    })?;
     let line = lines
         .nth(row)
         .map(cells)

@@ -9,8 +9,8 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use assur_sweep::{MEASURES, Measure, Points, Request, Sweep, SweepError, Tally, Target, Tie, Vary};
-use assur_words::{Describe, Told, name, number, text};
+use assur_sweep::{MEASURES, Measure, Points, Sweep, SweepError, SweepRequest, Tally, Target, Tie, Vary};
+use assur_words::{Describe, Told, number, text};
 use clap::Args;
 
 use super::fault::{Fault, Status};
@@ -114,11 +114,18 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let ties = args.tie.iter().map(|tie| Tie::parse(tie)).collect::<Result<_, _>>().map_err(fault)?;
     let targets = args.target.iter().map(|target| Target::parse(target)).collect::<Result<_, _>>();
     let targets = targets.map_err(fault)?;
-    let request = Request { points, ties, targets, measures, options: scene::options(&args.methods, false)? };
+    let request =
+        SweepRequest { points, ties, targets, measures, options: scene::options(&args.methods, false)? };
     let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();
-    Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)
+    let sweep = Sweep::of(&file, &text, &vary.map_err(fault)?, request).map_err(fault)?;
+    let doubts = sweep.doubts().into_iter();
+    scene::doubted(
+        doubts.map(|(at, note)| text!("cli-sweep-doubt", point = at, note = note)).collect(),
+        style,
+    )?;
+    Ok(sweep)
 }
 
 fn fault(path: &Path, error: SweepError) -> Fault {
@@ -212,7 +219,7 @@ impl<'a> Job<'a> {
             "cli-sweep-failures",
             failures = number(failures),
             points = number(points),
-            point = name(self.sweep.describe(first)),
+            point = self.sweep.describe(first),
             message = self.sweep.failure(first).unwrap_or_default(),
         ));
         Status::Failed

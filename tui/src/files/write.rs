@@ -72,6 +72,13 @@ pub(crate) fn write_folder(
     }
     let created = !folder.exists();
     if created {
+        let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty() && !parent.is_dir());
+        if let Some(parent) = parent {
+            return Err(FileError::refused(
+                folder,
+                text!("file-no-folder", folder = name(parent.display().to_string())),
+            ));
+        }
         fs::create_dir(folder).map_err(|error| FileError::write(folder, error))?;
     }
     // Replacing several files is not atomic, so everything that can fail before is done first.

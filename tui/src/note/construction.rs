@@ -8,7 +8,7 @@ use assur_words::{joined, number, quantity, text};
 use super::NoteError;
 use super::context::Context;
 use crate::number::digits;
-use crate::screen::state::{Part, View};
+use crate::screen::state::{View, ViewPart};
 
 /// Height of a row of two stages, mm, and width of the page.
 const STAGES: [f64; 2] = [165.0, 95.0];
@@ -26,7 +26,7 @@ pub(super) fn construction(context: &mut Context<'_>, page: &mut Document) -> Re
     let mut panels: Vec<Panel> = Vec::new();
     for last in stages(drawn) {
         let figure = context.figure(View::Plans, position, |state| {
-            state.parts.insert(View::Plans, Part::Construction);
+            state.parts.insert(View::Plans, ViewPart::Construction);
             state.chosen.step = first + last;
         });
         let title = text!("note-construction-stage", last = number(last + 1));

@@ -2,14 +2,14 @@
 
 use assur_analysis::results::Owner;
 use assur_book::{Column, Document, Table, Unit, catalogue, row};
-use assur_diagram::Plan;
+use assur_diagram::VectorPlan;
 use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_report::topic;
 use assur_words::{Text, name, number, text};
 
 use super::context::{Context, still};
 use super::{NoteError, construction};
-use crate::screen::state::{Part, Reaction, Series, View};
+use crate::screen::state::{Reaction, Series, View, ViewPart};
 use crate::screen::view::{friction, plans, plots};
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
@@ -94,7 +94,7 @@ fn polygons(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
         let (places, of) = (text!("note-force-polygon", title = title(), place = context.places()), title());
         let vectors = vectors(&plans, text!("note-polygon-vectors", title = of));
         let figure = context.beside(View::Plans, |state| {
-            state.parts.insert(View::Plans, Part::Forces);
+            state.parts.insert(View::Plans, ViewPart::Forces);
             state.chosen.polygon = polygon;
         });
         page.figure(figure, POLYGONS, places);
@@ -104,13 +104,13 @@ fn polygons(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
 }
 
 /// The vectors of a polygon in each position.
-fn vectors(polygons: &[(usize, &Plan)], caption: Text) -> Table {
+fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
     let heads = [text!("note-position"), text!("head-vector"), text!("note-force"), text!("head-acts")];
     let size = Column::short(name("F"), Unit::of("N", 1.0));
     let mut table = Table::list(caption, heads.map(Column::of).into_iter().chain([size]));
     for (position, plan) in polygons {
         for (label, item) in
-            plans::labelled(Part::Forces, plan).into_iter().filter(|(label, _)| label != "..")
+            plans::labelled(ViewPart::Forces, plan).into_iter().filter(|(label, _)| label != "..")
         {
             table.row(row![number(position), name(label), item.name.clone(), item.note.clone(), item.size]);
         }
@@ -133,8 +133,8 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let together = context.first(View::Curves, |state| state.picked = moduli);
     page.figure(together, CURVE, text!("note-reactions-drawn"));
     let all = [
-        (most, Part::Overview, text!("note-reaction-curve", of)),
-        (balancing, Part::Curves, text!("note-balancing-curve")),
+        (most, ViewPart::Overview, text!("note-reaction-curve", of)),
+        (balancing, ViewPart::Curves, text!("note-balancing-curve")),
     ];
     for (index, part, caption) in all {
         let Some(index) = index else { continue };

@@ -6,7 +6,7 @@ use assur_book::{Block, Term};
 use assur_figure::svg::{self, escaped};
 use assur_words::{Text, text};
 
-use super::sheet::{self, Grid, Sheet};
+use super::sheet::{self, Grid, NoteSheet};
 
 /// Time of one turn of an animation, s.
 pub(super) const TURN: f64 = 6.0;
@@ -31,7 +31,7 @@ th, td { border: 0.3mm solid #666; padding: 0.6mm 1.5mm; text-align: left; } th 
 pub(super) const SHORT: usize = 16;
 
 /// The file.
-pub(super) fn write(sheet: &Sheet<'_>) -> String {
+pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
     let line = |text: &Text| rich(&sheet.line(text));
     let mut text = format!(
         "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<style>{STYLE}</style>\n\
@@ -99,7 +99,7 @@ fn rich(text: &str) -> String {
     sheet::rich(text, escaped, |low| format!("<sub>{}</sub>", escaped(low)))
 }
 
-fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
+fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let line = |text: &Text| escaped(&sheet.line(text));
     let term = |term: &Term| match term {
         Term::Name(letters, below) if below.is_empty() => format!("<i>{}</i>", line(letters)),

@@ -8,10 +8,10 @@ use assur_words::{Text, text};
 
 use super::Written;
 use super::html::TURN;
-use super::sheet::{self, Grid, Sheet};
+use super::sheet::{self, Grid, NoteSheet};
 
 /// The text, with links to files of figures in `folder`, and these files.
-pub(super) fn write(sheet: &Sheet<'_>, folder: &str) -> Written {
+pub(super) fn write(sheet: &NoteSheet<'_>, folder: &str) -> Written {
     let line = |text: &Text| rich(&sheet.line(text));
     let mut text = format!("# {}\n\n{}\n\n", rich(sheet.title), line(&text!("note-title")));
     for (what, who) in &sheet.author {
@@ -68,7 +68,7 @@ fn rich(text: &str) -> String {
 }
 
 /// An equation in the notation of TeX.
-fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
+fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let word = |text: &Text| {
         format!("\\text{{{}}}", sheet.line(text).replace('\\', "").replace(['{', '}', '$'], " "))
     };

@@ -20,7 +20,7 @@ use assur_words::{Describe, Language, Text, errors, name, text};
 
 use crate::screen::state::State;
 use context::Context;
-use sheet::Sheet;
+use sheet::NoteSheet;
 
 /// Most positions times parts of the mechanism in a note, whose figures and texts are all in memory: with eight times as many
 /// they took 4 GB.
@@ -99,7 +99,7 @@ pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) ->
     }
     positions.dedup();
     let document = parts::document(&mut Context { state, positions: &positions })?;
-    let sheet = Sheet { title: &title, author: sheet::author(note), document, language };
+    let sheet = NoteSheet { title: &title, author: sheet::author(note), document, language };
     Ok(match form {
         Form::Html => Written { text: html::write(&sheet), figures: Vec::new() },
         Form::Markdown => markdown::write(&sheet, folder),

@@ -10,7 +10,7 @@ use assur_words::{Text, list, name, number, text};
 
 use super::context::Context;
 use super::{NoteError, forces, formula};
-use crate::screen::state::{Part, View};
+use crate::screen::state::{View, ViewPart};
 use crate::screen::view::mechanism;
 
 /// Pages of a mechanism, of several ones beside each other, and of plans, mm.
@@ -114,8 +114,8 @@ fn kinematics(context: &mut Context<'_>, page: &mut Document) -> Result<(), Note
     let drawn = context.beside(View::Mechanism, |_| {});
     page.figure(drawn, MECHANISMS, text!("note-mechanism-at", place = context.places()));
     for (kind, caption) in [
-        (Part::Velocities, text!("note-velocity-plan", place = context.places())),
-        (Part::Accelerations, text!("note-acceleration-plan", place = context.places())),
+        (ViewPart::Velocities, text!("note-velocity-plan", place = context.places())),
+        (ViewPart::Accelerations, text!("note-acceleration-plan", place = context.places())),
     ] {
         let figure = context.beside(View::Plans, |state| {
             state.parts.insert(View::Plans, kind);
@@ -148,14 +148,14 @@ fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
     page.facts(text!("note-regime"), facts);
     reduced_inertia(context, page)?;
     let reduction = context.beside(View::Drive, |state| {
-        state.parts.insert(View::Drive, Part::Reduction);
+        state.parts.insert(View::Drive, ViewPart::Reduction);
     });
     let caption = text!("note-link-of-reduction", place = context.places());
     for (view, part, size, caption) in [
-        (View::Motion, Part::Course, CURVES, text!("note-speed-and-moments")),
-        (View::Drive, Part::Inertia, CURVE, text!("note-shares-drawn")),
-        (View::Drive, Part::EnergyMass, DIAGRAM, text!("note-energy-mass")),
-        (View::Motion, Part::Iteration, CURVES, text!("note-iteration-drawn")),
+        (View::Motion, ViewPart::Course, CURVES, text!("note-speed-and-moments")),
+        (View::Drive, ViewPart::Inertia, CURVE, text!("note-shares-drawn")),
+        (View::Drive, ViewPart::EnergyMass, DIAGRAM, text!("note-energy-mass")),
+        (View::Motion, ViewPart::Iteration, CURVES, text!("note-iteration-drawn")),
     ] {
         let figure = context.first(view, |state| {
             state.parts.insert(view, part);
@@ -166,7 +166,7 @@ fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
     context.tell(page, &[topic::iteration, topic::drive])?;
     // The last panel repeats the moments.
     let drive = context.first(View::Drive, |state| {
-        state.parts.insert(View::Drive, Part::Curves);
+        state.parts.insert(View::Drive, ViewPart::Curves);
     });
     let drive = drive.filter(|figure| figure.panels.len() > 1);
     let drive = drive.map(|mut figure| {
@@ -175,7 +175,7 @@ fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
     });
     page.figure(drive, CURVES, text!("note-characteristic"));
     let places = context.first(View::Drive, |state| {
-        state.parts.insert(View::Drive, Part::Places);
+        state.parts.insert(View::Drive, ViewPart::Places);
     });
     page.figure(places, PLACES, text!("note-places-drawn"));
     Ok(())

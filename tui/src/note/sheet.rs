@@ -6,7 +6,7 @@ use assur_scene::Note;
 use assur_words::{Language, Text, name, text, unit};
 
 /// A note that a form writes.
-pub(super) struct Sheet<'a> {
+pub(super) struct NoteSheet<'a> {
     /// The title of the scene.
     pub(super) title: &'a str,
     /// What the author says of himself, each behind its name.
@@ -33,7 +33,7 @@ pub(super) fn author(note: &Note) -> Vec<(Text, String)> {
     rows.into_iter().filter_map(|(what, who)| Some((what, who.clone()?))).collect()
 }
 
-impl Sheet<'_> {
+impl NoteSheet<'_> {
     pub(super) fn line(&self, text: &Text) -> String {
         // Signs of print, in every language; names need no quotes on paper.
         text.render(self.language).replace("->", "→").replace('`', "")

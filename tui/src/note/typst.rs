@@ -7,7 +7,7 @@ use assur_figure::svg;
 use assur_words::{Text, text};
 
 use super::html::SHORT;
-use super::sheet::{self, Grid, Sheet};
+use super::sheet::{self, Grid, NoteSheet};
 
 const STYLE: &str = "#set page(paper: \"a4\", margin: (left: 25mm, right: 15mm, y: 20mm), numbering: \"1\")
 #set text(font: (\"Libertinus Serif\", \"Liberation Serif\"), size: 11pt)
@@ -17,7 +17,7 @@ const STYLE: &str = "#set page(paper: \"a4\", margin: (left: 25mm, right: 15mm, 
 ";
 
 /// The file.
-pub(super) fn write(sheet: &Sheet<'_>) -> String {
+pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
     let line = |text: &Text| rich(&sheet.line(text));
     let (language, title) = (sheet.language.code, rich(sheet.title));
     let mut text = format!("{STYLE}#set text(lang: \"{language}\")\n#align(center + horizon)[\n");
@@ -83,7 +83,7 @@ fn rich(text: &str) -> String {
     sheet::rich(text, |part| format!("#{};", quoted(part)), |low| format!("#sub({})", quoted(low)))
 }
 
-fn equation(sheet: &Sheet<'_>, terms: &[Term]) -> String {
+fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
     let term = |term: &Term| match term {
         Term::Name(letters, below) => {
             let letters = sheet.line(letters);

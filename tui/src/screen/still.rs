@@ -10,7 +10,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use super::command::{self, COMMANDS, PAGE, picture};
-use super::state::{Found, Keymap, Look, Part, Scene, State, View};
+use super::state::{Found, Keymap, Look, Scene, State, View, ViewPart};
 use super::view;
 use crate::session::Session;
 
@@ -155,7 +155,7 @@ fn choose_part(state: &mut State, wanted: &str) -> Result<(), Text> {
         return Err(text!("draw-no-part", part = name(wanted.to_owned()), parts = names));
     };
     state.parts.insert(view, *part);
-    if *part == Part::Construction {
+    if *part == ViewPart::Construction {
         state.chosen.step = usize::MAX;
     }
     Ok(())
@@ -164,7 +164,7 @@ fn choose_part(state: &mut State, wanted: &str) -> Result<(), Text> {
 /// A step of the construction that is shown, counted from 1.
 fn choose_step(state: &mut State, step: usize) -> Result<(), Text> {
     let plans = state.found().map(|found| found.plans.at(state.position));
-    let is_drawn = state.view == View::Plans && state.part(View::Plans) == Part::Construction;
+    let is_drawn = state.view == View::Plans && state.part(View::Plans) == ViewPart::Construction;
     let Some(plans) = plans.filter(|plans| is_drawn && plans.step_count() > 0) else {
         let options = name("--view plans --part construction");
         return Err(text!("draw-step-of-construction", step = name("--step"), options = options));

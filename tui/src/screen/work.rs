@@ -100,7 +100,7 @@ fn measure(request: &CalculationRequest, watch: &mut Watch<'_>) -> Measured {
         })
     };
     let chart = match session.linkage() {
-        Ok(linkage) => chart::chart(&linkage, &mut clock, chart::Options::QUICK, &mut see)
+        Ok(linkage) => chart::chart(&linkage, &mut clock, chart::ChartOptions::QUICK, &mut see)
             .map_err(|error| error.describe()),
         Err(error) => Err(error.describe()),
     };

@@ -1,8 +1,8 @@
 //! The whole result.
 
 use assur_check::Check;
-use assur_diagram::{Enveloping, Extreme, Hodograph, Sheet, SignChange};
-use assur_integrator::{Event, State, Statistics};
+use assur_diagram::{Enveloping, Extreme, Hodograph, PlanSheet, SignChange};
+use assur_integrator::{Event, SolutionCost, State};
 use assur_mechanism::{LinkId, Name, Named, Notice, SlideId};
 use assur_words::{Text, text};
 use indexmap::IndexMap;
@@ -119,7 +119,7 @@ pub struct PositionPlans {
     pub index: usize,
     /// All plans.
     #[serde(flatten)]
-    pub sheet: Sheet,
+    pub sheet: PlanSheet,
 }
 
 /// How a transient motion was found.
@@ -137,7 +137,7 @@ pub struct Integration {
     pub tolerance: f64,
     /// Cost of the solution.
     #[serde(flatten)]
-    pub statistics: Statistics,
+    pub statistics: SolutionCost,
     /// The state in which the motion ended.
     pub end: State,
     /// Turns of the input from the start to the end, positive along the growing coordinate; absent where it slides.

@@ -32,13 +32,13 @@ pub use crate::angles::Starts;
 pub use crate::edges::Edges;
 pub use crate::extremes::{Peaks, Turn};
 pub use crate::friction::FrictionCycle;
-pub use crate::several::{Load, Several, SolutionReport};
+pub use crate::several::{ForceOrMoment, Several, SolutionReport};
 pub use analysis::{
     Analysis, Checks, Cycle, Energy, Failure, InputReport, Integration, PositionPlans, Residual,
 };
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
-pub use assur_integrator::{Event, State, Statistics};
+pub use assur_integrator::{Event, SolutionCost, State};
 pub use column::{Column, Owner, Part, Quantity};
 pub use dynamics::{
     AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,

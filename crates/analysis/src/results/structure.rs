@@ -3,7 +3,7 @@
 use assur_group::{Mode, Order, Pair};
 use assur_kinematics::{Length, Linkage, Misfit, Modes, mobility_in};
 use assur_mechanism::{GROUND, LinkId, Mechanism, Name, Named, PairId, Point};
-use assur_structure::Part;
+use assur_structure::PassivePart;
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -86,11 +86,13 @@ pub struct GroupReport {
     pub inner: Vec<Named<PairId>>,
     /// Pairs to links solved before.
     pub outer: Vec<Named<PairId>>,
-    /// The assembly in the first position, counted as the kind documents; `None` where the kind can't list them, or the first
-    /// position can't be assembled.
-    pub way: Option<usize>,
-    /// In how many ways it can be assembled there.
-    pub ways: Option<usize>,
+    /// The assembly mode in the first position, counted as the kind documents; `None` where the kind can't list them, or the first
+    /// position can't be assembled. Results call it `way`.
+    #[serde(rename = "way")]
+    pub mode: Option<usize>,
+    /// How many modes there are in the first position; results call it `ways`.
+    #[serde(rename = "ways")]
+    pub mode_count: Option<usize>,
     /// All of them, in the first position.
     pub modes: Option<Vec<ModeReport>>,
 }
@@ -98,8 +100,9 @@ pub struct GroupReport {
 /// One real assembly of a group.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeReport {
-    /// Its number, from 0.
-    pub way: usize,
+    /// Its number, from 0; results call it `way`.
+    #[serde(rename = "way")]
+    pub mode: usize,
     /// Places of the points of the group's links but the outer pins, m.
     pub points: IndexMap<String, [f64; 2]>,
     /// 1 / determinant: how near it is to a singular position; `None` in one.
@@ -123,10 +126,10 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
 }
 
 /// A part in words: `link rod3`.
-pub(crate) fn part(mechanism: &Mechanism, part: Part) -> Text {
+pub(crate) fn part(mechanism: &Mechanism, part: PassivePart) -> Text {
     match part {
-        Part::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
-        Part::Pair(pair, link) => text!(
+        PassivePart::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
+        PassivePart::Pair(pair, link) => text!(
             "analysis-passive-pair",
             pair = &mechanism.named_pair(pair),
             link = &mechanism.named_link(link)
@@ -139,7 +142,7 @@ pub fn passive(linkage: &Linkage) -> Vec<PassiveReport> {
     let mechanism = &linkage.mechanism;
     let of = |found: &Misfit| PassiveReport {
         what: part(mechanism, found.part),
-        link: if let Part::Link(link) = found.part { Some(link) } else { None },
+        link: if let PassivePart::Link(link) = found.part { Some(link) } else { None },
         misfit: found.misfit,
         limit: found.limit,
         at: found.at,
@@ -223,11 +226,11 @@ fn group(linkage: &Linkage, index: usize, modes: Option<Modes>) -> GroupReport {
         links: found.frame.links.iter().map(|&link| mechanism.named_link(link)).collect(),
         inner: found.frame.inner.iter().map(pair).collect(),
         outer: found.outer().iter().map(pair).collect(),
-        way: modes.as_ref().filter(|modes| !modes.all.is_empty()).map(|modes| modes.number(modes.present)),
-        ways: modes.as_ref().map(|modes| modes.all.len()),
+        mode: modes.as_ref().filter(|modes| !modes.all.is_empty()).map(|modes| modes.number(modes.present)),
+        mode_count: modes.as_ref().map(|modes| modes.all.len()),
         modes: modes.map(|modes| {
             let told = |(number, mode): (usize, &Mode<f64>)| ModeReport {
-                way: modes.number(number),
+                mode: modes.number(number),
                 points: points(linkage, index, mode),
                 condition: (mode.health > f64::MIN_POSITIVE).then(|| 1.0 / mode.health),
             };

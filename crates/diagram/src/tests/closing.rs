@@ -4,10 +4,10 @@ use assur_group::plane::{minus, plus};
 
 use super::{all, reactions, solved, state};
 use crate::plan::length;
-use crate::{Plan, VectorKind, acceleration_plan, force_polygons, velocity_plan};
+use crate::{VectorKind, VectorPlan, acceleration_plan, force_polygons, velocity_plan};
 
 /// Sum of the sides of a polygon, over the greatest of them.
-fn left_open(plan: &Plan) -> f64 {
+fn left_open(plan: &VectorPlan) -> f64 {
     let sides = || plan.items.iter().filter(|item| item.kind != VectorKind::Inner);
     let sum = sides().fold([0.0; 2], |sum, side| plus(sum, minus(side.end, side.start)));
     let greatest = sides().map(|side| side.size).fold(0.0, f64::max);
@@ -38,7 +38,7 @@ fn polygons_close() {
 }
 
 /// Each side begins where the one before ends, and the diagonal ends in the first corner.
-fn ends_meet(plan: &Plan) {
+fn ends_meet(plan: &VectorPlan) {
     let sides: Vec<_> = plan.items.iter().filter(|item| item.kind != VectorKind::Inner).collect();
     assert!(sides.windows(2).all(|two| length(minus(two[0].end, two[1].start)) == 0.0), "{}", plan.title);
     let diagonals: Vec<_> = plan.items.iter().filter(|item| item.kind == VectorKind::Inner).collect();

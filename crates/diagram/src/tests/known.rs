@@ -9,7 +9,7 @@ const PARALLELOGRAM: &str = "[ground]\npoints = { O = 0, C = 0.3 }\n[link.crank]
     [link.rod]\npoints = { A = 0, B = 0.3 }\n[link.rocker]\npoints = { C = 0, B = 0.1 }\n\
     [input]\nlink = 'crank'\nfrom = 1\n[assembly]\nB = [0.354, 0.084]\n";
 
-fn vector<'a>(plan: &'a crate::Plan, name: &str) -> &'a crate::PlanVector {
+fn vector<'a>(plan: &'a crate::VectorPlan, name: &str) -> &'a crate::PlanVector {
     plan.items.iter().find(|item| item.name.to_string() == name).unwrap_or_else(|| panic!("{name}"))
 }
 

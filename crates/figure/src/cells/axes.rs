@@ -4,7 +4,7 @@ use assur_words::{Language, number};
 use unicode_width::UnicodeWidthStr;
 
 use super::raster::{short, whole};
-use super::{Look, Spot, draw_marks, heading};
+use super::{Look, Spot, draw_marks, headed, heading};
 use crate::axis::{Axis, Kind};
 use crate::model::{Cursor, Frame, Ink, Item, Panel, Point, Stroke};
 use crate::number::plain;
@@ -48,7 +48,9 @@ pub(super) fn draw(panel: &Panel, shows_axis: bool, [width, height]: [u16; 2], l
     if width <= LABELS + 2 || height < below + 2 {
         return Vec::new();
     }
-    let size = [columns(width), height - 1 - below];
+    let title = heading(&panel.heading().render(look.language), width - 1, height - below);
+    let above = short(title.len());
+    let size = [columns(width), height - above - below];
     let map = Map { x, y, size };
     // Widths of a cell, as the marks want it.
     let place = |at: Point| [map.column(at[0]), map.row(at[1]) * look.ratio];
@@ -70,20 +72,21 @@ pub(super) fn draw(panel: &Panel, shows_axis: bool, [width, height]: [u16; 2], l
         }
     }
     spots.extend(labels.into_spots());
-    let plot = spots.into_iter().map(|spot| Spot { column: spot.column + LABELS, row: spot.row + 1, ..spot });
+    let plot =
+        spots.into_iter().map(|spot| Spot { column: spot.column + LABELS, row: spot.row + above, ..spot });
     let mut spots: Vec<Spot> = plot.collect();
     // A long title begins above the labels of the axis.
-    let title = panel.heading().render(look.language);
-    let room = (width - 1).saturating_sub(short(title.chars().count()));
-    spots.push(heading(&title, LABELS.min(room), width - 1));
-    spots.extend(vertical(&map, look.language));
+    let longest = title.iter().map(|line| short(line.width())).max().unwrap_or(0);
+    spots.extend(headed(title, LABELS.min((width - 1).saturating_sub(longest))));
+    let labels = vertical(&map, look.language).into_iter();
+    spots.extend(labels.map(|spot| Spot { row: spot.row + above, ..spot }));
     if shows_axis {
         spots.extend(horizontal(&map, width, height, look.language));
     }
     spots
 }
 
-/// The greatest value in the first row of the plot, the least in the last one, zero between them.
+/// Rows of the plot: the greatest value in the first one, the least in the last one, zero between them.
 fn vertical(map: &Map<'_>, language: &Language) -> Vec<Spot> {
     let rows = map.size[1];
     let [low, high] = map.y.range;
@@ -94,13 +97,11 @@ fn vertical(map: &Map<'_>, language: &Language) -> Vec<Spot> {
     }
     // Where equal ratios are drawn, a small number is as good as a great one.
     let least = if map.y.kind == Kind::Logarithmic { 0.0 } else { ROUNDING * low.abs().max(high.abs()) };
-    let line =
-        (0..rows)
-            .map(|row| Spot { column: LABELS - 1, row: row + 1, text: "│".to_owned(), ink: Ink::Text });
+    let line = (0..rows).map(|row| Spot { column: LABELS - 1, row, text: "│".to_owned(), ink: Ink::Text });
     let numbers = labels.into_iter().map(|(row, value)| {
         let text = number(plain(if value.abs() <= least { 0.0 } else { value })).render(language);
         let column = LABELS.saturating_sub(short(text.width()) + 1);
-        Spot { column, row: row + 1, text, ink: Ink::Text }
+        Spot { column, row, text, ink: Ink::Text }
     });
     line.chain(numbers).collect()
 }

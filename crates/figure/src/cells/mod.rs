@@ -38,7 +38,7 @@ pub struct Look {
     pub ratio: f64,
     /// Zoom and pan of planes.
     pub zoom: Zoom,
-    /// In the words of which language.
+    /// The language of the words.
     pub language: &'static Language,
 }
 
@@ -192,8 +192,37 @@ pub fn cut(text: &str, width: usize) -> String {
     kept
 }
 
-/// The heading of a panel in its first row.
-fn heading(title: &str, column: u16, width: u16) -> Spot {
-    let text = cut(title, usize::from(width.saturating_sub(column)));
-    Spot { column, row: 0, text, ink: Ink::Title }
+/// Most rows of a heading, and the fewest that it leaves to the drawing below it.
+const HEADING: u16 = 3;
+const DRAWING: u16 = 4;
+
+/// The heading of a panel in rows of at most this many columns, broken where two spaces part what it names, or else between words;
+/// of `rows` rows it leaves enough to the drawing.
+fn heading(title: &str, width: u16, rows: u16) -> Vec<String> {
+    let most = usize::from(rows.saturating_sub(DRAWING).clamp(1, HEADING));
+    let width = usize::from(width);
+    let mut lines: Vec<String> = Vec::new();
+    for part in title.split("  ") {
+        let whole = part.width() <= width;
+        for (index, piece) in part.split(if whole { "  " } else { " " }).enumerate() {
+            let gap = if index == 0 { "  " } else { " " };
+            match lines.last_mut().filter(|line| line.width() + gap.len() + piece.width() <= width) {
+                Some(line) => {
+                    line.push_str(gap);
+                    line.push_str(piece);
+                }
+                None => lines.push(piece.to_owned()),
+            }
+        }
+    }
+    let rest = lines.split_off(lines.len().min(most));
+    if let Some(last) = lines.last_mut().filter(|_| !rest.is_empty()) {
+        *last = cut(&format!("{last}  {}", rest.join("  ")), width);
+    }
+    lines.iter().map(|line| cut(line, width)).collect()
+}
+
+/// The rows of a heading, from a column on.
+fn headed(lines: Vec<String>, column: u16) -> impl Iterator<Item = Spot> {
+    (0..).zip(lines).map(move |(row, text)| Spot { column, row, text, ink: Ink::Title })
 }

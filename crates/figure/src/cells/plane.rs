@@ -3,7 +3,7 @@
 use assur_words::{Language, quantity};
 
 use super::raster::{short, whole};
-use super::{Look, Spot, draw_marks, heading};
+use super::{Look, Spot, draw_marks, headed, heading};
 use crate::bounds::Bounds;
 use crate::model::{Frame, Ink, Panel, Point};
 use crate::number::{plain, round_length};
@@ -50,14 +50,19 @@ impl Map {
 }
 
 /// Rows of a panel above and below its drawing: the heading, the scale.
-fn around(panel: &Panel) -> [u16; 2] {
-    [u16::from(!panel.title.is_empty()), 1]
+fn around(panel: &Panel, [width, height]: [u16; 2], look: Look) -> [u16; 2] {
+    [short(title(panel, [width, height], look).len()), 1]
+}
+
+fn title(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<String> {
+    let title = panel.title.render(look.language);
+    if title.is_empty() { Vec::new() } else { heading(&title, width, height) }
 }
 
 /// Width of a cell in the units of the plane, for a panel of so many columns and rows.
 pub fn cell_width(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Option<f64> {
     let Frame::Plane { bounds, .. } = &panel.frame else { return None };
-    let rows = height.saturating_sub(around(panel).iter().sum());
+    let rows = height.saturating_sub(around(panel, [width, height], look).iter().sum());
     Some(Map::fit(bounds, [width, rows], look).unit)
 }
 
@@ -69,7 +74,7 @@ pub fn point_at(
     [column, row]: [u16; 2],
 ) -> Option<Point> {
     let Frame::Plane { bounds, .. } = &panel.frame else { return None };
-    let [above, below] = around(panel);
+    let [above, below] = around(panel, [width, height], look);
     let rows = height.checked_sub(above + below)?;
     let row = row.checked_sub(above).filter(|row| *row < rows && column < width)?;
     let map = Map::fit(bounds, [width, rows], look);
@@ -81,7 +86,7 @@ pub(super) fn draw(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<
     if width < LEAST[0] || height < LEAST[1] {
         return Vec::new();
     }
-    let [above, below] = around(panel);
+    let [above, below] = around(panel, [width, height], look);
     let size = [width, height - above - below];
     let map = Map::fit(bounds, size, look);
     let paper = Paper { place: |at| map.place(at), em: look.ratio, gap: 0.4 };
@@ -89,7 +94,7 @@ pub(super) fn draw(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<
     let (raster, labels) = draw_marks(&marks, size, look);
     let spots = raster.spots().chain(labels.into_spots());
     let mut spots: Vec<_> = spots.map(|spot| Spot { row: spot.row + above, ..spot }).collect();
-    spots.push(heading(&panel.title.render(look.language), 0, width));
+    spots.extend(headed(title(panel, [width, height], look), 0));
     if bounds.size().iter().any(|side| *side != 0.0) {
         let text = bar(map.unit, *factor, unit, look.language);
         spots.push(Spot { column: 0, row: height - below, text, ink: Ink::Dim });

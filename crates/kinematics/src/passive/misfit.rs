@@ -3,7 +3,7 @@
 use assur_group::{Body, Order, Pair, PairGeometry};
 use assur_mechanism::{Mechanism, PairId, Range};
 use assur_number::search::least;
-use assur_structure::{NamedPair, Part, Passive, Structure};
+use assur_structure::{NamedPair, Passive, PassivePart, Structure};
 
 use crate::passive::hang::Hanging;
 use crate::{Linkage, Position};
@@ -21,7 +21,7 @@ const STEPS: usize = 12;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Misfit {
     /// The part.
-    pub part: Part,
+    pub part: PassivePart,
     /// Greatest distance between the two places that a pair of it should keep together; of a slide the greater of the distance
     /// and of the angle times the size of the mechanism, m.
     pub misfit: f64,

@@ -2,7 +2,7 @@
 
 use assur_group::{Mode, Order};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, Slide};
-use assur_structure::{Excess, Part, Structure, SurplusCause};
+use assur_structure::{Excess, PassivePart, Structure, SurplusCause};
 
 use crate::Linkage;
 use crate::passive::hang::Hanging;
@@ -64,9 +64,9 @@ struct Choice {
 /// A search through the parts, last ones first.
 struct Search<'a> {
     mechanism: &'a Mechanism,
-    candidates: Vec<Part>,
+    candidates: Vec<PassivePart>,
     /// Slides that repeat another one between the same links.
-    doubled: Vec<Part>,
+    doubled: Vec<PassivePart>,
     /// Counts of equations that are left.
     counted: usize,
     /// Mechanisms that may still be compiled.
@@ -76,7 +76,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Leaves out further parts, from a candidate on; whether a choice was found that fits.
-    fn go(&mut self, chosen: &mut Vec<Part>, from: usize) -> bool {
+    fn go(&mut self, chosen: &mut Vec<PassivePart>, from: usize) -> bool {
         let now = self.excess(chosen);
         if now.loose {
             return false;
@@ -104,25 +104,26 @@ impl Search<'_> {
     }
 
     /// The parts that are left out: the chosen ones, and doubled slides of other links.
-    fn parts(&self, chosen: &[Part]) -> Vec<Part> {
-        let stays = |part: &&Part| match **part {
-            Part::Pair(PairId::Slide(slide), _) => {
+    fn parts(&self, chosen: &[PassivePart]) -> Vec<PassivePart> {
+        let stays = |part: &&PassivePart| match **part {
+            PassivePart::Pair(PairId::Slide(slide), _) => {
                 let Slide { link, on, .. } = self.mechanism.slides[slide];
-                ![link, on].iter().any(|link| chosen.contains(&Part::Link(*link))) && !chosen.contains(part)
+                ![link, on].iter().any(|link| chosen.contains(&PassivePart::Link(*link)))
+                    && !chosen.contains(part)
             }
             _ => true,
         };
         chosen.iter().copied().chain(self.doubled.iter().filter(stays).copied()).collect()
     }
 
-    fn excess(&self, chosen: &[Part]) -> Excess {
+    fn excess(&self, chosen: &[PassivePart]) -> Excess {
         Excess::of(self.mechanism, &self.parts(chosen))
     }
 
     /// Whether the pairs of a link with those that remain could place it.
-    fn is_placed_by_others(&self, part: Part, chosen: &[Part]) -> bool {
-        let Part::Link(link) = part else { return !self.doubled.contains(&part) };
-        let remains = |other: LinkId| other != link && !chosen.contains(&Part::Link(other));
+    fn is_placed_by_others(&self, part: PassivePart, chosen: &[PassivePart]) -> bool {
+        let PassivePart::Link(link) = part else { return !self.doubled.contains(&part) };
+        let remains = |other: LinkId| other != link && !chosen.contains(&PassivePart::Link(other));
         let mechanism = self.mechanism;
         let pins = mechanism.points.iter().filter(|point| {
             let links = || point.places.iter().map(|place| place.link);
@@ -135,7 +136,7 @@ impl Search<'_> {
     }
 
     /// Compiles the mechanism without the chosen parts; whether all of them fit.
-    fn try_out(&mut self, chosen: &[Part]) -> bool {
+    fn try_out(&mut self, chosen: &[PassivePart]) -> bool {
         let Ok(structure) = Structure::without(self.mechanism, &self.parts(chosen)) else { return false };
         let hangs = |frame| Hanging::<f64>::of(frame).is_some();
         if !structure.passive.iter().all(|one| one.frame.links.is_empty() || hangs(&one.frame)) {
@@ -211,7 +212,7 @@ fn others(linkage: &Linkage, group: usize) -> Vec<Vec<(PointId, [f64; 2])>> {
 }
 
 /// Links from the last to the first, then slides, then pins likewise; without the input and the link that balances.
-fn candidates(mechanism: &Mechanism) -> Vec<Part> {
+fn candidates(mechanism: &Mechanism) -> Vec<PassivePart> {
     let input = &mechanism.input;
     let balanced = match mechanism.balance {
         Some(Balance::Moment(link)) => Some(link),
@@ -219,22 +220,22 @@ fn candidates(mechanism: &Mechanism) -> Vec<Part> {
         None => None,
     };
     let links = (1..mechanism.links.len()).rev();
-    let links = links.filter(|link| *link != input.link && Some(*link) != balanced).map(Part::Link);
+    let links = links.filter(|link| *link != input.link && Some(*link) != balanced).map(PassivePart::Link);
     let slides = mechanism.slides.iter().enumerate().rev();
     let slides = slides
         .filter(|(id, _)| input.pair != InputPair::Slide(*id))
-        .map(|(id, slide)| Part::Pair(PairId::Slide(id), slide.link));
+        .map(|(id, slide)| PassivePart::Pair(PairId::Slide(id), slide.link));
     let pins = mechanism.points.iter().enumerate().rev();
     let pins = pins.filter(|(id, point)| point.is_pin() && input.pair != InputPair::Pin(*id));
     let pins = pins.flat_map(|(id, point)| {
         let moving = point.places.iter().skip(1).rev().filter(|place| place.link != GROUND);
-        moving.map(move |place| Part::Pair(PairId::Pin(id), place.link))
+        moving.map(move |place| PassivePart::Pair(PairId::Pin(id), place.link))
     });
     links.chain(slides).chain(pins).collect()
 }
 
 /// Slides that repeat another one between the same links, of which the input's or else the first one stays.
-fn doubled(mechanism: &Mechanism) -> Vec<Part> {
+fn doubled(mechanism: &Mechanism) -> Vec<PassivePart> {
     // Ends in a fixed order, and the direction of the guide in the first of them.
     let seen = |slide: &Slide| {
         if slide.link < slide.on {
@@ -256,6 +257,6 @@ fn doubled(mechanism: &Mechanism) -> Vec<Part> {
     slides()
         .rev()
         .filter(|(id, slide)| repeats(*id, slide))
-        .map(|(id, slide)| Part::Pair(PairId::Slide(id), slide.link))
+        .map(|(id, slide)| PassivePart::Pair(PairId::Slide(id), slide.link))
         .collect()
 }

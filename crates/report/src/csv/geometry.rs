@@ -3,7 +3,7 @@
 use assur_geometry::{AtPosition, CenterAt, Geometry};
 use assur_shaking::Shaking;
 
-use super::{Cell, CsvError, write};
+use super::{CsvCell, CsvError, write};
 
 /// Centers of the links, curvature of the paths and force angles in every position, SI.
 pub fn geometry(found: &Geometry, ascii: bool) -> Result<String, CsvError> {
@@ -26,11 +26,11 @@ pub fn geometry(found: &Geometry, ascii: bool) -> Result<String, CsvError> {
     write(&header, found.positions.iter().map(|at| row(found, at)), ascii)
 }
 
-fn row(found: &Geometry, at: &AtPosition) -> Vec<Cell<'static>> {
-    let mut cells = vec![Cell::Number(at.index as f64), Cell::Number(at.coordinate)];
-    let place = |cells: &mut Vec<Cell<'static>>, place: Option<[f64; 2]>| match place {
-        Some(place) => cells.extend(place.map(Cell::Number)),
-        None => cells.extend([Cell::Empty; 2]),
+fn row(found: &Geometry, at: &AtPosition) -> Vec<CsvCell<'static>> {
+    let mut cells = vec![CsvCell::Number(at.index as f64), CsvCell::Number(at.coordinate)];
+    let place = |cells: &mut Vec<CsvCell<'static>>, place: Option<[f64; 2]>| match place {
+        Some(place) => cells.extend(place.map(CsvCell::Number)),
+        None => cells.extend([CsvCell::Empty; 2]),
     };
     for centers in at.links.values() {
         let center = if let CenterAt::Point(center) = centers.center { Some(center) } else { None };
@@ -40,10 +40,10 @@ fn row(found: &Geometry, at: &AtPosition) -> Vec<Cell<'static>> {
     }
     for name in found.points.keys() {
         let curvature = at.points.get(name);
-        cells.push(curvature.map_or(Cell::Empty, |found| Cell::Number(found.curvature)));
+        cells.push(curvature.map_or(CsvCell::Empty, |found| CsvCell::Number(found.curvature)));
         place(&mut cells, curvature.and_then(|found| found.center));
     }
-    cells.extend(at.angles.iter().map(|&angle| Cell::Number(angle)));
+    cells.extend(at.angles.iter().map(|&angle| CsvCell::Number(angle)));
     cells
 }
 
@@ -60,7 +60,7 @@ pub fn shaking(found: &Shaking, ascii: bool) -> Result<String, CsvError> {
         cells.extend(at.force);
         cells.extend([at.moment, at.torque]);
         cells.extend(at.balanced.iter().flatten());
-        cells.into_iter().map(Cell::Number).collect::<Vec<_>>()
+        cells.into_iter().map(CsvCell::Number).collect::<Vec<_>>()
     };
     write(&header, found.positions.iter().map(row), ascii)
 }

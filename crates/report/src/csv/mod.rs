@@ -47,7 +47,7 @@ impl Describe for CsvError {
 
 /// One cell of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Cell<'a> {
+pub enum CsvCell<'a> {
     /// Does not apply.
     Empty,
     /// A number, SI.
@@ -64,7 +64,7 @@ pub fn write<'a, R>(
     ascii: bool,
 ) -> Result<String, CsvError>
 where
-    R: IntoIterator<Item = Cell<'a>>,
+    R: IntoIterator<Item = CsvCell<'a>>,
 {
     Ok(self::header(header, ascii)? + &self::rows(header, rows, ascii)?)
 }
@@ -76,23 +76,23 @@ pub fn rows<'a, R>(
     ascii: bool,
 ) -> Result<String, CsvError>
 where
-    R: IntoIterator<Item = Cell<'a>>,
+    R: IntoIterator<Item = CsvCell<'a>>,
 {
     let mut text = Vec::new();
     let mut writer = Writer::from_writer(Vec::new());
     for (index, row) in rows.into_iter().enumerate() {
         for (cell, name) in row.into_iter().zip(header) {
             match cell {
-                Cell::Empty => writer.write_field("")?,
-                Cell::Number(value) if value.is_finite() => {
+                CsvCell::Empty => writer.write_field("")?,
+                CsvCell::Number(value) if value.is_finite() => {
                     text.clear();
                     number(value, &mut text);
                     writer.write_field(&text)?;
                 }
-                Cell::Number(_) => {
+                CsvCell::Number(_) => {
                     return Err(CsvError::NotFinite { column: name.as_ref().to_owned(), row: index + 1 });
                 }
-                Cell::Text(text) => writer.write_field(&*harmless(text, ascii))?,
+                CsvCell::Text(text) => writer.write_field(&*harmless(text, ascii))?,
             }
         }
         writer.write_record(None::<&[u8]>)?;

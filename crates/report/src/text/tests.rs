@@ -7,7 +7,7 @@ use assur_all as _;
 use assur_analysis::results::Check;
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_book::{Column, Document, Table, Unit, row};
-use assur_diagram::{Plan, PlanVector, Sheet, VectorKind};
+use assur_diagram::{PlanSheet, PlanVector, VectorKind, VectorPlan};
 use assur_words::{Language, Text, name, number};
 
 fn ascii() -> Style<'static> {
@@ -112,7 +112,7 @@ fn a_sample_of_the_positions_is_named() {
 }
 
 /// The plans of the press, whose velocities are replaced by two vectors.
-fn sheet_of(vectors: [[f64; 2]; 2]) -> Sheet {
+fn sheet_of(vectors: [[f64; 2]; 2]) -> PlanSheet {
     let mechanism = assur_scene::read("press", assur_fixtures::scene("press")).unwrap();
     let calculation = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
     let sheet = calculation.sheet(3).unwrap();
@@ -127,9 +127,14 @@ fn sheet_of(vectors: [[f64; 2]; 2]) -> Sheet {
         note: assur_words::name("load on `arm`"),
     };
     let items = ["one", "other"].into_iter().zip(vectors).map(item).collect();
-    let velocities =
-        Plan { title: assur_words::name("Two"), unit: "N".to_owned(), scale: 0.2, items, ..sheet.velocities };
-    Sheet { velocities, ..sheet }
+    let velocities = VectorPlan {
+        title: assur_words::name("Two"),
+        unit: "N".to_owned(),
+        scale: 0.2,
+        items,
+        ..sheet.velocities
+    };
+    PlanSheet { velocities, ..sheet }
 }
 
 #[test]

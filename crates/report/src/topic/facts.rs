@@ -28,7 +28,7 @@ pub enum About {
 /// All results that are asked for first, each with what it is about.
 pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
     let place = Units::of(analysis.input.angular).coordinate;
-    let mut forces = reactions(analysis, place);
+    let mut forces = reactions(analysis, linkage, place);
     forces.extend(balancing(analysis, linkage, place));
     let main = [
         "fact-mean-speed",
@@ -132,13 +132,22 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     facts
 }
 
-fn reactions(analysis: &Analysis, place: Unit) -> Vec<Fact> {
+/// What is below this part of the greatest reaction, or of its moment over the size of the mechanism, is rounding.
+const ROUNDING: f64 = 1e-13;
+
+fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let schema = analysis.positions.schema();
     let named = |owner| schema.named(owner).map(Text::from).unwrap_or_default();
     let mut facts = Vec::new();
-    for (pair, links) in shown(&analysis.positions) {
+    let pairs = shown(&analysis.positions);
+    let moduli = pairs.iter().flat_map(|(pair, links)| {
+        links.iter().filter_map(|link| farthest(analysis, force(*pair, *link).part(Part::Modulus)))
+    });
+    let floor = ROUNDING * moduli.fold(0.0, |most: f64, turn| most.max(turn.value.abs()));
+    for (pair, links) in pairs {
         let of_pair = |id: &'static str, column: Column, unit: Unit| {
-            let turn = farthest(analysis, column).filter(|turn| turn.value != 0.0)?;
+            let lever = if unit == MOMENT { linkage.structure.scale } else { 1.0 };
+            let turn = farthest(analysis, column).filter(|turn| turn.value.abs() > floor * lever)?;
             let fact = Fact::number(id, turn.value, unit).of("pair", named(Owner::Pair(pair)));
             Some(fact.at(&[turn.at], place).about(column))
         };

@@ -1,14 +1,14 @@
 //! The plans of a position as tables.
 
 use assur_book::{Cell, Column, Document, Table, Unit, row};
-use assur_diagram::{JointForce, Plan, PlanVector, Sheet, Split};
+use assur_diagram::{JointForce, PlanSheet, PlanVector, Split, VectorPlan};
 use assur_geometry::{Center, CenterAt};
 use assur_words::{Text, name, number, text, unit};
 
 use super::units::FORCE;
 
 /// All plans of a position, one table after the other.
-pub fn plans(sheet: &Sheet, page: &mut Document) {
+pub fn plans(sheet: &PlanSheet, page: &mut Document) {
     plan(&sheet.velocities, page);
     plan(&sheet.accelerations, page);
     centers(&sheet.centers, page);
@@ -17,7 +17,7 @@ pub fn plans(sheet: &Sheet, page: &mut Document) {
 }
 
 /// A plan: name, size and direction of every vector, its start, its meaning; then the points.
-fn plan(plan: &Plan, page: &mut Document) {
+fn plan(plan: &VectorPlan, page: &mut Document) {
     let title = plan.title.clone();
     let (own, residual) = (unit(plan.unit.clone()), number(format_args!("{:.1e}", plan.residual)));
     page.blocks.push(assur_book::Block::Subheading(if plan.scale > 0.0 {

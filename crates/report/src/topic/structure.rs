@@ -117,8 +117,8 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
         text!("head-links"),
         text!("head-inner"),
         text!("head-outer"),
-        text!("head-way"),
-        text!("head-ways"),
+        text!("head-mode"),
+        text!("head-modes"),
     ];
     let of = |(index, group): (usize, &GroupReport)| {
         row![
@@ -130,8 +130,8 @@ fn groups_of(structure: &StructureReport, page: &mut Document) {
             named(&group.links),
             named(&group.inner),
             named(&group.outer),
-            group.way.map(number),
-            group.ways.map(number),
+            group.mode.map(number),
+            group.mode_count.map(number),
         ]
     };
     let columns = heads.map(|head| Column::short(head, Unit::NONE));
@@ -179,7 +179,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     };
     let text = |head: Text| Column::of(head);
     let columns = [
-        text(text!("head-way")),
+        text(text!("head-mode")),
         Column::short(text!("head-from"), unit),
         Column::short(text!("head-to"), unit),
         text(text!("head-begins")),
@@ -194,7 +194,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
     page.paragraph(text!("report-modes-circuits", circuits = circuits, branches = branches));
     if let Some(way) = group.way {
-        page.paragraph(text!("report-modes-present", way = number(way)));
+        page.paragraph(text!("report-modes-present", mode = number(way)));
     }
     let meeting = |meeting: &Meeting| {
         let [one, other] = meeting.ways.map(number);
@@ -209,7 +209,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
 fn mode_end(end: CourseEnd) -> Text {
     match end {
         CourseEnd::Cycle => text!("mode-end-cycle"),
-        CourseEnd::With(other) => text!("mode-end-with", way = number(other)),
+        CourseEnd::With(other) => text!("mode-end-with", mode = number(other)),
         CourseEnd::Infinity => text!("mode-end-infinity"),
         CourseEnd::Barrier => text!("mode-end-barrier"),
     }

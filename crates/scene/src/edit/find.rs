@@ -4,7 +4,7 @@ use assur_words::{Text, name, number, text};
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
-use super::Place;
+use super::TextPlace;
 use super::key::{Step, shown};
 use crate::text::nearest;
 
@@ -12,7 +12,7 @@ use crate::text::nearest;
 const MOST: usize = 24;
 
 /// The values of a key, one or more, or an error about the key.
-pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Vec<Place>, Text> {
+pub(super) fn find(document: &DeTable<'_>, steps: &[Step]) -> Result<Vec<TextPlace>, Text> {
     let several = steps.iter().enumerate().find_map(|(depth, step)| match step {
         Step::Range(first, last) => Some((depth, *first, *last)),
         _ => None,
@@ -39,7 +39,7 @@ fn length(document: &DeTable<'_>, steps: &[Step]) -> Result<usize, Text> {
     }
 }
 
-fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<Place, Text> {
+fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<TextPlace, Text> {
     leaf(within(document, steps)?, steps)
 }
 
@@ -115,7 +115,7 @@ pub(super) fn element_name(value: &DeValue<'_>) -> Option<String> {
     text("name").map(str::to_owned).or_else(default).or_else(pair)
 }
 
-fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Place, Text> {
+fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<TextPlace, Text> {
     let key = key(steps);
     let text = match at.get_ref() {
         DeValue::Integer(_) | DeValue::Float(_) => None,
@@ -130,7 +130,7 @@ fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<Place, Text> {
         DeValue::Boolean(_) => return Err(text!("scene-is-a-boolean", key = key)),
         DeValue::Datetime(_) => return Err(text!("scene-is-a-date", key = key)),
     };
-    Ok(Place { span: at.span(), text })
+    Ok(TextPlace { span: at.span(), text })
 }
 
 /// Keys in the order in which they are in the file.

@@ -1,6 +1,6 @@
 //! The list of values, other numbers in their place, and that nothing else is touched.
 
-use super::{Document, Key, SceneValue, replaced};
+use super::{Key, ParsedText, SceneValue, replaced};
 use crate::tests::{BASE, fixtures};
 
 const SCENE: &str = r#"# A crank.
@@ -23,14 +23,14 @@ value = { over = "angle", table = [[0, 0], ["180 deg", 40]] }
 "#;
 
 fn value(text: &str, key: &str) -> SceneValue {
-    let values = Document::of(text).values();
+    let values = ParsedText::of(text).values();
     let all: Vec<_> = values.iter().map(|value| value.key.clone()).collect();
     values.into_iter().find(|value| value.key == key).unwrap_or_else(|| panic!("{key}: {all:?}"))
 }
 
 #[test]
 fn every_number_is_listed_by_its_key_in_the_order_of_the_file() {
-    let listed: Vec<_> = Document::of(SCENE)
+    let listed: Vec<_> = ParsedText::of(SCENE)
         .values()
         .into_iter()
         .map(|value| format!("{} {}", value.key, value.written))
@@ -58,7 +58,7 @@ fn every_number_is_listed_by_its_key_in_the_order_of_the_file() {
 #[test]
 fn every_key_of_the_list_finds_its_value() {
     for (name, text) in fixtures().into_iter().chain([("base".to_owned(), BASE.to_owned())]) {
-        let document = Document::of(&text);
+        let document = ParsedText::of(&text);
         let values = document.values();
         assert!(values.len() > 5, "{name}");
         for value in values {
@@ -72,7 +72,7 @@ fn every_key_of_the_list_finds_its_value() {
 
 #[test]
 fn a_key_names_a_cell_a_part_of_a_column_or_a_column_of_a_table() {
-    let document = Document::of(SCENE);
+    let document = ParsedText::of(SCENE);
     let written = |key: &str| -> Result<Vec<&str>, assur_words::Text> {
         let found = document.find(&Key::parse(key)?)?;
         Ok(found.into_iter().map(|place| &SCENE[place.span]).collect())
@@ -162,7 +162,7 @@ fn only_the_values_differ_and_the_scene_reads_them() {
 #[test]
 fn a_text_that_is_no_toml_has_what_can_be_read() {
     for text in ["", "a = ", "\u{feff}x = 1", "x = [1, 2"] {
-        let _ = Document::of(text).values();
+        let _ = ParsedText::of(text).values();
     }
-    assert!(Document::of("title = \"12 angry men\"\nmotor = \"4A100L4\"").values().is_empty());
+    assert!(ParsedText::of("title = \"12 angry men\"\nmotor = \"4A100L4\"").values().is_empty());
 }

@@ -206,6 +206,18 @@ impl Table {
         TABLES.iter().filter(has).map(|table| table.header).filter(|header| !header.is_empty()).collect()
     }
 
+    /// Whether a table is the value of a key of this one, as its header says: `value = { ... }`.
+    fn holds(&self, header: &str) -> bool {
+        header.split_once(" = ").is_some_and(|(key, _)| self.keys.iter().any(|own| own.name == key))
+    }
+
+    /// The tables that have a key of this name: those in this one, or else all.
+    pub(crate) fn holders(&self, word: &str) -> Vec<&'static str> {
+        let all = Self::elsewhere(word);
+        let within: Vec<_> = all.iter().copied().filter(|header| self.holds(header)).collect();
+        if within.is_empty() { all } else { within }
+    }
+
     /// Whether this key stands before all tables.
     pub(crate) fn is_of_the_file(word: &str) -> bool {
         TABLES

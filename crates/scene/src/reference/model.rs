@@ -103,7 +103,7 @@ pub(crate) const INPUT: Table = Table {
         key("from", &[ByInput(Angle, Length)], "scene-key-input-from", "\"30 deg\"")
             .or("0")
             .also("angle, start, begin, initial"),
-        key("positions", &[Count], "scene-key-input-positions", "48").or("12").also("steps, count, n"),
+        key("positions", &[Count], "scene-key-input-positions", "48").or("12").also("steps, step, count, n"),
         key("cycle", &[ByInput(Angle, Length)], "scene-key-input-cycle", "\"720 deg\"")
             .also("period, turn, stroke"),
         key("direction", &[Word("ccw"), Word("cw")], "scene-key-input-direction", "\"cw\"")

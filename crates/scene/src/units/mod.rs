@@ -123,6 +123,10 @@ impl Unit {
             return Ok(Self(parse::Scale::ONE));
         }
         let scale = parse::unit(name, wanted)?;
+        if wanted == Dimension::AngularSpeed && parse::is_count_by_time(&scale) {
+            let near = Some("rpm".to_owned());
+            return Err(UnitError::UnknownUnit { unit: name.to_owned(), near, wanted });
+        }
         if wanted.accepts(scale.powers) {
             return Ok(Self(scale));
         }

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use assur_all as _;
 use assur_kinematics::Linkage;
-use assur_study::chart::{ChartData, Clock, Options, chart};
+use assur_study::chart::{ChartData, ChartOptions, Clock, chart};
 
 /// The clock of this machine.
 struct SystemClock(Instant);
@@ -25,7 +25,7 @@ fn charted(text: &str, name: &str) -> Result<ChartData, String> {
     let linkage = Linkage::compile(mechanism).map_err(|error| error.to_string())?;
     let mut clock = SystemClock(Instant::now());
     let go_on = &mut |_| ControlFlow::Continue(());
-    chart(&linkage, &mut clock, Options::THOROUGH, go_on).map_err(|error| error.to_string())
+    chart(&linkage, &mut clock, ChartOptions::THOROUGH, go_on).map_err(|error| error.to_string())
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use assur_study::chart::{ChartData, Measurement, Stage, Value, units};
+use assur_study::chart::{ChartData, Measurement, SettingValue, Stage, units};
 use assur_words::Describe;
 
 use crate::chapter::fastest;
@@ -99,7 +99,7 @@ fn cell(row: &Measurement) -> String {
 /// The choice of `auto` for this tolerance, and its time over that of the fastest row that meets it.
 fn against_best(data: &ChartData, tolerance: f64) -> Option<(&Measurement, f64)> {
     let is_asked = |row: &&Measurement| match row.setting.get("tolerance") {
-        Some(Value::Number(set)) => (set / tolerance - 1.0).abs() < 1e-6,
+        Some(SettingValue::Number(set)) => (set / tolerance - 1.0).abs() < 1e-6,
         _ => true,
     };
     let own = data.of(Stage::Motion).filter(|row| row.auto).find(is_asked)?;

@@ -92,7 +92,7 @@ impl Stage {
 /// A value of a setting.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Value {
+pub enum SettingValue {
     /// A number: a tolerance, a step.
     Number(f64),
     /// A word: the type of number.
@@ -101,21 +101,21 @@ pub enum Value {
 
 /// The settings of a method, by name.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Setting(pub Vec<(&'static str, Value)>);
+pub struct Setting(pub Vec<(&'static str, SettingValue)>);
 
 impl Setting {
     /// One number.
     pub fn number(name: &'static str, value: f64) -> Self {
-        Self(vec![(name, Value::Number(value))])
+        Self(vec![(name, SettingValue::Number(value))])
     }
 
     /// One word.
     pub fn word(name: &'static str, value: &'static str) -> Self {
-        Self(vec![(name, Value::Word(value))])
+        Self(vec![(name, SettingValue::Word(value))])
     }
 
     /// The value of this name.
-    pub fn get(&self, name: &str) -> Option<Value> {
+    pub fn get(&self, name: &str) -> Option<SettingValue> {
         self.0.iter().find(|(found, _)| *found == name).map(|(_, value)| *value)
     }
 }
@@ -129,11 +129,13 @@ impl Serialize for Setting {
 impl Describe for Setting {
     fn describe(&self) -> Text {
         list(self.0.iter().map(|setting| match *setting {
-            (STEP, Value::Number(step)) => text!("chart-step", value = short(step)),
-            (TOLERANCE, Value::Number(tolerance)) => text!("chart-tolerance", value = short(tolerance)),
-            (other, Value::Number(value)) => joined(" ", [name(other), short(value)]),
-            (GIVES, Value::Word(_)) => text!("chart-balancing-only"),
-            (_, Value::Word(word)) => name(word),
+            (STEP, SettingValue::Number(step)) => text!("chart-step", value = short(step)),
+            (TOLERANCE, SettingValue::Number(tolerance)) => {
+                text!("chart-tolerance", value = short(tolerance))
+            }
+            (other, SettingValue::Number(value)) => joined(" ", [name(other), short(value)]),
+            (GIVES, SettingValue::Word(_)) => text!("chart-balancing-only"),
+            (_, SettingValue::Word(word)) => name(word),
         }))
     }
 }
@@ -257,8 +259,8 @@ fn fields(row: &Measurement) -> [String; 13] {
         .0
         .iter()
         .map(|(name, value)| match value {
-            Value::Number(number) => (*name, format!("{number:e}")),
-            Value::Word(word) => (*name, (*word).to_owned()),
+            SettingValue::Number(number) => (*name, format!("{number:e}")),
+            SettingValue::Word(word) => (*name, (*word).to_owned()),
         })
         .unzip();
     let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));

@@ -11,7 +11,7 @@ use super::data::GIVES;
 use super::race::{Entry, Field};
 use super::work::Work;
 use super::work::difference;
-use super::{ChartError, Measurement, Reference, Setting, Stage, Value};
+use super::{ChartError, Measurement, Reference, Setting, SettingValue, Stage};
 
 /// The positions with their loads, and the reference reactions.
 pub(crate) struct Loaded<'a> {
@@ -125,7 +125,7 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
     for plugin in &all {
         let mut row = row(plugin.name, "f64");
         if !plugin.gives_reactions {
-            row.setting.0.push((GIVES, Value::Word("balancing load only")));
+            row.setting.0.push((GIVES, SettingValue::Word("balancing load only")));
         }
         entries.push(match plugin.supports(linkage) {
             Ok(()) => loaded.work.entry(row, 1, registered(loaded, plugin)),

@@ -10,13 +10,13 @@ use assur_words::{Describe, Text, number, text};
 use super::data::STEP;
 use super::race::Field;
 use super::work::Work;
-use super::{ChartError, Measurement, Options, Setting, Stage};
+use super::{ChartError, ChartOptions, Measurement, Setting, Stage};
 
 use differences::{Differentiator, Stencil};
 use general::{Places, general};
 
 /// All methods that can give transfer functions.
-pub(crate) fn field<'a>(work: &'a Work<'a>, options: Options) -> Result<Field<'a>, ChartError> {
+pub(crate) fn field<'a>(work: &'a Work<'a>, options: ChartOptions) -> Result<Field<'a>, ChartError> {
     let number = |method: &str, name| row(method, Setting::word("number", name));
     let mut entries = vec![
         work.entry(number("closed-form", "f64"), 1, own(work)),

@@ -21,10 +21,10 @@ mod steady;
 pub mod units;
 pub(crate) mod work;
 
-pub use data::{ChartData, Measurement, Reference, Setting, Stage, Value, csv};
+pub use data::{ChartData, Measurement, Reference, Setting, SettingValue, Stage, csv};
 pub use figure::{WIDTH, figure, stage_text, text};
 pub(crate) use forces::state;
-pub use race::{Clock, Options, Progress};
+pub use race::{ChartOptions, Clock, Progress};
 pub use run::{ChartError, chart};
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use assur_words::{Describe, text};
 
 use super::data::{STEP, TOLERANCE};
 use super::race::{Entry, Field, Verdict};
-use super::{ChartError, Measurement, Options, Setting, Stage};
+use super::{ChartError, ChartOptions, Measurement, Setting, Stage};
 
 use reference::References;
 
@@ -22,7 +22,7 @@ pub(crate) struct Task<'a> {
 }
 
 /// All integrators over their settings.
-pub(crate) fn field<'a>(task: &Task<'a>, options: Options) -> Result<Field<'a>, ChartError> {
+pub(crate) fn field<'a>(task: &Task<'a>, options: ChartOptions) -> Result<Field<'a>, ChartError> {
     let references = References::find(task)?;
     let mut entries = Vec::new();
     for plugin in integrators()? {
@@ -61,7 +61,7 @@ fn settings(
     plugin: &IntegratorPlugin,
     task: &Task<'_>,
     duration: f64,
-    options: Options,
+    options: ChartOptions,
 ) -> Vec<(Setting, Request)> {
     let base = Request { max_steps: options.max_steps, ..task.request };
     match plugin.knob {

@@ -23,7 +23,7 @@ const OUT_OF_TIME: Text = text!("chart-out-of-time");
 /// The clock, the options, and the watcher.
 pub(crate) struct Judge<'a> {
     pub(crate) clock: &'a mut dyn Clock,
-    pub(crate) options: Options,
+    pub(crate) options: ChartOptions,
     pub(crate) progress: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     /// When the chart began.
     pub(crate) start: f64,
@@ -180,7 +180,7 @@ pub trait Clock {
 
 /// How thorough the measurement is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
+pub struct ChartOptions {
     /// Every second setting, few repetitions, at most [`limit`](Self::limit) in all.
     pub quick: bool,
     /// Time for repetitions in one stage, s.
@@ -193,7 +193,7 @@ pub struct Options {
     pub max_steps: usize,
 }
 
-impl Options {
+impl ChartOptions {
     /// The thorough chart: tens of seconds.
     pub const THOROUGH: Self =
         Self { quick: false, stage_seconds: 12.0, rounds: 31, limit: f64::INFINITY, max_steps: 1_000_000 };
@@ -209,7 +209,7 @@ impl Options {
     }
 }
 
-impl Default for Options {
+impl Default for ChartOptions {
     fn default() -> Self {
         Self::THOROUGH
     }

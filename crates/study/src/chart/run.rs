@@ -18,7 +18,7 @@ use super::race::Field;
 use super::race::Judge;
 use super::steady::{self, Cycle};
 use super::work::Work;
-use super::{ChartData, Clock, Measurement, Options, Progress, Stage, Value, kinematics};
+use super::{ChartData, ChartOptions, Clock, Measurement, Progress, SettingValue, Stage, kinematics};
 
 /// Output instants over a cycle of a steady regime.
 const SAMPLES_OF_A_CYCLE: usize = 48;
@@ -84,7 +84,7 @@ impl Describe for ChartError {
 pub fn chart(
     linkage: &Linkage,
     clock: &mut dyn Clock,
-    options: Options,
+    options: ChartOptions,
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<ChartData, ChartError> {
     let start = clock.seconds();
@@ -231,7 +231,7 @@ pub(crate) fn mark(rows: &mut [Measurement]) {
 pub(super) fn mark_choice(rows: &mut [Measurement], dependence: Dependence) {
     for row in rows.iter_mut().filter(|row| row.stage == Stage::Motion) {
         let tolerance = match row.setting.get(TOLERANCE) {
-            Some(Value::Number(tolerance)) => tolerance,
+            Some(SettingValue::Number(tolerance)) => tolerance,
             None if row.setting.0.is_empty() => f64::EPSILON,
             _ => continue,
         };

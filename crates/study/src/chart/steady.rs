@@ -16,7 +16,7 @@ use assur_words::{Describe, Text, text};
 use super::data::TOLERANCE;
 use super::motion::Task;
 use super::race::{Entry, Field, Verdict};
-use super::{Measurement, Options, Reference, Setting, Stage};
+use super::{ChartOptions, Measurement, Reference, Setting, Stage};
 
 pub(crate) use flywheel::field as flywheel_field;
 
@@ -74,7 +74,7 @@ impl<'a> Cycle<'a> {
 }
 
 /// All that can find the regime.
-pub(crate) fn field<'a>(cycle: &'a Cycle<'a>, options: Options) -> Field<'a> {
+pub(crate) fn field<'a>(cycle: &'a Cycle<'a>, options: ChartOptions) -> Field<'a> {
     let row = |method: &str, setting| Measurement::new(Stage::Steady, method, setting);
     let judges = settling::Judges::find(cycle);
     let (by_shooting, in_time) = (judges.shooting, judges.in_time);

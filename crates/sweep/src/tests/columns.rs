@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::{SLIDER, column, failures, numbers, requested, rows, run, sweep};
-use assur_report::csv::Cell;
+use assur_report::csv::CsvCell;
 
-use crate::{Measure, Request, Status, Tally};
+use crate::{Measure, Status, SweepRequest, Tally};
 
 fn close(found: f64, known: f64) {
     assert!((found - known).abs() <= 1e-12 * (1.0 + known.abs()), "{found} is not {known}");
@@ -55,8 +55,8 @@ fn a_point_that_can_not_be_assembled_keeps_its_row() {
     assert!(message.contains("no assembly"), "{message}");
     assert_eq!(numbers(&table, "link.crank.points.A_m"), [0.2, 0.3, 0.4]);
     // |sin q| > 3/4 at 60, 90, 120 degrees and their opposites.
-    assert_eq!(table.cell(2, column(&table, "failed_positions")), Cell::Number(6.0));
-    assert_eq!(table.cell(2, column(&table, "B_x_max_m")), Cell::Empty, "extremes over a part are none");
+    assert_eq!(table.cell(2, column(&table, "failed_positions")), CsvCell::Number(6.0));
+    assert_eq!(table.cell(2, column(&table, "B_x_max_m")), CsvCell::Empty, "extremes over a part are none");
     assert!(failures(&table).contains(&2));
 }
 
@@ -66,7 +66,7 @@ fn a_point_that_the_reader_refuses_keeps_its_row() {
     let message = "`mass` must not be negative, got \"-1 kg\" (line 12)";
     assert_eq!(table.status(0), Some((Status::Refused, message)));
     assert_eq!(table.status(1), Some((Status::Ok, "")));
-    assert_eq!(table.cell(0, column(&table, "failed_positions")), Cell::Empty);
+    assert_eq!(table.cell(0, column(&table, "failed_positions")), CsvCell::Empty);
 }
 
 #[test]
@@ -91,9 +91,9 @@ fn a_column_that_only_some_points_have_stands_in_the_table() {
                  mass = 1\ncenter = \"C\"\n[input]\nlink = \"arm\"\npositions = 4\n";
     let table = run(scene, &["link.arm.mass=0..2 kg:3"], 2);
     let greatest = column(&table, "balancing_greatest_Nm");
-    assert_eq!(table.cell(0, greatest), Cell::Empty);
-    assert_eq!(table.cell(1, greatest), Cell::Number(1.0 * 9.81 * 0.5));
-    assert_eq!(table.cell(2, greatest), Cell::Number(2.0 * 9.81 * 0.5));
+    assert_eq!(table.cell(0, greatest), CsvCell::Empty);
+    assert_eq!(table.cell(1, greatest), CsvCell::Number(1.0 * 9.81 * 0.5));
+    assert_eq!(table.cell(2, greatest), CsvCell::Number(2.0 * 9.81 * 0.5));
 }
 
 /// A crank without mass under 0-40-0 N m over a turn and the constant resistance that balances it: the excess work is
@@ -175,7 +175,7 @@ fn columns_that_no_parameter_reaches_are_left_out() {
     ] {
         let table = run(scene, &[vary], 2);
         let names = ["health", "balancing", "reactions", "extremes"];
-        let request = Request { measures: Measure::named(&names).unwrap(), ..Request::default() };
+        let request = SweepRequest { measures: Measure::named(&names).unwrap(), ..SweepRequest::default() };
         let whole = rows(&requested(scene, &[vary], request).unwrap(), 1);
         assert!(
             !table.header().contains(&out.to_owned()) && table.header().contains(&kept.to_owned()),

@@ -52,8 +52,8 @@ fn a_word_of_the_scene_gives_way_to_a_number() {
     let scene = format!("{SLIDER}{steady}[drive]\ntorque = \"balance\"\nflywheel = \"solve\"\n");
     let grid = sweep(&scene, &["drive.torque=2 kN*mm..4 N*m:3"]).unwrap();
     assert_eq!(
-        (grid.describe(0), grid.describe(2)),
-        ("drive.torque = 2 N*m".into(), "drive.torque = 4 N*m".into())
+        [grid.describe(0).to_string(), grid.describe(2).to_string()],
+        ["drive.torque = 2 N*m", "drive.torque = 4 N*m"]
     );
 }
 

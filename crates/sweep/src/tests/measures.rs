@@ -3,12 +3,12 @@
 use std::f64::consts::TAU;
 
 use super::{SLIDER, numbers, requested, rows};
-use assur_report::csv::Cell;
+use assur_report::csv::CsvCell;
 
-use crate::{MEASURES, Measure, Request, Rows, Target, Tie};
+use crate::{MEASURES, Measure, Rows, SweepRequest, Target, Tie};
 
 fn measured(scene: &str, vary: &[&str], names: &[&str]) -> Rows {
-    let request = Request { measures: Measure::named(names).unwrap(), ..Request::default() };
+    let request = SweepRequest { measures: Measure::named(names).unwrap(), ..SweepRequest::default() };
     rows(&requested(scene, vary, request).unwrap(), 1)
 }
 
@@ -82,7 +82,7 @@ fn strokes_time_ratio_and_transmission_angle_are_those_of_the_closed_form() {
     let swing = ((r + e) / l).asin() + ((r - e) / l).asin();
     assert!((at("rod_stroke_rad") - swing).abs() < 1e-12);
     let turning = table.header().iter().position(|name| name == "crank_stroke_rad").unwrap();
-    assert_eq!(table.cell(0, turning), Cell::Empty, "a link that turns has no stroke");
+    assert_eq!(table.cell(0, turning), CsvCell::Empty, "a link that turns has no stroke");
     // Where the crank points down, the rod leans by asin((r + e) / l): its pressure angle.
     let least = std::f64::consts::FRAC_PI_2 - ((r + e) / l).asin();
     assert!((at("least_transmission_angle_rad") - least).abs() < 1e-12);
@@ -115,10 +115,10 @@ fn speeds_transfer_functions_and_the_shaking_force_are_those_of_the_closed_form(
 fn a_tied_key_follows_its_parameter() {
     let ties = |text: &str| vec![Tie::parse(text).unwrap()];
     let vary = ["link.crank.points.A=100 mm..140 mm:3"];
-    let request = |tie: &str| Request {
+    let request = |tie: &str| SweepRequest {
         ties: ties(tie),
         measures: Measure::named(&["stroke"]).unwrap(),
-        ..Request::default()
+        ..SweepRequest::default()
     };
     let sweep = requested(SLIDER, &vary, request("link.rod.points.B=link.crank.points.A*3")).unwrap();
     let table = rows(&sweep, 1);
@@ -134,6 +134,16 @@ fn a_tied_key_follows_its_parameter() {
         error,
         "`link.rod.points.B`: it follows `link.piston.mass`, which is not varied: name that key in --vary"
     );
+    let mass = requested(
+        SLIDER,
+        &["link.crank.points.A=0.1..0.2:2"],
+        request("link.piston.mass=link.crank.points.A"),
+    );
+    assert!(
+        mass.unwrap_err()
+            .to_string()
+            .contains("it is a mass and would follow `link.crank.points.A`, a length")
+    );
     let own = request("link.crank.points.A=link.crank.points.A");
     assert!(requested(SLIDER, &vary, own).unwrap_err().to_string().contains("are the same value"));
 }
@@ -141,10 +151,12 @@ fn a_tied_key_follows_its_parameter() {
 /// The pin A of the crank runs round O at r: from a place on the x axis at 300 mm it is 300 mm - r and 300 mm + r away.
 #[test]
 fn distances_from_places_are_those_of_a_circle() {
-    let targets = vec![Target::parse("A=300 mm, 0").unwrap(), Target::parse("A=0,0").unwrap()];
-    let request = Request { targets, ..Request::default() };
+    let places = ["A=300 mm, 0", "A=0,0", "A=0,300 mm"];
+    let targets = places.map(|place| Target::parse(place).unwrap()).to_vec();
+    let request = SweepRequest { targets, ..SweepRequest::default() };
     let vary = ["link.crank.points.A=50 mm..100 mm:2"];
-    let table = rows(&requested(SLIDER, &vary, request).unwrap(), 1);
+    let scene = SLIDER.replace("positions = 12", "positions = 7");
+    let table = rows(&requested(&scene, &vary, request).unwrap(), 1);
     for (row, r) in [0.05, 0.1].into_iter().enumerate() {
         for (name, known) in [
             ("A_distance_1_least_m", 0.3 - r),
@@ -152,12 +164,17 @@ fn distances_from_places_are_those_of_a_circle() {
             ("A_distance_1_greatest_m", 0.3 + r),
             ("A_distance_1_greatest_at_rad", TAU / 2.0),
             ("A_distance_2_least_m", r),
+            // Between the seven positions.
+            ("A_distance_3_least_m", 0.3 - r),
+            ("A_distance_3_least_at_rad", TAU / 4.0),
         ] {
             let found = numbers(&table, name)[row];
-            assert!((found - known).abs() < 1e-12, "{name}: {found}, {known}");
+            // A turn later is the same place.
+            let miss = (found - known).abs();
+            assert!(miss.min((miss - TAU).abs()) < 1e-12, "{name}: {found}, {known}");
         }
     }
-    let request = Request { targets: vec![Target::parse("X=0,0").unwrap()], ..Request::default() };
+    let request = SweepRequest { targets: vec![Target::parse("X=0,0").unwrap()], ..SweepRequest::default() };
     let error = requested(SLIDER, &vary, request).unwrap_err().to_string();
     assert!(error.contains("points: O, A, B"), "{error}");
 }

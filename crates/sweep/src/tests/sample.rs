@@ -1,10 +1,10 @@
 //! Samples: their values and their forms.
 
 use super::{SLIDER, numbers, requested, rows};
-use crate::{Points, Request};
+use crate::{Points, SweepRequest};
 
-fn sample(count: usize, seed: u32) -> Request {
-    Request { points: Points::Sample { count, seed }, ..Request::default() }
+fn sample(count: usize, seed: u32) -> SweepRequest {
+    SweepRequest { points: Points::Sample { count, seed }, ..SweepRequest::default() }
 }
 
 #[test]

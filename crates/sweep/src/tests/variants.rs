@@ -2,7 +2,7 @@
 
 use assur_analysis::plan::Plan;
 use assur_fixtures::SCENES;
-use assur_scene::edit::Document;
+use assur_scene::edit::ParsedText;
 use assur_structure::Structure;
 
 use super::{SLIDER, run, sweep};
@@ -19,7 +19,7 @@ fn around(scene: &str, key: &str, written: &str) -> Option<Sweep> {
 fn every_number_of_every_scene_is_set_as_it_is_read() {
     let (mut set, mut read) = (0, Vec::new());
     for (name, scene) in SCENES.iter().filter(|(name, _)| *name != "n-four-bar-40") {
-        for value in Document::of(scene).values() {
+        for value in ParsedText::of(scene).values() {
             let Some(sweep) = around(scene, &value.key, &value.written) else { continue };
             let axes = &sweep.axes;
             if !sweep.variants.sets_numbers() {

@@ -3,9 +3,9 @@
 use std::num::NonZeroUsize;
 
 use super::{SLIDER, failures, requested, rows, run, sweep};
-use assur_report::csv::Cell;
+use assur_report::csv::CsvCell;
 
-use crate::{Measure, Request, Rows, SweepError};
+use crate::{Measure, Rows, SweepError, SweepRequest};
 
 const GRID: [&str; 2] = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
 
@@ -27,9 +27,9 @@ fn csv_reads_back_as_the_same_numbers() {
     for (row, record) in records.iter().enumerate() {
         for (column, text) in record.iter().enumerate() {
             match table.cell(row, column) {
-                Cell::Empty => assert_eq!(text, ""),
-                Cell::Text(known) => assert_eq!(text, known),
-                Cell::Number(known) => assert_eq!(text.parse::<f64>().unwrap().to_bits(), known.to_bits()),
+                CsvCell::Empty => assert_eq!(text, ""),
+                CsvCell::Text(known) => assert_eq!(text, known),
+                CsvCell::Number(known) => assert_eq!(text.parse::<f64>().unwrap().to_bits(), known.to_bits()),
             }
         }
     }
@@ -74,7 +74,10 @@ fn the_writer_can_end_a_run() {
 fn the_more_columns_the_fewer_rows_are_in_memory() {
     let points = (0..200).fold(String::new(), |text, i| text + &format!(", P{i} = [0.1, 0.{i:03}]"));
     let scene = SLIDER.replace("A = \"100 mm\"", &format!("A = \"100 mm\"{points}"));
-    let asked = Request { measures: Measure::named(&["default", "extremes"]).unwrap(), ..Request::default() };
+    let asked = SweepRequest {
+        measures: Measure::named(&["default", "extremes"]).unwrap(),
+        ..SweepRequest::default()
+    };
     let (wide, narrow) = (requested(&scene, &GRID, asked).unwrap(), sweep(SLIDER, &GRID).unwrap());
     let columns = wide.columns.names().len();
     assert!(columns > 800, "blocks have fewer than 64 points: {columns}");

@@ -8,7 +8,7 @@ use assur_words::Language;
 use super::evaluate::{equations, printed, recomputes};
 use super::fixtures::scene;
 use super::{compiled, forces_agree};
-use crate::{Place, Task, Working};
+use crate::{PositionOrSample, Task, Working};
 
 fn generally(
     linkage: &assur_kinematics::Linkage,
@@ -17,7 +17,14 @@ fn generally(
 ) -> Working {
     let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
     Working::by(
-        &Task { linkage, loads, state, place: Place::Position(index), drive: None, analyzer: None },
+        &Task {
+            linkage,
+            loads,
+            state,
+            place: PositionOrSample::Position(index),
+            drive: None,
+            analyzer: None,
+        },
         false,
     )
     .unwrap()

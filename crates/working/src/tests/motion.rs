@@ -8,7 +8,7 @@ use assur_words::Language;
 
 use super::evaluate::{equations, printed, recomputes};
 use super::fixtures::scene;
-use crate::{Drive, Place, Task, Working};
+use crate::{Drive, PositionOrSample, Task, Working};
 
 #[test]
 fn the_acceleration_follows_from_the_reduction() {
@@ -30,7 +30,7 @@ fn the_acceleration_follows_from_the_reduction() {
             let net = reduced.moment + drive.moment - 0.5 * reduced.inertia_derivative * speed * speed;
             let acceleration = net / (reduced.inertia + drive.inertia);
             let state = State { acceleration, ..state };
-            let place = Place::Position(index);
+            let place = PositionOrSample::Position(index);
             let task = Task {
                 linkage: &linkage,
                 loads: Some(&loads),

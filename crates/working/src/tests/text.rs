@@ -3,7 +3,7 @@ use assur_words::Language;
 use super::evaluate::{equations, printed};
 use super::fixtures::scene;
 use super::{compiled, worked};
-use crate::{Place, Task, Working, WorkingError};
+use crate::{PositionOrSample, Task, Working, WorkingError};
 
 fn value(text: &str, name: &str) -> f64 {
     let all = equations(text);
@@ -45,7 +45,7 @@ fn without_loads_and_motion_there_are_no_forces() {
 #[test]
 fn a_position_that_does_not_exist() {
     let (linkage, loads) = compiled(scene("slider-crank"));
-    let (state, place) = (assur_force::State::default(), Place::Position(24));
+    let (state, place) = (assur_force::State::default(), PositionOrSample::Position(24));
     let error = Working::of(&Task {
         linkage: &linkage,
         loads: loads.as_ref(),

@@ -1,7 +1,7 @@
 //! The working against the equations as printed, and its own proof against the groups.
 
 use assur_force::{Loads, State};
-use assur_working::{Place, Task, Working};
+use assur_working::{PositionOrSample, Task, Working};
 use assur_worksheet::Entry;
 
 use super::print::{CONSTANT, PRESS};
@@ -12,7 +12,7 @@ use crate::Form;
 fn worked(linkage: &assur_kinematics::Linkage, index: usize, form: Form) -> Working {
     let loads = Loads::compile(linkage).unwrap();
     let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
-    let (place, analyzer) = (Place::Position(index), Some(form.name()));
+    let (place, analyzer) = (PositionOrSample::Position(index), Some(form.name()));
     Working::of(&Task { linkage, loads: Some(&loads), state, place, drive: None, analyzer }).unwrap()
 }
 

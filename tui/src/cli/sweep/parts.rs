@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use assur_parquet::ParquetError;
-use assur_parquet::sweep::{self as parquet, Part};
+use assur_parquet::sweep::{self as parquet, FilePart};
 use assur_sweep::{Rows, Tally};
 use assur_words::{Describe, text};
 
@@ -107,7 +107,8 @@ impl Folder<'_> {
                 file => file.map_err(|error| self.fault(error))?,
             };
             let left = job.points.len().saturating_sub(all.points);
-            let part = Part::read(file, job.sweep).filter(|part| part.tally.points == left.min(self.rows));
+            let part =
+                FilePart::read(file, job.sweep).filter(|part| part.tally.points == left.min(self.rows));
             let part = part.ok_or_else(|| self.unfinished.foreign(all.points + 1))?;
             all.append(part.tally);
             let row = job.sweep.row(job.points.start + all.points - 1);

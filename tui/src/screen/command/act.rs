@@ -4,8 +4,8 @@ use assur_words::{name, number, text};
 
 use super::{jobs, report, whatif};
 use crate::screen::state::{
-    Effect, FRAMES, Job, PACES, Part, Pictures, Purpose, Role, Scene, Source, State, View, Wanted, following,
-    next_kind, round,
+    Effect, FRAMES, Job, PACES, Pictures, Purpose, Role, Scene, Source, State, View, ViewPart, Wanted,
+    following, next_kind, round,
 };
 
 /// An eighth of the positions forward or back.
@@ -113,7 +113,8 @@ pub(super) fn part(state: &mut State) {
 
 /// Reactions by cause, or the table of all again.
 pub(super) fn causes(state: &mut State) {
-    let next = if state.part(View::Forces) == Part::Causes { Part::Overview } else { Part::Causes };
+    let next =
+        if state.part(View::Forces) == ViewPart::Causes { ViewPart::Overview } else { ViewPart::Causes };
     state.parts.insert(View::Forces, next);
 }
 
@@ -232,13 +233,13 @@ pub(super) fn beside(state: &mut State) {
 /// The next or previous polygon, vector, or step of the construction.
 pub(super) fn plan_step(state: &mut State, by: isize) {
     let Some(plans) = state.found().map(|found| found.plans.at(state.position)) else { return };
-    let count = |count: fn(&assur_diagram::Sheet) -> usize| plans.sheet.as_ref().map_or(0, count);
+    let count = |count: fn(&assur_diagram::PlanSheet) -> usize| plans.sheet.as_ref().map_or(0, count);
     let part = state.part(View::Plans);
     let chosen = &mut state.chosen;
     let (chosen, count) = match part {
-        Part::Construction => (&mut chosen.step, plans.step_count()),
-        Part::Velocities => (&mut chosen.vector, count(|sheet| sheet.velocities.items.len())),
-        Part::Accelerations => (&mut chosen.vector, count(|sheet| sheet.accelerations.items.len())),
+        ViewPart::Construction => (&mut chosen.step, plans.step_count()),
+        ViewPart::Velocities => (&mut chosen.vector, count(|sheet| sheet.velocities.items.len())),
+        ViewPart::Accelerations => (&mut chosen.vector, count(|sheet| sheet.accelerations.items.len())),
         _ => (&mut chosen.polygon, count(|sheet| sheet.polygons.len())),
     };
     *chosen = round(*chosen, by, count);

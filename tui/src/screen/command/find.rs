@@ -3,7 +3,7 @@
 use assur_mechanism::{LinkId, Named, PairId};
 use assur_words::Text;
 
-use crate::screen::state::{Part, State, View};
+use crate::screen::state::{State, View, ViewPart};
 
 /// A pair, and the link on which it acts.
 type PairOn = (Named<PairId>, Named<LinkId>);
@@ -31,14 +31,14 @@ pub(super) fn plan(state: &mut State, wanted: &str) -> bool {
     let Some(plans) = state.found().map(|found| found.plans.at(state.position)) else { return false };
     let fits = |text: &Text| state.told(text.clone()).to_lowercase().contains(wanted);
     match state.part(View::Plans) {
-        Part::Construction => {
+        ViewPart::Construction => {
             let same = plans.constructions.iter().position(|(method, _)| *method == wanted);
             let found = same.or_else(|| plans.constructions.iter().position(|(_, drawn)| fits(&drawn.title)));
             let last = found.and_then(|found| plans.steps_of(found).last());
             state.chosen.step = last.unwrap_or(state.chosen.step);
             last.is_some()
         }
-        Part::Forces => {
+        ViewPart::Forces => {
             let polygons = plans.sheet.as_ref().map_or(&[][..], |sheet| &sheet.polygons);
             let found = polygons.iter().position(|polygon| fits(&polygon.title));
             state.chosen.polygon = found.unwrap_or(state.chosen.polygon);

@@ -73,7 +73,7 @@ fn pass(state: &mut State, event: KeyEvent) {
     let typing = filter.is_some_and(|filter| filter.typing);
     let meant = meant.filter(|command| !typing && (filter.is_none() || OF_LISTS.contains(&command.name)));
     match meant {
-        Some(command) if command.name == "quit" && (state.help.is_some() || state.picker.is_some()) => {
+        Some(command) if command.name == "quit" && lies_over_the_view(state) => {
             // Without a scene there is nothing behind the list of scenes.
             let last = state.help.is_none() && state.scene.is_none();
             (if last { command.run } else { act::close })(state);
@@ -97,6 +97,11 @@ pub(crate) fn prepare(state: &mut State) {
     if state.entry().is_some_and(Entry::is_cut) {
         state.say(Role::Bad, text!("say-too-long", most = number(LONGEST)));
     }
+}
+
+/// Whether something is open that `q` closes before it leaves the program.
+fn lies_over_the_view(state: &State) -> bool {
+    state.help.is_some() || state.picker.is_some() || state.values_open() || state.probe.is_some()
 }
 
 /// Commands whose keys have a meaning while the help or a list is open and nothing is typed yet.

@@ -33,9 +33,9 @@ pub(super) fn take(state: &mut State) {
     };
     let way = scene.first_modes(group).map_or(index, |modes| modes.number(index));
     if whatif::assemble(state, &points) {
-        state.say(Role::Good, text!("say-mode-taken", way = number(way)));
+        state.say(Role::Good, text!("say-mode-taken", mode = number(way)));
     } else {
-        state.say(Role::Plain, text!("say-mode-is-taken", way = number(way)));
+        state.say(Role::Plain, text!("say-mode-is-taken", mode = number(way)));
     }
     state.chosen.mode = None;
 }
@@ -55,7 +55,7 @@ pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Modes>])
         let Some((index, _)) = partner.filter(|(_, distance)| !is_fewer || *distance <= VANISHED) else {
             let name = structure.group_name(&scene.linkage.mechanism, group);
             let way = number(modes.number(modes.present));
-            return state.say(Role::Bad, text!("say-mode-vanished", group = name, way = way));
+            return state.say(Role::Bad, text!("say-mode-vanished", group = name, mode = way));
         };
         if index != modes.present {
             let points = points(scene, group, index).unwrap_or_default();

@@ -3,7 +3,7 @@
 use assur_words::text;
 
 use super::{act, jobs};
-use crate::screen::state::{Part, Purpose, Role, State, View};
+use crate::screen::state::{Purpose, Role, State, View, ViewPart};
 use crate::screen::view::report as view;
 
 /// Starts a measurement, or stops the one in progress.
@@ -32,7 +32,7 @@ pub(super) fn scroll(state: &mut State, by: isize) {
 
 /// The next or previous quantity of the motion, or line of its page.
 pub(super) fn motion(state: &mut State, by: isize) {
-    if state.part(View::Motion) == Part::Iteration {
+    if state.part(View::Motion) == ViewPart::Iteration {
         scroll(state, by);
     } else {
         act::choose(state, View::Motion, by);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use assur_analysis::results::Check;
 use assur_figure::{Figure, Frame, Item, svg};
 use assur_png as png;
-use assur_report::csv::{self, Cell};
+use assur_report::csv::{self, CsvCell};
 use assur_words::{Describe, Language, Text, name, text};
 use crossterm::event::KeyCode;
 
@@ -132,16 +132,16 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
 }
 
 /// A check as a row; the last cell is empty where the check is not conclusive.
-fn row<'a>(check: &Check, [name, place]: &'a [String; 2]) -> [Cell<'a>; 6] {
-    let ok = check.verdict().map_or(Cell::Empty, |ok| Cell::Text(if ok { "true" } else { "false" }));
-    let at = check.at.map_or(Cell::Empty, |at| Cell::Number(at as f64));
+fn row<'a>(check: &Check, [name, place]: &'a [String; 2]) -> [CsvCell<'a>; 6] {
+    let ok = check.verdict().map_or(CsvCell::Empty, |ok| CsvCell::Text(if ok { "true" } else { "false" }));
+    let at = check.at.map_or(CsvCell::Empty, |at| CsvCell::Number(at as f64));
     let [residual, limit] = [check.residual, check.limit].map(finite);
-    [Cell::Text(name), residual, limit, Cell::Text(place), at, ok]
+    [CsvCell::Text(name), residual, limit, CsvCell::Text(place), at, ok]
 }
 
 /// A number; an empty cell where it is not determined.
-fn finite(value: f64) -> Cell<'static> {
-    if value.is_finite() { Cell::Number(value) } else { Cell::Empty }
+fn finite(value: f64) -> CsvCell<'static> {
+    if value.is_finite() { CsvCell::Number(value) } else { CsvCell::Empty }
 }
 
 /// A text as the bytes of a file.
@@ -166,7 +166,7 @@ fn points(panels: &[assur_figure::Panel]) -> Result<Vec<u8>, Text> {
         }
     }
     let rows = rows.iter().map(|(title, axes, line, [x, y])| {
-        [Cell::Text(title), Cell::Text(axes), finite(*line as f64), finite(*x), finite(*y)]
+        [CsvCell::Text(title), CsvCell::Text(axes), finite(*line as f64), finite(*x), finite(*y)]
     });
     bytes(csv::write(&["panel", "axes", "line", "x", "y"], rows, false))
 }
@@ -178,7 +178,7 @@ fn table(scene: &Scene, columns: impl Iterator<Item = usize>) -> Result<Vec<u8>,
     let header: Vec<String> = std::iter::once("position".to_owned()).chain(names).collect();
     let row = |position: usize| {
         let values = columns.iter().map(move |series| finite(series.at(position)));
-        std::iter::once(Cell::Number(position as f64)).chain(values)
+        std::iter::once(CsvCell::Number(position as f64)).chain(values)
     };
     bytes(csv::write(&header, (0..scene.positions()).map(row), false))
 }

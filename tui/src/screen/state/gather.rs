@@ -100,18 +100,19 @@ impl Gather<'_> {
         found
     }
 
-    /// Loads, inertia loads, what shakes the ground, and how well each group is conditioned.
+    /// What else a position has: loads, inertia loads, friction, what shakes the ground, how well each group is conditioned.
     pub(super) fn others(&mut self) {
-        self.add_owned(&[
-            Quantity::OfMethod,
-            Quantity::Load,
-            Quantity::InertiaForce,
-            Quantity::InertiaMoment,
-        ]);
-        for quantity in [Quantity::ShakingForce, Quantity::ShakingMoment] {
-            self.add_all(Column::of(quantity, Owner::Input));
+        let schema = self.table.schema();
+        for &column in schema.columns() {
+            let whole = column.part(Part::Whole);
+            // Transfer functions are those of the scene; of the two forces of a pair one is shown; shares have a view of their own.
+            let is_elsewhere =
+                matches!(column.quantity, Quantity::Transfer(_) | Quantity::Force) || column.cause.is_some();
+            let is_new = self.series.iter().all(|series| series.column.part(Part::Whole) != whole);
+            if is_new && !is_elsewhere && catalogue::path(schema, column).is_some() {
+                self.add_all(whole);
+            }
         }
-        self.add_owned(&[Quantity::Condition]);
     }
 
     /// Sets the limit below which forces of the pairs count as zero.

@@ -86,18 +86,20 @@ impl View {
     }
 
     /// Its parts, the one that is shown first in front; none if it is one whole.
-    pub(crate) fn parts(self) -> &'static [Part] {
+    pub(crate) fn parts(self) -> &'static [ViewPart] {
         match self {
-            Forces => &[Part::Overview, Part::Causes, Part::Curves, Part::Hodograph],
-            Plans => &[Part::Forces, Part::Velocities, Part::Accelerations, Part::Construction],
-            Motion => &[Part::Overview, Part::Course, Part::Iteration, Part::Reduction],
+            Forces => &[ViewPart::Overview, ViewPart::Causes, ViewPart::Curves, ViewPart::Hodograph],
+            Plans => {
+                &[ViewPart::Forces, ViewPart::Velocities, ViewPart::Accelerations, ViewPart::Construction]
+            }
+            Motion => &[ViewPart::Overview, ViewPart::Course, ViewPart::Iteration, ViewPart::Reduction],
             Drive => &[
-                Part::Overview,
-                Part::Curves,
-                Part::Places,
-                Part::EnergyMass,
-                Part::Inertia,
-                Part::Reduction,
+                ViewPart::Overview,
+                ViewPart::Curves,
+                ViewPart::Places,
+                ViewPart::EnergyMass,
+                ViewPart::Inertia,
+                ViewPart::Reduction,
             ],
             _ => &[],
         }
@@ -107,7 +109,7 @@ impl View {
 /// A part of a view that has several; its names are those of `--part`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
-pub(crate) enum Part {
+pub(crate) enum ViewPart {
     /// The numbers of the position, with a chart.
     Overview,
     /// Reactions by cause.

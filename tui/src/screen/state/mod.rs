@@ -40,7 +40,9 @@ pub(crate) use job::{
     Running, Wanted,
 };
 pub(crate) use keymap::{Command, Group, Key, Keymap};
-pub(crate) use kinds::{Arrows, Chosen, Part, Prompt, PromptKind, Traces, View, following, next_kind, round};
+pub(crate) use kinds::{
+    Arrows, Chosen, Prompt, PromptKind, Traces, View, ViewPart, following, next_kind, round,
+};
 pub(crate) use look::{Kind, Look, Panels, Pictures, SETTINGS};
 pub(crate) use picker::{Choice, Help, Picker, PickerKind};
 pub(crate) use plans::Plans;
@@ -101,7 +103,7 @@ pub(crate) struct State {
     pub(crate) arrows: Arrows,
     pub(crate) traces: Traces,
     /// The part of each view that is shown; the first one where there is none.
-    pub(crate) parts: BTreeMap<View, Part>,
+    pub(crate) parts: BTreeMap<View, ViewPart>,
     /// Where the user was before, the last place at the end.
     pub(crate) trail: Vec<Stop>,
     /// The place in another scene to which the user goes back as soon as that scene is read.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use assur_analysis::Calculation;
-use assur_diagram::{DiagramError, Sheet};
+use assur_diagram::{DiagramError, PlanSheet};
 use assur_force::Construction;
 use assur_working::WorkingError;
 use assur_worksheet::Section;
@@ -19,7 +19,7 @@ const KEPT: usize = 2;
 #[derive(Debug)]
 pub(crate) struct Plans {
     /// Polygons, plans of velocities and accelerations, reactions by cause; or why there are none.
-    pub(crate) sheet: Result<Sheet, DiagramError>,
+    pub(crate) sheet: Result<PlanSheet, DiagramError>,
     /// The constructions on paper, each with the name of its force analyzer.
     pub(crate) constructions: Vec<(&'static str, Construction)>,
     calculation: Arc<Calculation>,

@@ -3,7 +3,7 @@
 use assur_analysis::results::{Column, Owner, Quantity};
 
 use super::State;
-use super::kinds::{Part, View};
+use super::kinds::{View, ViewPart};
 use super::series::Series;
 
 impl State {
@@ -23,25 +23,27 @@ impl State {
     }
 
     /// The part of a view that is shown: the chosen one if there is something to show in it.
-    pub(crate) fn part(&self, view: View) -> Part {
+    pub(crate) fn part(&self, view: View) -> ViewPart {
         let parts = self.available_parts(view);
         let chosen = self.parts.get(&view).filter(|part| parts.contains(part));
-        chosen.or(parts.first()).copied().unwrap_or(Part::Overview)
+        chosen.or(parts.first()).copied().unwrap_or(ViewPart::Overview)
     }
 
     /// The parts of a view in which there is something to show.
-    pub(crate) fn available_parts(&self, view: View) -> Vec<Part> {
+    pub(crate) fn available_parts(&self, view: View) -> Vec<ViewPart> {
         let found = self.found();
         let reaction = found.and_then(|found| found.reactions.get(self.chosen.reaction));
         let regime = found.is_some_and(|found| found.analysis.dynamics.is_some());
-        let has = |part: &Part| match (view, part) {
+        let has = |part: &ViewPart| match (view, part) {
             // The balancing load has one number, no direction.
-            (View::Forces, Part::Hodograph) => reaction.is_some_and(|reaction| reaction.series.len() == 3),
-            (View::Motion, Part::Course) => {
+            (View::Forces, ViewPart::Hodograph) => {
+                reaction.is_some_and(|reaction| reaction.series.len() == 3)
+            }
+            (View::Motion, ViewPart::Course) => {
                 regime || found.is_some_and(|found| !found.analysis.trajectory.is_empty())
             }
-            (View::Motion, Part::Iteration) => regime,
-            (View::Motion, Part::Reduction) => found.is_some_and(|found| {
+            (View::Motion, ViewPart::Iteration) => regime,
+            (View::Motion, ViewPart::Reduction) => found.is_some_and(|found| {
                 let moment = Column::of(Quantity::ReducedMoment, Owner::Input);
                 let turns = self.scene.as_ref().is_some_and(|scene| scene.linkage.angular());
                 turns && found.analysis.positions.schema().find(moment).is_some()

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::kinds::{Chosen, Part, View};
+use super::kinds::{Chosen, View, ViewPart};
 use super::{Source, State};
 
 /// Places that are remembered.
@@ -16,7 +16,7 @@ pub(crate) struct Stop {
     position: usize,
     chosen: Chosen,
     picked: Vec<String>,
-    parts: BTreeMap<View, Part>,
+    parts: BTreeMap<View, ViewPart>,
 }
 
 impl Stop {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use assur_scene::edit::{Document, SceneValue, bare, decimal, quoted, replaced};
+use assur_scene::edit::{ParsedText, SceneValue, bare, decimal, quoted, replaced};
 
 use super::scene::Scene;
 use crate::session::Session;
@@ -90,7 +90,7 @@ impl WhatIf {
     /// The values of a scene as its file has them.
     pub(crate) fn of(scene: Option<&Scene>) -> Self {
         let text = scene.map(|scene| scene.session.text.clone()).unwrap_or_default();
-        let values = Document::of(&text).values();
+        let values = ParsedText::of(&text).values();
         Self { step: FIRST_STEP, values, text, ..Self::default() }
     }
 
@@ -164,7 +164,7 @@ impl WhatIf {
 
     /// Adds a table that stands in one line of the scene to the values, so that it can be replaced as a whole; its number.
     pub(crate) fn add_table(&mut self, key: &str) -> Option<usize> {
-        let value = Document::of(&self.text).table(key)?;
+        let value = ParsedText::of(&self.text).table(key)?;
         self.values.push(value);
         Some(self.values.len() - 1)
     }
@@ -258,7 +258,7 @@ impl WhatIf {
         };
         let first = self.values.iter().filter(|value| value.span.start < at).count();
         let text = format!("{}{start}{lines}{}", &self.text[..at], &self.text[at..]);
-        let values = Document::of(&text).values();
+        let values = ParsedText::of(&text).values();
         if values.len() != self.values.len() + 2 * points.len() {
             // The table is written in another way, such as in one line.
             return;

@@ -10,7 +10,7 @@ use assur_fixtures::SCENES;
 use serde_json::Value;
 
 use super::{opened, press};
-use crate::screen::state::{Part, State, View, coordinate_unit};
+use crate::screen::state::{State, View, ViewPart, coordinate_unit};
 use crate::screen::view;
 
 /// Relative difference that the conversion of units makes.
@@ -131,7 +131,7 @@ fn drawn(state: &mut State) -> Vec<(String, Points)> {
     for shown in View::TABS {
         state.view = shown;
         let parts = match state.available_parts(shown) {
-            none if none.is_empty() => vec![Part::Overview],
+            none if none.is_empty() => vec![ViewPart::Overview],
             some => some,
         };
         for part in parts {
@@ -212,7 +212,7 @@ fn curves_between_the_positions_are_those_of_more_positions() {
             {
                 continue;
             }
-            let points = series.course.line();
+            let points = series.course.points([1.0; 2]);
             assert!(
                 points.len() > DRAWN && points.iter().all(|at| !at[1].is_nan()),
                 "{name} {}",
@@ -258,7 +258,7 @@ fn energies_of_a_cycle_end_with_the_works_of_the_cycle() {
         let mut state = opened(name);
         let json = json(&state);
         let last = json["trajectory"].as_array().unwrap().last().unwrap();
-        state.parts.insert(View::Motion, Part::Course);
+        state.parts.insert(View::Motion, ViewPart::Course);
         let figure = view::figure(&state, View::Motion).unwrap();
         let energies =
             figure.panels.iter().find(|panel| panel.title.to_string().starts_with("energies")).unwrap();

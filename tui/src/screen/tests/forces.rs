@@ -72,7 +72,7 @@ fn arrows_are_velocities_where_there_is_a_motion() {
     assert!(frame.contains("velocity") && frame.contains(" m/s\n"), "{frame}");
     press(&mut state, "v");
     let frame = text(&state, 80, 24);
-    assert!(frame.contains("acceleration") && frame.contains(" m/s2\n"), "{frame}");
+    assert!(frame.contains("acceleration") && frame.contains(" m/s²\n"), "{frame}");
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn arrows_are_transfer_functions_without_a_motion() {
     assert!(frame.contains("PF1: for unit speed") && frame.contains(" mm/rad\n"), "{frame}");
     press(&mut state, "v");
     let frame = text(&state, 80, 24);
-    assert!(frame.contains("PF2: for unit speed") && frame.contains(" mm/rad2\n"), "{frame}");
+    assert!(frame.contains("PF2: for unit speed") && frame.contains(" mm/rad²\n"), "{frame}");
 }
 
 #[test]

@@ -157,12 +157,16 @@ fn one_position_through_all_views() {
 }
 
 #[test]
-fn quit_closes_the_help_first() {
+fn quit_closes_the_help_and_the_list_of_values_first() {
     let mut state = opened("shaper");
     press(&mut state, "?");
     assert!(state.help.is_some());
     press(&mut state, "q");
     assert!(state.help.is_none());
+    press(&mut state, "e");
+    assert!(state.values_open());
+    press(&mut state, "q");
+    assert!(!state.values_open() && state.effects.is_empty());
     command::press(&mut state, KeyEvent::new(KeyCode::Char('q'), KeyModifiers::NONE));
     assert!(matches!(state.effects[..], [Effect::Quit]));
 }

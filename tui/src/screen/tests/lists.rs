@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use super::{View, empty, opened, press, scene, settle, text, write};
 use crate::screen::command;
-use crate::screen::state::{Part, PickerKind, State};
+use crate::screen::state::{PickerKind, State, ViewPart};
 use crate::screen::view;
 
 fn type_in(state: &mut State, letters: &str) {
@@ -126,20 +126,23 @@ fn the_list_of_scenes_is_no_trap() {
 fn each_view_keeps_its_part_and_shows_none_that_is_empty() {
     let mut state = opened("shaper");
     press(&mut state, "3 Tab Tab Tab");
-    assert_eq!(state.part(View::Forces), Part::Hodograph);
+    assert_eq!(state.part(View::Forces), ViewPart::Hodograph);
     // The balancing load has no direction, hence no hodograph.
     press(&mut state, "Up");
-    assert_eq!(state.part(View::Forces), Part::Overview);
-    let parts: Vec<Part> = (0..4)
+    assert_eq!(state.part(View::Forces), ViewPart::Overview);
+    let parts: Vec<ViewPart> = (0..4)
         .map(|_| {
             press(&mut state, "Tab");
             assert!(text(&state, 80, 24).lines().skip(3).take(18).any(|line| !line.trim().is_empty()));
             state.part(View::Forces)
         })
         .collect();
-    assert!(!parts.contains(&Part::Hodograph), "{parts:?}");
+    assert!(!parts.contains(&ViewPart::Hodograph), "{parts:?}");
     press(&mut state, "4 Tab");
-    assert_eq!((state.part(View::Plans), state.part(View::Motion)), (Part::Velocities, Part::Overview));
+    assert_eq!(
+        (state.part(View::Plans), state.part(View::Motion)),
+        (ViewPart::Velocities, ViewPart::Overview)
+    );
 }
 
 #[test]

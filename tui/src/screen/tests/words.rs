@@ -151,7 +151,7 @@ fn plans_of_velocities_need_no_loads() {
     assert!(frame.contains("v(A)") && frame.contains("0.2  m/s"), "{frame}");
     press(&mut state, "Tab");
     let frame = text(&state, 80, 24);
-    assert!(frame.contains("a(A)") && frame.contains("0.4  m/s^2"), "{frame}");
+    assert!(frame.contains("a(A)") && frame.contains("0.4  m/s²"), "{frame}");
 }
 
 #[test]

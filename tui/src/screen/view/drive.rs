@@ -13,7 +13,7 @@ use unicode_width::UnicodeWidthStr;
 use super::motion::numbers;
 use super::{page, places, reduction, regime};
 use crate::screen::draw::{cut, paint, put, short};
-use crate::screen::state::{Found, Part, Role, Scene, State, View};
+use crate::screen::state::{Found, Role, Scene, State, View, ViewPart};
 
 /// Columns of motor and flywheel beside the numbers of the regime.
 const LEFT: u16 = 47;
@@ -41,10 +41,10 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let heading = page::in_a_line(&facts, &["fact-unevenness", "fact-mean-speed", "fact-flywheel"]);
     put(buffer, title, 1, 0, &state.told(heading), state.look.theme.style(Role::Header));
     match state.part(View::Drive) {
-        Part::Curves | Part::EnergyMass | Part::Inertia | Part::Reduction => {
+        ViewPart::Curves | ViewPart::EnergyMass | ViewPart::Inertia | ViewPart::Reduction => {
             paint(state, &figure(state, scene, 1), area, buffer);
         }
-        Part::Places => {
+        ViewPart::Places => {
             let lines = whole(state, scene, area.width);
             // The two drives have room below, or stand in the picture of this part.
             let rows = short(lines.len()) + 1;
@@ -121,22 +121,22 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
     let panels = match state.part(View::Drive) {
-        Part::EnergyMass => vec![regime::energy_mass(&dynamics.energy_mass)],
-        Part::Reduction => reduction::link(state, scene, found).into_iter().collect(),
-        Part::Inertia => {
+        ViewPart::EnergyMass => vec![regime::energy_mass(&dynamics.energy_mass)],
+        ViewPart::Reduction => reduction::link(state, scene, found).into_iter().collect(),
+        ViewPart::Inertia => {
             let (panel, legend) = regime::shares(state, scene, found, dynamics);
             return Figure { title: text!("drive-title"), panels: vec![panel], columns, legend };
         }
-        Part::Places => places::panels(scene, dynamics),
+        ViewPart::Places => places::panels(scene, dynamics),
         _ => {
             let moments = regime::moments(state, scene, found, &dynamics.regime);
             let section =
-                regime::working_section(dynamics).filter(|_| state.part(View::Drive) == Part::Curves);
+                regime::working_section(dynamics).filter(|_| state.part(View::Drive) == ViewPart::Curves);
             regime::characteristic(dynamics).into_iter().chain(section).chain([moments]).collect()
         }
     };
     // The two drives stand beside each other.
-    if state.part(View::Drive) == Part::Places {
+    if state.part(View::Drive) == ViewPart::Places {
         let (columns, legend) = (panels.len().max(1), places::legend(dynamics));
         return Figure { title: text!("places-heading"), panels, columns, legend };
     }

@@ -10,7 +10,7 @@ use super::causes::{self, curves};
 use super::curves::together;
 use super::{friction, page};
 use crate::screen::draw::{paint, put, short};
-use crate::screen::state::{Found, Part, Purpose, Reaction, Role, Scene, Series, State, View};
+use crate::screen::state::{Found, Purpose, Reaction, Role, Scene, Series, State, View, ViewPart};
 
 /// Rows of a chart below the table.
 const BELOW: u16 = 9;
@@ -24,7 +24,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let [title, rest] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     put(buffer, title, 1, 0, &state.told(heading(state, scene, found)), theme.style(Role::Header));
     match state.part(View::Forces) {
-        Part::Overview => {
+        ViewPart::Overview => {
             let rows = short(found.reactions.len()) + 2;
             let below = rest.height.saturating_sub(rows + 1);
             // In a low area the numbers go before the charts.
@@ -36,7 +36,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
                 paint(state, &figure(state, scene), below, buffer);
             }
         }
-        Part::Causes => causes::draw(state, scene, found, rest, buffer),
+        ViewPart::Causes => causes::draw(state, scene, found, rest, buffer),
         _ => paint(state, &figure(state, scene), rest, buffer),
     }
 }
@@ -45,15 +45,15 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
 pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let (panels, columns) = match state.part(View::Forces) {
-        Part::Causes => (causes::panels(state, scene, found), 2),
+        ViewPart::Causes => (causes::panels(state, scene, found), 2),
         // The curves of a second analyzer or scene need frames of their own.
-        Part::Curves if scene.other.is_none() && state.compared.is_none() => {
+        ViewPart::Curves if scene.other.is_none() && state.compared.is_none() => {
             let all = chosen(state, found).map_or(&[][..], |reaction| &reaction.series);
             let all: Vec<&Series> = all.iter().map(|index| &found.series[*index]).collect();
             return Figure { title: heading(state, scene, found), ..together(state, scene, &all) };
         }
-        Part::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
-        Part::Hodograph => {
+        ViewPart::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
+        ViewPart::Hodograph => {
             let mut panels: Vec<Panel> = hodograph(state, found).into_iter().collect();
             let touching = |reaction| friction::panel(scene, found, state.position, reaction);
             panels.extend(chosen(state, found).and_then(touching));

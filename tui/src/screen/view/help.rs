@@ -27,7 +27,7 @@ const GLOSSARY: [&str; 18] = [
     "word-formula",
     "word-mobility",
     "word-determinant",
-    "word-way",
+    "word-mode",
     "word-residual",
     "word-unevenness",
     "word-hodograph",

@@ -185,7 +185,12 @@ fn draw_panel(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
         put(buffer, area, 0, row, "│", theme.style(Role::Dim));
     }
     let figure = figure(state, view);
-    let heading = figure.as_ref().map_or_else(String::new, |figure| state.told(&figure.title));
+    let heading = match (&figure, &state.scene) {
+        // The title of the scene stands in the header already.
+        (Some(_), Some(scene)) if view == View::Mechanism => state.told(scene.place(state.position)),
+        (Some(figure), _) => state.told(&figure.title),
+        (None, _) => String::new(),
+    };
     let heading = format!("{} {}  {heading}", state.keys.first(view.command()), state.told(view.name()));
     put(buffer, title, 0, 0, &cut(heading.trim_end(), usize::from(title.width)), theme.style(Role::Header));
     match figure {

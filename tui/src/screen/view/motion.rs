@@ -13,7 +13,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{advice, curves, page, plots, reduction, regime};
 use crate::number::number;
 use crate::screen::draw::{paint, put, short};
-use crate::screen::state::{Found, Part, Role, Scene, State, View};
+use crate::screen::state::{Found, Role, Scene, State, View, ViewPart};
 
 /// Least number of rows of a readable chart.
 const LEAST_ROWS: u16 = 5;
@@ -30,7 +30,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
     put(buffer, title, 1, 0, &state.told(text), state.look.theme.style(role));
     // The tables need the whole width.
-    if state.part(View::Motion) == Part::Iteration {
+    if state.part(View::Motion) == ViewPart::Iteration {
         return iteration(state, scene, found, area, buffer);
     }
     let lines = numbers(state, &found.analysis, NUMBERS - 1);
@@ -68,10 +68,10 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
     let panels = match (regime, state.part(View::Motion)) {
-        (_, Part::Reduction) => reduction::panels(state, scene, found),
-        (Some(regime), Part::Iteration) => regime::iteration(regime),
-        (Some(regime), Part::Course) => regime::course(state, scene, found, regime),
-        (_, part) if part != Part::Overview || found.motion.is_empty() => course(state, found),
+        (_, ViewPart::Reduction) => reduction::panels(state, scene, found),
+        (Some(regime), ViewPart::Iteration) => regime::iteration(regime),
+        (Some(regime), ViewPart::Course) => regime::course(state, scene, found, regime),
+        (_, part) if part != ViewPart::Overview || found.motion.is_empty() => course(state, found),
         _ => {
             let shown = most.clamp(1, found.motion.len());
             let from_chosen = found.motion.iter().cycle().skip(state.chosen.motion % found.motion.len());
@@ -79,7 +79,7 @@ pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
             curves::stack(state, scene, found, None, &wanted)
         }
     };
-    let columns = if state.part(View::Motion) == Part::Reduction { 2 } else { 1 };
+    let columns = if state.part(View::Motion) == ViewPart::Reduction { 2 } else { 1 };
     Figure { title: heading(scene, found).1, panels, columns, legend: Vec::new() }
 }
 

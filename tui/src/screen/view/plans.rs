@@ -1,7 +1,7 @@
 //! Plans of the position: force polygon of a group, velocities, accelerations, the constructions step by step.
 
 use assur_book::{Block, Column, Table, row};
-use assur_diagram::{Plan, PlanVector, construction_picture};
+use assur_diagram::{PlanVector, VectorPlan, construction_picture};
 use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Sample, Stroke};
 use assur_force::{Construction, Drawing, VectorKind};
 use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
@@ -12,7 +12,7 @@ use super::plots::{self, Drawn, Vector};
 use super::{advice, mechanism, page};
 use crate::number::digits;
 use crate::screen::draw::{paint, put_lines, wrapped};
-use crate::screen::state::{Found, Part, Plans, Role, Scene, State, View};
+use crate::screen::state::{Found, Plans, Role, Scene, State, View, ViewPart};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
@@ -54,7 +54,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
 
 /// What the view shows.
 enum Shown<'a> {
-    Plan(&'a Plan),
+    Plan(&'a VectorPlan),
     /// A construction up to a step.
     Construction(&'a Construction, usize),
     /// Why there is nothing; `None`: the advice on the scene.
@@ -64,7 +64,7 @@ enum Shown<'a> {
 fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
     let nothing = |text: Text| Shown::Nothing(Some(text));
     let sheet = match (&plans.sheet, state.part(View::Plans)) {
-        (_, Part::Construction) => {
+        (_, ViewPart::Construction) => {
             return match chosen_step(plans, state.chosen.step) {
                 Some((construction, last)) => Shown::Construction(construction, last),
                 None => nothing(text!("plans-no-construction")),
@@ -74,8 +74,8 @@ fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
         (Ok(sheet), _) => sheet,
     };
     let plan = match state.part(View::Plans) {
-        Part::Velocities => Some(&sheet.velocities),
-        Part::Accelerations => Some(&sheet.accelerations),
+        ViewPart::Velocities => Some(&sheet.velocities),
+        ViewPart::Accelerations => Some(&sheet.accelerations),
         _ if !has_forces(state, found) => None,
         _ => sheet.polygons.get(state.chosen.polygon.min(sheet.polygons.len().saturating_sub(1))),
     };
@@ -115,7 +115,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 }
 
 /// What the labels of a plan stand for, with the sizes; of a plan with very many the first ones.
-fn keys(part: Part, plan: &Plan) -> Vec<Key> {
+fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
     /// Entries of a legend that leave room for the plan.
     const MOST: usize = 16;
     let inner = |item: &PlanVector| item.kind == VectorKind::Inner;
@@ -161,14 +161,14 @@ fn lines_of(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Bu
 }
 
 /// The vectors of a plan that are not only rounding, each with its label.
-pub(crate) fn labelled(part: Part, plan: &Plan) -> Vec<(String, &PlanVector)> {
+pub(crate) fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)> {
     let least = LEAST * plan.greatest();
     let drawn = plan.items.iter().filter(|item| item.size > least).enumerate();
     drawn.map(|(number, item)| (label(part, item, number), item)).collect()
 }
 
 /// The vectors of a plan, and its closure error.
-fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
+fn list_of_plan(state: &State, plan: &VectorPlan, list: Rect, buffer: &mut Buffer) {
     let part = state.part(View::Plans);
     let heads = [Text::default(), text!("head-vector"), text!("head-size"), text!("head-unit")];
     let row = |(label, item): (String, &PlanVector)| {
@@ -178,14 +178,14 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
     let table = Table::list(Text::default(), heads.map(Column::of)).rows(vectors);
     let lines = page::told(state, list.width.saturating_sub(2), |page| {
         page.blocks.push(Block::Subheading(plan.title.clone()));
-        if part == Part::Forces {
+        if part == ViewPart::Forces {
             page.paragraph(text!("plans-key"));
         }
         page.table(table);
     });
     // The closure error stands below; a long list must not push it out.
     let [above, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(list);
-    let chosen = if part == Part::Forces { 0 } else { state.chosen.vector };
+    let chosen = if part == ViewPart::Forces { 0 } else { state.chosen.vector };
     page::draw_from(state, &lines, chosen, above, buffer);
     let open = number(format_args!("{:.1e}", plan.residual));
     let open = (Role::Header, state.told(text!("plans-open", open = open)));
@@ -193,33 +193,33 @@ fn list_of_plan(state: &State, plan: &Plan, list: Rect, buffer: &mut Buffer) {
 }
 
 /// A plan as a panel.
-pub(super) fn panel_of_plan(part: Part, plan: &Plan) -> Panel {
+pub(super) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
     let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
         let ink = ink_of(part, item);
         let name = if ink == Ink::Trace { Text::default() } else { name(label) };
         Vector { from: item.start, to: item.end, name, ink, kind: Drawn::Arrow }
     });
     let (unit, symbol, pole) = match part {
-        Part::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
-        Part::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
+        ViewPart::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
+        ViewPart::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
         _ => (plan.unit.as_str(), "F", None),
     };
     plots::vectors(Text::default(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
 }
 
 /// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
-fn label(part: Part, item: &PlanVector, number: usize) -> String {
+fn label(part: ViewPart, item: &PlanVector, number: usize) -> String {
     match (part, item.kind) {
-        (Part::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
-        (Part::Forces, VectorKind::Inner) => "..".to_owned(),
-        (Part::Forces, _) => format!("F{}", number + 1),
+        (ViewPart::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
+        (ViewPart::Forces, VectorKind::Inner) => "..".to_owned(),
+        (ViewPart::Forces, _) => format!("F{}", number + 1),
         (_, VectorKind::Absolute) => item.image.clone(),
         _ => "..".to_owned(),
     }
 }
 
-fn ink_of(part: Part, item: &PlanVector) -> Ink {
-    let absolute = part == Part::Accelerations && item.kind == VectorKind::Absolute;
+fn ink_of(part: ViewPart, item: &PlanVector) -> Ink {
+    let absolute = part == ViewPart::Accelerations && item.kind == VectorKind::Absolute;
     if absolute { Ink::Acceleration } else { ink(item.kind) }
 }
 

@@ -11,7 +11,7 @@ use assur_words::{Text, name, quantity, text};
 
 use super::{mechanism, plans};
 use crate::number::digits;
-use crate::screen::state::{Found, Part, Scene, State};
+use crate::screen::state::{Found, Scene, State, ViewPart};
 
 /// Half the side of a picture, in radii of the point of reduction.
 const ROOM: f64 = 1.5;
@@ -134,7 +134,7 @@ pub(super) fn panels(state: &State, scene: &Scene, found: &Found) -> Vec<Panel> 
     let mechanism = Panel { title: text!("reduction-mechanism"), ..mechanism::plane(scene, items) };
     let velocities = found.plans.at(state.position).sheet.as_ref().ok().map(|sheet| {
         let plan = &sheet.velocities;
-        Panel { title: plan.title.clone(), ..plans::panel_of_plan(Part::Velocities, plan) }
+        Panel { title: plan.title.clone(), ..plans::panel_of_plan(ViewPart::Velocities, plan) }
     });
     [Some(mechanism), velocities, Some(reduced.link()), Some(reduced.model())].into_iter().flatten().collect()
 }

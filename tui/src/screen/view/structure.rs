@@ -146,13 +146,13 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
     ];
     if let Some(Some(pose)) = scene.poses.get(position) {
         if let Ok(Some(modes)) = linkage.modes(index, pose) {
-            let (way, count) = (number(modes.number(modes.present)), number(modes.all.len()));
-            lines.push(text!("structure-way", way = way, count = count));
+            let (mode, count) = (number(modes.number(modes.present)), number(modes.all.len()));
+            lines.push(text!("structure-mode-of", mode = mode, count = count));
             let shown = state.mode_of(index).and_then(|shown| Some((shown, modes.all.get(shown)?)));
-            if let Some((shown, mode)) = shown {
-                let (way, take) = (number(modes.number(shown)), name(state.keys.first("take-mode")));
-                let determinant = number(plain(mode.health));
-                lines.push(text!("structure-mode", way = way, determinant = determinant, key = take));
+            if let Some((shown, found)) = shown {
+                let (mode, take) = (number(modes.number(shown)), name(state.keys.first("take-mode")));
+                let determinant = number(plain(found.health));
+                lines.push(text!("structure-mode", mode = mode, determinant = determinant, key = take));
             } else if modes.all.len() > 1 && position == 0 {
                 lines.push(text!("structure-modes", key = name(state.keys.first("next-mode"))));
             }

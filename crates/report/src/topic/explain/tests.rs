@@ -85,7 +85,7 @@ fn what_is_not_modelled_is_named_with_the_way_to_include_it() {
     };
     assert!(how("mass of crank, rod, slider").unwrap().contains("add `mass`"));
     assert!(how("weights").unwrap().contains("gravity"));
-    assert!(how("friction in pairs").unwrap().contains("against_motion"));
+    assert!(how("friction in pairs").unwrap().contains("[[friction]]"));
     assert!(how("velocities").is_none());
     assert!(modelled(&press).iter().any(|remark| remark.what.to_string() == "contact 1 on rod"));
 }

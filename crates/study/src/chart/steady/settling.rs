@@ -5,7 +5,7 @@ use assur_words::{Describe, Text, name, number, text};
 
 use super::{Cycle, MOST_CYCLES, NEVER_SETTLES};
 use crate::chart::motion::Task;
-use crate::chart::{Options, Reference};
+use crate::chart::{ChartOptions, Reference};
 
 /// Tolerance of the steps of the reference.
 const TIGHT: f64 = 1e-14;
@@ -83,7 +83,7 @@ pub(super) struct InTime<'a> {
     pub(super) cycle: &'a Cycle<'a>,
     pub(super) method: &'static IntegratorPlugin,
     pub(super) tolerance: f64,
-    pub(super) options: Options,
+    pub(super) options: ChartOptions,
 }
 
 impl InTime<'_> {

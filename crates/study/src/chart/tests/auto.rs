@@ -3,7 +3,7 @@
 use assur_kinematics::Linkage;
 
 use super::scenes::{charted, charted_of};
-use crate::chart::{ChartData, Measurement, Stage, Value};
+use crate::chart::{ChartData, Measurement, SettingValue, Stage};
 
 /// At most so many times more evaluations than the best method that meets the tolerance.
 const MOST: u64 = 3;
@@ -42,7 +42,7 @@ fn assert_near_the_best(scene: &str, data: &ChartData) {
     for exponent in 3..=12 {
         let tolerance = 10.0_f64.powi(-exponent);
         let is_asked = |value| match value {
-            Some(Value::Number(set)) => (set / tolerance - 1.0).abs() < 1e-6,
+            Some(SettingValue::Number(set)) => (set / tolerance - 1.0).abs() < 1e-6,
             _ => true,
         };
         let mut own = data.of(Stage::Motion).filter(|row| row.auto);

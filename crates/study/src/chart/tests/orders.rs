@@ -1,11 +1,11 @@
 //! The order of each method, as its rows show it.
 
 use super::scenes::{charted, rows};
-use crate::chart::{ChartData, Measurement, Stage, Value};
+use crate::chart::{ChartData, Measurement, SettingValue, Stage};
 
 fn number(row: &Measurement, name: &str) -> f64 {
     match row.setting.get(name) {
-        Some(Value::Number(value)) => value,
+        Some(SettingValue::Number(value)) => value,
         other => panic!("{name}: {other:?}"),
     }
 }
@@ -89,8 +89,8 @@ fn numbers_have_their_precision() {
             for row in data.of(stage).filter(|row| row.ok) {
                 let error = row.error.unwrap();
                 match row.setting.get("number") {
-                    Some(Value::Word("f32")) => assert_between(error, [1e-9, 1e-2]),
-                    Some(Value::Word(_)) if row.method != "longitudinal-published" => {
+                    Some(SettingValue::Word("f32")) => assert_between(error, [1e-9, 1e-2]),
+                    Some(SettingValue::Word(_)) if row.method != "longitudinal-published" => {
                         assert!(error < 1e-10, "{scene} {row:?}");
                     }
                     _ => {}

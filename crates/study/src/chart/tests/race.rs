@@ -8,7 +8,7 @@ use assur_words::Text;
 use super::scenes::{Ticks, shipped};
 use crate::chart::race::{Entry, Field, Verdict};
 use crate::chart::race::{Judge, STOPPED, median};
-use crate::chart::{Clock, Measurement, Options, Progress, Reference, Setting, Stage, chart};
+use crate::chart::{ChartOptions, Clock, Measurement, Progress, Reference, Setting, Stage, chart};
 
 /// A clock that contestants move.
 struct Moved<'a>(&'a RefCell<f64>);
@@ -39,7 +39,7 @@ fn methods_take_turns_and_the_median_counts() {
         Entry { units: 2.0, ..slow('b', vec![0.2], &now, &log) },
     ];
     let field = Field { reference: Reference { how: Text::default(), error: 1e-12 }, entries };
-    let options = Options { stage_seconds: 7.2, rounds: 4, ..Options::THOROUGH };
+    let options = ChartOptions { stage_seconds: 7.2, rounds: 4, ..ChartOptions::THOROUGH };
     let mut go_on = |_: Progress| ControlFlow::Continue(());
     let mut clock = Moved(&now);
     let mut judge = Judge { clock: &mut clock, options, progress: &mut go_on, start: 0.0, stopped: false };
@@ -60,7 +60,7 @@ fn an_error_below_the_reference_is_told_as_its_estimate() {
     let mut clock = Moved(&now);
     let mut judge = Judge {
         clock: &mut clock,
-        options: Options::QUICK,
+        options: ChartOptions::QUICK,
         progress: &mut go_on,
         start: 0.0,
         stopped: false,
@@ -77,7 +77,7 @@ fn what_was_measured_before_a_stop_is_kept() {
         calls += 1;
         if calls > 10 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let data = chart(&shipped("shaper"), &mut Ticks(0.0), Options::THOROUGH, &mut stop_at_ten).unwrap();
+    let data = chart(&shipped("shaper"), &mut Ticks(0.0), ChartOptions::THOROUGH, &mut stop_at_ten).unwrap();
     assert!(!data.complete);
     let measured = data.rows.iter().filter(|row| row.ok && row.seconds.is_some()).count();
     assert_eq!(measured, 10);

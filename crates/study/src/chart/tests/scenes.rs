@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use assur_all as _;
 use assur_kinematics::Linkage;
 
-use crate::chart::{ChartData, Clock, Measurement, Options, Stage, chart};
+use crate::chart::{ChartData, ChartOptions, Clock, Measurement, Stage, chart};
 
 /// A clock that goes a fixed step each time it is read: it never matters but for how often a run is repeated.
 pub(super) struct Ticks(pub(super) f64);
@@ -29,7 +29,7 @@ pub(super) fn charted(name: &str) -> ChartData {
 
 /// The chart of a mechanism with every setting, each timed a little.
 pub(super) fn charted_of(linkage: &Linkage) -> ChartData {
-    let options = Options { rounds: 1, stage_seconds: 0.0, max_steps: 20_000, ..Options::THOROUGH };
+    let options = ChartOptions { rounds: 1, stage_seconds: 0.0, max_steps: 20_000, ..ChartOptions::THOROUGH };
     chart(linkage, &mut Ticks(0.0), options, &mut |_| ControlFlow::Continue(())).unwrap()
 }
 

@@ -101,7 +101,7 @@ fn start(plugin: &IntegratorPlugin, excess: f64) -> Option<Comparison> {
     let (linkage, loads) = machine(&text)?;
     let lost = -(-end).exp_m1();
     let found = transient(&linkage, &loads, &method(plugin.name), None);
-    let count = |steps: &assur_integrator::Statistics| steps.steps + steps.rejected;
+    let count = |steps: &assur_integrator::SolutionCost| steps.steps + steps.rejected;
     let steps = found.as_ref().map_or(STEPS, |found| count(&found.trajectory.statistics));
     let row = row("motor from rest", (plugin.name, "end"), excess, bound(plugin, end, steps));
     Some(match found {
