@@ -155,6 +155,57 @@ fn a_position_next_to_the_end_of_two_modes_is_noted_with_both() {
     }
 }
 
+/// A triad with two slides, two modes of which pass through infinity twice in a turn.
+const THROUGH_INFINITY: &str = r#"
+[ground]
+points = { O = [0.411, -0.369], A2 = [0.209, 1.041] }
+[link.crank]
+points = { O = 0, T = [0.1, 0.05] }
+[link.plate]
+points = { B0 = [-1.113, -0.063], B1 = [0.403, 0.82] }
+[link.l1]
+points = { S0 = [-0.242, -0.107], B0 = [0.078, -0.032] }
+[link.l2]
+points = { S1 = [0.817, 0.961], B1 = [-0.134, 0.59] }
+[link.l3]
+points = { A2 = [0.373, -0.384], S2 = [-0.201, -0.13] }
+[[slide]]
+link = "l1"
+on = "ground"
+through = [0.056, -0.884]
+angle = -0.203
+point = "S0"
+tilt = 2.441
+[[slide]]
+link = "l2"
+on = "crank"
+through = [0.071, 0.077]
+angle = 0.757
+point = "S1"
+tilt = -2.608
+[[slide]]
+link = "l3"
+on = "plate"
+through = [-0.645, 1.024]
+angle = -2.361
+point = "S2"
+tilt = 4.086
+[input]
+link = "crank"
+from = FROM
+"#;
+
+#[test]
+fn modes_that_pass_through_infinity_end_there_wherever_the_turn_begins() {
+    let found = ["0.201", "1.711", "2.973"].map(|from| {
+        let text = THROUGH_INFINITY.replace("FROM", from);
+        let found = linkage_of(assur_scene::read("infinity", &text).unwrap()).courses(0).unwrap();
+        let ended = found.courses.iter().filter(|course| course.ends[1] == CourseEnd::Infinity).count();
+        (ended, found.circuits)
+    });
+    assert!(found[0].0 > 0 && found.iter().all(|one| *one == found[0]), "{found:?}");
+}
+
 /// A plate on a parallelogram: whatever the third leg does, two of its modes have the same angle.
 const ON_A_PARALLELOGRAM: &str = r#"
 [ground]
