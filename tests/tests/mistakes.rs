@@ -196,6 +196,8 @@ fn a_moment_of_inertia_that_others_have_is_missed() {
     };
     let id = Some("scene-mass-without-inertia");
     assert_eq!(told("inertia = \"0.019 kg*m^2\"\n"), [("link.coupler.mass".to_owned(), id)]);
+    let zero = scene.replace("inertia = \"0.019 kg*m^2\"", "inertia = 0");
+    assert_eq!(mistakes(&zero), []);
     assert_eq!(
         told("inertia = \"0.003 kg*m^2\"\n"),
         [],

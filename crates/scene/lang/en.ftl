@@ -468,7 +468,7 @@ scene-list-repeats = With `to`, { $positions } positions are { $apart } apart an
 scene-part-of-a-turn = A cycle of { $cycle } is no whole number of turns: after it the mechanism is not where it began. Positions of a part of a turn are written with `to`.
 scene-gravity-up = Gravity points up: y grows upward. Write "9.81 m/s^2", or [0, "-9.81 m/s^2"].
 scene-inertia-without-mass = Link `{ $link }` turns about no fixed pin and has a moment of inertia, but no mass: is `mass` missing?
-scene-mass-without-inertia = Link `{ $link }` turns and has a mass, but no moment of inertia, which the others have: it is taken as 0; is `inertia` missing?
+scene-mass-without-inertia = Link `{ $link }` turns and has a mass, but no moment of inertia, which the others have: it is taken as 0; add `inertia` (0 if that is meant)
 scene-far-lighter = Link `{ $link }` has a mass of { $mass }, the others about { $others }: is a unit wrong?
 scene-turned-twice = A negative speed along direction = "cw" turns counter-clockwise: leave the minus sign out.
 scene-odd-ratio = `ratio` is motor speed / input speed; with { $ratio } the motor is far from its rated speed, { $needed } would reach it.

@@ -28,8 +28,9 @@ const LEAST_OF_THE_LENGTH: f64 = 2e-3;
 /// A link so many times as heavy, or as light, as the others has a wrong unit: g for kg gives a thousand times.
 const MOST_TIMES_HEAVIER: f64 = 300.0;
 
-/// Everything that is probably not meant; `units`: whether lengths of links have units.
-pub(crate) fn of(mechanism: &Mechanism, units: bool) -> Vec<Notice> {
+/// Everything that is probably not meant; `units`: whether lengths of links have units, `gives_inertia`: whether a link of this name
+/// has a moment of inertia, be it 0.
+pub(crate) fn of(mechanism: &Mechanism, units: bool, gives_inertia: impl Fn(&str) -> bool) -> Vec<Notice> {
     let mut notices = names(mechanism);
     notices.extend(masses(mechanism));
     let extents: Vec<f64> = (0..mechanism.links.len()).map(|link| extent(mechanism, link)).collect();
@@ -45,7 +46,8 @@ pub(crate) fn of(mechanism: &Mechanism, units: bool) -> Vec<Notice> {
             notices.extend(inertia(mechanism, link, size, *length));
             notices.extend(center(mechanism, link, size));
             notices.extend(without_mass(mechanism, link));
-            notices.extend(without_inertia(mechanism, link, &extents));
+            let missing = without_inertia(mechanism, link, &extents);
+            notices.extend(missing.filter(|_| !gives_inertia(&mechanism.links[link].name)));
         }
     }
     notices

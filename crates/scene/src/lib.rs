@@ -143,7 +143,8 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
         inertia::refuse_not_positive(root, &mechanism);
-        mechanism.notes.extend(doubts::of(&mechanism, links::have_units(root)));
+        let gives_inertia = |link: &str| links::gives_inertia(root, link);
+        mechanism.notes.extend(doubts::of(&mechanism, links::have_units(root), gives_inertia));
     }
     (mechanism, note)
 }

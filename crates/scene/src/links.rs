@@ -197,3 +197,11 @@ pub(crate) fn have_units(root: &Section<'_>) -> bool {
         links.into_iter().flat_map(|links| links.values()).filter_map(|link| link.get_ref().get("points"));
     points.any(|points| has_text(points.get_ref()))
 }
+
+/// Whether a link has a moment of inertia, be it 0.
+pub(crate) fn gives_inertia(root: &Section<'_>, link: &str) -> bool {
+    let links = root.get("link");
+    let links = links.as_ref().and_then(|links| links.value.as_table());
+    let link = links.and_then(|links| links.get(link));
+    link.is_some_and(|link| link.get_ref().get("inertia").is_some())
+}
