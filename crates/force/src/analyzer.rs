@@ -209,7 +209,7 @@ impl Describe for ForceError {
                 "force-idle-balance",
                 coordinate = at(*coordinate),
                 load,
-                share = number(format_args!("{share:.3e}"))
+                share = number(if *share == 0.0 { "0".to_owned() } else { format!("{share:.1e}") })
             ),
             Self::Parallel { coordinate, lines, angle, instead } => text!(
                 "force-parallel",
