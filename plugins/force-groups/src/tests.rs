@@ -166,7 +166,7 @@ fn a_balancing_force_that_does_no_work_is_refused() {
     let error = solve(&linkage, 0.0).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "coordinate 0.000000000: the balancing force on `piston` does no work there (it moves 0.000e0 of a typical \
+        "coordinate 0.000000000: the balancing force on `piston` does no work there (it moves 0 of a typical \
          displacement), so it can't keep the mechanism in its motion; let it act elsewhere, or leave `[balance]` out"
     );
 }

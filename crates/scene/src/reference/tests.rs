@@ -165,9 +165,13 @@ fn a_default_is_what_holds_without_its_key() {
                 let mut scene = found.scene.to_owned();
                 scene.replace_range(found.value.clone(), default);
                 // A key that others need can be neither left out nor have its default in that scene.
-                let (Ok(left_out), Ok(written)) = (left_out, crate::read_with_note("a", &scene)) else {
+                let (Ok(mut left_out), Ok(mut written)) = (left_out, crate::read_with_note("a", &scene))
+                else {
                     continue;
                 };
+                // What is left out may be doubted, what is written is meant.
+                left_out.0.notes.clear();
+                written.0.notes.clear();
                 assert_eq!(format!("{left_out:?}"), format!("{written:?}"), "{name}");
                 judged.insert(name);
             }
