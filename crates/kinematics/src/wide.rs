@@ -81,7 +81,8 @@ impl<'a> Wide<'a> {
     }
 
     /// Solves a group in the given way, and the groups that determine its motion in their ways. No others are solved,
-    /// so the numbers of a group don't depend on what else is needed.
+    /// so the numbers of a group don't depend on what else is needed. Only its own lack of an assembly is an
+    /// [`GroupError::NoAssembly`]: where a group before it ends, nothing is known of it.
     pub(crate) fn solve(
         &mut self,
         q: Dd,
@@ -102,7 +103,8 @@ impl<'a> Wide<'a> {
         });
         for ancestor in self.dependence.ancestors(group, |group| state.is_solved[group]) {
             let way = assembly.way(ancestor, q.to_f64());
-            chain.groups[ancestor].solve(&mut state.bodies, usize::from(way), self.order)?;
+            let solved = chain.groups[ancestor].solve(&mut state.bodies, usize::from(way), self.order);
+            solved.map_err(|_| GroupError::Singular { health: f64::NAN })?;
             state.is_solved[ancestor] = true;
         }
         let kernel = &chain.groups[group];

@@ -376,3 +376,40 @@ fn stephenson_3_has_the_same_places_and_reactions_driven_from_either_side() {
         assert!(off < 1e-7, "balancing: {off:e}");
     }
 }
+
+/// A four-bar of which the crank does not turn fully, and a group after it that is the less healthy the nearer it comes to the end.
+const ENDING: &str = r#"
+[ground]
+points = { O = 0, C = [0.3, 0], G = [0.19726, 0.05353] }
+[link.crank]
+points = { O = 0, A = 0.2 }
+[link.rod]
+points = { A = 0, B = 0.25 }
+[link.rocker]
+points = { C = 0, B = 0.22, D = [0.1, -0.05] }
+[link.stone]
+points = { D = 0 }
+[link.arm]
+points = { G = 0 }
+[[slide]]
+link = "stone"
+on = "arm"
+through = [0, 0.03]
+[input]
+link = "crank"
+from = FROM
+"#;
+
+#[test]
+fn a_range_ends_with_its_first_group_whatever_comes_after_it() {
+    // The pins A and C are as far apart as rod and rocker are long.
+    let cosine = (0.2_f64.powi(2) + 0.3_f64.powi(2) - 0.47_f64.powi(2)) / (2.0 * 0.2 * 0.3);
+    let end = cosine.acos();
+    for step in 0..12 {
+        // Wherever the end lies between two samples.
+        let text = ENDING.replace("FROM", &format!("{:?}", 1.2 + 0.0008 * f64::from(step)));
+        let linkage = linkage_of(assur_scene::read("ending", &text).unwrap());
+        let range = linkage.range.unwrap();
+        assert!((range.high - end).abs() < 1e-9, "step {step}: {} for {end}", range.high);
+    }
+}
