@@ -81,7 +81,7 @@ impl<'a> Wide<'a> {
     }
 
     /// Solves a group in the given way, and the groups that determine its motion in their ways. No others are solved,
-    /// so the numbers of a group don't depend on what else is needed. Only its own lack of an assembly is an
+    /// so the numbers of a group don't depend on what else is needed. Only its own lack of an assembly is told as
     /// [`GroupError::NoAssembly`]: where a group before it ends, nothing is known of it.
     pub(crate) fn solve(
         &mut self,
