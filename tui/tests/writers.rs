@@ -73,6 +73,12 @@ fn has_written(child: &mut Child, part: &Path, bytes: u64) -> bool {
     child.try_wait().unwrap().is_none()
 }
 
+/// Sends a signal to a sweep.
+fn signal(child: &Child, signal: &str) {
+    let kill = format!("kill {signal} {}", child.id());
+    assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+}
+
 /// The rows of a run that nothing disturbs.
 fn whole(folder: &Path, name: &str) -> Vec<u8> {
     let name = format!("whole-{name}");
@@ -88,6 +94,8 @@ fn a_second_sweep_is_told_who_writes() {
         let whole = whole(path, name);
         let mut first = start(path, &[MANY, "-o", name]);
         assert!(has_written(&mut first, &path.join(format!("{name}.part")), 0), "too few points");
+        // It must not end before the others begin.
+        signal(&first, "-STOP");
         for more in [&[][..], &["--resume"], &["--shard", "2/2"]] {
             let second = sweep(path, &[&[FEW, "-o", name], more].concat());
             let process = format!("error: can't write {name}: process {}", first.id());
@@ -98,6 +106,7 @@ fn a_second_sweep_is_told_who_writes() {
         fs::create_dir(path.join("sub")).unwrap();
         let second = sweep(path, &[FEW, "-o", &format!("sub/../{name}")]);
         assert!(code(&second) == 2 && err(&second).contains(WRITTEN), "{}", err(&second));
+        signal(&first, "-CONT");
         let first = first.wait_with_output().unwrap();
         assert_eq!(code(&first), 1, "{}", err(&first));
         assert_eq!(fs::read(path.join(name)).unwrap(), whole);
