@@ -114,7 +114,11 @@ impl Follower<'_> {
                     Some(last) => Event::End(last, source),
                     None => self.stop((group, samples.way), sample, source, branch),
                 }),
-                None if sample == samples.health.len() => break,
+                None if sample == samples.health.len() => {
+                    let found = (!iterates).then(|| self.stop_behind((group, samples.way), branch)).flatten();
+                    let Some(event) = found else { break };
+                    Some(event)
+                }
                 _ if kernel.ways() == 1 => None,
                 _ => {
                     let found = self.meeting(group, sample, &mut samples, branch, is_back);

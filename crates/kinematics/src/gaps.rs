@@ -23,9 +23,29 @@ impl Follower<'_> {
         branch: &Branch,
     ) -> Event {
         let Some(before) = sample.checked_sub(1) else { return Event::End(branch.from, source) };
-        let [good, bad] = self.end((group, way), branch.behind(group, before), branch.at(sample), branch);
-        let is_bounded = branch.passages[group].len() < branch.samples;
-        let renumbered = self.renumbered((group, way), [good, bad], branch).filter(|_| is_bounded);
+        let ends = self.end((group, way), branch.behind(group, before), branch.at(sample), branch);
+        self.stopped((group, way), ends, source, branch)
+    }
+
+    /// Likewise for a group that can't be placed at the end of a branch, which a group before it has set beyond the last sample;
+    /// `None` where it can.
+    pub(crate) fn stop_behind(&self, (group, way): (usize, u8), branch: &Branch) -> Option<Event> {
+        let (last, reached) = (branch.samples.checked_sub(1)?, branch.from + branch.reached);
+        branch.failure.as_ref()?;
+        let kernel = self.chain.groups[group].as_ref();
+        let error = |q: f64| match self.placed_before(group, q, branch) {
+            Ok(mut bodies) => kernel.place(&mut bodies, usize::from(way)).err(),
+            // A group before it may not be found so near to its own end: that says nothing of this one.
+            Err(_) => None,
+        };
+        let source = error(reached).filter(|error| matches!(error, GroupError::NoAssembly { .. }))?;
+        let ends = bisect(branch.behind(group, last), reached, 0.0, |q| error(q).is_none());
+        Some(self.stopped((group, way), ends, source, branch))
+    }
+
+    fn stopped(&self, at: (usize, u8), [good, bad]: [f64; 2], source: GroupError, branch: &Branch) -> Event {
+        let is_bounded = branch.passages[at.0].len() < branch.samples;
+        let renumbered = self.renumbered(at, [good, bad], branch).filter(|_| is_bounded);
         renumbered.map_or(Event::End(good, source), Event::Transition)
     }
 
@@ -81,12 +101,19 @@ impl Follower<'_> {
         q: f64,
         branch: &Branch,
     ) -> Result<Vec<Body<f64>>, GroupError> {
+        let mut bodies = self.placed_before(group, q, branch)?;
+        self.chain.groups[group].place(&mut bodies, usize::from(way))?;
+        Ok(bodies)
+    }
+
+    /// Places the groups that determine the motion of a group; returns all bodies.
+    fn placed_before(&self, group: usize, q: f64, branch: &Branch) -> Result<Vec<Body<f64>>, GroupError> {
         let mut bodies = branch.bodies_near(q);
         self.chain.set_input(q, &mut bodies);
-        let mut place = |group: usize, way: u8| self.chain.groups[group].place(&mut bodies, usize::from(way));
-        let mut ancestors = self.dependence.ancestors(group, |_| false).into_iter();
-        let placed = ancestors.try_for_each(|ancestor| place(ancestor, branch.way(ancestor, q)).map(drop));
-        placed.and_then(|()| place(group, way)).map(|_| bodies)
+        for ancestor in self.dependence.ancestors(group, |_| false) {
+            self.chain.groups[ancestor].place(&mut bodies, usize::from(branch.way(ancestor, q)))?;
+        }
+        Ok(bodies)
     }
 
     fn own(&self, group: usize, bodies: &[Body<f64>]) -> Vec<Body<f64>> {

@@ -380,7 +380,7 @@ fn stephenson_3_has_the_same_places_and_reactions_driven_from_either_side() {
 /// A four-bar of which the crank does not turn fully, and a group after it that is the less healthy the nearer it comes to the end.
 const ENDING: &str = r#"
 [ground]
-points = { O = 0, C = [0.3, 0], G = [0.19726, 0.05353] }
+points = { O = 0, C = [0.3, 0], G = [GUIDE] }
 [link.crank]
 points = { O = 0, A = 0.2 }
 [link.rod]
@@ -400,16 +400,43 @@ link = "crank"
 from = FROM
 "#;
 
+/// The greatest coordinate of [`ENDING`], for coordinates of the first position that put it anywhere between two samples.
+fn ends_of(guide: [f64; 2]) -> impl Iterator<Item = f64> {
+    (0..12).map(move |step| {
+        let from = format!("{:?}", 1.2 + 0.0008 * f64::from(step));
+        let text = ENDING.replace("FROM", &from).replace("GUIDE", &format!("{:?}, {:?}", guide[0], guide[1]));
+        linkage_of(assur_scene::read("ending", &text).unwrap()).range.unwrap().high
+    })
+}
+
 #[test]
 fn a_range_ends_with_its_first_group_whatever_comes_after_it() {
     // The pins A and C are as far apart as rod and rocker are long.
     let cosine = (0.2_f64.powi(2) + 0.3_f64.powi(2) - 0.47_f64.powi(2)) / (2.0 * 0.2 * 0.3);
-    let end = cosine.acos();
-    for step in 0..12 {
-        // Wherever the end lies between two samples.
-        let text = ENDING.replace("FROM", &format!("{:?}", 1.2 + 0.0008 * f64::from(step)));
-        let linkage = linkage_of(assur_scene::read("ending", &text).unwrap());
-        let range = linkage.range.unwrap();
-        assert!((range.high - end).abs() < 1e-9, "step {step}: {} for {end}", range.high);
+    for end in ends_of([0.19726, 0.05353]) {
+        assert!((end - cosine.acos()).abs() < 1e-9, "{end} for {}", cosine.acos());
+    }
+}
+
+#[test]
+fn a_range_ends_with_a_group_that_ends_shortly_before_the_one_before_it() {
+    let guide = [0.198_138, 0.054_485];
+    // The distance of D from the guide's pin, with the rocker above the line from A to C.
+    let distance = |q: f64| {
+        let [x, y] = [0.3 - 0.2 * q.cos(), -0.2 * q.sin()];
+        let square = x * x + y * y;
+        let along = (0.25_f64.powi(2) - 0.22_f64.powi(2) + square) / (2.0 * square);
+        let aside = (0.25_f64.powi(2) / square - along * along).sqrt();
+        let [u, v] = [-x + along * x - aside * y, -y + along * y + aside * x].map(|part| part / 0.22);
+        (0.3 + 0.1 * u + 0.05 * v - guide[0]).hypot(0.1 * v - 0.05 * u - guide[1])
+    };
+    // It reaches the offset of the guide, where the stone can't get nearer.
+    let [mut low, mut high] = [2.42, 2.4302];
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if distance(middle) > 0.03 { low = middle } else { high = middle }
+    }
+    for end in ends_of(guide) {
+        assert!((end - low).abs() < 1e-9, "{end} for {low}");
     }
 }
