@@ -78,8 +78,6 @@ impl Calculation {
     fn regime_notes(&self) -> Vec<Text> {
         /// A ratio is written with four digits.
         const MET: f64 = 1e-3;
-        /// A work over the cycle below this part of the excess work is rounding.
-        const ROUNDING: f64 = 1e-9;
         let InputMotion::Steady(found) = &self.motion else { return Vec::new() };
         let (mechanism, regime) = (&self.linkage.mechanism, &found.regime);
         let Some(Motion::Steady { mean_speed: wanted, .. }) = mechanism.motion else { return Vec::new() };
@@ -101,7 +99,7 @@ impl Calculation {
             let (motor, passed) = (name(designation.clone()), joined("; ", passed));
             notes.push(text!("analysis-motors-passed-over", motor, passed));
         }
-        if -found.resistance_work > ROUNDING * regime.figures.excess_work {
+        if regime.figures.are_loads_driving(-found.resistance_work) {
             let size = |value: f64, unit| quantity(format_args!("{value:.6}"), unit);
             notes.push(text!(
                 "analysis-loads-drive",

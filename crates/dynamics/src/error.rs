@@ -136,19 +136,19 @@ fn scientific(value: f64) -> String {
     format!("{value:.6e}")
 }
 
+/// Two values that should be one.
+fn not_repeating(what: &Text, coordinates: [f64; 2], values: [f64; 2]) -> Text {
+    let [before, after] = values.map(|value| number(scientific(value)));
+    let [from, to] = coordinates.map(fine);
+    text!("dynamics-not-repeating", what, before, from, after, to)
+}
+
 impl Describe for DynamicsError {
     fn describe(&self) -> Text {
         match self {
             Self::NoMotion(kind) => text!("dynamics-no-motion", kind = name(*kind)),
             Self::NoCycle => text!("dynamics-no-cycle"),
-            Self::NotRepeating { what, coordinates, values } => text!(
-                "dynamics-not-repeating",
-                what = what,
-                before = number(scientific(values[0])),
-                from = fine(coordinates[0]),
-                after = number(scientific(values[1])),
-                to = fine(coordinates[1])
-            ),
+            Self::NotRepeating { what, coordinates, values } => not_repeating(what, *coordinates, *values),
             Self::OverTime => text!("dynamics-over-time"),
             Self::SteadyOnly(key) => text!("dynamics-steady-only", key = name(*key)),
             Self::Equation { coordinate, source } => {

@@ -295,3 +295,14 @@ fn rows_of_zeros_and_no_loads_are_solved_in_small_memory() {
         assert!((z[0] - first).abs() <= 1e-15 * load && (z[1] - second).abs() <= 4e-15 * load, "{z:?}");
     }
 }
+
+#[test]
+fn one_modulus_keeps_its_digits_next_to_jamming_where_it_does_not_grow() {
+    // z = |-1 + w z| with w z below 1: z = 1/(1 + w).
+    for left in [0.5, 1e-3, 1e-6, 1e-9, 1e-12] {
+        let w: f64 = 1.0 - left;
+        let sum = Sum { is_vector: true, constant: [-3.0, 0.0], slopes: [[w, 0.0]] };
+        let (_, [z]) = Unique([sum]).solve().unwrap();
+        assert!((z * (1.0 + w) / 3.0 - 1.0).abs() < 4.0 * f64::EPSILON, "{left}: {z}");
+    }
+}

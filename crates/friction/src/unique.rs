@@ -200,11 +200,13 @@ fn by_determinants<T: Real, const N: usize>(matrix: &Matrix<T, N>, right: &[T; N
     sum.map(|sum| sum * inverse)
 }
 
-/// The modulus of one vector, z = |a + w z|, where w is shorter than 1.
+/// The modulus of one vector, z = |a + w z|, where w is shorter than 1: (a w + s)/(1 - w w), or a a/(s - a w) where that cancels less.
 #[inline(always)]
 fn only<T: Real>([a, b]: [T; 2], [u, v]: [T; 2]) -> T {
-    let (along, left) = (a * u + b * v, T::ONE - (u * u + v * v));
-    (along + (along * along + left * (a * a + b * b)).sqrt()) / left
+    let (along, left, square) = (a * u + b * v, T::ONE - (u * u + v * v), a * a + b * b);
+    let sum = along.abs() + (along * along + left * square).sqrt();
+    let is_along = (T::ONE + along.sign()).half();
+    is_along * (sum / left) + (T::ONE - is_along) * (square / (sum + T::from_f64(f64::MIN_POSITIVE)))
 }
 
 /// The spectral radius of a nonnegative matrix of three rows, the greatest root of its characteristic polynomial, by Newton's

@@ -21,22 +21,30 @@ impl Modes {
     pub fn number(&self, index: usize) -> usize {
         if self.is_numbered { self.all[index].way } else { index }
     }
-}
 
-impl Modes {
     /// The mode nearest to the present one, which has the opposite sign of its determinant: the one that it meets where both end.
     pub fn rival(&self, linkage: &Linkage) -> Option<usize> {
         let present = &self.all[self.present];
-        let apart = |mode: &Mode<f64>| {
-            pose_distance(
-                mode.bodies.iter().copied(),
-                present.bodies.iter().copied(),
-                linkage.structure.scale,
-            )
-        };
+        let apart = |mode: &Mode<f64>| distance(mode, present, linkage.structure.scale);
         let others = self.all.iter().enumerate().filter(|(_, mode)| mode.way != present.way);
         others.min_by(|a, b| apart(a.1).total_cmp(&apart(b.1))).map(|(index, _)| index)
     }
+
+    /// What the present mode has become after a change of the mechanism: of all modes of one way before and after, the nearest two
+    /// belong together, then the nearest of the others. `None` where what is left is farther than `limit`, rad or parts of the scale.
+    pub fn present_after(&self, after: &Self, limit: f64, scale: f64) -> Option<usize> {
+        let apart = |[old, new]: [usize; 2]| {
+            let [one, other] = [&self.all[old], &after.all[new]];
+            (one.way == other.way).then(|| distance(one, other, scale))
+        };
+        let pairs = (0..self.all.len()).flat_map(|old| (0..after.all.len()).map(move |new| [old, new]));
+        let partners = nearest_first(pairs, apart, limit, |[a, b], [c, d]| a == c || b == d);
+        partners.into_iter().find(|[old, _]| *old == self.present).map(|[_, new]| new)
+    }
+}
+
+fn distance(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> f64 {
+    pose_distance(one.bodies.iter().copied(), other.bodies.iter().copied(), scale)
 }
 
 impl Linkage {
@@ -73,4 +81,45 @@ pub(crate) fn by_ways(kernel: &dyn AssurGroup<f64>, bodies: &[Body<f64>]) -> Vec
         Some(Mode { bodies, way, health })
     };
     (0..kernel.ways()).filter_map(placed).collect()
+}
+
+/// Pairs of two that are less than a limit apart, the nearest first, none of which excludes another one.
+pub(crate) fn nearest_first(
+    all: impl Iterator<Item = [usize; 2]>,
+    apart: impl Fn([usize; 2]) -> Option<f64>,
+    limit: f64,
+    excludes: impl Fn([usize; 2], [usize; 2]) -> bool,
+) -> Vec<[usize; 2]> {
+    let near = all.filter_map(|pair| Some((apart(pair).filter(|apart| *apart < limit)?, pair)));
+    let mut near: Vec<(f64, [usize; 2])> = near.collect();
+    near.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let mut taken: Vec<[usize; 2]> = Vec::new();
+    for (_, pair) in near {
+        if !taken.iter().any(|one| excludes(*one, pair)) {
+            taken.push(pair);
+        }
+    }
+    taken
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Body, Mode, Modes};
+
+    #[test]
+    fn a_mode_whose_place_only_others_take_has_vanished() {
+        let modes = |angles: &[f64], present: usize| {
+            let body = |angle: &f64| Body { c: angle.cos(), s: angle.sin(), ..Body::ground() };
+            let mode = |angle| Mode { bodies: vec![body(angle)], way: 0, health: 1.0 };
+            Modes { all: angles.iter().map(mode).collect(), present, is_numbered: false }
+        };
+        let found = |after: &[f64]| {
+            let of = |present| modes(&[0.0, 0.1, 0.4], present).present_after(&modes(after, 0), 1.0, 1.0);
+            [0, 1, 2].map(of)
+        };
+        // The first two meet and vanish; the third one, not far away, has moved a little.
+        assert_eq!(found(&[0.42]), [None, None, Some(0)]);
+        // All of them go on.
+        assert_eq!(found(&[-0.02, 0.15, 0.42]), [Some(0), Some(1), Some(2)]);
+    }
 }

@@ -67,13 +67,10 @@ pub struct RegimeReport {
     pub course: Vec<RegimePoint>,
 }
 
-impl RegimeReport {
+impl Dynamics {
     /// Whether the loads drive and the drive resists: over a cycle the loads do more work than they take.
     pub fn loads_drive(&self) -> bool {
-        /// A mean moment below this part of the greatest is rounding.
-        const ROUNDING: f64 = 1e-9;
-        let greatest = self.course.iter().map(|row| row.load.abs()).fold(0.0, f64::max);
-        self.mean_resistance < -ROUNDING * greatest
+        self.figures.are_loads_driving(-self.regime.resistance_work)
     }
 }
 

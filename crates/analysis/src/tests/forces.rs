@@ -141,6 +141,6 @@ fn a_list_against_the_motion_is_told() {
 /// Driving is what does positive work over the cycle: in E example 2 the engine is a load of the scene.
 #[test]
 fn who_drives_is_who_does_the_work() {
-    let drives = |name: &str| analyzed(&super::text(name)).dynamics.unwrap().regime.loads_drive();
+    let drives = |name: &str| analyzed(&super::text(name)).dynamics.unwrap().loads_drive();
     assert!(drives("flywheel") && !drives("shaper-drive"));
 }

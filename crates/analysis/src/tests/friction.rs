@@ -130,3 +130,29 @@ fn a_motion_with_another_friction_is_noticed() {
         assert!(found.iter().any(|failed| failed == name), "{found:?}");
     }
 }
+
+/// A block on a spring, which each half swing takes twice the same from its amplitude, until it stays: how seldom it is looked at
+/// changes nothing in what friction takes.
+#[test]
+fn a_block_that_turns_back_often_between_two_samples_loses_what_it_slid() {
+    let (f, stiffness, start) = (0.1, 800.0, 0.1);
+    // Friction of 2 N and a spring of 800 N/m: 5 mm are taken from the amplitude by each half swing; it stays within 2.5 mm.
+    let shift = f * 20.0 / stiffness;
+    let (mut amplitude, mut way) = (start, 0.0);
+    while amplitude > shift {
+        way += 2.0 * (amplitude - shift);
+        amplitude -= 2.0 * shift;
+    }
+    for samples in [2, 3, 8, 60] {
+        let found = analyzed(&format!(
+            "gravity = 10\n[ground]\npoints = {{ W = [-1, 0] }}\n[link.block]\npoints = {{ P = 0 }}\nmass = 2\n\
+             [[slide]]\nlink = \"block\"\non = \"ground\"\n\
+             [[spring]]\nbetween = [\"ground.W\", \"block.P\"]\nstiffness = {stiffness}\nlength = 1\n\
+             [input]\nlink = \"block\"\nfrom = {start}\nto = -0.1\npositions = 2\n\
+             [motion]\nkind = \"transient\"\nspeed = 0\nuntil = \"4 s\"\nsamples = {samples}\n\
+             [[friction]]\npair = \"block/ground\"\ncoefficient = {f}\n"
+        ));
+        let lost = energy(&found, samples, Quantity::FrictionWork);
+        assert!((lost / (-f * 20.0 * way) - 1.0).abs() < 1e-9, "{samples}: {lost} for {way}");
+    }
+}

@@ -43,6 +43,15 @@ pub struct Figures {
     pub torque: Option<f64>,
 }
 
+impl Figures {
+    /// Whether the loads drive the machine, which do this work over a cycle, J.
+    pub fn are_loads_driving(&self, work: f64) -> bool {
+        /// A work below this part of the excess work is rounding.
+        const ROUNDING: f64 = 1e-9;
+        work > ROUNDING * self.excess_work
+    }
+}
+
 /// The periodic regime.
 #[derive(Debug, Clone)]
 pub struct Regime {

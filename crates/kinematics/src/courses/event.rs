@@ -2,6 +2,8 @@
 
 use assur_group::Mode;
 
+use crate::modes::nearest_first;
+
 use super::{CourseEnd, FAR_AWAY, FARTHEST, PAIR, TOGETHER, UNSIGNED, Walk, is_turned};
 
 /// Modes on both sides of an event; which of those before are left, and the numbers of those after it, as far as they are known.
@@ -134,23 +136,4 @@ fn is_far(mode: &Mode<f64>, scale: f64) -> bool {
 /// Whether the sign of a determinant, and so its way, may be rounding.
 fn is_unsigned(mode: &Mode<f64>) -> bool {
     mode.health < UNSIGNED
-}
-
-/// Pairs of two that are less than a limit apart, the nearest first, none of which excludes another one.
-fn nearest_first(
-    all: impl Iterator<Item = [usize; 2]>,
-    apart: impl Fn([usize; 2]) -> Option<f64>,
-    limit: f64,
-    excludes: impl Fn([usize; 2], [usize; 2]) -> bool,
-) -> Vec<[usize; 2]> {
-    let near = all.filter_map(|pair| Some((apart(pair).filter(|apart| *apart < limit)?, pair)));
-    let mut near: Vec<(f64, [usize; 2])> = near.collect();
-    near.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let mut taken: Vec<[usize; 2]> = Vec::new();
-    for (_, pair) in near {
-        if !taken.iter().any(|one| excludes(*one, pair)) {
-            taken.push(pair);
-        }
-    }
-    taken
 }

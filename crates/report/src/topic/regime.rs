@@ -20,7 +20,7 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
     let (figures, regime) = (&found.figures, &found.regime);
     let some = |id, value: Option<f64>, unit: Unit| value.map(|value| Fact::number(id, value, unit));
     // What is positive where the drive drives has another name, and the other sign, where the loads drive.
-    let loads_drive = regime.loads_drive();
+    let loads_drive = found.loads_drive();
     let one_of = |[usual, other]: [&'static str; 2], value: Option<f64>, unit| {
         if loads_drive { some(other, value.map(|value| -value), unit) } else { some(usual, value, unit) }
     };

@@ -1,6 +1,5 @@
 //! Commands on the modes of a group: one after the other is shown in the first position, and one is taken.
 
-use assur_group::{Body, Mode};
 use assur_kinematics::Modes;
 use assur_mechanism::Point;
 use assur_words::{number, text};
@@ -50,9 +49,8 @@ pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Modes>])
     let structure = &scene.linkage.structure;
     for (group, before) in before.iter().enumerate().take(structure.groups.len()) {
         let Some((before, modes)) = before.as_ref().zip(scene.first_modes(group)) else { continue };
-        let is_fewer = modes.all.len() < before.all.len();
-        let partner = partner(before.present, &before.all, &modes.all, structure.scale);
-        let Some((index, _)) = partner.filter(|(_, distance)| !is_fewer || *distance <= VANISHED) else {
+        let limit = if modes.all.len() < before.all.len() { VANISHED } else { f64::INFINITY };
+        let Some(index) = before.present_after(&modes, limit, structure.scale) else {
             let name = structure.group_name(&scene.linkage.mechanism, group);
             let way = number(modes.number(modes.present));
             return state.say(Role::Bad, text!("say-mode-vanished", group = name, mode = way));
@@ -62,28 +60,6 @@ pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Modes>])
             return whatif::assemble_too(state, &points);
         }
     }
-}
-
-/// What a mode has become, with the distance, rad or parts of the scale: of all modes of one way before and after, the nearest two
-/// belong together, then the nearest of the others. `None` where all that are left belong to others.
-fn partner(present: usize, before: &[Mode<f64>], after: &[Mode<f64>], scale: f64) -> Option<(usize, f64)> {
-    let distance = |(a, b): (&Body<f64>, &Body<f64>)| {
-        ((a.x - b.x).hypot(a.y - b.y) / scale).max((a.c - b.c).hypot(a.s - b.s))
-    };
-    let apart = |old: usize, new: usize| {
-        before[old].bodies.iter().zip(&after[new].bodies).map(distance).fold(0.0, f64::max)
-    };
-    let pairs = (0..before.len()).flat_map(|old| (0..after.len()).map(move |new| (old, new)));
-    let pairs = pairs.filter(|(old, new)| before[*old].way == after[*new].way);
-    let mut pairs: Vec<_> = pairs.map(|(old, new)| (old, new, apart(old, new))).collect();
-    pairs.sort_by(|a, b| a.2.total_cmp(&b.2));
-    while let Some(&(old, new, distance)) = pairs.first() {
-        if old == present {
-            return Some((new, distance));
-        }
-        pairs.retain(|pair| pair.0 != old && pair.1 != new);
-    }
-    None
 }
 
 /// The modes of each group in the first position.
@@ -111,25 +87,4 @@ fn points(scene: &Scene, group: usize, index: usize) -> Option<Vec<Assembled>> {
         Some(Assembled { name: point.name.to_string(), present: first.bodies[of.link].point(of.at), place })
     });
     Some(told.collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Body, Mode, partner};
-
-    #[test]
-    fn a_mode_whose_place_only_others_take_has_vanished() {
-        let modes = |angles: &[f64]| -> Vec<Mode<f64>> {
-            let body = |angle: &f64| Body { c: angle.cos(), s: angle.sin(), ..Body::ground() };
-            angles.iter().map(|angle| Mode { bodies: vec![body(angle)], way: 0, health: 1.0 }).collect()
-        };
-        // The first two meet and vanish; the third one, not far away, has moved a little.
-        let (before, after) = (modes(&[0.0, 0.1, 0.4]), modes(&[0.42]));
-        let found = [0, 1, 2].map(|present| partner(present, &before, &after, 1.0).map(|(index, _)| index));
-        assert_eq!(found, [None, None, Some(0)]);
-        // All of them go on.
-        let after = modes(&[-0.02, 0.15, 0.42]);
-        let found = [0, 1, 2].map(|present| partner(present, &before, &after, 1.0).map(|(index, _)| index));
-        assert_eq!(found, [Some(0), Some(1), Some(2)]);
-    }
 }

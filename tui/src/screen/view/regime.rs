@@ -54,7 +54,8 @@ pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &Regi
     };
     let mean = |sign: f64| (text!("regime-mean"), over(regime, |_| Some(sign * regime.mean_resistance)));
     let against = || text!("regime-against", load = text!("regime-resistance"));
-    let lines = if regime.loads_drive() {
+    let loads_drive = found.analysis.dynamics.as_ref().is_some_and(Dynamics::loads_drive);
+    let lines = if loads_drive {
         let driving = (text!("regime-driving-loads"), load(1.0));
         vec![driving, (against(), drive(-1.0)), mean(-1.0)]
     } else {
