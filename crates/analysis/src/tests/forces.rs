@@ -138,6 +138,21 @@ fn a_list_against_the_motion_is_told() {
     assert!(listed(&upward).unwrap().contains("`direction = \"ccw\"`"));
 }
 
+/// A weight does nothing over a turn: what is left of its work is rounding, and drives no machine.
+#[test]
+fn a_weight_drives_nothing() {
+    for from in ["0.37", "1.1", "2.9", "4.4"] {
+        let found = analyzed(&format!(
+            "gravity = 9.81\n[ground]\npoints = {{ O = 0 }}\n[link.crank]\npoints = {{ O = 0, A = 0.1 }}\n\
+             mass = 3\ncenter = [0.07, 0.03]\ninertia = 0.08\n[input]\nlink = \"crank\"\nfrom = {from}\n\
+             [motion]\nkind = \"steady\"\nmean_speed = 7\n[drive]\ntorque = \"balance\"\nflywheel = 0.5\n",
+        ));
+        let dynamics = found.dynamics.unwrap();
+        assert!(!dynamics.loads_drive());
+        assert!(found.notes.iter().all(|note| note.text.identity() != Some("analysis-loads-drive")));
+    }
+}
+
 /// Driving is what does positive work over the cycle: in E example 2 the engine is a load of the scene.
 #[test]
 fn who_drives_is_who_does_the_work() {
