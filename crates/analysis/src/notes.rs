@@ -5,6 +5,7 @@ mod doubts;
 mod friction;
 mod loads;
 
+use assur_dynamics::unknown_rotor;
 use assur_integrator::Knob;
 use assur_mechanism::{Mechanism, Motion, Notice, Range};
 use assur_words::{Describe, Text, joined, list, name, number, quantity, text};
@@ -32,6 +33,7 @@ impl Calculation {
         notes.extend(self.friction_of_contacts());
         if let InputMotion::Transient(found) = &self.motion {
             notes.extend(found.unrest.as_ref().map(|why| text!("analysis-unrest", why)));
+            notes.extend(unknown_rotor(&self.linkage.mechanism).map(|warning| warning.describe()));
         }
         if !self.linkage.structure.passive.is_empty()
             && self.analyzer.is_some_and(|method| method.gives_reactions)

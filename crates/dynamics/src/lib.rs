@@ -34,4 +34,4 @@ pub use steady::{
     CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeSolver,
     RegimeState, TorqueRequest, Trial,
 };
-pub use transient::{EnergyBalance, Method, Transient, equation, request, transient};
+pub use transient::{EnergyBalance, Method, Transient, equation, request, transient, unknown_rotor};

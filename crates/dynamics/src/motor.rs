@@ -33,6 +33,18 @@ impl DriveMotor {
         self.rated.inertia.unwrap_or(0.0)
     }
 
+    /// A warning where the rotor counts as massless, since its inertia is not known.
+    pub(crate) fn unknown_rotor(&self) -> Option<MotorWarning> {
+        match self.row {
+            Some(row) => check_rotor_inertia(row),
+            None => {
+                self.rated.inertia.is_none().then(|| MotorWarning::RotorInertiaUnknown {
+                    designation: text!("dynamics-motor-by-data"),
+                })
+            }
+        }
+    }
+
     /// The motor of a scene, if its torque is that of a motor. For choosing one, `need` gives the power at the motor
     /// shaft, W, and the speed of the input, rad/s.
     pub(crate) fn of(
@@ -128,18 +140,11 @@ impl SteadyMotor {
         let rms_torque = rms_torque(nodes);
         let starting_load = (resistance / (ratio * efficiency)).max(0.0);
         let starting_ratio = motor.row.and_then(|row| row.starting_torque_ratio);
-        let rotor =
-            match motor.row {
-                Some(row) => check_rotor_inertia(row),
-                None => motor.rated.inertia.is_none().then(|| MotorWarning::RotorInertiaUnknown {
-                    designation: text!("dynamics-motor-by-data"),
-                }),
-            };
         let warnings = [
             check_breakdown(&characteristic, speed),
             check_starting(&characteristic, starting_ratio, starting_load),
             check_rms(&characteristic, rms_torque),
-            rotor,
+            motor.unknown_rotor(),
         ];
         let warnings = warnings.into_iter().flatten().collect();
         Self { motor, speed, torque, rms_torque, starting_load, warnings }

@@ -7,8 +7,9 @@ use assur_integrator::{
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    FlywheelPlace, Load, Mechanism, Motion, Solve, StepLength, Torque, Until as AskedUntil,
+    Drive, FlywheelPlace, Load, Mechanism, Motion, Solve, StepLength, Torque, Until as AskedUntil,
 };
+use assur_motor::MotorWarning;
 use assur_words::{Describe, Text};
 
 use crate::drive::{Driven, InputDrive, Source};
@@ -183,6 +184,16 @@ fn heading(
     }
 }
 
+/// The motor that drives in time; one is chosen for steady regimes only.
+fn motor(drive: &Drive) -> Result<Option<DriveMotor>, DynamicsError> {
+    DriveMotor::of(&drive.torque, || Err(DynamicsError::SteadyOnly("`motor = \"auto\"`")))
+}
+
+/// A warning where the rotor of the motor of a transient motion counts as massless, since its inertia is not known.
+pub fn unknown_rotor(mechanism: &Mechanism) -> Option<MotorWarning> {
+    motor(mechanism.drive.as_ref()?).ok()??.unknown_rotor()
+}
+
 /// What drives the input link of a scene in time.
 fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
     let Some(drive) = &mechanism.drive else { return Ok(InputDrive::NONE) };
@@ -193,7 +204,7 @@ fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
         Solve::Wanted => Err(steady_only(what)),
     };
     let flywheel = given(drive.flywheel.unwrap_or(Solve::Given(0.0)), "`flywheel = \"solve\"`")?;
-    let motor = DriveMotor::of(&drive.torque, || Err(steady_only("`motor = \"auto\"`")))?;
+    let motor = motor(drive)?;
     let rotor = motor.as_ref().map_or(0.0, DriveMotor::rotor);
     let (source, ratio) = match (&drive.torque, motor) {
         (Torque::Balance, _) => return Err(steady_only("`torque = \"balance\"`")),

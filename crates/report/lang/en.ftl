@@ -39,8 +39,8 @@ fact-mean-resistance = mean resisting moment, reduced to the input
 fact-mean-driving = mean driving moment of the loads, reduced to the input
 fact-resistance-work = net work that the loads take in a cycle
 fact-net-driving-work = net work that the loads do in a cycle
-fact-driving-work = work of driving loads over a cycle
-fact-resisting-work = work of resisting loads over a cycle
+fact-driving-work = work of each load while it drives, summed over a cycle
+fact-resisting-work = work of each load while it resists, summed over a cycle
 fact-friction-work = work of dry friction over a cycle
 fact-kinetic-energy = kinetic energy with flywheel and rotor
 fact-driving-moment = driving moment
@@ -628,6 +628,7 @@ model-drive-balance = a constant torque at the input shaft, which makes the work
 model-drive-constant = a constant torque at the input shaft, along the direction of the input
 model-drive-none = no torque: the drive has neither `motor` nor `torque`
 model-rotor = of the motor, at the input shaft with the square of the gear ratio
+model-rotor-of-chosen = of the motor that is chosen, where its catalogue gives it, at the input shaft with the square of the gear ratio
 model-losses = a constant efficiency of the reducer, { $efficiency }, whatever speed and load
 model-flywheel = a constant moment of inertia on its shaft
 
@@ -657,6 +658,7 @@ missing-drive-how = the scene gives no drive; add `[drive]` with `motor` and `fl
 missing-drive-prescribed = the input is moved as it is prescribed, by the balancing load; add `[drive]` with `motor` and `flywheel`, and `kind = "steady"` or "transient" to `[motion]`
 missing-rotor = rotor inertia
 missing-rotor-how = the rated data give none; add `inertia` to `motor`
+missing-rotor-of-catalogue = the catalogue gives none for this motor; give the motor by its data: `motor = {"{"} power, ..., inertia {"}"}`
 missing-rotor-no-motor = the drive has no motor; name one with `motor` in `[drive]`
 missing-electrical = electrical transients of the motor
 missing-electrical-how = its torque follows the speed at once, by the steady characteristic; they can't be included

@@ -225,7 +225,7 @@ fn keys(state: &State, all: &[&Series]) -> Vec<Key> {
         let before = all[..number].iter().filter(|other| without_radians(&other.unit) == unit).count();
         let (stroke, ink) = STYLES[before % STYLES.len()];
         let title = joined(" ", [name((number + 1).to_string()), series.title()]);
-        let text = joined(": ", [title, name(series.bare(state.position))]);
+        let text = joined(": ", [title, words::number(series.bare(state.position))]);
         Key { sample: Sample::Line(stroke, ink), text }
     };
     all.iter().enumerate().map(key).collect()

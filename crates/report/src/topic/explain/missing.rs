@@ -1,6 +1,6 @@
 //! What the model of a scene leaves out.
 
-use assur_mechanism::{GROUND, LinkId, Load, Mechanism, Motion, Torque};
+use assur_mechanism::{GROUND, LinkId, Load, Mechanism, Motion, Motor, Torque};
 use assur_words::{list, text};
 
 use super::model::{has_rotor, heavy, used_drive};
@@ -89,9 +89,13 @@ fn drive(mechanism: &Mechanism, list: &mut Vec<Remark>) {
         list.push(remark(text!("missing-drive"), how));
         return;
     };
-    if let Torque::Motor { motor, .. } = &drive.torque {
-        if !has_rotor(motor) {
-            list.push(remark(text!("missing-rotor"), text!("missing-rotor-how")));
+    if let Torque::Motor { motor, catalogue, .. } = &drive.torque {
+        if has_rotor(motor, catalogue.as_deref()) == Some(false) {
+            let how = match motor {
+                Motor::Rated(_) => text!("missing-rotor-how"),
+                _ => text!("missing-rotor-of-catalogue"),
+            };
+            list.push(remark(text!("missing-rotor"), how));
         }
         list.push(remark(text!("missing-electrical"), text!("missing-electrical-how")));
         list.push(remark(text!("missing-reducer"), text!("missing-reducer-how")));

@@ -5,6 +5,7 @@ use assur_mechanism::{
     Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, Motor, Over, Surfaces,
     Torque, Value,
 };
+use assur_motor::find_motor;
 use assur_structure::name_of;
 use assur_words::{Text, list as listed, number, quantity, text};
 
@@ -39,11 +40,15 @@ pub(super) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
     mechanism.drive.as_ref().filter(|_| found)
 }
 
-/// Whether a motor has a rotor with inertia; rated data may give none.
-pub(super) fn has_rotor(motor: &Motor) -> bool {
+/// Whether the inertia of the rotor of a motor is known; rated data and catalogues may give none. `None` for a motor that is yet to be
+/// chosen.
+pub(super) fn has_rotor(motor: &Motor, catalogue: Option<&str>) -> Option<bool> {
     match motor {
-        Motor::Rated(rated) => rated.inertia.is_some_and(|inertia| inertia > 0.0),
-        Motor::Auto | Motor::Designation(_) => true,
+        Motor::Rated(rated) => Some(rated.inertia.is_some_and(|inertia| inertia > 0.0)),
+        Motor::Designation(designation) => {
+            Some(find_motor(catalogue, designation).is_ok_and(|motor| motor.rotor_inertia.is_some()))
+        }
+        Motor::Auto => None,
     }
 }
 
@@ -138,8 +143,12 @@ fn drive_remarks(drive: &Drive, list: &mut Vec<Remark>) {
         Torque::None => text!("model-drive-none"),
     };
     list.push(remark(text!("model-drive"), torque));
-    if matches!(&drive.torque, Torque::Motor { motor, .. } if has_rotor(motor)) {
-        list.push(remark(text!("missing-rotor"), text!("model-rotor")));
+    if let Torque::Motor { motor, catalogue, .. } = &drive.torque {
+        match has_rotor(motor, catalogue.as_deref()) {
+            Some(true) => list.push(remark(text!("missing-rotor"), text!("model-rotor"))),
+            None => list.push(remark(text!("missing-rotor"), text!("model-rotor-of-chosen"))),
+            Some(false) => {}
+        }
     }
     if drive.efficiency < 1.0 {
         let how = text!("model-losses", efficiency = number(drive.efficiency));
