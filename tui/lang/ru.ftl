@@ -330,7 +330,7 @@ regime-friction-work = работа трения
 regime-kinetic-energy = кинетическая энергия
 regime-energies = энергии, Дж
 motion-none = в сцене нет [motion], поэтому только J и Q; добавьте его, со speed = "60 rpm"
-motion-loads = моменты нагрузок, приведённые к входному звену, Н м
+motion-loads = моменты нагрузок, приведённые к входному звену, Н·м
 motion-coordinate = координата
 motion-speed = скорость
 motion-acceleration = ускорение
@@ -363,7 +363,7 @@ structure-input = входное звено { $link }: { $ground }
 structure-drawn = на рисунке: входное звено{ $groups } ({ $key }: далее)
 structure-with-group = { "," } с группой { $group }
 structure-least = наименьший определитель { $determinant } в положении { $position }
-structure-kind = класс { $class }, вид { $kind }, порядок { $order }
+structure-kind = класс { $class }, тип { $kind }, порядок { $order }
 structure-kind-named = класс { $class }, { $kind }, порядок { $order }
 structure-view-links = звенья: { $links }
 structure-inner = внутренние пары: { $pairs }

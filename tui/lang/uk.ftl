@@ -327,7 +327,7 @@ regime-friction-work = робота тертя
 regime-kinetic-energy = кінетична енергія
 regime-energies = енергії, Дж
 motion-none = у сцені немає [motion], тому лише J і Q; додайте його, зі speed = "60 rpm"
-motion-loads = моменти навантажень, зведені до вхідної ланки, Н м
+motion-loads = моменти навантажень, зведені до вхідної ланки, Н·м
 motion-coordinate = координата
 motion-speed = швидкість
 motion-acceleration = прискорення
@@ -360,7 +360,7 @@ structure-input = вхідна ланка { $link }: { $ground }
 structure-drawn = на рисунку: вхідна ланка{ $groups } ({ $key }: далі)
 structure-with-group = { "," } з групою { $group }
 structure-least = найменший визначник { $determinant } у положенні { $position }
-structure-kind = клас { $class }, вид { $kind }, порядок { $order }
+structure-kind = клас { $class }, тип { $kind }, порядок { $order }
 structure-kind-named = клас { $class }, { $kind }, порядок { $order }
 structure-view-links = ланки: { $links }
 structure-inner = внутрішні пари: { $pairs }

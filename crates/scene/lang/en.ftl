@@ -462,6 +462,12 @@ scene-round-brackets = not TOML: coordinates and lists stand in square brackets:
 scene-invisible-sign = not TOML: here stands the invisible character { $code }: write a space in its place
 scene-missing-comma = not TOML: a comma is missing between two values
 scene-unclosed-brace = not TOML: this brace has no closing one in its line
+scene-missing-value = not TOML: a value is missing here
+scene-unquoted-text = not TOML: a text stands in quotes: "{ $value }"
+scene-form-of-number = not TOML: write the number as { $number }
+scene-unclosed-header = not TOML: the name of this table has no closing bracket
+scene-key-without-value = not TOML: after the key `{ $key }` come `=` and its value
+scene-example-or-word = { $example }, or "{ $word }"
 scene-grouped-digits = has a space in the number: `{ $text }`; write its digits together
 scene-degrees-in-table = a bare number is in radians: write "360 deg" for degrees
 scene-list-repeats = With `to`, { $positions } positions are { $apart } apart and the last one repeats the first: leave `to` out, or write positions = { $more }.

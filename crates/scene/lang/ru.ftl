@@ -468,6 +468,12 @@ scene-round-brackets = не TOML: координаты и списки стоя�
 scene-invisible-sign = не TOML: здесь стоит невидимый символ { $code }: замените его пробелом
 scene-missing-comma = не TOML: между двумя значениями не хватает запятой
 scene-unclosed-brace = не TOML: эта фигурная скобка в её строке не закрыта
+scene-missing-value = не TOML: здесь не хватает значения
+scene-unquoted-text = не TOML: текст пишут в кавычках: "{ $value }"
+scene-form-of-number = не TOML: напишите число так: { $number }
+scene-unclosed-header = не TOML: у имени этой таблицы нет закрывающей скобки
+scene-key-without-value = не TOML: после ключа `{ $key }` должны стоять `=` и его значение
+scene-example-or-word = { $example } или "{ $word }"
 scene-grouped-digits = содержит пробел в числе: `{ $text }`; пишите его цифры слитно
 scene-degrees-in-table = число без единицы - в радианах: для градусов пишите "360 deg"
 scene-list-repeats = С `to` расстояние между { $positions } положениями равно { $apart }, и последнее повторяет первое: уберите `to` или напишите positions = { $more }.

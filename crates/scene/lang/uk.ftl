@@ -469,6 +469,12 @@ scene-round-brackets = не TOML: координати й списки стоя�
 scene-invisible-sign = не TOML: тут стоїть невидимий символ { $code }: замініть його пробілом
 scene-missing-comma = не TOML: між двома значеннями бракує коми
 scene-unclosed-brace = не TOML: цю фігурну дужку в її рядку не закрито
+scene-missing-value = не TOML: тут бракує значення
+scene-unquoted-text = не TOML: текст пишуть у лапках: "{ $value }"
+scene-form-of-number = не TOML: напишіть число так: { $number }
+scene-unclosed-header = не TOML: назва цієї таблиці не має закривної дужки
+scene-key-without-value = не TOML: після ключа `{ $key }` мають стояти `=` і його значення
+scene-example-or-word = { $example } або "{ $word }"
 scene-grouped-digits = має пробіл у числі: `{ $text }`; пишіть його цифри разом
 scene-degrees-in-table = число без одиниці - у радіанах: для градусів пишіть "360 deg"
 scene-list-repeats = З `to` відстань між { $positions } положеннями дорівнює { $apart }, і останнє повторює перше: приберіть `to` або напишіть positions = { $more }.

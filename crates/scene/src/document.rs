@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use assur_words::{Text, name, number, text};
 use toml::Spanned;
-use toml::de::DeTable;
+use toml::de::{DeTable, DeValue};
 
 pub use crate::error::Fault;
 pub use crate::walk::{Entry, Section};
@@ -125,7 +125,9 @@ fn syntax_faults<'m>(text: &str, errors: impl Iterator<Item = (Range<usize>, &'m
             faults.push(Fault::new(at..at + 1, words));
             break;
         }
-        let fault = Fault::new(span.clone(), syntax_words(message, text.get(span.clone())));
+        let words =
+            standing(text, &span).unwrap_or_else(|| syntax_words(message, text.get(span.clone())));
+        let fault = Fault::new(span.clone(), words);
         let earlier = if message == "duplicate key" { earlier(text, &span) } else { None };
         faults.push(match earlier {
             Some(line) => fault.label(text!("scene-stands-already", line = number(line))),
@@ -192,6 +194,43 @@ fn is_before_a_key(rest: &str) -> bool {
     let mut words = rest.lines().next().unwrap_or_default().split_whitespace();
     let is_number = words.next().is_some_and(|word| word.parse::<f64>().is_ok());
     is_number && (words.next(), words.next()).1.is_some_and(|word| word.starts_with('='))
+}
+
+/// The cause of a fault of the syntax by what stands at its place; `None` where that doesn't tell it. The parser's words name what
+/// it tried last: for a word without quotes, `false`.
+fn standing(text: &str, span: &Range<usize>) -> Option<Text> {
+    // A fault at the end of a number belongs to the number.
+    let is_of_number = |c: char| c.is_ascii_digit() || ".+-".contains(c);
+    let before = text.get(..span.start)?.trim_end_matches(is_of_number);
+    let line = before[before.rfind('\n').map_or(0, |end| end + 1)..].trim();
+    let rest = text[before.len()..].lines().next().unwrap_or_default();
+    let found = rest.split([',', ']', '}', '#', '"', '\'']).next().unwrap_or_default().trim();
+    let list = line.rfind(['[', '{']).filter(|&at| line[at..].starts_with('['));
+    let is_in_list = list.is_some_and(|at| line[..at].contains('='));
+    let is_number = |word: &str| word.parse::<f64>().is_ok();
+    let is_key = |text: &str| {
+        text.starts_with(char::is_alphabetic)
+            && text.chars().all(|c| c.is_alphanumeric() || "_-.".contains(c))
+    };
+    if line.ends_with('=') || is_in_list && line.ends_with(['[', ',']) {
+        let words = found.split_whitespace().count();
+        return if found.is_empty() && !rest.trim_start().starts_with(['"', '\'']) {
+            Some(text!("scene-missing-value"))
+        } else if found.starts_with(char::is_alphabetic) && !found.contains('=') {
+            Some(text!("scene-unquoted-text", value = shown(found)))
+        } else if is_in_list && words > 1 && found.split_whitespace().all(is_number) {
+            Some(text!("scene-missing-comma"))
+        } else {
+            // Rust reads `.5`, `5.` and `05`, too.
+            let number = found.parse::<f64>().ok().filter(|_| DeValue::parse(found).is_err())?;
+            Some(text!("scene-form-of-number", number = name(number.to_string())))
+        };
+    }
+    let is_open = line.matches('[').count() > line.matches(']').count();
+    if is_open && line.starts_with('[') && is_key(line.trim_matches(['[', ']'])) {
+        return Some(text!("scene-unclosed-header"));
+    }
+    is_key(line).then(|| text!("scene-key-without-value", key = shown(line)))
 }
 
 /// Where the text begins whose closing quote the parser misses; `None` for another fault.

@@ -121,7 +121,7 @@ fn solved(section: &Section<'_>, key: &str, dimension: Dimension, bound: Bound) 
         entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["solve"])));
         return None;
     }
-    entry.bounded(dimension, bound).map(Solve::Given)
+    entry.bounded_or(Some(dimension), bound, Some("solve")).map(Solve::Given)
 }
 
 fn torque(section: &Section<'_>, context: &Context<'_>) -> Option<Torque> {

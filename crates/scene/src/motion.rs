@@ -156,21 +156,22 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
         let fault = Fault::new(section.span.clone(), text!("scene-steady-without-cycle"));
         section.faults.push(fault.label(text!("scene-give-a-cycle")));
     }
-    let unevenness = section.get("unevenness").and_then(|entry| {
+    // A wrong one is given, too: nothing else is missing then.
+    let unevenness = section.get("unevenness").map(|entry| {
         if entry.value.as_str() == Some("motor") {
-            return Some(Solve::Wanted);
+            return Solve::Wanted;
         }
         if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
             let quantity = Dimension::Number.describe();
             let wanted = text!("scene-word-or", word = words("motor"), quantity = quantity);
             entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["motor"])));
-            return None;
+            return Solve::Given(0.0);
         }
-        let value = entry.bounded(Dimension::Number, Bound::Positive)?;
+        let value = entry.bounded(Dimension::Number, Bound::Positive).unwrap_or_default();
         if value >= 2.0 {
             entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
         }
-        Some(Solve::Given(value))
+        Solve::Given(value)
     });
     let entry = section.need("mean_speed")?;
     let mean = entry.bounded(context.speed(), Bound::Positive)?;

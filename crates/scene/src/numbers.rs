@@ -56,9 +56,18 @@ impl Entry<'_> {
 
     /// Reads a number or a text with a unit, within a bound.
     pub(crate) fn bounded(&self, wanted: impl Into<Option<Dimension>>, bound: Bound) -> Option<f64> {
-        let wanted = wanted.into();
+        self.bounded_or(wanted.into(), bound, None)
+    }
+
+    /// [`Entry::bounded`]; `word`: what may stand there in place of a number, for messages.
+    pub(crate) fn bounded_or(
+        &self,
+        wanted: Option<Dimension>,
+        bound: Bound,
+        word: Option<&'static str>,
+    ) -> Option<f64> {
         let value = self.quantity(wanted)?;
-        let wanted = wanted.unwrap_or(Dimension::Number);
+        let Some(wanted) = wanted else { return Some(value) };
         let (holds, limit) = match bound {
             Bound::Any => return Some(value),
             Bound::NotNegative => (value >= 0.0, "scene-negative"),
@@ -66,7 +75,12 @@ impl Entry<'_> {
             Bound::Direction => (value.abs() <= MOST_DIRECTION, "scene-many-turns"),
         };
         if !holds {
-            self.problem(text!(limit, got = self.written()), example(wanted));
+            let example = example(wanted);
+            let label = match word {
+                Some(word) => text!("scene-example-or-word", example = example, word = name(word)),
+                None => example,
+            };
+            self.problem(text!(limit, got = self.written()), label);
         }
         holds.then_some(value)
     }

@@ -54,7 +54,7 @@ working-number-of-steps = число шагов
 
 # Группы.
 working-class = класс { $class }
-working-class-and-type = класс { $class }, вид { $number }
+working-class-and-type = класс { $class }, тип { $number }
 working-group = Группа { $group }, { $kind } ({ $class }), звенья { $links }: положения, ПФ1, ПФ2
 working-displacement = перемещение в поступательной паре { $slide }
 working-linear-system = Эта группа решена через её линейную систему из { $equations } уравнений: J u′ = b и J u″ = b, по два уравнения на каждую пару. Сначала приведено решение; ниже обе части каждого уравнения согласуются с ним.

@@ -54,7 +54,7 @@ working-number-of-steps = кількість кроків
 
 # Групи.
 working-class = клас { $class }
-working-class-and-type = клас { $class }, вид { $number }
+working-class-and-type = клас { $class }, тип { $number }
 working-group = Група { $group }, { $kind } ({ $class }), ланки { $links }: положення, ПФ1, ПФ2
 working-displacement = переміщення в поступальній парі { $slide }
 working-linear-system = Цю групу розв'язано через її лінійну систему з { $equations } рівнянь: J u′ = b і J u″ = b, по два рівняння на кожну пару. Спершу наведено розв'язок; нижче обидві частини кожного рівняння узгоджуються з ним.

@@ -144,7 +144,7 @@ fn steps_are_times_or_displacements() {
     }
     let error = read("test", &format!("{text}\nstep = \"1 kg\"\n")).unwrap_err().to_string();
     assert!(
-        error.contains("`step` wants a time (s, ms, min, h) or an angle (rad, deg, rev), got `kg`, a mass"),
+        error.contains("`step` wants a time (s, ms, min, h) or an angle (rad, mrad, deg, rev), got `kg`, a mass"),
         "{error}"
     );
 }

@@ -56,11 +56,11 @@ pub const LEAST: f64 = 1e-30;
 // masses and speeds stay finite. docs/ranges.md gives them to the user.
 const ROWS: [UnitRow; 15] = [
     (D::Number, [0, 0, 0, 0], "scene-dimension-plain-number", "", "0.5", 1e15),
-    (D::Length, [1, 0, 0, 0], "scene-dimension-length", "m, mm, cm, km, um", "120 mm", 1e6),
-    (D::Angle, [0, 0, 0, 1], "scene-dimension-angle", "rad, deg, rev", "30 deg", 1e9),
-    (D::Mass, [0, 1, 0, 0], "scene-dimension-mass", "kg, g, t", "4 kg", 1e12),
+    (D::Length, [1, 0, 0, 0], "scene-dimension-length", "m, mm, cm, dm, km, um, in, ft", "120 mm", 1e6),
+    (D::Angle, [0, 0, 0, 1], "scene-dimension-angle", "rad, mrad, deg, rev", "30 deg", 1e9),
+    (D::Mass, [0, 1, 0, 0], "scene-dimension-mass", "kg, g, t, lb", "4 kg", 1e12),
     (D::Time, [0, 0, 1, 0], "scene-dimension-time", "s, ms, min, h", "0.5 s", 1e9),
-    (D::Force, [1, 1, -2, 0], "scene-dimension-force", "N, kN, MN, mN", "1.5 kN", 1e15),
+    (D::Force, [1, 1, -2, 0], "scene-dimension-force", "N, kN, MN, mN, kgf, lbf", "1.5 kN", 1e15),
     (D::Moment, [2, 1, -2, 0], "scene-dimension-moment", "N*m, kN*m, N*mm", "25 N*m", 1e15),
     (D::Speed, [1, 0, -1, 0], "scene-dimension-speed", "m/s, mm/s, km/h", "0.3 m/s", 1e6),
     (D::AngularSpeed, [0, 0, -1, 1], "scene-dimension-rotation", "rad/s, rpm, deg/s, rev/s", "60 rpm", 1e9),
@@ -76,7 +76,7 @@ const ROWS: [UnitRow; 15] = [
     (D::Inertia, [2, 1, 0, 0], "scene-dimension-inertia", "kg*m^2, g*mm^2, kg*mm^2", "0.02 kg*m^2", 1e15),
     (D::Stiffness, [0, 1, -2, 0], "scene-dimension-stiffness", "N/m, N/mm, kN/m", "4530 N/m", 1e15),
     (D::Damping, [0, 1, -1, 0], "scene-dimension-damping", "N*s/m, kN*s/m", "12 N*s/m", 1e15),
-    (D::Power, [2, 1, -3, 0], "scene-dimension-power", "W, kW, MW", "1.5 kW", 1e15),
+    (D::Power, [2, 1, -3, 0], "scene-dimension-power", "W, kW, MW, hp", "1.5 kW", 1e15),
 ];
 
 impl Dimension {
@@ -85,7 +85,7 @@ impl Dimension {
         ROWS.iter().find(|row| row.0 == self).unwrap_or(&ROWS[0])
     }
 
-    /// Its usual units, the SI unit first: "kg, g, t"; empty for a plain number.
+    /// Its usual units, the SI unit first: "kg, g, t, lb"; empty for a plain number.
     pub fn units(self) -> &'static str {
         self.row().3
     }
@@ -105,7 +105,7 @@ impl Dimension {
         self.row().5
     }
 
-    /// Name and units: "a mass (kg, g, t)".
+    /// Name and units: "a mass (kg, g, t, lb)".
     pub(crate) fn with_units(self) -> Text {
         if self == Self::Number {
             return self.describe();

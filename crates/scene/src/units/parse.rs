@@ -33,7 +33,7 @@ const GRAVITY: f64 = 9.806_65;
 
 /// Name, up, down, power of pi, powers. The inch is 0.0254 m and the foot 0.3048 m by the agreement of 1959; a horsepower is
 /// the mechanical one, 550 ft lbf/s.
-const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
+pub(super) const NAMED: &[(&str, f64, f64, i32, Powers)] = &[
     ("1", 1.0, 1.0, 0, [0; 4]),
     ("m", 1.0, 1.0, 0, M),
     ("mm", 1.0, 1e3, 0, M),

@@ -41,6 +41,17 @@ fn good_quantities() {
     }
 }
 
+/// Whoever misses a unit is told all that are read, each once: a unit in other letters is one of those told.
+#[test]
+fn every_named_unit_is_told_where_one_is_wanted() {
+    for (unit, _, _, _, powers) in parse::NAMED.iter().filter(|unit| unit.4 != [0; 4]) {
+        let Some(dimension) = Dimension::of(*powers) else { panic!("{unit}") };
+        let size = |unit: &str| Unit::of(unit, dimension).unwrap().si(1.0);
+        let is_told = dimension.units().split(", ").any(|told| told == *unit || size(told) == size(unit));
+        assert!(is_told, "{unit}: {}", dimension.units());
+    }
+}
+
 #[test]
 fn decimal_units_round_once() {
     for tenths in 1..5000_i32 {
@@ -52,24 +63,24 @@ fn decimal_units_round_once() {
 
 /// Text, dimension, the whole message.
 const BAD: &[(&str, Dimension, &str)] = &[
-    ("3 mm", D::Mass, "wants a mass (kg, g, t), got `mm`, a length"),
+    ("3 mm", D::Mass, "wants a mass (kg, g, t, lb), got `mm`, a length"),
     ("3 N", D::Moment, "wants a moment (N*m, kN*m, N*mm), got `N`, a force"),
-    ("3 m^3", D::Length, "wants a length (m, mm, cm, km, um), got `m^3`, no quantity of a scene"),
-    ("3 1/s", D::Angle, "wants an angle (rad, deg, rev), got `1/s`, no quantity of a scene"),
+    ("3 m^3", D::Length, "wants a length (m, mm, cm, dm, km, um, in, ft), got `m^3`, no quantity of a scene"),
+    ("3 1/s", D::Angle, "wants an angle (rad, mrad, deg, rev), got `1/s`, no quantity of a scene"),
     ("3 rad", D::Number, "wants a plain number, got `rad`, an angle"),
-    ("3 kgg", D::Mass, "wants a mass (kg, g, t), got the unknown unit `kgg`"),
-    ("3 kg*", D::Mass, "wants a mass (kg, g, t), got the unknown unit `kg*`"),
-    ("3 kg^x", D::Mass, "wants a mass (kg, g, t), got the unknown unit `kg^x`"),
-    ("3 m^2147483647", D::Length, "wants a length (m, mm, cm, km, um), got the unknown unit `m^2147483647`"),
+    ("3 kgg", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kgg`"),
+    ("3 kg*", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kg*`"),
+    ("3 kg^x", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kg^x`"),
+    ("3 m^2147483647", D::Length, "wants a length (m, mm, cm, dm, km, um, in, ft), got the unknown unit `m^2147483647`"),
     ("1,5 kN", D::Force, "has a comma in the number `1,5 kN`: the decimal sign is a point"),
-    ("kN", D::Force, "wants a force (N, kN, MN, mN), got `kN`, which does not begin with a number"),
+    ("kN", D::Force, "wants a force (N, kN, MN, mN, kgf, lbf), got `kN`, which does not begin with a number"),
     ("", D::Time, "wants a time (s, ms, min, h), got ``, which does not begin with a number"),
     (
         "inf m",
         D::Length,
-        "wants a length (m, mm, cm, km, um), got `inf m`, which does not begin with a number",
+        "wants a length (m, mm, cm, dm, km, um, in, ft), got `inf m`, which does not begin with a number",
     ),
-    ("nan", D::Length, "wants a length (m, mm, cm, km, um), got `nan`, which does not begin with a number"),
+    ("nan", D::Length, "wants a length (m, mm, cm, dm, km, um, in, ft), got `nan`, which does not begin with a number"),
     ("1e999 m", D::Length, "is too large: `1e999 m`, at most 1e6 m"),
     ("1e308 km", D::Length, "is too large: `1e308 km`, at most 1e6 m"),
 ];
