@@ -101,7 +101,7 @@ given-stroke = over the part of the stroke along { $axis } (0 to 1; { $unit }): 
 given-speed = speed of the input link
 given-acceleration = acceleration of the input link
 given-initial-speed = initial speed of the input link
-given-mean-speed = mean speed of the input link
+given-mean-speed = mean of the greatest and the least speed of the input link
 given-unevenness = unevenness that is allowed
 given-driving-moment = driving moment on the input link
 given-motor = motor that is given
@@ -109,7 +109,7 @@ given-chosen = to be chosen from the catalogues
 given-wanted = to be found
 given-ratio = gear ratio
 given-efficiency = efficiency of the reducer
-given-flywheel = moment of inertia of the flywheel that is given
+given-flywheel = moment of inertia of the flywheel
 
 # Heads of columns.
 head-acceleration = Acceleration
@@ -429,7 +429,7 @@ note-dynamics = Dynamics
 note-dynamics-text = The periodic regime is found from the equation of motion of the input link, turn by turn, until the speed at the end of a turn is that of its beginning.
 note-regime = The regime
 note-speed-and-moments = Speed of the input link, moments and energies over the cycle
-note-link-of-reduction = The link of reduction with the reduced force F and the reduced mass m: { $place }
+note-link-of-reduction = The link of reduction with the reduced force F and the reduced mass m (F of the loads without the drive, m of the links without flywheel and rotor): { $place }
 note-shares-drawn = Reduced moment of inertia over the cycle, each share upon those before
 note-energy-mass = Energy-mass diagram with the lines of the greatest and the least speed, which touch it
 note-iteration-drawn = Iteration to the periodic regime, and trials of ratio and flywheel

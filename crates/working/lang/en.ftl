@@ -124,7 +124,7 @@ working-energy-work-is = The work of a load is the integral of its moment on the
 working-energy-work-of = Work of { $load }:
 working-energy-by-quadrature = by quadrature over the motion
 working-energy-moment-at = at { $at }
-working-energy-sums = Sums of the works of what drives and of what resists:
+working-energy-sums = Sums of the works of what drives and of what resists; each load is in one of them with its work of the whole motion, while the results count it as driving wherever it drives:
 working-energy-excess = Excess work
 working-energy-change = It is the change of the kinetic energy:
 working-energy-at-start = kinetic energy at the start
@@ -137,9 +137,10 @@ working-energy-balance = Constant moment of the drive
 working-energy-equal-works = Over a cycle the works of the drive and of the loads are equal and opposite:
 working-energy-extremes = Least and greatest speed
 working-energy-where = They occur where the moments of drive and loads are equal:
+working-energy-where-it-varies = They occur where the kinetic energy changes as if the speed stayed the same: with a reduced inertia that varies, not where the moments of drive and loads are equal.
 working-energy-between = Between both places the moments do this work:
 working-energy-flywheel = Flywheel
-working-energy-neglects = This neglects the inertia of the links beside that of the flywheel; the results give the exact flywheel.
+working-energy-neglects = It is reduced to the input link and contains the rotor of the motor, if there is one; the inertia of the links is neglected beside it. The results give the exact flywheel, on its own shaft.
 working-energy-artobolevsky = Coefficient of dynamic unevenness
 
 ## dry friction

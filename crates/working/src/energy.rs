@@ -286,7 +286,10 @@ impl Work<'_> {
             balance = self.balance(moment, way, excess);
         }
         self.sheet.section(text!("working-energy-extremes"));
-        self.sheet.note(text!("working-energy-where"));
+        // Where J varies, its change takes a moment, too.
+        let is_constant = self.form.inertia.is_some();
+        let told = if is_constant { "working-energy-where" } else { "working-energy-where-it-varies" };
+        self.sheet.note(text!(told));
         let [least, greatest] = ["working-of-least", "working-of-greatest"].map(|below| text!(below));
         let places = [(&least, cycle.extremes[0]), (&greatest, cycle.extremes[1])].map(|(below, value)| {
             let value = self.coordinate(value);

@@ -34,7 +34,7 @@ struct Reduced {
     moment: f64,
     /// The greatest size of the moment over the cycle.
     most: f64,
-    /// Reduced moment of inertia, with that of flywheel and rotor.
+    /// Reduced moment of inertia of the links, without flywheel and rotor, as the moment is without the drive.
     inertia: f64,
     /// Whether the speed belongs to instants and not to the positions, so that the moment is that at rest.
     at_rest: bool,
@@ -51,7 +51,6 @@ impl Reduced {
         let motion = |id: PointId| scene.linkage.point_motion(id, &pose);
         let of = |quantity| table.schema().find(Column::of(quantity, Owner::Input));
         let moments = of(Quantity::ReducedMoment)?;
-        let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |found| found.regime.shaft_inertia);
         let tip = motion(point.name.id);
         Some(Self {
             name: Text::from(&point.name),
@@ -61,7 +60,7 @@ impl Reduced {
             along: tip.pf1,
             moment: table.at(row, moments)?,
             most: table.each(moments).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())),
-            inertia: table.at(row, of(Quantity::ReducedInertia)?)? + shaft,
+            inertia: table.at(row, of(Quantity::ReducedInertia)?)?,
             at_rest: matches!(calculation.motion, InputMotion::Transient(_)),
         })
     }

@@ -142,7 +142,7 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
         kind,
         text!("structure-view-links", links = links),
         text!("structure-inner", pairs = pairs(&group.frame.inner)),
-        text!("structure-outer", pairs = pairs(&group.frame.outer)),
+        text!("structure-outer", pairs = pairs(&group.outer())),
     ];
     if let Some(Some(pose)) = scene.poses.get(position) {
         if let Ok(Some(modes)) = linkage.modes(index, pose) {
