@@ -1,6 +1,6 @@
 //! Kernels with closed forms. Quantities that several formulas need in one position are computed once.
 
-use assur_number::{Formula, Real};
+use assur_number::Real;
 
 use crate::{AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, Number, Order, Wrench};
 
@@ -18,13 +18,13 @@ pub trait ClosedForm<T: Real>: Sized + std::fmt::Debug + Send + Sync {
     /// The formulas with the lengths of one group.
     fn new(frame: &GroupFrame) -> Result<Self, BuildError>;
 
-    /// Places the links (PF0) in a way; returns the shared quantities and the health.
+    /// Places the links (PF0) in a way; returns the shared quantities.
     ///
     /// # Errors
     ///
     /// [`GroupError::NoAssembly`] if no real assembly exists (with lanes: in any lane); [`GroupError::Singular`] if the
     /// place is not determined.
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Self::Position, T), GroupError>;
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<Self::Position, GroupError>;
 
     /// The shared quantities of links that are already placed.
     fn read(&self, bodies: &[Body<T>]) -> Self::Position;
@@ -94,76 +94,6 @@ impl<K: ClosedKind> GroupKind for K {
     }
 }
 
-/// Places and, by the order, derivatives of a group.
-struct Solve<'a, T, K> {
-    form: &'a K,
-    bodies: &'a mut [Body<T>],
-    way: usize,
-    order: Order,
-}
-
-impl<T: Real, K: ClosedForm<T>> Formula for Solve<'_, T, K> {
-    type Value = Result<T, GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Result<T, GroupError> {
-        let (position, health) = self.form.close(self.bodies, self.way)?;
-        if self.order > Order::Place {
-            self.form.differentiate(self.bodies, &position, self.order)?;
-        }
-        Ok(health)
-    }
-}
-
-/// Derivatives of a placed group.
-struct Derive<'a, T, K>(&'a K, &'a mut [Body<T>], Order);
-
-impl<T: Real, K: ClosedForm<T>> Formula for Derive<'_, T, K> {
-    type Value = Result<(), GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Result<(), GroupError> {
-        let position = self.0.read(self.1);
-        self.0.differentiate(self.1, &position, self.2)
-    }
-}
-
-/// Reactions of a placed group.
-struct Balance<'a, T, K> {
-    form: &'a K,
-    bodies: &'a [Body<T>],
-    loads: &'a mut [Wrench<T>],
-    reactions: &'a mut [Wrench<T>],
-}
-
-impl<T: Real, K: ClosedForm<T>> Formula for Balance<'_, T, K> {
-    type Value = Result<(), GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Result<(), GroupError> {
-        let position = self.form.read(self.bodies);
-        self.form.balance(self.bodies, &position, self.loads, self.reactions)
-    }
-}
-
-/// Reactions of a placed group under several sets of loads.
-struct BalanceEach<'a, T, K>(Balance<'a, T, K>, usize);
-
-impl<T: Real, K: ClosedForm<T>> Formula for BalanceEach<'_, T, K> {
-    type Value = Result<(), GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Result<(), GroupError> {
-        let Self(Balance { form, bodies, loads, reactions }, sets) = self;
-        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
-        let position = form.read(bodies);
-        for (loads, reactions) in loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs)) {
-            form.balance(bodies, &position, loads, reactions)?;
-        }
-        Ok(())
-    }
-}
-
 impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     fn frame(&self) -> &GroupFrame {
         &self.frame
@@ -178,11 +108,29 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     }
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place { Ok(()) } else { T::evaluate(Derive(&self.form, bodies, order)) }
+        if order == Order::Place {
+            return Ok(());
+        }
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let position = self.form.read(bodies);
+                self.form.differentiate(bodies, &position, order)
+            },
+        )
     }
 
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
-        T::evaluate(Solve { form: &self.form, bodies, way, order })
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let position = self.form.close(bodies, way)?;
+                if order > Order::Place {
+                    self.form.differentiate(bodies, &position, order)?;
+                }
+                Ok(self.form.health(&position))
+            },
+        )
     }
 
     fn health(&self, bodies: &[Body<T>]) -> f64 {
@@ -199,7 +147,13 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        T::evaluate(Balance { form: &self.form, bodies, loads, reactions })
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let position = self.form.read(bodies);
+                self.form.balance(bodies, &position, loads, reactions)
+            },
+        )
     }
 
     fn reactions_under(
@@ -209,6 +163,18 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         reactions: &mut [Wrench<T>],
         sets: usize,
     ) -> Result<(), GroupError> {
-        T::evaluate(BalanceEach(Balance { form: &self.form, bodies, loads, reactions }, sets))
+        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let position = self.form.read(bodies);
+                for (loads, reactions) in
+                    loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs))
+                {
+                    self.form.balance(bodies, &position, loads, reactions)?;
+                }
+                Ok(())
+            },
+        )
     }
 }

@@ -1,8 +1,9 @@
 //! The compiled chain: input link and groups as flat data.
 
+use assur_group::plane::{plus, scaled, vector};
 use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order, kernel_of};
 use assur_mechanism::{InputPair, Mechanism};
-use assur_number::{Formula, Real};
+use assur_number::Real;
 use assur_structure::Structure;
 
 use crate::CompileError;
@@ -65,10 +66,6 @@ pub struct Chain<T: Number> {
     hanging: Vec<Hanging<T>>,
 }
 
-fn vector<T: Real>(at: [f64; 2]) -> [T; 2] {
-    [T::from_f64(at[0]), T::from_f64(at[1])]
-}
-
 impl<T: Number> Chain<T> {
     /// Builds the kernels of all groups.
     ///
@@ -109,7 +106,25 @@ impl<T: Number> Chain<T> {
     /// Places the input link; its derivatives are exact.
     #[inline]
     pub fn set_input(&self, coordinate: T, bodies: &mut [Body<T>]) {
-        T::evaluate(SetInput { input: &self.input, coordinate, bodies });
+        T::evaluate(
+            #[inline(always)]
+            move || match self.input {
+                Input::Crank { link, ground, own } => {
+                    let (s, c) = coordinate.sin_cos();
+                    let body = &mut bodies[link];
+                    // PF1 and PF2 of a body that turns about a fixed point with the coordinate as its angle.
+                    let arm = own.put(body, [c, s], ground);
+                    own.put_first(body, T::ONE, arm, [T::ZERO; 2]);
+                    own.put_second(body, T::ZERO, arm, [T::ZERO; 2]);
+                }
+                Input::Slider { link, axis, along, origin } => {
+                    let body = &mut bodies[link];
+                    [body.c, body.s] = axis;
+                    [body.x, body.y] = plus(origin, scaled(coordinate, along));
+                    [body.x1, body.y1] = along;
+                }
+            },
+        );
     }
 
     /// Solves all needed groups of the chain at one coordinate, each group in the way given.
@@ -162,38 +177,6 @@ impl<T: Number> Chain<T> {
     /// Places the passive links by the bodies that carry them.
     pub fn hang(&self, bodies: &mut [Body<T>], order: Order) {
         self.hanging.iter().for_each(|link| link.solve(bodies, order));
-    }
-}
-
-/// The input link at a coordinate.
-struct SetInput<'a, T> {
-    input: &'a Input<T>,
-    coordinate: T,
-    bodies: &'a mut [Body<T>],
-}
-
-impl<T: Real> Formula for SetInput<'_, T> {
-    type Value = ();
-
-    #[inline(always)]
-    fn evaluate(self) {
-        let Self { input, coordinate, bodies } = self;
-        match *input {
-            Input::Crank { link, ground, own } => {
-                let (s, c) = coordinate.sin_cos();
-                let body = &mut bodies[link];
-                // PF1 and PF2 of a body that turns about a fixed point with the coordinate as its angle.
-                let arm = own.put(body, [c, s], ground);
-                own.put_first(body, T::ONE, arm, [T::ZERO; 2]);
-                own.put_second(body, T::ZERO, arm, [T::ZERO; 2]);
-            }
-            Input::Slider { link, axis, along, origin } => {
-                let body = &mut bodies[link];
-                (body.c, body.s) = (axis[0], axis[1]);
-                (body.x, body.y) = (origin[0] + along[0] * coordinate, origin[1] + along[1] * coordinate);
-                (body.x1, body.y1) = (along[0], along[1]);
-            }
-        }
     }
 }
 

@@ -78,10 +78,9 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Crossing<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<Crossing<T>, GroupError> {
         let (t, d) = self.guides(bodies);
-        let health = d.abs();
-        GroupError::if_singular(health)?;
+        GroupError::if_singular(d.abs())?;
         let [one, two] = self.carriers(bodies);
         let b = [self.heights[0], self.heights[1] + dot(perp(t[1]), minus(two.origin(), one.origin()))];
         let inverse = T::ONE / d;
@@ -93,7 +92,7 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
             self.anchors[0].put(&mut bodies[self.links[0]], directions[0], c),
             self.anchors[1].put(&mut bodies[self.links[1]], directions[1], c),
         ];
-        Ok((Crossing { c, arms, t, d, inverse }, health))
+        Ok(Crossing { c, arms, t, d, inverse })
     }
 
     #[inline(always)]

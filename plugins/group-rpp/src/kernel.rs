@@ -86,7 +86,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Lines<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<Lines<T>, GroupError> {
         GroupError::if_singular(self.d.abs())?;
         let carrier = &bodies[self.outer.body];
         let t = self.guides(bodies);
@@ -103,7 +103,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
             self.anchors[0].put(&mut bodies[one], directions[0], a),
             self.anchors[1].put(&mut bodies[two], directions[1], p),
         ];
-        Ok((Lines { points: [a, p], arms, t }, self.d.abs()))
+        Ok(Lines { points: [a, p], arms, t })
     }
 
     #[inline(always)]

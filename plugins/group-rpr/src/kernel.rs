@@ -99,7 +99,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<Triangle<T>, GroupError> {
         let pins = self.pins(bodies);
         let d = minus(pins[0], pins[1]);
         let square = dot(d, d);
@@ -124,7 +124,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
             self.anchors[0].put(&mut bodies[slider], times(t, self.inner.tilt), pins[0]),
             self.anchors[1].put(&mut bodies[guide], times(t, mirrored(self.inner.along)), pins[1]),
         ];
-        Ok((Triangle { pins, arms, t, inverse, condition: square * per_whole, health }, health))
+        Ok(Triangle { pins, arms, t, inverse, condition: square * per_whole, health })
     }
 
     #[inline(always)]

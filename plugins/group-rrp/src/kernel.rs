@@ -114,7 +114,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<Triangle<T>, GroupError> {
         let carrier = &bodies[self.slide.body];
         let [t, n] = self.guide(bodies);
         let a = self.end.place(bodies);
@@ -125,7 +125,6 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         }
         let square = (ahead * behind).clamp_negative();
         let root = square.sqrt();
-        let health = root * self.inverse_length;
         let sigma = if way == 0 { root } else { -root };
         // sigma / sigma²: the division does not have to wait for the root.
         let inverse = sigma * (T::ONE / square);
@@ -137,7 +136,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
             self.anchors[0].put(&mut bodies[rod], times(r, self.unrod), a),
             self.anchors[1].put(&mut bodies[slider], direction, c),
         ];
-        Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma, inverse }, health))
+        Ok(Triangle { pins: [a, c], arms, t, n, r, delta, sigma, inverse })
     }
 
     #[inline(always)]

@@ -123,7 +123,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<Triangle<T>, GroupError> {
         let pins = self.pins(bodies);
         let d = minus(pins[1], pins[0]);
         let square = dot(d, d);
@@ -134,7 +134,6 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         }
         let product = (far * near).clamp_negative();
         let root = product.sqrt().half();
-        let health = root * self.inverse_product;
         let root = if way == 0 { root } else { -root };
         // root / root²: the division does not have to wait for the root.
         let inverse_root = root * (T::from_f64(4.0) / product);
@@ -149,7 +148,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
             let direction = times(r[i], self.unrods[i]);
             arms[i] = self.anchors[i].put(&mut bodies[self.links[i]], direction, pins[i]);
         }
-        Ok((Triangle { pins, arms, r, d: root, inverse: inverse_root }, health))
+        Ok(Triangle { pins, arms, r, d: root, inverse: inverse_root })
     }
 
     #[inline(always)]

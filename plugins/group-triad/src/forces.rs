@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, GroupError, Wrench};
-use assur_number::{Formula, Real};
+use assur_number::Real;
 
 use crate::kernel::{Legged, Lines};
 use crate::leg::{Hold, Leg, Line};
@@ -24,48 +24,41 @@ impl<T: Real> Passed<T> {
     }
 }
 
-/// The reactions of a placed group, which are handed on to the outer bodies.
-pub(crate) struct Balance<'a, T: Real> {
-    pub(crate) kernel: &'a Legged<T>,
-    pub(crate) bodies: &'a [Body<T>],
-    pub(crate) loads: &'a mut [Wrench<T>],
-    pub(crate) reactions: &'a mut [Wrench<T>],
-}
-
-impl<T: Real> Formula for Balance<'_, T> {
-    type Value = Result<(), GroupError>;
-
+impl<T: Real> Legged<T> {
+    /// The reactions of a placed group, which are handed on to the outer bodies.
     #[inline(always)]
-    fn evaluate(self) -> Self::Value {
-        let Self { kernel, bodies, loads, reactions } = self;
-        let lines = kernel.lines(bodies);
-        let inverse = kernel.determined(&lines)?;
+    pub(crate) fn balance(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+    ) -> Result<(), GroupError> {
+        let lines = self.lines(bodies);
+        let inverse = self.determined(&lines)?;
         let nothing = Passed { force: [T::ZERO; 2], at: [T::ZERO; 2], moment: T::ZERO };
         let mut passed = [nothing; 3];
         let mut right =
-            kernel.plate.share(&lines.plate, bodies[kernel.plate.link].origin(), &loads[kernel.plate.link]);
-        if let (Some(base), Some(hub)) = (&kernel.base, &lines.base) {
+            self.plate.share(&lines.plate, bodies[self.plate.link].origin(), &loads[self.plate.link]);
+        if let (Some(base), Some(hub)) = (&self.base, &lines.base) {
             let own = base.share(hub, bodies[base.link].origin(), &loads[base.link]);
             right = [own[0], right[0], T::ZERO];
         }
-        for (k, leg) in kernel.legs.iter().enumerate() {
+        for (k, leg) in self.legs.iter().enumerate() {
             let load = &loads[leg.link];
             passed[k] = leg.passed(bodies, &lines.each[k], load);
-            let share = kernel.row(&lines.plate, lines.base.as_ref(), &passed[k].line());
+            let share = self.row(&lines.plate, lines.base.as_ref(), &passed[k].line());
             for (sum, part) in right.iter_mut().zip(share) {
                 *sum += part;
             }
-            if let (Some(base), Some(hub)) = (&kernel.base, &lines.base) {
+            if let (Some(base), Some(hub)) = (&self.base, &lines.base) {
                 right[0] += base.share(hub, bodies[leg.link].origin(), load)[0];
             }
         }
         let sizes = inverse.solve_transposed(right.map(|part| -part));
-        kernel.hand_on(bodies, (&lines, &passed, &sizes), loads, reactions);
+        self.hand_on(bodies, (&lines, &passed, &sizes), loads, reactions);
         GroupError::if_nan(sizes[0] + sizes[1] + sizes[2])
     }
-}
 
-impl<T: Real> Legged<T> {
     /// The load on a ternary link about its hub, with what the legs pass to it.
     #[inline(always)]
     fn gathered(

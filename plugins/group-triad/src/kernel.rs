@@ -6,7 +6,6 @@ use assur_group::{
 };
 use assur_number::Real;
 
-use crate::forces::Balance;
 use crate::leg::{Leg, Line};
 use crate::matrix::{Inverse, Matrix};
 use crate::mover::{Freedom, Hub, Mover};
@@ -282,7 +281,10 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        T::evaluate(Balance { kernel: self, bodies, loads, reactions })
+        T::evaluate(
+            #[inline(always)]
+            move || self.balance(bodies, loads, reactions),
+        )
     }
 
     fn lists_modes(&self) -> bool {
