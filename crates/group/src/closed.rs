@@ -2,7 +2,7 @@
 
 use assur_number::Real;
 
-use crate::{AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, Number, Order, Wrench};
+use crate::{AssurGroup, Body, BuildError, Forces, GroupError, GroupFrame, GroupKind, Number, Order, Wrench};
 
 /// A group with closed forms; [`Closed`] makes an [`AssurGroup`] of it.
 ///
@@ -32,30 +32,22 @@ pub trait ClosedForm<T: Real>: Sized + std::fmt::Debug + Send + Sync {
     /// Dimensionless determinant of a position: 0 at a singular one, at most about 1 elsewhere.
     fn health(&self, position: &Self::Position) -> T;
 
-    /// Computes PF1 and, for [`Order::Second`], PF2 of the placed links.
+    /// Returns an error for a position in which derivatives and reactions are not determined.
     ///
     /// # Errors
     ///
-    /// [`GroupError::Singular`] where the derivatives are not determined.
-    fn differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        position: &Self::Position,
-        order: Order,
-    ) -> Result<(), GroupError>;
+    /// [`GroupError::Singular`] there.
+    #[inline(always)]
+    fn determined(&self, position: &Self::Position) -> Result<(), GroupError> {
+        GroupError::if_singular(self.health(position))
+    }
 
-    /// Computes the reactions in all pairs, with the conventions of [`AssurGroup::reactions`].
-    ///
-    /// # Errors
-    ///
-    /// [`GroupError::Singular`] where the reactions are not determined.
-    fn balance(
-        &self,
-        bodies: &[Body<T>],
-        position: &Self::Position,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError>;
+    /// Computes PF1 and, for [`Order::Second`], PF2 of the placed links; returns a number that is NaN where one of them is.
+    fn differentiate(&self, bodies: &mut [Body<T>], position: &Self::Position, order: Order) -> T;
+
+    /// Computes the reactions in all pairs, with the conventions of [`AssurGroup::reactions`]; returns a number that is NaN where
+    /// one of them is.
+    fn balance(&self, bodies: &[Body<T>], position: &Self::Position, forces: &mut Forces<'_, T>) -> T;
 
     /// Smallest determinant that is not rounding; see [`AssurGroup::resolution`].
     fn resolution(&self, _bodies: &[Body<T>]) -> f64 {
@@ -80,7 +72,24 @@ impl<K> Closed<K> {
     }
 }
 
-/// A kind of group with closed forms.
+impl<K> Closed<K> {
+    /// PF1 and PF2 where they are determined.
+    #[inline(always)]
+    fn differentiate<T: Real>(
+        &self,
+        bodies: &mut [Body<T>],
+        position: &K::Position,
+        order: Order,
+    ) -> Result<(), GroupError>
+    where
+        K: ClosedForm<T>,
+    {
+        self.form.determined(position)?;
+        GroupError::if_nan(self.form.differentiate(bodies, position, order))
+    }
+}
+
+/// A kind of group with closed forms; its formulas in one number type may stand for it.
 pub trait ClosedKind {
     /// Its formulas in one number type.
     type Form<T: Number>: ClosedForm<T> + 'static;
@@ -113,10 +122,7 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         }
         T::evaluate(
             #[inline(always)]
-            move || {
-                let position = self.form.read(bodies);
-                self.form.differentiate(bodies, &position, order)
-            },
+            move || self.differentiate(bodies, &self.form.read(bodies), order),
         )
     }
 
@@ -126,7 +132,7 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
             move || {
                 let position = self.form.close(bodies, way)?;
                 if order > Order::Place {
-                    self.form.differentiate(bodies, &position, order)?;
+                    self.differentiate(bodies, &position, order)?;
                 }
                 Ok(self.form.health(&position))
             },
@@ -151,7 +157,8 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
             #[inline(always)]
             move || {
                 let position = self.form.read(bodies);
-                self.form.balance(bodies, &position, loads, reactions)
+                self.form.determined(&position)?;
+                GroupError::if_nan(self.form.balance(bodies, &position, &mut Forces { loads, reactions }))
             },
         )
     }
@@ -168,10 +175,12 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
             #[inline(always)]
             move || {
                 let position = self.form.read(bodies);
+                self.form.determined(&position)?;
                 for (loads, reactions) in
                     loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs))
                 {
-                    self.form.balance(bodies, &position, loads, reactions)?;
+                    let forces = &mut Forces { loads, reactions };
+                    GroupError::if_nan(self.form.balance(bodies, &position, forces))?;
                 }
                 Ok(())
             },

@@ -94,13 +94,11 @@ pub(crate) fn by_samples(
     let iterated = iterated(structure);
     let follower = Follower { chain, lane_chain, structure, dependence: &dependence, wide, iterated, unit };
     let mut path = Path { follower, from: mechanism.input.from, start };
-    let (ways, range, ends, guesses) =
+    let found =
         if mechanism.input.is_angle() { path.turn() } else { path.stroke(mechanism, structure.scale) };
-    let interpolants = Interpolants::of(structure, unit, &mut path.follower.wide, (&ways, guesses.as_ref()));
-    Followed { ways, range: Some(range), first_failure: None, ends, interpolants, guesses }
+    let assembled = (&found.ways, found.guesses.as_ref());
+    Followed { interpolants: Interpolants::of(structure, unit, &mut path.follower.wide, assembled), ..found }
 }
-
-type FollowedWays = (Ways, Range, [Option<ChainError>; 2], Option<Guesses>);
 
 /// Follows the branches that start at the first position.
 struct Path<'a> {
@@ -111,7 +109,7 @@ struct Path<'a> {
 
 impl Path<'_> {
     /// A pinned input: a full turn if possible, otherwise both directions up to the ends of the range.
-    fn turn(&mut self) -> FollowedWays {
+    fn turn(&mut self) -> Followed {
         let mut turns = 1;
         loop {
             let (length, samples) = (TAU * turns as f64, SAMPLES * turns);
@@ -131,7 +129,7 @@ impl Path<'_> {
                 let poses = self.follower.iterated.iter().map(|link| (link, branch.poses[*link].iter()));
                 let grid = (self.from, branch.step(), true);
                 let guesses = Guesses::new(grid, self.follower.structure.scale, poses);
-                return (ways, range, [None; 2], guesses);
+                return Followed { guesses, ..Followed::constant(ways, Some(range), None) };
             }
             turns *= 2;
         }
@@ -139,7 +137,7 @@ impl Path<'_> {
 
     /// A sliding input: the range of the scene, extended on both sides to find where the mechanism can no longer be
     /// assembled.
-    fn stroke(&mut self, mechanism: &Mechanism, scale: f64) -> FollowedWays {
+    fn stroke(&mut self, mechanism: &Mechanism, scale: f64) -> Followed {
         let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
         let length = 4.0 * scale.max((last - self.from).abs());
         let (forth, back) = (self.branch(length, 4 * SAMPLES), self.branch(-length, 4 * SAMPLES));
@@ -153,7 +151,7 @@ impl Path<'_> {
     }
 
     /// Joins two branches from one start into one interval, which repeats after `period` if it is shorter.
-    fn joined(&self, forth: &Branch, back: &Branch, period: Option<f64>) -> FollowedWays {
+    fn joined(&self, forth: &Branch, back: &Branch, period: Option<f64>) -> Followed {
         let mut all = transitions(back, false);
         all.extend(transitions(forth, true));
         let range = Range { low: self.from + back.reached, high: self.from + forth.reached, full: false };
@@ -167,7 +165,8 @@ impl Path<'_> {
         let guesses = Guesses::new(grid, self.follower.structure.scale, poses);
         let period = period.filter(|period| range.high - range.low < *period);
         let ways = Ways::new(range.low, period, back.last(), all);
-        (ways, range, [back.failure, forth.failure], guesses)
+        let ends = [back.failure, forth.failure];
+        Followed { ends, guesses, ..Followed::constant(ways, Some(range), None) }
     }
 }
 

@@ -22,11 +22,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Slide), (1, Slide)] };
 
-/// The kind PRP.
-#[derive(Debug, Clone, Copy)]
-pub struct PrpKind;
-
-impl ClosedKind for PrpKind {
+impl ClosedKind for Prp<f64> {
     type Form<T: Number> = Prp<T>;
 }
 
@@ -44,6 +40,6 @@ inventory::submit! {
         singular: text!("group-prp.singular"),
         force_angle: ForceAngle::of_sine(text!("group-prp.angle")),
         source: text!("group-prp.source"),
-        builders: Builders::in_lanes::<PrpKind>(),
+        builders: Builders::in_lanes::<Prp<f64>>(),
     }
 }

@@ -20,11 +20,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Slide)] };
 
-/// The kind RPP.
-#[derive(Debug, Clone, Copy)]
-pub struct RppKind;
-
-impl ClosedKind for RppKind {
+impl ClosedKind for Rpp<f64> {
     type Form<T: Number> = Rpp<T>;
 }
 
@@ -42,6 +38,6 @@ inventory::submit! {
         singular: text!("group-rpp.singular"),
         force_angle: ForceAngle::of_sine(text!("group-rpp.angle")),
         source: text!("group-rpp.source"),
-        builders: Builders::in_lanes::<RppKind>(),
+        builders: Builders::in_lanes::<Rpp<f64>>(),
     }
 }

@@ -25,11 +25,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Pin)] };
 
-/// The kind RPR.
-#[derive(Debug, Clone, Copy)]
-pub struct RprKind;
-
-impl ClosedKind for RprKind {
+impl ClosedKind for Rpr<f64> {
     type Form<T: Number> = Rpr<T>;
 }
 
@@ -51,6 +47,6 @@ inventory::submit! {
             is_pressure: true,
         },
         source: text!("group-rpr.source"),
-        builders: Builders::in_lanes::<RprKind>(),
+        builders: Builders::in_lanes::<Rpr<f64>>(),
     }
 }

@@ -25,11 +25,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Slide)] };
 
-/// The kind RRP.
-#[derive(Debug, Clone, Copy)]
-pub struct RrpKind;
-
-impl ClosedKind for RrpKind {
+impl ClosedKind for Rrp<f64> {
     type Form<T: Number> = Rrp<T>;
 }
 
@@ -47,6 +43,6 @@ inventory::submit! {
         singular: text!("group-rrp.singular"),
         force_angle: ForceAngle::of_cosine(text!("group-rrp.angle")),
         source: text!("group-rrp.source"),
-        builders: Builders::in_lanes::<RrpKind>(),
+        builders: Builders::in_lanes::<Rrp<f64>>(),
     }
 }

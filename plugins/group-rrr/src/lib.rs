@@ -25,11 +25,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] };
 
-/// The kind RRR.
-#[derive(Debug, Clone, Copy)]
-pub struct RrrKind;
-
-impl ClosedKind for RrrKind {
+impl ClosedKind for Rrr<f64> {
     type Form<T: Number> = Rrr<T>;
 }
 
@@ -47,6 +43,6 @@ inventory::submit! {
         singular: text!("group-rrr.singular"),
         force_angle: ForceAngle::of_sine(text!("group-rrr.angle")),
         source: text!("group-rrr.source"),
-        builders: Builders::in_lanes::<RrrKind>(),
+        builders: Builders::in_lanes::<Rrr<f64>>(),
     }
 }

@@ -129,15 +129,12 @@ impl<T: Real> Legged<T> {
     pub(crate) fn step(&self, bodies: &mut [Body<T>]) -> T {
         let found = self.lines(bodies);
         let inverse = Inverse::of(&found.matrix);
-        let by = inverse.solve(found.each.map(|line| -line.gap));
-        if let (Some(base), Some(hub)) = (&self.base, &found.base) {
-            let (own, other) = ([by[0], T::ZERO, T::ZERO], [by[1], T::ZERO, T::ZERO]);
-            base.step(bodies, hub, own);
-            self.plate.step(bodies, &found.plate, other);
-            return base.size_of(own) + self.plate.size_of(other);
-        }
-        self.plate.step(bodies, &found.plate, by);
-        self.plate.size_of(by)
+        let (own, other) = self.parts(inverse.solve(found.each.map(|line| -line.gap)));
+        self.plate.step(bodies, &found.plate, other);
+        let size = self.plate.size_of(other);
+        let (Some(base), Some(hub)) = (&self.base, &found.base) else { return size };
+        base.step(bodies, hub, own);
+        base.size_of(own) + size
     }
 
     /// Satisfies the outer pairs of base and plate.
