@@ -43,11 +43,6 @@ pub(crate) fn guide<T: Real>(bodies: &[Body<T>], carrier: usize, angle: f64) -> 
     bodies[carrier].turned(direction(angle))
 }
 
-/// Arm from the origin of a body to a point given in the ground's frame.
-fn arm_to<T: Real>(body: &Body<T>, point: [T; 2]) -> [T; 2] {
-    [point[0] - body.x, point[1] - body.y]
-}
-
 /// Arms of the point of application of a pair, on `a` and on `b`. A slide acts at the point of `a`.
 fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
     match pair.geometry {
@@ -56,7 +51,7 @@ fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
         }
         PairGeometry::Slide { point, .. } => {
             let on_a = bodies[pair.a].arm(vector(point));
-            (on_a, arm_to(&bodies[pair.b], bodies[pair.a].point(vector(point))))
+            (on_a, minus(bodies[pair.a].point(vector(point)), bodies[pair.b].origin()))
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::passive::hang::Hanging;
 
 /// The input link in one number type.
 #[derive(Debug, Clone, Copy)]
-pub enum Input<T> {
+pub enum ChainInput<T> {
     /// Pinned to the ground; the coordinate is its angle.
     Crank {
         /// Index of the link.
@@ -34,7 +34,7 @@ pub enum Input<T> {
     },
 }
 
-impl<T> Input<T> {
+impl<T> ChainInput<T> {
     /// Index of the input link.
     pub(crate) fn link(&self) -> usize {
         match self {
@@ -56,7 +56,7 @@ pub struct ChainError {
 #[derive(Debug)]
 pub struct Chain<T: Number> {
     /// The input link.
-    pub input: Input<T>,
+    pub input: ChainInput<T>,
     /// The groups in solving order.
     pub groups: Vec<Box<dyn AssurGroup<T>>>,
     /// Whether each group is solved; all are, unless [`limit_to`](Self::limit_to) leaves some out.
@@ -109,7 +109,7 @@ impl<T: Number> Chain<T> {
         T::evaluate(
             #[inline(always)]
             move || match self.input {
-                Input::Crank { link, ground, own } => {
+                ChainInput::Crank { link, ground, own } => {
                     let (s, c) = coordinate.sin_cos();
                     let body = &mut bodies[link];
                     // PF1 and PF2 of a body that turns about a fixed point with the coordinate as its angle.
@@ -117,7 +117,7 @@ impl<T: Number> Chain<T> {
                     own.put_first(body, T::ONE, arm, [T::ZERO; 2]);
                     own.put_second(body, T::ZERO, arm, [T::ZERO; 2]);
                 }
-                Input::Slider { link, axis, along, origin } => {
+                ChainInput::Slider { link, axis, along, origin } => {
                     let body = &mut bodies[link];
                     [body.c, body.s] = axis;
                     [body.x, body.y] = plus(origin, scaled(coordinate, along));
@@ -180,19 +180,19 @@ impl<T: Number> Chain<T> {
     }
 }
 
-fn input_of<T: Real>(mechanism: &Mechanism) -> Input<T> {
+fn input_of<T: Real>(mechanism: &Mechanism) -> ChainInput<T> {
     let link = mechanism.input.link;
     match mechanism.input.pair {
         InputPair::Pin(point) => {
             let at = |body| vector(mechanism.place_in(point, body).unwrap_or_default());
-            Input::Crank { link, ground: at(assur_mechanism::GROUND), own: Anchor::new(at(link)) }
+            ChainInput::Crank { link, ground: at(assur_mechanism::GROUND), own: Anchor::new(at(link)) }
         }
         InputPair::Slide(slide) => slider_of(mechanism, slide),
     }
 }
 
 /// A sliding input; the guide is on the ground or on the input link.
-fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> Input<T> {
+fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> ChainInput<T> {
     let found = &mechanism.slides[slide];
     let (point, through) = (vector::<T>(found.point), vector::<T>(found.through));
     let (s, c) = T::from_f64(found.angle).sin_cos();
@@ -207,5 +207,5 @@ fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> Input<T> {
     let along = if is_guide { body.turned([c, s]).map(|part| -part) } else { [c, s] };
     let arm = body.arm(own);
     body.hang_place(arm, at);
-    Input::Slider { link, axis: [tc, ts], along, origin: [body.x, body.y] }
+    ChainInput::Slider { link, axis: [tc, ts], along, origin: [body.x, body.y] }
 }

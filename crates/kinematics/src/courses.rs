@@ -352,38 +352,34 @@ fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
 impl ModeCourses {
     /// Numbers circuits and branches; `closed`: courses that go on in others at the end of the cycle.
     fn group(&mut self, closed: &[[usize; 2]]) {
-        let joined = |courses: &[ModeCourse], is_circuit: bool, met: &[ModeMeeting]| {
-            let mut of: Vec<usize> = (0..courses.len()).collect();
-            let mut join = |[a, b]: [usize; 2]| {
-                let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
-                of.iter_mut().filter(|one| **one == high).for_each(|one| *one = low);
-            };
-            // The end of a course that has met another one is not where its beginning can go without that meeting.
-            let has_met = |number: usize| met.iter().any(|one| one.ways.contains(&number));
-            closed.iter().copied().filter(|[last, _]| is_circuit || !has_met(*last)).for_each(&mut join);
-            if is_circuit {
-                for meeting in met {
-                    join(meeting.ways);
-                }
-                for (number, course) in courses.iter().enumerate() {
-                    for end in [course.begins, course.ends] {
-                        if let CourseEnd::With(other) = end {
-                            join([number, other]);
-                        }
-                    }
-                }
-            }
-            let mut all = of.clone();
-            all.sort_unstable();
-            all.dedup();
-            let numbers = of.iter().map(|one| all.binary_search(one).unwrap_or(0)).collect();
-            (numbers, all.len())
-        };
-        let [circuits, branches]: [(Vec<usize>, usize); 2] =
-            [true, false].map(|is_circuit| joined(&self.modes, is_circuit, &self.meetings));
-        (self.circuits, self.branches) = (Some(circuits.1), Some(branches.1));
+        let closed = || closed.iter().copied();
+        let ends = self.modes.iter().flat_map(|mode| [mode.begins, mode.ends].map(|end| (mode.way, end)));
+        let together = ends.filter_map(|(way, end)| match end {
+            CourseEnd::With(other) => Some([way, other]),
+            _ => None,
+        });
+        let met = self.meetings.iter().map(|meeting| meeting.ways);
+        let (circuits, circuit_count) = parts(self.modes.len(), closed().chain(met).chain(together));
+        // The end of a course that has met another one is not where its beginning can go without that meeting.
+        let has_met = |number: usize| self.meetings.iter().any(|one| one.ways.contains(&number));
+        let (branches, branch_count) = parts(self.modes.len(), closed().filter(|[last, _]| !has_met(*last)));
+        (self.circuits, self.branches) = (Some(circuit_count), Some(branch_count));
         for (number, course) in self.modes.iter_mut().enumerate() {
-            (course.circuit, course.branch) = (circuits.0[number], branches.0[number]);
+            (course.circuit, course.branch) = (circuits[number], branches[number]);
         }
     }
+}
+
+/// The number of the part of each of `count` elements of which some are joined, and the number of parts.
+fn parts(count: usize, joined: impl Iterator<Item = [usize; 2]>) -> (Vec<usize>, usize) {
+    let mut of: Vec<usize> = (0..count).collect();
+    for [a, b] in joined {
+        let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
+        of.iter_mut().filter(|one| **one == high).for_each(|one| *one = low);
+    }
+    let mut all = of.clone();
+    all.sort_unstable();
+    all.dedup();
+    let numbers = of.iter().map(|one| all.binary_search(one).unwrap_or(0)).collect();
+    (numbers, all.len())
 }

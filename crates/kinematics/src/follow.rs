@@ -17,7 +17,7 @@ use crate::poses::{Guesses, iterated};
 use crate::regular::turns_regularly;
 use crate::ways::{Transition, Ways};
 use crate::wide::{Extended, Wide};
-use crate::{Chain, ChainError, Range};
+use crate::{AssemblyRange, Chain, ChainError};
 
 /// Samples over one turn, or over the length of the range of a sliding input.
 const SAMPLES: usize = 720;
@@ -34,7 +34,7 @@ const MOST_TURNS: usize = 4;
 pub(crate) struct Followed {
     pub(crate) ways: Ways,
     /// `None`: not even the first position can be assembled.
-    pub(crate) range: Option<Range>,
+    pub(crate) range: Option<AssemblyRange>,
     /// Why the first position can't be assembled, if so.
     pub(crate) first_failure: Option<ChainError>,
     /// What ends the range, below and above.
@@ -46,7 +46,7 @@ pub(crate) struct Followed {
 
 impl Followed {
     /// Without an event: these ways hold wherever the mechanism can be assembled.
-    fn constant(ways: Ways, range: Option<Range>, first_failure: Option<ChainError>) -> Self {
+    fn constant(ways: Ways, range: Option<AssemblyRange>, first_failure: Option<ChainError>) -> Self {
         let interpolants = Interpolants::default();
         Self { ways, range, first_failure, ends: [None; 2], interpolants, guesses: None }
     }
@@ -74,7 +74,7 @@ pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chains: Chain
             Followed::constant(Ways::new(from, None, ways, Vec::new()), None, Some(failure))
         }
         Ok((first, _)) if turns_regularly(mechanism, structure, &chain.needed, &first) => {
-            let range = Range { low: from, high: from + TAU, full: true };
+            let range = AssemblyRange { low: from, high: from + TAU, full: true };
             Followed::constant(Ways::new(from, Some(TAU), first, Vec::new()), Some(range), None)
         }
         Ok(start) => by_samples(mechanism, structure, chains, (&extended, start)),
@@ -123,7 +123,7 @@ impl Path<'_> {
             // is longer.
             let first = &self.start.0;
             if branch.last() == *first || turns == MOST_TURNS {
-                let range = Range { low: self.from, high: self.from + TAU, full: true };
+                let range = AssemblyRange { low: self.from, high: self.from + TAU, full: true };
                 let transitions = transitions(&branch, true);
                 let ways = Ways::new(self.from, Some(length), first.clone(), transitions);
                 let poses = self.follower.iterated.iter().map(|link| (link, branch.poses[*link].iter()));
@@ -154,7 +154,8 @@ impl Path<'_> {
     fn joined(&self, forth: &Branch, back: &Branch, period: Option<f64>) -> Followed {
         let mut all = transitions(back, false);
         all.extend(transitions(forth, true));
-        let range = Range { low: self.from + back.reached, high: self.from + forth.reached, full: false };
+        let range =
+            AssemblyRange { low: self.from + back.reached, high: self.from + forth.reached, full: false };
         let before = back.samples.saturating_sub(1);
         let poses = self.follower.iterated.iter().map(|link| {
             let [back, forth] = [back, forth].map(|branch| &branch.poses[*link]);

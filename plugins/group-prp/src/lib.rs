@@ -13,7 +13,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Prp;
@@ -35,7 +35,7 @@ inventory::submit! {
         summary: text!("group-prp"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 1, varies: false, words: text!("group-prp.ways") },
+        ways: Assemblies { most: 1, varies: false, words: text!("group-prp.ways") },
         iterates: false,
         singular: text!("group-prp.singular"),
         force_angle: ForceAngle::of_sine(text!("group-prp.angle")),

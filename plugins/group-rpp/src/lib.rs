@@ -11,7 +11,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Rpp;
@@ -33,7 +33,7 @@ inventory::submit! {
         summary: text!("group-rpp"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 1, varies: false, words: text!("group-rpp.ways") },
+        ways: Assemblies { most: 1, varies: false, words: text!("group-rpp.ways") },
         iterates: false,
         singular: text!("group-rpp.singular"),
         force_angle: ForceAngle::of_sine(text!("group-rpp.angle")),

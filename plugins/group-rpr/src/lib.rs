@@ -16,7 +16,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Rpr;
@@ -38,7 +38,7 @@ inventory::submit! {
         summary: text!("group-rpr"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 2, varies: false, words: text!("group-rpr.ways") },
+        ways: Assemblies { most: 2, varies: false, words: text!("group-rpr.ways") },
         iterates: false,
         singular: text!("group-rpr.singular"),
         force_angle: ForceAngle {

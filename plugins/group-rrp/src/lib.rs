@@ -16,7 +16,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Rrp;
@@ -38,7 +38,7 @@ inventory::submit! {
         summary: text!("group-rrp"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 2, varies: false, words: text!("group-rrp.ways") },
+        ways: Assemblies { most: 2, varies: false, words: text!("group-rrp.ways") },
         iterates: false,
         singular: text!("group-rrp.singular"),
         force_angle: ForceAngle::of_cosine(text!("group-rrp.angle")),

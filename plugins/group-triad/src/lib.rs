@@ -37,8 +37,8 @@ mod tests;
 
 use assur_group::PairSort::{Any, Pin, Slide};
 use assur_group::{
-    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, PairSort, Pattern, Ways,
-    inventory,
+    Assemblies, BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, PairSort,
+    Pattern, inventory,
 };
 use assur_words::text;
 
@@ -89,7 +89,7 @@ macro_rules! kind {
                 summary: text!($summary),
                 pattern: Some($pattern),
                 rank: RANK,
-                ways: Ways { most: $most, varies: true, words: text!($ways) },
+                ways: Assemblies { most: $most, varies: true, words: text!($ways) },
                 iterates: true,
                 singular: text!($singular),
                 force_angle: ForceAngle::DEFAULT,
