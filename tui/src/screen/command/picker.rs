@@ -4,10 +4,8 @@ use assur_fixtures::SCENES;
 use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
-use super::{motors, whatif};
-use crate::screen::state::{
-    Choice, Effect, Job, Key, Picker, PickerKind, PromptKind, Source, State, View, Wanted,
-};
+use super::{jobs, motors, whatif};
+use crate::screen::state::{Choice, Key, Picker, PickerKind, PromptKind, Source, State, View, Wanted};
 
 /// Rows by which a page key moves.
 const PAGE: isize = 10;
@@ -55,7 +53,7 @@ pub(super) fn press(state: &mut State, key: Key) {
         KeyCode::Tab if picker.kind == PickerKind::Scenes => {
             let typed = format!("open {}", &*picker.filter.text);
             state.open_prompt(PromptKind::Command, typed);
-            super::complete_line(state);
+            super::complete(state, 1);
         }
         KeyCode::Enter => take(state),
         _ => {
@@ -98,6 +96,6 @@ pub(super) fn preview(state: &mut State) {
     if let Some(index) = SCENES.iter().position(|(name, _)| *name == chosen.name)
         && !state.previews.contains_key(&index)
     {
-        state.effects.push(Effect::Work(Job::Read(Wanted::Preview(index))));
+        jobs::read(state, Wanted::Preview(index));
     }
 }

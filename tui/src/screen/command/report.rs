@@ -2,7 +2,7 @@
 
 use assur_words::text;
 
-use super::{act, jobs};
+use super::{act, find, jobs};
 use crate::screen::state::{Purpose, Role, State, View, ViewPart};
 use crate::screen::view::report as view;
 
@@ -52,8 +52,8 @@ pub(super) fn find(state: &mut State, wanted: &str) -> bool {
     let line = |index: usize| lines[index].to_lowercase();
     let begins = |index: usize| line(index).trim_start_matches(['=', ' ']).starts_with(wanted);
     let is_heading = (0..lines.len()).any(begins);
-    let fits = |index: &usize| if is_heading { begins(*index) } else { line(*index).contains(wanted) };
-    let found = (1..=lines.len()).map(|step| (now + step) % lines.len()).find(fits);
+    let fits = |index| if is_heading { begins(index) } else { line(index).contains(wanted) };
+    let found = find::next(now, lines.len(), fits);
     if let Some(found) = found {
         *state.line() = found;
     }

@@ -3,6 +3,10 @@
 use std::fmt;
 use std::ops::Deref;
 
+use crossterm::event::KeyCode;
+
+use super::keymap::Key;
+
 /// Greatest length of a typed text, in bytes: a path or a formula is not longer, and a search for it takes no time that
 /// is felt.
 pub(crate) const LONGEST: usize = 1024;
@@ -16,13 +20,18 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// Adds a letter at the end, if there is room.
-    pub(crate) fn push(&mut self, letter: char) {
-        if self.text.len() + letter.len_utf8() <= LONGEST {
-            self.text.push(letter);
-        } else {
-            self.cut = true;
+    /// Takes a key that writes or deletes; returns whether the text may have changed.
+    pub(crate) fn press(&mut self, key: Key) -> bool {
+        match key.code {
+            KeyCode::Backspace => {
+                self.cut = false;
+                return self.text.pop().is_some();
+            }
+            KeyCode::Char('u') if key.control => *self = Self::default(),
+            KeyCode::Char(letter) if !key.control => self.push_str(letter.encode_utf8(&mut [0; 4])),
+            _ => return false,
         }
+        true
     }
 
     /// Adds as many letters as there is room for.
@@ -31,17 +40,6 @@ impl Entry {
         let taken = text.floor_char_boundary(room);
         self.text.push_str(&text[..taken]);
         self.cut |= taken < text.len();
-    }
-
-    /// Removes the last letter.
-    pub(crate) fn pop(&mut self) -> Option<char> {
-        self.cut = false;
-        self.text.pop()
-    }
-
-    /// Removes all.
-    pub(crate) fn clear(&mut self) {
-        *self = Self::default();
     }
 
     /// Whether something was left out since the last letter was removed.

@@ -21,21 +21,9 @@ pub(crate) struct Filter {
 impl Filter {
     /// Takes a key; returns whether the text has changed.
     pub(crate) fn press(&mut self, key: Key) -> bool {
-        match key.code {
-            KeyCode::Backspace => return self.text.pop().is_some(),
-            KeyCode::Char('u') if key.control => {
-                self.text.clear();
-                return true;
-            }
-            KeyCode::Char('/') if !self.typing => self.typing = true,
-            KeyCode::Char(letter) if !key.control => {
-                self.typing = true;
-                self.text.push(letter);
-                return true;
-            }
-            _ => {}
-        }
-        false
+        let begins = !self.typing && matches!(key.code, KeyCode::Char(_)) && !key.control;
+        self.typing |= begins;
+        !(begins && key.code == KeyCode::Char('/')) && self.text.press(key)
     }
 }
 

@@ -64,8 +64,7 @@ impl Scene {
         let solved = (0..linkage.mechanism.input.positions).map(|index| solve(&linkage, index));
         let (poses, broken): (Vec<_>, Vec<Option<Broken>>) = solved.unzip();
         let outline = Outline::of(&linkage, broken.iter().flatten().map(|broken| &broken.pose));
-        let end = cycle_end(&linkage);
-        let (series, transfers) = transfer::series(&linkage, &poses, end.as_ref());
+        let (series, transfers) = transfer::series(&linkage).map_err(|error| session.fault(&error))?;
         let (found, other, fault) = (None, None, None);
         Ok(Self { session, linkage, poses, broken, outline, series, transfers, found, other, fault })
     }
@@ -134,15 +133,6 @@ fn refuse_large(session: &Session) -> Result<(), Text> {
         return Err(text!("say-too-many-positions", positions = positions, most = most, scene = scene()));
     }
     Ok(())
-}
-
-/// The mechanism at the end of its cycle; `None` where the positions are no cycle, or it can't be assembled there.
-fn cycle_end(linkage: &Linkage) -> Option<Position> {
-    let input = &linkage.mechanism.input;
-    let mut pose = linkage.position();
-    let solved = input.is_cycle()
-        && linkage.solve(input.coordinate(input.positions), Order::Second, &mut pose).is_ok();
-    solved.then_some(pose)
 }
 
 /// Solves a position: its pose, or what there is of it.

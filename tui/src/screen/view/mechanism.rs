@@ -8,7 +8,7 @@ use assur_words::{Text, joined, name};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{arrows, contact, panel};
+use super::{arrows, panel};
 use crate::screen::draw::{cells, paint_zoomed};
 use crate::screen::state::{Probe, Scene, State, Traces, View};
 
@@ -54,7 +54,7 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
         Some(pose) => {
             items.extend(drawing.items(&pose));
             items.extend(arrows::items(state, scene, &pose, position));
-            items.extend(contact::items(scene, &pose));
+            items.extend(arrows::contacts(scene, &pose));
             items.extend(state.probe.iter().flat_map(|probe| of_probe(scene, probe, &pose)));
         }
         None => items.extend(broken(scene, marked, position)),
@@ -65,7 +65,6 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
         title => joined(": ", [name(title.to_owned()), at]),
     };
     let mut legend = arrows::legend(state, scene);
-    legend.extend(contact::legend(scene));
     legend.extend(links(&drawing));
     Figure { title, legend, ..Figure::of(plane(scene, items)) }
 }

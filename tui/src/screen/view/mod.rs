@@ -5,7 +5,6 @@ mod arrows;
 mod ascii;
 mod causes;
 pub(crate) mod checks;
-mod contact;
 pub(crate) mod curves;
 mod drive;
 mod footer;
