@@ -44,8 +44,7 @@ fn to_quantity(state: &mut State, column: Column) {
         })
     });
     let transfer = scene.transfers.iter().position(|transfer| transfer.owner == column.owner);
-    let all = || (0..scene.column_count()).filter_map(|index| scene.column(index));
-    let short = all().find(|series| series.column == column).map(|series| series.short.clone());
+    let short = scene.columns().find(|series| series.column == column).map(|series| series.short.clone());
     match (column.quantity, column.owner, reaction, transfer) {
         (Quantity::Condition, Owner::Group(group), ..) => {
             (state.view, state.chosen.group) = (View::Structure, group);

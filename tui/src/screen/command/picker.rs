@@ -5,7 +5,9 @@ use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
 use super::{jobs, motors, whatif};
-use crate::screen::state::{Choice, Key, Picker, PickerKind, PromptKind, Source, State, View, Wanted};
+use crate::screen::state::{
+    Choice, Key, Picker, PickerKind, PromptKind, Series, Source, State, View, Wanted,
+};
 
 /// Rows by which a page key moves.
 const PAGE: isize = 10;
@@ -26,9 +28,8 @@ pub(super) fn pick(state: &mut State) {
         return motors::list(state);
     }
     let Some(scene) = &state.scene else { return };
-    let all = (1..scene.column_count()).filter_map(|index| scene.column(index));
-    let rows =
-        all.map(|series| Choice { name: series.short.clone(), text: state.told(series.title()) }).collect();
+    let row = |series: &Series| Choice { name: series.short.clone(), text: state.told(series.title()) };
+    let rows = scene.columns().skip(1).map(row).collect();
     let heading = text!("picker-quantities");
     let mut picker = Picker::new(PickerKind::Quantities, heading, rows);
     picker.filter.typing = true;

@@ -36,7 +36,7 @@ pub(super) fn shift(state: &mut State, sense: f64) {
 
 /// Changes a value, and reads the changed scene.
 pub(super) fn put(state: &mut State, index: usize, toml: String) {
-    if state.what_if.put(index, toml) {
+    if state.what_if.put([(index, toml)]) {
         ask(state);
     }
 }

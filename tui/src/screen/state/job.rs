@@ -73,7 +73,7 @@ pub(crate) enum Wanted {
 }
 
 /// The purpose of a calculation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Purpose {
     /// The results that are shown, with their checks.
     Main,

@@ -16,7 +16,6 @@ mod scene;
 mod series;
 mod shown;
 mod stop;
-mod theme;
 mod transfer;
 mod whatif;
 
@@ -43,14 +42,13 @@ pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{
     Arrows, Chosen, Prompt, PromptKind, Traces, View, ViewPart, following, next_kind, round,
 };
-pub(crate) use look::{Kind, Look, Panels, Pictures, SETTINGS};
+pub(crate) use look::{Kind, Look, Panels, Pictures, Role, SETTINGS, Theme};
 pub(crate) use picker::{Choice, Help, Picker, PickerKind};
 pub(crate) use plans::Plans;
 pub(crate) use probe::Probe;
 pub(crate) use scene::{Compared, Scene};
 pub(crate) use series::Series;
 pub(crate) use stop::Stop;
-pub(crate) use theme::{Role, Theme};
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};
 

@@ -117,6 +117,52 @@ impl Scene {
     pub(crate) fn first_position(&self) -> usize {
         self.poses.iter().position(Option::is_some).unwrap_or(0)
     }
+
+    /// What a quantity belongs to: its kind and its name.
+    pub(crate) fn owner(&self, owner: &Owner) -> (&'static str, &str) {
+        let mechanism = &self.linkage.mechanism;
+        match *owner {
+            Owner::Point(id) => ("point", &mechanism.points[id].name),
+            Owner::Link(id) => ("link", &mechanism.links[id].name),
+            Owner::Slide(id) => ("slide", &mechanism.slides[id].name),
+            _ => ("", ""),
+        }
+    }
+
+    /// All series: the transfer functions, then what the analysis found.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = &Series> {
+        self.series.iter().chain(self.found.iter().flat_map(|found| &found.series))
+    }
+
+    pub(crate) fn column_count(&self) -> usize {
+        self.columns().count()
+    }
+
+    /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
+    pub(crate) fn coordinate_at(&self, at: f64) -> f64 {
+        let [first, next] = [0, 1].map(|index| self.linkage.mechanism.input.coordinate(index));
+        coordinate_unit(&self.linkage).1 * (first + at * (next - first))
+    }
+
+    /// The coordinate of a position with its unit.
+    pub(crate) fn coordinate(&self, position: usize) -> Text {
+        let series = &self.series[0];
+        quantity(plain(series.at(position)), series.unit.clone())
+    }
+
+    /// `position 6, 45 deg`.
+    pub(crate) fn place(&self, position: usize) -> Text {
+        text!("position-at", position = number(position), at = self.coordinate(position))
+    }
+
+    /// The series of a short name.
+    pub(crate) fn named(&self, short: &str) -> Option<&Series> {
+        self.columns().find(|series| series.short == short)
+    }
+
+    pub(crate) fn column(&self, index: usize) -> Option<&Series> {
+        self.columns().nth(index)
+    }
 }
 
 /// Refuses a scene that is too large to be drawn.
@@ -163,54 +209,6 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
             text!("say-misses-beyond", gap = gap, place = place, group = group, from = from, to = to)
         }
         None => text!("say-misses", gap = gap, place = place, group = group),
-    }
-}
-
-impl Scene {
-    /// What a quantity belongs to: its kind and its name.
-    pub(crate) fn owner(&self, owner: &Owner) -> (&'static str, &str) {
-        let mechanism = &self.linkage.mechanism;
-        match *owner {
-            Owner::Point(id) => ("point", &mechanism.points[id].name),
-            Owner::Link(id) => ("link", &mechanism.links[id].name),
-            Owner::Slide(id) => ("slide", &mechanism.slides[id].name),
-            _ => ("", ""),
-        }
-    }
-
-    /// How many series there are: the transfer functions, then what the analysis found.
-    pub(crate) fn column_count(&self) -> usize {
-        self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
-    }
-
-    /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
-    pub(crate) fn coordinate_at(&self, at: f64) -> f64 {
-        let [first, next] = [0, 1].map(|index| self.linkage.mechanism.input.coordinate(index));
-        coordinate_unit(&self.linkage).1 * (first + at * (next - first))
-    }
-
-    /// The coordinate of a position with its unit.
-    pub(crate) fn coordinate(&self, position: usize) -> Text {
-        let series = &self.series[0];
-        quantity(plain(series.at(position)), series.unit.clone())
-    }
-
-    /// `position 6, 45 deg`.
-    pub(crate) fn place(&self, position: usize) -> Text {
-        text!("position-at", position = number(position), at = self.coordinate(position))
-    }
-
-    /// The series of a short name.
-    pub(crate) fn named(&self, short: &str) -> Option<&Series> {
-        (0..self.column_count()).filter_map(|index| self.column(index)).find(|series| series.short == short)
-    }
-
-    /// One of them.
-    pub(crate) fn column(&self, index: usize) -> Option<&Series> {
-        match index.checked_sub(self.series.len()) {
-            None => self.series.get(index),
-            Some(beyond) => self.found.as_ref()?.series.get(beyond),
-        }
     }
 }
 

@@ -9,7 +9,7 @@ use assur_words::{Text, joined, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::plots::{self, Drawn, Vector};
+use super::plots::{self, Vector};
 use super::{page, plans};
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State};
@@ -135,22 +135,10 @@ fn sum_of(parts: &[CauseShare]) -> Option<Panel> {
     for (number, part) in parts.iter().enumerate() {
         let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
         let to = [at[0] + x, at[1] + y];
-        vectors.push(Vector {
-            from: at,
-            to,
-            name: name((number + 1).to_string()),
-            ink: Ink::Second,
-            kind: Drawn::Arrow,
-        });
+        vectors.push(Vector::arrow(at, to, name((number + 1).to_string()), Ink::Second));
         at = to;
     }
-    vectors.push(Vector {
-        from: [0.0; 2],
-        to: at,
-        name: text!("forces-sum"),
-        ink: Ink::First,
-        kind: Drawn::Arrow,
-    });
+    vectors.push(Vector::arrow([0.0; 2], at, text!("forces-sum"), Ink::First));
     (vectors.len() > 1).then(|| plots::vectors(Text::default(), &vectors, ("N", "F"), None))
 }
 

@@ -23,7 +23,6 @@ pub(crate) mod plots;
 mod reduction;
 mod regime;
 pub(crate) mod report;
-mod results;
 mod structure;
 mod table;
 pub(crate) mod values;
@@ -167,7 +166,7 @@ pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buff
         View::Accuracy | View::Working => report::draw(state, view, area, buffer),
         View::Structure => structure::draw(state, scene, area, buffer),
         View::Table => table::draw(state, scene, area, buffer),
-        View::Results => results::draw(state, scene, area, buffer),
+        View::Results => checks::draw_results(state, scene, area, buffer),
         View::Values | View::Probe => {}
     }
 }

@@ -8,7 +8,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Clear, Widget};
 
 use super::{mechanism, plots};
-use crate::screen::draw::{cut, first_shown, paint, put, put_lines, short};
+use crate::screen::draw::{cut, paint, put, put_lines, short};
 use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, State};
 
 /// Columns of the list of scenes.
@@ -33,7 +33,8 @@ pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buff
     let count = state.told(text!("picker-count", left = some, all = all));
     put(buffer, title, 1, 1, &format!("/{}  ({count})", picker.filter.text), theme.style(Role::Key));
     let height = usize::from(list.height);
-    let shown = left.iter().enumerate().skip(first_shown(picker.chosen, height)).take(height);
+    // The chosen row is the last at most.
+    let shown = left.iter().enumerate().skip((picker.chosen + 1).saturating_sub(height)).take(height);
     for (row, (index, choice)) in shown.enumerate() {
         let (sign, role) = if index == picker.chosen { ('>', Role::Cursor) } else { (' ', Role::Plain) };
         let mark = if picker.marked.contains(&choice.name) { '*' } else { ' ' };
