@@ -168,7 +168,6 @@ pub(super) fn difference(state: &mut State) {
     }
 }
 
-/// The next theme.
 pub(super) fn theme(state: &mut State) {
     state.look.theme = next_kind(state.look.theme);
     state.say(Role::Plain, name(<&str>::from(state.look.theme)));
@@ -192,7 +191,6 @@ pub(super) fn pan(state: &mut State, axis: usize, sense: f64) {
     state.zoom.shift[axis] -= 0.125 * sense / state.zoom.factor;
 }
 
-/// Reads the scene again.
 pub(super) fn reload(state: &mut State) {
     let Some(scene) = &mut state.scene else { return };
     match &scene.session.source {

@@ -21,7 +21,6 @@ pub(crate) fn ask(state: &mut State, purpose: Purpose) {
     ask_by(state, purpose, state.options.clone());
 }
 
-/// Requests the difference to the results of another force analyzer.
 pub(super) fn ask_difference(state: &mut State, analyzer: Option<String>) {
     ask_by(state, Purpose::Difference, Options { analyzer, ..state.options.clone() });
 }
@@ -80,7 +79,7 @@ pub(super) fn exchange(state: &mut State, scene: Scene) -> Option<Scene> {
 pub(crate) fn take(state: &mut State, report: Report) -> bool {
     match report {
         Report::Read(Wanted::Change(change), scene) => return whatif::take(state, &change, scene),
-        Report::Read(Wanted::Preview(index), preview) => drop(state.previews.insert(index, preview)),
+        Report::Read(Wanted::Preview(name), preview) => drop(state.previews.insert(name, preview)),
         Report::Read(_, Err(text)) => {
             state.going_back = None;
             state.fault = Some((text!("say-read-fault"), text));

@@ -44,11 +44,6 @@ fn takers(state: &State) -> Vec<(String, Vec<String>)> {
     others.map(|(word, values)| (word.to_owned(), values)).into_iter().chain(settings).collect()
 }
 
-/// The values that a word takes; `None` if there is no such word.
-fn values_of(state: &State, word: &str) -> Option<Vec<String>> {
-    takers(state).into_iter().find(|(known, _)| *known == word).map(|(_, values)| values)
-}
-
 /// Paths of scene files and folders that begin with what is typed of them; hidden ones are left out.
 fn files(typed: &str) -> Vec<String> {
     let (folder, begun) = typed.rfind('/').map_or(("", typed), |at| typed.split_at(at + 1));
@@ -92,7 +87,6 @@ pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     all
 }
 
-/// Runs a line.
 pub(super) fn run(state: &mut State, line: &str) {
     if let Ok(position) = line.parse::<usize>() {
         return state.go_to(position);
@@ -156,7 +150,8 @@ fn unknown(state: &mut State, name: &str) {
 }
 
 fn unknown_name(state: &mut State, word: &str, name: &str) {
-    let offer = suggestion(name, &values_of(state, word).unwrap_or_default());
+    let taker = takers(state).into_iter().find(|(known, _)| *known == word);
+    let offer = suggestion(name, &taker.map(|(_, values)| values).unwrap_or_default());
     state.say(Role::Bad, text!("say-no-such", words = words::name(format!("{word} {name}")), offer = offer));
 }
 

@@ -1,7 +1,6 @@
 //! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
-mod extreme;
 mod find;
 mod jobs;
 mod jump;
@@ -174,7 +173,6 @@ pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
     }
 }
 
-/// Handles a key while the line is open.
 fn press_in_line(state: &mut State, key: Key) {
     state.message = None;
     let Some(prompt) = &mut state.prompt else { return };

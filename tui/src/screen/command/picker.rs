@@ -12,7 +12,6 @@ use crate::screen::state::{
 /// Rows by which a page key moves.
 const PAGE: isize = 10;
 
-/// Opens the list of the shipped scenes.
 pub(crate) fn scenes(state: &mut State) {
     state.playing = false;
     let row = |(scene, _): &(&str, &str)| Choice { name: (*scene).to_owned(), text: format!("{scene}.toml") };
@@ -36,7 +35,6 @@ pub(super) fn pick(state: &mut State) {
     state.picker = Some(picker);
 }
 
-/// A key while a list is open.
 pub(super) fn press(state: &mut State, key: Key) {
     let Some(picker) = &mut state.picker else { return };
     match key.code {
@@ -94,9 +92,9 @@ fn take(state: &mut State) {
 pub(super) fn preview(state: &mut State) {
     let picker = state.picker.as_ref().filter(|picker| picker.kind == PickerKind::Scenes);
     let Some(chosen) = picker.and_then(Picker::choice) else { return };
-    if let Some(index) = SCENES.iter().position(|(name, _)| *name == chosen.name)
-        && !state.previews.contains_key(&index)
+    if let Some((name, _)) = SCENES.iter().find(|(name, _)| *name == chosen.name)
+        && !state.previews.contains_key(name)
     {
-        jobs::read(state, Wanted::Preview(index));
+        jobs::read(state, Wanted::Preview(name));
     }
 }

@@ -17,7 +17,6 @@ pub(crate) fn toggle(state: &mut State) {
     (state.what_if.open, state.probe) = (!state.values_open(), None);
 }
 
-/// The next step size.
 pub(super) fn step(state: &mut State) {
     state.what_if.step = (state.what_if.step + 1) % STEPS.len();
 }
@@ -61,7 +60,6 @@ pub(super) fn assemble_too(state: &mut State, points: &[Assembled]) {
     }
 }
 
-/// Undoes the last change.
 pub(super) fn undo(state: &mut State) {
     match state.what_if.done.pop() {
         Some(values) => {

@@ -13,7 +13,6 @@ use super::series::Series;
 use crate::session::Session;
 use crate::verdict::Verdict;
 
-/// The results of one analysis, with its series.
 #[derive(Debug)]
 pub(crate) struct Found {
     /// Name of the force analyzer.
@@ -26,13 +25,10 @@ pub(crate) struct Found {
     pub(crate) results: Vec<(About, Fact)>,
     /// What there was just before the samples at which the motion comes to rest.
     pub(crate) stops: Table,
-    /// What is missing, or not proved.
     pub(crate) verdict: Verdict,
-    /// All its series over the positions.
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
     pub(crate) reactions: Vec<Reaction>,
-    /// Plans of any position.
     pub(crate) plans: Planner,
     /// Indices in `series` of the content of the motion view.
     pub(crate) motion: Vec<usize>,

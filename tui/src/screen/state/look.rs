@@ -13,7 +13,6 @@ use super::kinds::View;
 /// The views that are shown beside the chosen one where there is room.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Panels {
-    /// Whether they are shown.
     pub(crate) shown: bool,
     /// The views, the most wanted first.
     pub(crate) views: Vec<View>,
@@ -25,7 +24,6 @@ impl Default for Panels {
     }
 }
 
-/// How things are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Look {
     /// Characters beyond ASCII are replaced.
@@ -36,7 +34,6 @@ pub(crate) struct Look {
     pub(crate) ratio: f64,
     /// Frames per second of the animation.
     pub(crate) fps: u8,
-    /// Whether the mouse is captured.
     pub(crate) mouse: bool,
     /// A language, or [`AUTO`].
     pub(crate) language: &'static str,
@@ -50,9 +47,7 @@ pub(crate) enum Pictures {
     /// Nobody has asked it.
     #[default]
     Unknown,
-    /// It was asked.
     Asked,
-    /// Not at all.
     None,
     /// By kitty's protocol.
     Kitty,
@@ -97,13 +92,10 @@ pub(crate) struct Setting {
 /// What a setting takes.
 #[derive(Debug)]
 pub(crate) enum Kind {
-    /// One of some words.
     Choice(&'static [&'static str]),
     /// `on` or `off`.
     Flag,
-    /// A whole number.
     Count(RangeInclusive<usize>),
-    /// A number.
     Number(RangeInclusive<f64>),
 }
 
@@ -178,7 +170,6 @@ impl Look {
     }
 }
 
-/// A palette.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumString, VariantArray, VariantNames)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum Theme {
@@ -190,7 +181,6 @@ pub(crate) enum Theme {
     OkabeIto,
 }
 
-/// The purpose of a style.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Role {
     Plain,

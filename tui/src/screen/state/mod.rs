@@ -1,7 +1,6 @@
 //! Everything on which a frame depends. Commands change it, views read it; nothing here draws or knows a command by
 //! name.
 
-mod entry;
 mod found;
 mod gather;
 mod job;
@@ -31,7 +30,6 @@ use ratatui::layout::Rect;
 pub(crate) use crate::session::Source;
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
-pub(crate) use entry::{Entry, LONGEST};
 pub(crate) use found::Found;
 pub(crate) use gather::Reaction;
 pub(crate) use job::{
@@ -43,7 +41,7 @@ pub(crate) use kinds::{
     Arrows, Chosen, Prompt, PromptKind, Traces, View, ViewPart, following, next_kind, round,
 };
 pub(crate) use look::{Kind, Look, Panels, Pictures, Role, SETTINGS, Theme};
-pub(crate) use picker::{Choice, Help, Picker, PickerKind};
+pub(crate) use picker::{Choice, Entry, Help, LONGEST, Picker, PickerKind};
 pub(crate) use plans::Plans;
 pub(crate) use probe::Probe;
 pub(crate) use scene::{Compared, Scene};
@@ -59,7 +57,6 @@ pub(crate) const PACES: [u8; 7] = [1, 2, 4, 8, 16, 32, 64];
 /// The pace at the start: every position once.
 const EVERY: usize = 4;
 
-/// The whole state.
 #[derive(Debug, Default)]
 pub(crate) struct State {
     /// All commands, in the order of the help screen.
@@ -69,10 +66,9 @@ pub(crate) struct State {
     pub(crate) what_if: WhatIf,
     /// Speed, accuracy and stability of the methods on the open scene.
     pub(crate) measured: Option<Box<Measured>>,
-    /// The list that is open to choose from.
     pub(crate) picker: Option<Picker>,
-    /// The shipped scenes that were read for their pictures, by number.
-    pub(crate) previews: BTreeMap<usize, Result<Box<Scene>, Text>>,
+    /// The shipped scenes that were read for their pictures, by name.
+    pub(crate) previews: BTreeMap<&'static str, Result<Box<Scene>, Text>>,
     pub(crate) view: View,
     /// The other views that are shown beside it where there is room.
     pub(crate) panels: Panels,
@@ -88,13 +84,11 @@ pub(crate) struct State {
     pub(crate) joined: Option<usize>,
     /// The position whose plan stays beside that of the present one.
     pub(crate) held: Option<usize>,
-    /// The point that is moved over the drawing.
     pub(crate) probe: Option<Probe>,
     /// Power (W) and greatest speed (rad/s) for which motors are listed; `None`: those of the scene.
     pub(crate) motor_limits: Option<[f64; 2]>,
     pub(crate) look: Look,
     pub(crate) zoom: Zoom,
-    /// How the terminal takes pictures.
     pub(crate) pictures: Pictures,
     /// The figures of the last frame that are shown as pictures, with their places.
     pub(crate) shown: RefCell<Vec<(Figure, Rect)>>,
@@ -112,9 +106,7 @@ pub(crate) struct State {
     pub(crate) extreme: Option<(Column, usize, f64)>,
     /// Requested force analyzer and integrator.
     pub(crate) options: Options,
-    /// A second scene for comparison.
     pub(crate) compared: Option<Compared>,
-    /// The calculations in progress.
     pub(crate) running: Vec<Running>,
     /// Number of the last requested calculation.
     pub(crate) asked: usize,
@@ -200,7 +192,6 @@ impl State {
         Some(View::Values).filter(|_| self.values_open()).or(probe)
     }
 
-    /// The command of a name.
     pub(crate) fn named(&self, name: &str) -> Option<&'static Command> {
         self.commands.iter().find(|command| command.name == name)
     }
@@ -219,7 +210,6 @@ impl State {
         self.inset().and_then(meant).or_else(|| meant(self.view))
     }
 
-    /// Whether the animation runs.
     pub(crate) fn animates(&self) -> bool {
         self.playing && self.focused && self.scene.is_some()
     }

@@ -16,17 +16,14 @@ use super::transfer::{self, coordinate_unit};
 use crate::number::plain;
 use crate::session::Session;
 
-/// An open scene.
 #[derive(Debug)]
 pub(crate) struct Scene {
     pub(crate) session: Arc<Session>,
-    /// Its linkage.
     pub(crate) linkage: Arc<Linkage>,
     /// The solved positions, by number; `None` where there is no assembly.
     pub(crate) poses: Vec<Option<Position>>,
     /// The positions that can't be assembled, by number.
     pub(crate) broken: Vec<Option<Broken>>,
-    /// The whole cycle for drawings.
     pub(crate) outline: Outline,
     /// Every quantity over the positions.
     pub(crate) series: Vec<Series>,
@@ -69,7 +66,6 @@ impl Scene {
         Ok(Self { session, linkage, poses, broken, outline, series, transfers, found, other, fault })
     }
 
-    /// Number of positions.
     pub(crate) fn positions(&self) -> usize {
         self.poses.len()
     }
@@ -212,7 +208,6 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     }
 }
 
-/// The second scene.
 #[derive(Debug)]
 pub(crate) struct Compared {
     pub(crate) name: Text,

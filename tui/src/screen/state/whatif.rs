@@ -29,13 +29,11 @@ pub(crate) struct Change {
     pub(crate) text: String,
 }
 
-/// The state of the changes.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Reading {
     /// They are shown.
     #[default]
     Done,
-    /// They are being read by the worker.
     Runs,
     /// They make no valid scene; the one before is shown.
     Refused,
@@ -52,7 +50,6 @@ pub(crate) struct Assembled {
 }
 
 impl Assembled {
-    /// Its name as a key of TOML.
     fn key(&self) -> String {
         let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if self.name.chars().all(is_bare) { self.name.clone() } else { quoted(&self.name) }

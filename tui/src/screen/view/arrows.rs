@@ -129,7 +129,6 @@ pub(super) fn legend(state: &State, scene: &Scene) -> Vec<Key> {
     scales(state, scene).into_iter().map(key).chain(legend_of_contacts(scene)).collect()
 }
 
-/// Whether a load of the scene is a contact.
 fn is_contact(scene: &Scene, load: LoadId) -> bool {
     scene.linkage.mechanism.loads[load].kind.contact().is_some()
 }

@@ -21,7 +21,6 @@ use crate::screen::state::{Compared, Found, Role, Scene, Series, State, coordina
 const SIGNS: [(Sign, &str); 3] =
     [(Sign::Cross, "curve-zero"), (Sign::Ring, "curve-extreme"), (Sign::Plus, "curve-inflection")];
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     if !state.picked.is_empty() {
         return draw_picked(state, scene, area, buffer);
@@ -37,7 +36,6 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     paint(state, &figure, charts, buffer);
 }
 
-/// The heading and the charts.
 fn parts(area: Rect) -> [Rect; 2] {
     Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area)
 }
@@ -140,7 +138,6 @@ fn picked<'a>(state: &State, scene: &'a Scene) -> Vec<&'a Series> {
     state.picked.iter().filter_map(|short| scene.named(short)).collect()
 }
 
-/// Draws the table of extremes and means, then the curves.
 fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let [table, charts] = parts_of_picked(state, scene, area);
     page::draw(state, &extremes(state, scene, area.width), &|_| Role::Plain, table, buffer);
@@ -174,13 +171,11 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     page::told(state, width.saturating_sub(2), |page| page.table(table))
 }
 
-/// The table and the charts.
 fn parts_of_picked(state: &State, scene: &Scene, area: Rect) -> [Rect; 2] {
     let rows = short(extremes(state, scene, area.width).len());
     Layout::vertical([Constraint::Length(rows), Constraint::Min(0)]).areas(area)
 }
 
-/// The picked quantities together.
 fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
     let all: Vec<Series> = picked(state, scene).into_iter().map(in_radians).collect();
     together(state, scene, &all.iter().collect::<Vec<_>>())

@@ -38,7 +38,6 @@ const GLOSSARY: [&str; 18] = [
 /// The pieces of one row: column, style and text of each.
 type Pieces = Vec<(u16, Role, String)>;
 
-/// Draws the help over the body.
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let Some(help) = &state.help else { return };
     let theme = state.look.theme;

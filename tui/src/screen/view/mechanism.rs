@@ -19,7 +19,6 @@ const TRAIL: usize = 4;
 /// Most links of a legend.
 const MOST_LINKS: usize = 12;
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let [drawing, beside] = parts(area);
     let figure = figure(state, scene, &[]);
@@ -48,7 +47,9 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
     if let Some(compared) = &state.compared {
         items.extend(ghost(state, &compared.scene));
     }
-    let hidden = not_joined(state, scene);
+    // While the structure is put together, the links of the groups that are not joined yet.
+    let from = state.joined.filter(|_| state.view == View::Structure);
+    let hidden = from.map_or_else(Vec::new, |group| links_from(scene, group));
     let drawing = Drawing { hidden: &hidden, ..drawing(scene, marked) };
     match scene.pose(position, state.part_way()) {
         Some(pose) => {
@@ -118,12 +119,6 @@ pub(crate) fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> 
     }
 }
 
-/// The links of the groups that are not joined yet, while the structure is put together.
-fn not_joined(state: &State, scene: &Scene) -> Vec<usize> {
-    let joined = state.joined.filter(|_| state.view == View::Structure);
-    joined.map_or_else(Vec::new, |joined| links_from(scene, joined))
-}
-
 /// A position that can't be assembled: what has a place, and the gap of the first group that has none.
 fn broken(scene: &Scene, marked: &[usize], position: usize) -> Vec<Item> {
     let drawing = drawing(scene, marked);
@@ -157,7 +152,6 @@ fn ghost(state: &State, scene: &Scene) -> Vec<Item> {
     drawing(scene, &[]).items(&pose).into_iter().filter_map(faint).collect()
 }
 
-/// The moved point with its path.
 fn of_probe(scene: &Scene, probe: &Probe, pose: &Position) -> [Item; 3] {
     let at = pose.bodies[probe.link].point(probe.at);
     [

@@ -49,7 +49,6 @@ const MAIN: u16 = 80;
 /// Least height of a view beside it.
 const PANEL: u16 = 15;
 
-/// Draws the whole frame.
 pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     state.shown.borrow_mut().clear();
     let area = frame.area();
@@ -93,7 +92,6 @@ fn draw_body(state: &State, body: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Header, body, footer.
 fn parts(area: Rect) -> [Rect; 3] {
     Layout::vertical([Constraint::Length(2), Constraint::Min(0), Constraint::Length(2)]).areas(area)
 }
@@ -149,7 +147,6 @@ pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
     Some(figure).filter(|figure| !figure.panels.is_empty())
 }
 
-/// Draws a view in its own area.
 pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     let Some(scene) = &state.scene else { return };
     if !state.has(view) {

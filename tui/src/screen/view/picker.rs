@@ -1,7 +1,6 @@
 //! A list to choose from, over the body, with a picture of what is chosen beside it.
 
 use assur_figure::{Figure, Ink, Stroke};
-use assur_fixtures::SCENES;
 use assur_words::{Text, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -16,7 +15,6 @@ const SCENE: u16 = 26;
 /// Columns of the list of quantities.
 const QUANTITY: u16 = 44;
 
-/// Draws an open list.
 pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     Clear.render(area, buffer);
     let [title, rest] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
@@ -48,11 +46,9 @@ pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buff
     }
 }
 
-/// The mechanism of a shipped scene.
 fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
-    let index = SCENES.iter().position(|(name, _)| *name == choice.name);
-    match index.and_then(|index| state.previews.get(&index)) {
+    match state.previews.get(choice.name.as_str()) {
         Some(Ok(scene)) => {
             let [head, drawing] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
             put(buffer, head, 1, 0, &scene.linkage.mechanism.title, theme.style(Role::Header));
@@ -70,14 +66,12 @@ fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The curve of a quantity.
 fn curve(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     let Some(scene) = &state.scene else { return };
     let Some(series) = scene.named(&choice.name) else { return };
     paint(state, &figure(state, scene, series), area, buffer);
 }
 
-/// The picture of a quantity.
 pub(crate) fn figure(state: &State, scene: &Scene, series: &Series) -> Figure {
     let (curves, heading) =
         ([(series, Stroke::Solid, Ink::First)], [Text::default(), series.show(state.position)]);

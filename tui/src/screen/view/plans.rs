@@ -30,7 +30,6 @@ const AROUND: f64 = 0.06;
 /// Name of the pole of a plan of velocities or accelerations.
 const POLE: &str = "p";
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
     let [list, drawing] = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(area);

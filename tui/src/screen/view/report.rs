@@ -9,7 +9,6 @@ use super::{drive, motion};
 use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Role, State, View};
 
-/// Draws the text of a view.
 pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     let top = u16::from(view == View::Accuracy && state.measuring().is_some());
