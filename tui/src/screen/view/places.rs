@@ -58,13 +58,9 @@ impl Shaft {
             Item::line(closed, Stroke::Dashed, ink)
         });
         self.items.extend(told.map(|told| Item::name([0.5 * (from + to), high], told, Ink::Title)));
-        self.shaft(to);
-    }
-
-    /// The shaft from here to the next part.
-    fn shaft(&mut self, from: f64) {
-        self.at = from + self.apart;
-        self.items.push(Item::line([[from, 0.0], [self.at, 0.0]], Stroke::Solid, Ink::Text));
+        // The shaft to the next part.
+        self.at = to + self.apart;
+        self.items.push(Item::line([[to, 0.0], [self.at, 0.0]], Stroke::Solid, Ink::Text));
     }
 }
 
