@@ -14,7 +14,6 @@ mod probe;
 mod scene;
 mod series;
 mod shown;
-mod stop;
 mod transfer;
 mod whatif;
 
@@ -46,7 +45,7 @@ pub(crate) use plans::Plans;
 pub(crate) use probe::Probe;
 pub(crate) use scene::{Compared, Scene};
 pub(crate) use series::Series;
-pub(crate) use stop::Stop;
+pub(crate) use shown::Stop;
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};
 

@@ -148,9 +148,12 @@ fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
 fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let heads = std::iter::repeat_with(Text::default).take(2).chain(HEADS.map(|head| text!(head)));
     let row = |(number, series): (usize, &Series)| {
-        let shown = |value: f64| if value.abs() <= series.least() { 0.0 } else { value };
+        let shown = |value: f64| {
+            let value = series.factor * value;
+            if value.abs() <= series.least() { 0.0 } else { value }
+        };
         let now = series.clean(state.position).map(|value| series.factor * value);
-        let summary = series.summary();
+        let summary = series.course.summary();
         let (greatest, least) = (summary.map(|all| all.greatest), summary.map(|all| all.least));
         let value = |extreme: Option<Extreme>| extreme.map(|extreme| shown(extreme.value));
         let at = |extreme: Option<Extreme>| extreme.map(|extreme| words::number(extreme.number));

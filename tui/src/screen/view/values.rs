@@ -90,10 +90,10 @@ fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
     };
     let of = |id: &'static str, symbol: &str| list([text!(id), unit(symbol.to_owned())]);
     if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short))
-        && let Some(summary) = series.summary()
+        && let Some(summary) = series.course.summary()
     {
-        results.push((named("values-most", series), summary.greatest.value));
-        results.push((named("values-least", series), summary.least.value));
+        results.push((named("values-most", series), series.factor * summary.greatest.value));
+        results.push((named("values-least", series), series.factor * summary.least.value));
     }
     let Some(found) = &scene.found else { return results };
     if let Some(series) = found.balancing() {
