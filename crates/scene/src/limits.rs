@@ -7,11 +7,9 @@ use assur_words::text;
 use toml::de::DeValue;
 
 use crate::error::Fault;
+use crate::loads::SORTS;
 use crate::text::shown;
 use crate::walk::{Entry, Section};
-
-/// The lists of loads.
-const LOADS: [&str; 5] = ["force", "moment", "brake", "spring", "contact"];
 
 /// Whether the scene has too many of anything; noted at the first that is too many.
 pub(crate) fn exceeded(root: &Section<'_>) -> bool {
@@ -19,7 +17,7 @@ pub(crate) fn exceeded(root: &Section<'_>) -> bool {
     let links = list("link");
     let tables = links.iter().flat_map(|link| parts(link.value)).chain(list("ground"));
     let points = tables.filter(|table| table.name == "points").flat_map(|table| parts(table.value));
-    let loads = LOADS.iter().flat_map(|key| list(key));
+    let loads = SORTS.iter().flat_map(|sort| list(sort.list));
     let too_many = [
         refuse(root, points.collect(), MOST_PLACES, "scene-many-points"),
         refuse(root, loads.collect(), MOST_LOADS, "scene-many-loads"),
@@ -31,7 +29,7 @@ pub(crate) fn exceeded(root: &Section<'_>) -> bool {
 
 /// How many loads the scene has.
 pub(crate) fn loads(root: &Section<'_>) -> usize {
-    LOADS.iter().filter_map(|key| root.get(key)).map(|entry| parts(entry.value).len()).sum()
+    SORTS.iter().filter_map(|sort| root.get(sort.list)).map(|entry| parts(entry.value).len()).sum()
 }
 
 /// Notes a name or title that is too long; `span`: where it stands.

@@ -8,8 +8,6 @@ use assur_words::{Text, name, text};
 use crate::context::{Context, Sort};
 use crate::joints::{CONTACTS, SPRINGS};
 use crate::linkage::pair;
-use crate::numbers::Bound;
-use crate::reference;
 use crate::text::shown;
 use crate::units::Dimension;
 use crate::value;
@@ -36,12 +34,14 @@ pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
 /// Reads all loads: forces, moments, brakes, springs, contacts.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
     let mut names = BTreeSet::new();
-    let sorts = [&FORCES, &MOMENTS, &BRAKES, &SPRINGS, &CONTACTS];
-    sorts.into_iter().flat_map(|sort| sort.read(root, context, &mut names)).collect()
+    SORTS.iter().flat_map(|sort| sort.read(root, context, &mut names)).collect()
 }
 
+/// The sorts of loads, in the order of the mechanism.
+pub(crate) const SORTS: [Sort; 5] = [FORCES, MOMENTS, BRAKES, SPRINGS, CONTACTS];
+
 const FORCES: Sort = Sort {
-    table: &reference::FORCE,
+    list: "force",
     unnamed: |number, link| text!("scene-unnamed-force", number = number, link = link),
     one: force,
 };
@@ -73,16 +73,15 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
         return Some(Direction::AgainstMotion);
     }
     let in_link = frame.and_then(|entry| entry.choice(&[("ground", false), ("link", true)])).unwrap_or(false);
-    let Some(angle) = angle else {
+    if angle.is_none() {
         section.missing("angle", text!("scene-why-an-angle"));
-        return None;
-    };
-    let angle = angle.bounded(Dimension::Angle, Bound::Direction)?;
+    }
+    let angle = section.number("angle")?;
     Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 
 const MOMENTS: Sort = Sort {
-    table: &reference::MOMENT,
+    list: "moment",
     unnamed: |number, link| text!("scene-unnamed-moment", number = number, link = link),
     one: moment,
 };
@@ -95,22 +94,18 @@ fn moment(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
 }
 
 const BRAKES: Sort = Sort {
-    table: &reference::BRAKE,
+    list: "brake",
     unnamed: |number, link| text!("scene-unnamed-brake", number = number, link = link),
     one: brake,
 };
 
 fn brake(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
-    let bounded =
-        |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::NotNegative));
-    let radius = bounded("radius", Dimension::Length);
-    let friction = bounded("friction", Dimension::Number);
-    let lever = section.quantity_or("lever", Dimension::Number, Bound::Positive, 1.0);
+    let [radius, friction, lever] = ["radius", "friction", "lever"].map(|key| section.number(key));
     if let Some(entry) = section.get("force") {
         context.need_motion(&entry, text!("scene-a-brake"));
     }
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let ground = text!("scene-ground-does-not-turn");
     let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, ground));
-    Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever }.into())
+    Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever: lever? }.into())
 }

@@ -2,13 +2,13 @@
 
 use assur_mechanism::{MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Motion, Solve, StepLength, Until};
 
-use assur_words::{Describe, Text, name as words, number, text};
+use assur_words::{Text, name as words, number, text};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::numbers::{Bound, in_quotes};
-use crate::reference::MOTION;
-use crate::text::{brief, did_you_mean, nearest, shown, such_as};
+use crate::numbers::Bound;
+use crate::reference::table;
+use crate::text::{brief, did_you_mean, shown, such_as};
 use crate::units::{Dimension, UnitError, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
 
@@ -26,7 +26,7 @@ enum Kind {
 
 impl Kind {
     fn keys(self) -> Vec<&'static str> {
-        MOTION.names(Some(self.name())).collect()
+        table("[motion]").names(Some(self.name())).collect()
     }
 
     fn name(self) -> &'static str {
@@ -36,7 +36,7 @@ impl Kind {
 
 /// Reads the motion.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
-    let section = root.get("motion")?.section(text!("scene-the-motion"), &MOTION)?;
+    let section = root.inner("motion")?;
     let kind = match section.get("kind") {
         Some(entry) => entry.choice(KINDS)?,
         None => Kind::Prescribed,
@@ -67,19 +67,19 @@ fn refuse_other_kinds(section: &Section<'_>, kind: Kind) {
 }
 
 fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
-    let growth = context.by_input(Dimension::AngularAcceleration, Dimension::Acceleration);
-    let acceleration = section.quantity_or("acceleration", growth, Bound::Any, 0.0);
-    let speed = section.need("speed").and_then(|entry| entry.quantity(context.speed()))?;
-    let [speed, acceleration] = [speed, acceleration].map(|along| context.sign() * along);
+    let acceleration = section.by_input("acceleration", context.coordinate());
+    section.need("speed");
+    let speed = section.by_input("speed", context.coordinate());
+    let [speed, acceleration] = [speed?, acceleration?].map(|along| context.sign() * along);
     Some(Motion::Prescribed { speed, acceleration })
 }
 
 fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
-    let speed = section.quantity_or("speed", context.speed(), Bound::Any, 0.0);
+    let speed = section.by_input("speed", context.coordinate()).unwrap_or_default();
     let samples = samples(section, context).unwrap_or(100);
     let integrator =
         section.get("integrator").and_then(|entry| entry.text(text!("scene-name-of-integrator")));
-    let tolerance = section.quantity_or("tolerance", Dimension::Number, Bound::Positive, 1e-9);
+    let tolerance = section.number("tolerance").unwrap_or_default();
     if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {
         entry.fault(text!("scene-large-tolerance", got = brief(tolerance)), such_as("1e-9"));
     }
@@ -156,23 +156,12 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
         let fault = Fault::new(section.span.clone(), text!("scene-steady-without-cycle"));
         section.faults.push(fault.label(text!("scene-give-a-cycle")));
     }
-    let unevenness = section.get("unevenness").and_then(|entry| {
-        if entry.value.as_str() == Some("motor") {
-            return Some(Solve::Wanted);
-        }
-        if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
-            let quantity = Dimension::Number.describe();
-            let wanted = text!("scene-word-or", word = words("motor"), quantity = quantity);
-            entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["motor"])));
-            return None;
-        }
-        let value = entry.bounded(Dimension::Number, Bound::Positive)?;
-        if value >= 2.0 {
-            entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
-        }
-        Some(Solve::Given(value))
-    });
-    let entry = section.need("mean_speed")?;
-    let mean = entry.bounded(context.speed(), Bound::Positive)?;
+    let unevenness = section.solved("unevenness", None);
+    if let (Some(Solve::Given(value)), Some(entry)) = (unevenness, section.get("unevenness"))
+        && value >= 2.0
+    {
+        entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
+    }
+    let mean = section.by_input("mean_speed", context.coordinate())?;
     Some(Motion::Steady { mean_speed: context.sign() * mean, unevenness })
 }

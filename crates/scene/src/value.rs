@@ -10,10 +10,10 @@ use assur_words::{Describe, Text, joined, number, text, unit};
 use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::{Bound, in_quotes};
-use crate::reference::VALUE;
+use crate::reference::table;
 use crate::text::{brief, shown, such_as};
 use crate::units::{Dimension, quantity, within};
-use crate::walk::{Entry, Section};
+use crate::walk::{Entry, Known, Section};
 
 const OVER: &[(&str, Kind)] = &[
     ("angle", Kind::Plain(Over::Coordinate)),
@@ -22,6 +22,9 @@ const OVER: &[(&str, Kind)] = &[
     ("stroke", Kind::Stroke),
 ];
 const SHAPES: &[(&str, Shape)] = &[("linear", Shape::Linear), ("step", Shape::Step)];
+
+/// The table of the reference with the keys of a law.
+const LAW: &str = "value = { ... }";
 
 /// More rows than any measurement needs.
 const MOST_ROWS: usize = 100_000;
@@ -43,12 +46,7 @@ pub(crate) fn read(
         return if refused_formula(entry) { None } else { entry.quantity(dimension).map(Value::Constant) };
     }
     if entry.named(text!("scene-a-table"), Text::default()).iter().any(|key| key.name == "formula") {
-        return formula(
-            &entry.section(text!("scene-a-formula"), (&VALUE, "formula"))?,
-            dimension,
-            stroke,
-            context,
-        );
+        return formula(&of_sort(entry, "scene-a-formula", "formula")?, dimension, stroke, context);
     }
     let kind = kind(entry)?;
     let what = match kind {
@@ -57,7 +55,7 @@ pub(crate) fn read(
         Kind::Stroke => "scene-table-over-stroke",
     };
     let over = OVER.iter().find(|over| over.1 == kind).map_or("", |over| over.0);
-    let section = entry.section(text!(what), (&VALUE, over))?;
+    let section = of_sort(entry, what, over)?;
     let shape = section.get("shape").and_then(|shape| shape.choice(SHAPES)).unwrap_or(Shape::Linear);
     match kind {
         Kind::Plain(over) => plain(&section, over, shape, dimension, context),
@@ -69,6 +67,11 @@ pub(crate) fn read(
             strokes(&section, shape, dimension)
         }
     }
+}
+
+/// A law of one sort; `what`: the identity of its kind with an article.
+fn of_sort<'a>(entry: &Entry<'a>, what: &'static str, sort: &'static str) -> Option<Section<'a>> {
+    entry.section_as(text!(what), Known::Table(table(LAW), Some(sort)))
 }
 
 /// Refuses a formula that stands where a number with a unit is read: says where it belongs.
@@ -92,7 +95,7 @@ pub(crate) fn sized(
 ) -> Option<Value> {
     let value = section.need(key).and_then(|entry| read(&entry, dimension, stroke, context))?;
     let Some(scale) = section.get("scale") else { return Some(value) };
-    let value = value.scaled(scale.bounded(Dimension::Number, Bound::Any)?);
+    let value = value.scaled(section.number("scale")?);
     if let Some(size) = value.sizes().find(|size| within(*size, "", dimension).is_err()) {
         let message = text!("scene-scale-out-of-range", size = brief(size));
         scale.fault(message, text!("scene-right-unit-and-factor"));
@@ -108,7 +111,7 @@ fn kind(entry: &Entry<'_>) -> Option<Kind> {
     if let Some(over) = over.next() {
         return over.choice(OVER);
     }
-    let section = entry.section(text!("scene-table-of-a-load"), &VALUE)?;
+    let section = entry.section(table(LAW))?;
     section.missing("over", text!("scene-all-arguments"));
     None
 }
@@ -137,10 +140,7 @@ fn formula(
         }
         _ => {}
     }
-    let axis = match axis {
-        Some(axis) => Some(axis.bounded(Dimension::Angle, Bound::Direction)?),
-        None => None,
-    };
+    let axis = if axis.is_some() { Some(section.number("axis")?) } else { None };
     Some(Value::Formula { formula, factor, axis })
 }
 
@@ -240,7 +240,8 @@ fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
 }
 
 fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<Value> {
-    let axis = section.need("axis").and_then(|axis| axis.bounded(Dimension::Angle, Bound::Direction));
+    section.need("axis");
+    let axis = section.number("axis");
     let side = |key: &str| match section.get(key) {
         None => Some(Table::constant(0.0)),
         Some(entry) => one_way(&entry, shape, dimension),

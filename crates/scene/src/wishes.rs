@@ -5,8 +5,6 @@ use assur_mechanism::{Balance, LinkId, Output, PairId, PointId, SlideId};
 use assur_words::{name, text};
 
 use crate::linkage::{SceneLinks, pair};
-use crate::numbers::Bound;
-use crate::reference;
 use crate::text::{row, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
@@ -35,12 +33,12 @@ fn hinted(hint: &Entry<'_>, linkage: &SceneLinks) -> Option<PointId> {
 
 /// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
 pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balance> {
-    let section = root.get("balance")?.section(text!("scene-the-balance"), &reference::BALANCE)?;
+    let section = root.inner("balance")?;
     let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-ground-carries")));
     match (section.get("at"), section.get("angle")) {
         (None, None) => Some(Balance::Moment(link?)),
-        (Some(at), Some(angle)) => {
-            let (at, angle) = (linkage.place(&at, link?), angle.bounded(Dimension::Angle, Bound::Direction));
+        (Some(at), Some(_)) => {
+            let (at, angle) = (linkage.place(&at, link?), section.number("angle"));
             Some(Balance::Force { at: at?, angle: angle? })
         }
         (at, _) => {
@@ -53,7 +51,7 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balanc
 
 /// Reads `[output]`: the wanted results.
 pub(crate) fn output(root: &Section<'_>, linkage: &SceneLinks) -> Option<Output> {
-    let section = root.get("output")?.section(text!("scene-the-output"), &reference::OUTPUT)?;
+    let section = root.inner("output")?;
     Some(Output {
         points: each(&section, "points", |entry| linkage.point(entry)),
         links: each(&section, "links", |entry| link(entry, linkage)),
@@ -126,11 +124,7 @@ pub struct Note {
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
     let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new() };
-    let Some(section) =
-        root.get("note").and_then(|entry| entry.section(text!("scene-the-note"), &reference::NOTE))
-    else {
-        return note;
-    };
+    let Some(section) = root.inner("note") else { return note };
     let line = |key: &str| section.get(key).and_then(|entry| entry.line());
     (note.author, note.group, note.variant) = (line("author"), line("group"), line("variant"));
     if let Some(language) = section.get("language").and_then(|entry| entry.choice(&LANGUAGES)) {

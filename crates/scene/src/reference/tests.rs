@@ -6,7 +6,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{Default, Describe, Key, Kind, SCENE, TABLES, Table, search};
+use super::{Default, Describe, Key, Kind, TABLES, Table, search, table};
 use crate::tests::fixtures;
 use crate::units::quantity;
 
@@ -68,7 +68,7 @@ fn within<'s>(
 fn all(scenes: &[(String, String)]) -> Vec<Found<'_>> {
     let mut found = Vec::new();
     for (_, scene) in scenes {
-        keys(scene, &SCENE, DeTable::parse(scene).unwrap().get_ref(), &mut found);
+        keys(scene, table(""), DeTable::parse(scene).unwrap().get_ref(), &mut found);
     }
     found
 }
@@ -79,6 +79,20 @@ fn shipped() -> Vec<(String, String)> {
 
 fn label(found: &Found<'_>) -> String {
     format!("{} {}", found.table.header, found.key.name)
+}
+
+#[test]
+fn every_line_of_the_reference_is_read() {
+    let lines = include_str!("keys.txt").lines().filter(|line| !line.starts_with('#'));
+    let keys: usize = TABLES.iter().map(|table| table.keys.len()).sum();
+    assert_eq!(lines.clone().filter(|line| line.contains(" | ")).count(), keys);
+    assert_eq!(lines.filter(|line| line.contains(" : ")).count(), TABLES.len());
+    let headers = |kind: &Kind| if let Kind::Table(header) = kind { Some(*header) } else { None };
+    let named =
+        TABLES.iter().flat_map(|table| &table.keys).flat_map(|key| key.kinds.iter().filter_map(headers));
+    for header in named {
+        assert_eq!(table(header).header, header);
+    }
 }
 
 #[test]
@@ -179,7 +193,7 @@ fn a_default_is_what_holds_without_its_key() {
     }
     let wanted = TABLES
         .iter()
-        .flat_map(|table| table.keys)
+        .flat_map(|table| &table.keys)
         .filter(|key| matches!(key.default, Default::Is(_)))
         .count();
     assert!(judged.len() * 10 >= wanted * 8, "{} of {wanted}: {judged:?}", judged.len());
@@ -214,8 +228,8 @@ fn is_of(kind: &Kind, value: &DeValue<'_>) -> bool {
 
 #[test]
 fn every_example_is_of_a_kind_of_its_key() {
-    for table in TABLES {
-        for key in table.keys {
+    for table in TABLES.iter() {
+        for key in &table.keys {
             let toml = format!("x = {}", key.example);
             let toml = DeTable::parse(&toml).unwrap_or_else(|error| panic!("{}: {error}", key.name));
             let value = toml.get_ref().get("x").unwrap().get_ref();
@@ -265,7 +279,9 @@ fn a_word_finds_the_keys_that_it_is_about() {
     };
     assert!(names("omega").contains(&"motion.speed".to_owned()));
     assert_eq!(names("link.mass"), ["link.mass"]);
-    assert!(super::SLIDE.keys.iter().all(|key| names("[[slide]]").contains(&format!("slide.{}", key.name))));
+    assert!(
+        table("[[slide]]").keys.iter().all(|key| names("[[slide]]").contains(&format!("slide.{}", key.name)))
+    );
     assert!(names("kloss").contains(&"drive.characteristic".to_owned()));
     assert!(names("nothing like it").is_empty());
 }
