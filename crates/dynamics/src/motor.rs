@@ -46,7 +46,7 @@ impl DriveMotor {
             Asked::Rated(rated) => {
                 let inertia = rated.inertia.filter(|inertia| *inertia > 0.0);
                 let rated = RatedData { inertia, ..*rated };
-                let characteristic = Characteristic::new(*kind, &rated)?;
+                let characteristic = Characteristic::new(*kind, &rated).map_err(DynamicsError::Rated)?;
                 return Ok(Some(Self {
                     designation: None,
                     rated,
@@ -82,7 +82,7 @@ impl DriveMotor {
         runners_up: Vec<Candidate<'static>>,
     ) -> Result<Self, DynamicsError> {
         let rated = row.rated_data();
-        let characteristic = Characteristic::new(kind, &rated)?;
+        let characteristic = Characteristic::new(kind, &rated).map_err(DynamicsError::Rated)?;
         let designation = Some(row.designation.clone());
         Ok(Self { designation, rated, characteristic, row: Some(row), runners_up, passed_over: Vec::new() })
     }

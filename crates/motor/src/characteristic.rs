@@ -1,8 +1,8 @@
 //! The mechanical characteristic: torque of the motor as a function of its speed.
 
-use assur_words::{Describe, Text, number, text};
+use assur_words::{number, text};
 
-use crate::{CharacteristicKind, RatedData};
+use crate::{CharacteristicKind, MotorError, RatedData};
 
 /// Torque of an asynchronous motor, N·m, over its speed, rad/s. The motor drives towards positive speed.
 ///
@@ -53,7 +53,12 @@ impl Characteristic {
     }
 
     /// The characteristic of that kind through synchronous speed and the rated point.
-    pub fn new(kind: CharacteristicKind, rated: &RatedData) -> Result<Self, RatedDataError> {
+    ///
+    /// # Errors
+    ///
+    /// [`MotorError`] for data that can't be those of an asynchronous motor, or without the breakdown torque that Kloss's formula
+    /// needs.
+    pub fn new(kind: CharacteristicKind, rated: &RatedData) -> Result<Self, MotorError> {
         validate(rated)?;
         let torque = rated_torque(rated);
         let kloss = |ratio: f64| Kloss {
@@ -63,7 +68,8 @@ impl Characteristic {
         };
         let kloss = match kind {
             CharacteristicKind::Kloss => {
-                Some(rated.max_torque_ratio.map(kloss).ok_or(RatedDataError::NoMaxTorqueRatio)?)
+                let absent = || MotorError(text!("motor-no-torque-ratio"));
+                Some(rated.max_torque_ratio.map(kloss).ok_or_else(absent)?)
             }
             CharacteristicKind::Linear => None,
         };
@@ -133,52 +139,8 @@ impl Characteristic {
     }
 }
 
-/// Why rated data cannot be those of an asynchronous motor.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum RatedDataError {
-    /// A value that must be finite and positive is not.
-    NotPositive {
-        /// Which value, in words with its unit.
-        what: Text,
-        /// The value.
-        value: f64,
-    },
-    /// An asynchronous motor runs below its synchronous speed.
-    NoSlip {
-        /// Rated speed, rad/s.
-        rated_speed: f64,
-        /// Synchronous speed, rad/s.
-        synchronous_speed: f64,
-    },
-    /// Kloss's formula has no solution (the value).
-    MaxTorqueRatio(f64),
-    /// Kloss's formula needs the breakdown torque.
-    NoMaxTorqueRatio,
-}
-
-assur_words::errors!(RatedDataError);
-
-impl Describe for RatedDataError {
-    fn describe(&self) -> Text {
-        match self {
-            Self::NotPositive { what, value } => {
-                text!("motor-rated-not-positive", what, value = number(value))
-            }
-            Self::NoSlip { rated_speed, synchronous_speed } => text!(
-                "motor-no-slip",
-                rated = number(rated_speed),
-                synchronous = number(synchronous_speed),
-                excess = number(rated_speed - synchronous_speed)
-            ),
-            Self::MaxTorqueRatio(ratio) => text!("motor-bad-torque-ratio", ratio = number(ratio)),
-            Self::NoMaxTorqueRatio => text!("motor-no-torque-ratio"),
-        }
-    }
-}
-
 /// Checks every value that is given.
-pub(crate) fn validate(rated: &RatedData) -> Result<(), RatedDataError> {
+pub(crate) fn validate(rated: &RatedData) -> Result<(), MotorError> {
     let named = [
         (text!("motor-rated-power"), rated.power),
         (text!("motor-rated-synchronous"), rated.synchronous_speed),
@@ -187,15 +149,19 @@ pub(crate) fn validate(rated: &RatedData) -> Result<(), RatedDataError> {
     ];
     for (what, value) in named {
         if !(value > 0.0 && value.is_finite()) {
-            return Err(RatedDataError::NotPositive { what, value });
+            return Err(MotorError(text!("motor-rated-not-positive", what, value = number(value))));
         }
     }
     let RatedData { rated_speed, synchronous_speed, .. } = *rated;
     if rated_speed >= synchronous_speed {
-        return Err(RatedDataError::NoSlip { rated_speed, synchronous_speed });
+        let [rated, synchronous, excess] =
+            [rated_speed, synchronous_speed, rated_speed - synchronous_speed].map(number);
+        return Err(MotorError(text!("motor-no-slip", rated, synchronous, excess)));
     }
     match rated.max_torque_ratio {
-        Some(value) if !(value > 1.0 && value.is_finite()) => Err(RatedDataError::MaxTorqueRatio(value)),
+        Some(value) if !(value > 1.0 && value.is_finite()) => {
+            Err(MotorError(text!("motor-bad-torque-ratio", ratio = number(value))))
+        }
         _ => Ok(()),
     }
 }

@@ -59,15 +59,15 @@ assur_words::resources!();
 
 pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
 pub use catalogue::{CataloguePlugin, MotorFilter, catalogues, find_catalogue, find_motor, list_motors};
-pub use characteristic::{Characteristic, RatedDataError};
-pub use error::{CatalogueError, LookupError, LookupHint, RowFault};
+pub use characteristic::Characteristic;
+pub use error::MotorError;
 pub use flywheel::{FlywheelSize, flywheel_sizes};
 pub use flywheel::{USUAL_SOURCE, USUAL_UNEVENNESS, UsualUnevenness};
 pub use lookup::find_designation;
 pub use lookup::{latin_designation, normalize_designation, same_designation};
 pub use motor::{Motor, flag_meaning, rad_per_s, rpm};
 pub use passed::{PassedOver, Refusal, nearest};
-pub use selection::{Candidate, Selection, SelectionError, SelectionRequest, select};
+pub use selection::{Candidate, Selection, SelectionRequest, select};
 pub use table::{CatalogueTable, parse_table};
 pub use warning::{
     MotorWarning, check_breakdown, check_rms, check_rotor_inertia, check_starting, rms_torque,

@@ -31,7 +31,7 @@ impl Vary {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Vary`] where it is written otherwise.
+    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
@@ -70,7 +70,7 @@ impl Tie {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Vary`] where it is written otherwise.
+    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, follows) = text.split_once('=').ok_or_else(|| fault(text!("sweep-write-tie")))?;
@@ -113,7 +113,7 @@ impl Target {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Vary`] where it is written otherwise.
+    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let length = |text: &str| assur_scene::quantity(text.trim(), assur_scene::Dimension::Length).ok();
         let read = || {
