@@ -101,8 +101,10 @@ pub enum DynamicsError {
     Integration(IntegrationError),
     /// The motor's data define no characteristic.
     Rated(MotorError),
-    /// No such motor, or none can be chosen.
+    /// No such motor, or no such catalogue.
     Motor(MotorError),
+    /// No motor can be chosen.
+    Selection(MotorError),
 }
 
 assur_words::errors!(DynamicsError; Integration(IntegrationError), Motor(MotorError));
@@ -191,7 +193,7 @@ impl Describe for DynamicsError {
             Self::NoLoad(work) => text!("dynamics-no-load", work = quantity(scientific(*work), "J")),
             Self::Integration(error) => error.describe(),
             Self::Rated(error) => text!("dynamics-rated", cause = error.describe()),
-            Self::Motor(error) => error.describe(),
+            Self::Motor(error) | Self::Selection(error) => error.describe(),
         }
     }
 }
@@ -211,7 +213,8 @@ impl DynamicsError {
             | Self::NoMotor
             | Self::NoLoad(_)
             | Self::Rated(_)
-            | Self::Motor(_) => &["drive", "motor"],
+            | Self::Motor(_)
+            | Self::Selection(_) => &["drive", "motor"],
             _ => &["motion"],
         }
     }

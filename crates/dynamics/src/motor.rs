@@ -68,7 +68,8 @@ impl DriveMotor {
                     max_motor_speed: *max_speed,
                     characteristic: *kind,
                 };
-                let found = select(list_motors(&catalogues()?, &filter)?, &request)?;
+                let found = select(list_motors(&catalogues()?, &filter)?, &request)
+                    .map_err(DynamicsError::Selection)?;
                 (found.chosen.motor, found.runners_up, found.passed_over)
             }
         };
