@@ -20,36 +20,14 @@ pub struct Characteristic {
     pub rated_torque: f64,
     /// Breakdown torque, N·m; `None` for a straight line without this value in the catalogue.
     pub breakdown_torque: Option<f64>,
-    kloss: Option<Kloss>,
-}
-
-/// The constants of Kloss's formula.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Kloss {
-    breakdown_torque: f64,
-    critical_slip: f64,
-}
-
-impl Kloss {
-    /// Torque at the slip `s`.
-    fn torque(&self, s: f64) -> f64 {
-        let sk = self.critical_slip;
-        // Numerator and denominator are multiplied by s sk, so that nothing divides by zero at s = 0.
-        2.0 * self.breakdown_torque * sk * s / (s * s + sk * sk)
-    }
-
-    /// dM/dw = -dM/ds / ws, dM/ds = 2 Mmax sk (sk² - s²) / (s² + sk²)².
-    fn slope(&self, s: f64, synchronous_speed: f64) -> f64 {
-        let sk = self.critical_slip;
-        let d = s * s + sk * sk;
-        -2.0 * self.breakdown_torque * sk * ((sk - s) / d) * ((sk + s) / d) / synchronous_speed
-    }
+    /// Slip of the greatest torque; `None` for a straight line.
+    pub critical_slip: Option<f64>,
 }
 
 impl Characteristic {
     /// By which formula it goes.
     pub fn kind(&self) -> CharacteristicKind {
-        if self.kloss.is_some() { CharacteristicKind::Kloss } else { CharacteristicKind::Linear }
+        if self.critical_slip.is_some() { CharacteristicKind::Kloss } else { CharacteristicKind::Linear }
     }
 
     /// The characteristic of that kind through synchronous speed and the rated point.
@@ -61,15 +39,12 @@ impl Characteristic {
     pub fn new(kind: CharacteristicKind, rated: &RatedData) -> Result<Self, MotorError> {
         validate(rated)?;
         let torque = rated_torque(rated);
-        let kloss = |ratio: f64| Kloss {
-            breakdown_torque: ratio * torque,
-            // sk = sn (l + sqrt(l² - 1)): M(sn) = Mn solved for sk, the root above sn.
-            critical_slip: rated_slip(rated) * (ratio + ((ratio - 1.0) * (ratio + 1.0)).sqrt()),
-        };
-        let kloss = match kind {
+        // sk = sn (l + sqrt(l² - 1)): M(sn) = Mn solved for sk, the root above sn.
+        let critical_slip = |ratio: f64| rated_slip(rated) * (ratio + ((ratio - 1.0) * (ratio + 1.0)).sqrt());
+        let critical_slip = match kind {
             CharacteristicKind::Kloss => {
                 let absent = || MotorError(text!("motor-no-torque-ratio"));
-                Some(rated.max_torque_ratio.map(kloss).ok_or_else(absent)?)
+                Some(rated.max_torque_ratio.map(critical_slip).ok_or_else(absent)?)
             }
             CharacteristicKind::Linear => None,
         };
@@ -78,25 +53,31 @@ impl Characteristic {
             rated_speed: rated.rated_speed,
             rated_torque: torque,
             breakdown_torque: rated.max_torque_ratio.map(|ratio| ratio * torque),
-            kloss,
+            critical_slip,
         })
     }
 
     /// Torque at the motor speed `speed` (rad/s), N·m. Above synchronous speed the motor brakes (M < 0);
     /// at reversed speed (`speed` < 0, s > 1) it still pulls forward, hence brakes, too.
     pub fn torque(&self, speed: f64) -> f64 {
-        match &self.kloss {
-            Some(kloss) => kloss.torque(self.slip(speed)),
-            None => self.line_slope() * (speed - self.synchronous_speed),
-        }
+        self.kloss(speed).map_or_else(
+            || self.line_slope() * (speed - self.synchronous_speed),
+            // Numerator and denominator are multiplied by s sk, so that nothing divides by zero at s = 0.
+            |[most, s, sk]| 2.0 * most * sk * s / (s * s + sk * sk),
+        )
     }
 
     /// dM/dw at the motor speed `speed` (rad/s), N·m·s. Negative where the motor runs stably.
     pub fn slope(&self, speed: f64) -> f64 {
-        match &self.kloss {
-            Some(kloss) => kloss.slope(self.slip(speed), self.synchronous_speed),
-            None => self.line_slope(),
-        }
+        let Some([most, s, sk]) = self.kloss(speed) else { return self.line_slope() };
+        // -dM/ds / ws, dM/ds = 2 Mmax sk (sk² - s²) / (s² + sk²)².
+        let d = s * s + sk * sk;
+        -2.0 * most * sk * ((sk - s) / d) * ((sk + s) / d) / self.synchronous_speed
+    }
+
+    /// Mmax, s and sk of Kloss's formula; `None` for a straight line.
+    fn kloss(&self, speed: f64) -> Option<[f64; 3]> {
+        Some([self.breakdown_torque?, self.slip(speed), self.critical_slip?])
     }
 
     fn line_slope(&self) -> f64 {
@@ -110,32 +91,26 @@ impl Characteristic {
 
     /// Stable name of its kind, as scenes write it: `kloss` or `linear`.
     pub fn name(&self) -> &'static str {
-        if self.kloss.is_some() { "kloss" } else { "linear" }
-    }
-
-    /// Slip of the greatest torque; `None` for a straight line.
-    pub fn critical_slip(&self) -> Option<f64> {
-        self.kloss.map(|kloss| kloss.critical_slip)
+        if self.critical_slip.is_some() { "kloss" } else { "linear" }
     }
 
     /// Speed of the greatest torque, rad/s; `None` for a straight line. Negative if the critical slip exceeds 1.
     pub fn breakdown_speed(&self) -> Option<f64> {
-        self.critical_slip().map(|sk| self.synchronous_speed * (1.0 - sk))
+        self.critical_slip.map(|sk| self.synchronous_speed * (1.0 - sk))
     }
 
     /// The section on which the motor drives and runs stably, rad/s: from the speed of its greatest torque (of a straight line:
     /// where the line reaches the breakdown torque, or without this value from the rated speed) to synchronous speed.
     pub fn stable_section(&self) -> [f64; 2] {
         let slip_of = |torque: f64| torque / self.rated_torque * self.slip(self.rated_speed);
-        let slip = self
-            .critical_slip()
-            .unwrap_or_else(|| slip_of(self.breakdown_torque.unwrap_or(self.rated_torque)));
+        let slip =
+            self.critical_slip.unwrap_or_else(|| slip_of(self.breakdown_torque.unwrap_or(self.rated_torque)));
         [self.synchronous_speed * (1.0 - slip), self.synchronous_speed]
     }
 
     /// Torque at rest, N·m; `None` for a straight line, which does not hold there.
     pub fn starting_torque(&self) -> Option<f64> {
-        self.kloss.map(|kloss| kloss.torque(1.0))
+        self.critical_slip.map(|_| self.torque(0.0))
     }
 }
 

@@ -7,7 +7,7 @@ use assur_words::{Text, text};
 
 use crate::error::Fault;
 use crate::input::coordinate_of;
-use crate::limits;
+
 use crate::linkage::SceneLinks;
 use crate::text::shown;
 use crate::units::Dimension;
@@ -85,15 +85,9 @@ impl Sort {
 
 /// The `name` of a load, or its default name.
 fn name(section: &Section<'_>, names: &mut BTreeSet<String>, default: impl FnOnce() -> Text) -> Name {
-    let entry = section.get("name");
-    let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
-    let name = given.map_or_else(|| default().into(), Name::from);
-    if let Some(entry) = &entry {
-        limits::check_name(entry, &entry.span, &name);
-    }
+    let (name, at) = section.name(default);
     if !names.insert(name.to_string()) {
-        let span = entry.map_or(section.span.clone(), |entry| entry.span);
-        let fault = Fault::new(span, text!("scene-two-loads", name = shown(&name)));
+        let fault = Fault::new(at, text!("scene-two-loads", name = shown(&name)));
         section.faults.push(fault.label(text!("scene-own-name")));
     }
     name

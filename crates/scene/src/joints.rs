@@ -5,7 +5,7 @@ use assur_mechanism::{Contact, LinkId, LoadKind, Place, PointId, Spring, Value};
 use assur_words::{name, text};
 
 use crate::context::{Context, Sort};
-use crate::linkage::{SceneLinks, pair};
+use crate::linkage::pair;
 use crate::text::{row, shown};
 use crate::units::Dimension;
 use crate::value;
@@ -51,14 +51,8 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
         let id = linkage.point(entry)?;
         return linkage.points[id].places.first().map(|place| (id, *place));
     };
-    let Some(link) = linkage.links.iter().position(|known| known.name == link) else {
-        SceneLinks::unknown(entry, "link", link, linkage.links.iter().map(|known| known.name.as_str()));
-        return None;
-    };
-    let Some(id) = linkage.point_named(point) else {
-        SceneLinks::unknown(entry, "point", point, linkage.points.iter().map(|known| known.name.as_str()));
-        return None;
-    };
+    let link = linkage.link_named(entry, link)?;
+    let id = linkage.point_of(entry, point)?;
     let places = &linkage.points[id].places;
     let place = places.iter().find(|place| place.link == link);
     if place.is_none() {

@@ -150,21 +150,16 @@ fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) -> 
         entry.fault(message, text!("scene-another-link"));
     }
     let default = joined("/", [link, on].map(|link| Text::from(&linkage.links[link].name)));
-    let name = name(section, linkage, default.into());
+    let name = name(section, linkage, default);
     Some(Slide { name, link, on, point: point.unwrap_or_default(), through, angle, tilt })
 }
 
-fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Name) -> Name {
-    let given = section.get("name").and_then(|entry| Some((entry.text(text!("scene-a-name"))?, entry)));
-    let name = given.as_ref().map_or(default, |given| given.0.into());
-    if let Some((name, entry)) = &given {
-        limits::check_name(entry, &entry.span, name);
-    }
+fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Text) -> Name {
+    let (name, at) = section.name(|| default);
     let is_pin = linkage.point_named(&name).is_some_and(|point| linkage.points[point].is_pin());
     if !linkage.add_slide_name(&name) || is_pin {
-        let span = given.map_or(section.span.clone(), |(_, entry)| entry.span);
         let message = if is_pin { "scene-pin-and-slide" } else { "scene-two-slides" };
-        let fault = Fault::new(span, text!(message, name = shown(&name)));
+        let fault = Fault::new(at, text!(message, name = shown(&name)));
         section.faults.push(fault.label(text!("scene-own-name")));
     }
     name

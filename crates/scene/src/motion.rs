@@ -14,54 +14,34 @@ use crate::walk::{Entry, Section};
 
 /// Steps of a motion that a scene may allow: hours of work.
 const MOST_STEPS: usize = 1_000_000_000;
-const KINDS: &[(&str, Kind)] =
-    &[("prescribed", Kind::Prescribed), ("transient", Kind::Transient), ("steady", Kind::Steady)];
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    Prescribed,
-    Transient,
-    Steady,
-}
-
-impl Kind {
-    fn keys(self) -> Vec<&'static str> {
-        table("[motion]").names(Some(self.name())).collect()
-    }
-
-    fn name(self) -> &'static str {
-        KINDS.iter().find(|kind| kind.1 == self).map_or("", |kind| kind.0)
-    }
-}
+/// Reads a motion of one kind.
+type Read = fn(&Section<'_>, &Context<'_>) -> Option<Motion>;
+const KINDS: [(&str, Read); 3] = [("prescribed", prescribed), ("transient", transient), ("steady", steady)];
 
 /// Reads the motion.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let section = root.inner("motion")?;
-    let kind = match section.get("kind") {
-        Some(entry) => entry.choice(KINDS)?,
-        None => Kind::Prescribed,
+    let (kind, read) = match section.get("kind") {
+        Some(entry) => entry.choice(&KINDS.map(|kind| (kind.0, kind)))?,
+        None => KINDS[0],
     };
     refuse_other_kinds(&section, kind);
-    match kind {
-        Kind::Prescribed => prescribed(&section, context),
-        Kind::Transient => transient(&section, context),
-        Kind::Steady => steady(&section, context),
-    }
+    read(&section, context)
 }
 
 /// Notes a key that belongs to another kind of motion and would have no effect.
-fn refuse_other_kinds(section: &Section<'_>, kind: Kind) {
+fn refuse_other_kinds(section: &Section<'_>, kind: &'static str) {
+    let table = table("[motion]");
     for entry in section.entries() {
-        let name = entry.name.as_str();
-        if kind.keys().contains(&name) {
+        let Some(sorts) = table.sorts(&entry.name) else { continue };
+        if sorts.split(", ").any(|sort| sort == kind) {
             continue;
         }
-        let Some((owner, _)) = KINDS.iter().find(|other| other.1.keys().contains(&name)) else { continue };
-        let own = words(kind.name());
+        let owner = words(sorts.split(", ").next().unwrap_or(sorts));
         let message =
-            text!("scene-other-motion", key = shown(name), owner = words(*owner), kind = own.clone());
-        let keys = words(kind.keys().join(", "));
-        let help = text!("scene-motion-knows", kind = own, keys = keys);
+            text!("scene-other-motion", key = shown(&entry.name), owner = owner, kind = words(kind));
+        let keys = words(table.names(Some(kind)).collect::<Vec<_>>().join(", "));
+        let help = text!("scene-motion-knows", kind = words(kind), keys = keys);
         section.faults.push(Fault::new(entry.key, message).help(help));
     }
 }

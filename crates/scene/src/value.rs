@@ -15,11 +15,13 @@ use crate::text::{brief, shown, such_as};
 use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Known, Section};
 
-const OVER: &[(&str, Kind)] = &[
-    ("angle", Kind::Plain(Over::Coordinate)),
-    ("time", Kind::Plain(Over::Time)),
-    ("speed", Kind::Plain(Over::Speed)),
-    ("stroke", Kind::Stroke),
+/// What a table is over, as the scene names it; `None`: the stroke of a point.
+type Argument = (&'static str, Option<Over>);
+const ARGUMENTS: [Argument; 4] = [
+    ("angle", Some(Over::Coordinate)),
+    ("time", Some(Over::Time)),
+    ("speed", Some(Over::Speed)),
+    ("stroke", None),
 ];
 const SHAPES: &[(&str, Shape)] = &[("linear", Shape::Linear), ("step", Shape::Step)];
 
@@ -28,12 +30,6 @@ const LAW: &str = "value = { ... }";
 
 /// More rows than any measurement needs.
 const MOST_ROWS: usize = 100_000;
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    Plain(Over),
-    Stroke,
-}
 
 /// Reads a value of this dimension; `stroke`: whether the load has a point whose stroke a table can use.
 pub(crate) fn read(
@@ -48,25 +44,21 @@ pub(crate) fn read(
     if entry.named(text!("scene-a-table"), Text::default()).iter().any(|key| key.name == "formula") {
         return formula(&of_sort(entry, "scene-a-formula", "formula")?, dimension, stroke, context);
     }
-    let kind = kind(entry)?;
-    let what = match kind {
-        Kind::Plain(Over::Coordinate) => "scene-table-over-angle",
-        Kind::Plain(_) => "scene-table-over-time-or-speed",
-        Kind::Stroke => "scene-table-over-stroke",
+    let (sort, over) = argument(entry)?;
+    let what = match over {
+        Some(Over::Coordinate) => "scene-table-over-angle",
+        Some(_) => "scene-table-over-time-or-speed",
+        None => "scene-table-over-stroke",
     };
-    let over = OVER.iter().find(|over| over.1 == kind).map_or("", |over| over.0);
-    let section = of_sort(entry, what, over)?;
+    let section = of_sort(entry, what, sort)?;
     let shape = section.get("shape").and_then(|shape| shape.choice(SHAPES)).unwrap_or(Shape::Linear);
-    match kind {
-        Kind::Plain(over) => plain(&section, over, shape, dimension, context),
-        Kind::Stroke => {
-            let over = section.get("over")?;
-            if !stroke {
-                over.fault(text!("scene-stroke-of-a-force"), text!("scene-other-arguments"));
-            }
-            strokes(&section, shape, dimension)
-        }
+    if let Some(over) = over {
+        return plain(&section, over, shape, dimension, context);
     }
+    if let Some(over) = section.get("over").filter(|_| !stroke) {
+        over.fault(text!("scene-stroke-of-a-force"), text!("scene-other-arguments"));
+    }
+    strokes(&section, shape, dimension)
 }
 
 /// A law of one sort; `what`: the identity of its kind with an article.
@@ -105,11 +97,11 @@ pub(crate) fn sized(
 }
 
 /// The argument of the table; if `over` is missing, the keys are checked against those of all tables.
-fn kind(entry: &Entry<'_>) -> Option<Kind> {
+fn argument(entry: &Entry<'_>) -> Option<Argument> {
     let mut over =
         entry.named(text!("scene-a-table"), Text::default()).into_iter().filter(|key| key.name == "over");
     if let Some(over) = over.next() {
-        return over.choice(OVER);
+        return over.choice(&ARGUMENTS.map(|argument| (argument.0, argument)));
     }
     let section = entry.section(table(LAW))?;
     section.missing("over", text!("scene-all-arguments"));

@@ -6,12 +6,13 @@
 
 use std::ops::Range;
 
-use assur_mechanism::Solve;
+use assur_mechanism::{Name, Solve};
 use assur_words::{Text, joined, name, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{Fault, Faults};
+use crate::limits;
 use crate::numbers::in_quotes;
 use crate::reference::{Default, Key, Kind, Table, table};
 use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
@@ -172,6 +173,17 @@ impl<'a> Section<'a> {
             }
         }
         self.by_input(key, coordinate).map(Solve::Given)
+    }
+
+    /// Its key `name`, or else the default name; and where a fault of the name is noted.
+    pub(crate) fn name(&self, default: impl FnOnce() -> Text) -> (Name, Range<usize>) {
+        let entry = self.get("name");
+        let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
+        let name = given.map_or_else(|| default().into(), Name::from);
+        if let Some(entry) = &entry {
+            limits::check_name(entry, &entry.span, &name);
+        }
+        (name, entry.map_or(self.span.clone(), |entry| entry.span))
     }
 
     /// The value of a required key; a missing one is noted as a fault.

@@ -1,6 +1,6 @@
 //! `[assembly]`, `[balance]`, `[output]`: the wanted assembly, balancing load and results.
 
-use assur_mechanism::{Balance, LinkId, Output, PairId, PointId, SlideId};
+use assur_mechanism::{Balance, Output, PairId, PointId};
 
 use assur_words::{name, text};
 
@@ -22,13 +22,8 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId
 }
 
 fn hinted(hint: &Entry<'_>, linkage: &SceneLinks) -> Option<PointId> {
-    let id = linkage.point_named(&hint.name);
-    if id.is_none() {
-        let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
-        let names = linkage.points.iter().map(|point| point.name.as_str());
-        SceneLinks::unknown(&at_key, "point", &hint.name, names);
-    }
-    id
+    let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
+    linkage.point_of(&at_key, &hint.name)
 }
 
 /// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
@@ -54,8 +49,8 @@ pub(crate) fn output(root: &Section<'_>, linkage: &SceneLinks) -> Option<Output>
     let section = root.inner("output")?;
     Some(Output {
         points: each(&section, "points", |entry| linkage.point(entry)),
-        links: each(&section, "links", |entry| link(entry, linkage)),
-        slides: each(&section, "slides", |entry| slide(entry, linkage)),
+        links: each(&section, "links", |entry| linkage.moving(entry, text!("scene-ground-does-not-move"))),
+        slides: each(&section, "slides", |entry| linkage.slide(entry)),
         reactions: each(&section, "reactions", |entry| pair_id(entry, linkage)),
     })
 }
@@ -63,19 +58,6 @@ pub(crate) fn output(root: &Section<'_>, linkage: &SceneLinks) -> Option<Output>
 fn each<T>(section: &Section<'_>, key: &str, read: impl Fn(&Entry<'_>) -> Option<T>) -> Vec<T> {
     let items = section.get(key).map(|entry| entry.list(text!("scene-list-of-names"))).unwrap_or_default();
     items.iter().filter_map(read).collect()
-}
-
-fn link(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<LinkId> {
-    linkage.moving(entry, text!("scene-ground-does-not-move"))
-}
-
-fn slide(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<SlideId> {
-    let name = entry.text(text!("scene-name-of-a-slide"))?;
-    let found = linkage.slides.iter().position(|slide| slide.name == name);
-    if found.is_none() {
-        SceneLinks::unknown(entry, "slide", name, linkage.slides.iter().map(|slide| slide.name.as_str()));
-    }
-    found
 }
 
 /// The pin or slide named by an entry.
@@ -94,8 +76,7 @@ pub(crate) fn pair_id(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<PairId>
         }
         None => {
             let slides = linkage.slides.iter().map(|slide| slide.name.as_str());
-            SceneLinks::unknown(entry, "pair", name, pins.chain(slides));
-            None
+            SceneLinks::known(entry, ("pair", name), None, pins.chain(slides))
         }
     }
 }

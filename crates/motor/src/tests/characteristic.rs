@@ -10,7 +10,7 @@ fn kloss_of_the_shaper_motor_by_hand() {
     // Mn = 1100 / (47 pi), sn = 0.06, sk = 0.06 (2.2 + sqrt(3.84))
     let mn = 1100.0 / (47.0 * std::f64::consts::PI);
     assert_relative_eq!(c.rated_torque, mn, max_relative = 1e-14);
-    assert_relative_eq!(c.critical_slip().unwrap(), 0.249_575_507_653_592_5, max_relative = 1e-12);
+    assert_relative_eq!(c.critical_slip.unwrap(), 0.249_575_507_653_592_5, max_relative = 1e-12);
     assert_relative_eq!(c.breakdown_torque.unwrap(), 2.2 * mn, max_relative = 1e-14);
     assert_relative_eq!(c.starting_torque().unwrap(), 7.7012, max_relative = 1e-4);
 }
@@ -44,7 +44,7 @@ fn kloss_pulls_forward_at_reversed_speed() {
         previous = now;
     }
     // The published form, s = 3 at w = -2 ws.
-    let sk = c.critical_slip().unwrap();
+    let sk = c.critical_slip.unwrap();
     let published = 2.0 * c.breakdown_torque.unwrap() / (3.0 / sk + sk / 3.0);
     assert_relative_eq!(c.torque(-2.0 * ws), published, max_relative = 1e-12);
 }
@@ -64,7 +64,7 @@ fn the_greatest_torque_is_at_the_critical_slip() {
 #[test]
 fn linear_knows_no_breakdown_point() {
     let c = linear();
-    assert_eq!((c.critical_slip(), c.breakdown_speed(), c.starting_torque()), (None, None, None));
+    assert_eq!((c.critical_slip, c.breakdown_speed(), c.starting_torque()), (None, None, None));
     // Twice the rated slip, twice the rated torque.
     let w = 2.0 * c.rated_speed - c.synchronous_speed;
     assert_relative_eq!(c.torque(w), 2.0 * c.rated_torque, max_relative = 1e-12);
@@ -129,7 +129,7 @@ proptest! {
     #[test]
     fn kloss_agrees_with_the_published_form(data in any_motor(), x in -2.0..3.0f64) {
         let c = Characteristic::new(CharacteristicKind::Kloss, &data).unwrap();
-        let (s, sk) = (c.slip(x * data.synchronous_speed), c.critical_slip().unwrap());
+        let (s, sk) = (c.slip(x * data.synchronous_speed), c.critical_slip.unwrap());
         prop_assume!(s != 0.0);
         let published = 2.0 * c.breakdown_torque.unwrap() / (s / sk + sk / s);
         prop_assert!((c.torque(x * data.synchronous_speed) - published).abs() <= 1e-12 * published.abs());
