@@ -4,6 +4,7 @@ use assur_words::{Text, name, text};
 
 use crate::error::names;
 use crate::lookup::normalize_latin;
+use crate::selection::keeps;
 use crate::{CatalogueTable, Motor, MotorError, find_designation, normalize_designation, same_designation};
 
 /// Registry entry of a catalogue; give it to `inventory::submit!`.
@@ -80,9 +81,6 @@ pub(crate) fn named<'a>(all: &[&'a CataloguePlugin], name: &str) -> Result<&'a C
     })
 }
 
-/// Relative slack of a speed, so that the rounding of a unit conversion doesn't decide.
-const SLACK: f64 = 1e-9;
-
 /// Which motors to list; a field that is `None` admits all.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotorFilter {
@@ -105,7 +103,7 @@ impl MotorFilter {
     pub fn accepts(&self, motor: &Motor) -> bool {
         self.min_power.is_none_or(|least| motor.rated_power >= least)
             && self.max_power.is_none_or(|most| motor.rated_power <= most)
-            && self.max_speed.is_none_or(|most| motor.synchronous_speed <= most * (1.0 + SLACK))
+            && self.max_speed.is_none_or(|most| keeps(motor, most))
             && self.poles.is_none_or(|poles| motor.poles == poles)
             && self.designation.as_deref().is_none_or(|part| contains(&motor.designation, part))
     }

@@ -80,6 +80,11 @@ pub(crate) fn better(a: &Motor, b: &Motor) -> Ordering {
         .then_with(|| a.catalogue.cmp(&b.catalogue))
 }
 
+/// Whether the synchronous speed of a motor is within a limit, rad/s.
+pub(crate) fn keeps(motor: &Motor, limit: f64) -> bool {
+    motor.synchronous_speed <= limit * (1.0 + SLACK)
+}
+
 impl SelectionRequest {
     fn validate(&self) -> Result<(), MotorError> {
         let named = [
@@ -98,7 +103,7 @@ impl SelectionRequest {
     }
 
     fn keeps_limit(&self, motor: &Motor) -> bool {
-        self.max_motor_speed.is_none_or(|limit| motor.synchronous_speed <= limit * (1.0 + SLACK))
+        self.max_motor_speed.is_none_or(|limit| keeps(motor, limit))
     }
 
     /// The first demand that a motor does not meet.

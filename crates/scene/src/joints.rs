@@ -4,7 +4,7 @@ use assur_mechanism::{Contact, LinkId, LoadKind, Place, PointId, Spring, Value};
 
 use assur_words::{name, text};
 
-use crate::context::{Context, Sort};
+use crate::context::Context;
 use crate::linkage::pair;
 use crate::text::{row, shown};
 use crate::units::Dimension;
@@ -12,10 +12,7 @@ use crate::value;
 use crate::walk::{Entry, Section, quoted};
 
 /// Reads a `[[spring]]`.
-pub(crate) const SPRINGS: Sort =
-    Sort { list: "spring", unnamed: |number, _| text!("scene-unnamed-spring", number = number), one: spring };
-
-fn spring(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let (stiffness, length) = (section.number("stiffness"), section.number("length"));
     let damping = section.number("damping").unwrap_or_default();
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
@@ -67,13 +64,7 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 }
 
 /// Reads a `[[contact]]`.
-pub(crate) const CONTACTS: Sort = Sort {
-    list: "contact",
-    unnamed: |number, link| text!("scene-unnamed-contact", number = number, link = link),
-    one: contact,
-};
-
-fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let linkage = context.linkage;
     let radius = section.number("radius");
     let angle = match section.get("angle").filter(|entry| entry.value.is_table()) {
@@ -88,7 +79,7 @@ fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     }
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
-    let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-arc-of-a-link")));
+    let link = linkage.link_of(section, text!("scene-arc-of-a-link"));
     let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
     let (center, radius, angle, force) = (center?, radius?, angle?, force?);
     Some(Contact { center, radius, angle, force, friction, against_sliding, during }.into())

@@ -39,7 +39,7 @@ use linkage::SceneLinks;
 use walk::{Known, Section};
 
 pub use error::{SceneError, SceneErrors};
-pub use units::{Dimension, LEAST, Unit, UnitError, quantity};
+pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
 pub use wishes::Note;
 
 assur_words::resources!();

@@ -10,7 +10,7 @@ use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
 use crate::units::Dimension;
-use crate::walk::Entry;
+use crate::walk::{Entry, Section};
 
 /// Links, points and slides of the scene.
 #[derive(Debug, Default)]
@@ -58,6 +58,11 @@ impl SceneLinks {
             return None;
         }
         Some(link)
+    }
+
+    /// The moving link that a section needs.
+    pub(crate) fn link_of(&self, section: &Section<'_>, why: Text) -> Option<LinkId> {
+        section.need("link").and_then(|entry| self.moving(&entry, why))
     }
 
     /// The point named by an entry.

@@ -6,7 +6,7 @@ use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment, Value};
 use assur_words::{Text, name, text};
 
 use crate::context::{Context, Sort};
-use crate::joints::{CONTACTS, SPRINGS};
+use crate::joints::{contact, spring};
 use crate::linkage::pair;
 use crate::text::shown;
 use crate::units::Dimension;
@@ -38,13 +38,17 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
 }
 
 /// The sorts of loads, in the order of the mechanism.
-pub(crate) const SORTS: [Sort; 5] = [FORCES, MOMENTS, BRAKES, SPRINGS, CONTACTS];
-
-const FORCES: Sort = Sort {
-    list: "force",
-    unnamed: |number, link| text!("scene-unnamed-force", number = number, link = link),
-    one: force,
-};
+pub(crate) const SORTS: [Sort; 5] = [
+    Sort { list: "force", unnamed: |number, link| text!("scene-unnamed-force", number, link), one: force },
+    Sort { list: "moment", unnamed: |number, link| text!("scene-unnamed-moment", number, link), one: moment },
+    Sort { list: "brake", unnamed: |number, link| text!("scene-unnamed-brake", number, link), one: brake },
+    Sort { list: "spring", unnamed: |number, _| text!("scene-unnamed-spring", number), one: spring },
+    Sort {
+        list: "contact",
+        unnamed: |number, link| text!("scene-unnamed-contact", number, link),
+        one: contact,
+    },
+];
 
 fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let direction = direction(section, context);
@@ -55,8 +59,7 @@ fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     {
         entry.faults.mistake(entry.span.clone(), text!("scene-negative-against"));
     }
-    let weight = text!("scene-ground-carries");
-    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
+    let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
     Some(Force { at: at?, direction: direction?, value: value? }.into())
 }
@@ -80,24 +83,11 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
     Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 
-const MOMENTS: Sort = Sort {
-    list: "moment",
-    unnamed: |number, link| text!("scene-unnamed-moment", number = number, link = link),
-    one: moment,
-};
-
 fn moment(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let value = value::sized(section, "value", Dimension::Moment, false, context);
-    let weight = text!("scene-ground-carries");
-    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
+    let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     Some(Moment { link: link?, value: value? }.into())
 }
-
-const BRAKES: Sort = Sort {
-    list: "brake",
-    unnamed: |number, link| text!("scene-unnamed-brake", number = number, link = link),
-    one: brake,
-};
 
 fn brake(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let [radius, friction, lever] = ["radius", "friction", "lever"].map(|key| section.number(key));
@@ -105,7 +95,6 @@ fn brake(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
         context.need_motion(&entry, text!("scene-a-brake"));
     }
     let force = value::sized(section, "force", Dimension::Force, false, context);
-    let ground = text!("scene-ground-does-not-turn");
-    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, ground));
+    let link = context.linkage.link_of(section, text!("scene-ground-does-not-turn"));
     Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever: lever? }.into())
 }

@@ -9,7 +9,7 @@ use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::reference::table;
 use crate::text::{brief, did_you_mean, shown, such_as};
-use crate::units::{Dimension, UnitError, is_bare, measures, quantity};
+use crate::units::{Dimension, UnitFault, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
 
 /// Steps of a motion that a scene may allow: hours of work.
@@ -106,29 +106,22 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, wanted: &'static str) -
     };
     let way = context.coordinate().unwrap_or(Dimension::Angle);
     // A displacement out of range is still a displacement.
-    let found = quantity(text, way);
-    let is_way = matches!(found, Ok(_) | Err(UnitError::TooLarge { .. } | UnitError::TooSmall { .. }));
-    let is_way = is_way && !is_bare(text, way);
-    if is_way {
+    let fault = quantity(text, way).err().map(|error| error.fault);
+    if matches!(fault, None | Some(UnitFault::TooLarge | UnitFault::TooSmall)) && !is_bare(text, way) {
         return entry.bounded(way, Bound::Positive).map(Ok);
     }
     let wanted = text!(wanted, time = Dimension::Time.with_units(), travel = way.with_units());
-    match quantity(text, Dimension::Time) {
-        Err(UnitError::WrongDimension { unit, found, .. }) => {
-            entry.wants(wanted, measures(&unit, found), Text::default());
-            None
+    let fault = quantity(text, Dimension::Time).err();
+    let (got, label) = match fault.as_ref().map(|error| (&error.fault, &error.text)) {
+        Some((UnitFault::WrongDimension(found), unit)) => (measures(unit, *found), Text::default()),
+        Some((UnitFault::UnknownUnit(near), unit)) => {
+            (text!("scene-got-unknown-unit", unit = shown(unit)), did_you_mean(near.as_deref()))
         }
-        Err(UnitError::UnknownUnit { unit, near, .. }) => {
-            let got = text!("scene-got-unknown-unit", unit = shown(&unit));
-            entry.wants(wanted, got, did_you_mean(near.as_deref()));
-            None
-        }
-        Err(UnitError::NotANumber { .. }) => {
-            entry.wants(wanted, entry.written(), Text::default());
-            None
-        }
-        _ => entry.bounded(Dimension::Time, Bound::Positive).map(Err),
-    }
+        Some((UnitFault::NotANumber, _)) => (entry.written(), Text::default()),
+        _ => return entry.bounded(Dimension::Time, Bound::Positive).map(Err),
+    };
+    entry.wants(wanted, got, label);
+    None
 }
 
 fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {

@@ -6,7 +6,7 @@ use assur_words::{Describe, Text, joined, name, number, quantity as with_unit, t
 use toml::de::DeValue;
 
 use crate::text::{did_you_mean, shown, such_as};
-use crate::units::{Dimension, UnitError, is_bare, quantity, within};
+use crate::units::{Dimension, UnitFault, is_bare, quantity, within};
 use crate::walk::Entry;
 
 /// The range of a number, besides being finite.
@@ -91,9 +91,9 @@ impl Entry<'_> {
             Ok(value) => return Some(value),
             Err(error) => error,
         };
-        let label = match &error {
-            UnitError::UnknownUnit { near: Some(near), .. } => did_you_mean(Some(near)),
-            UnitError::TooLarge { .. } | UnitError::TooSmall { .. } => text!("scene-no-digits"),
+        let label = match &error.fault {
+            UnitFault::UnknownUnit(Some(near)) => did_you_mean(Some(near)),
+            UnitFault::TooLarge | UnitFault::TooSmall => text!("scene-no-digits"),
             _ => example(wanted),
         };
         self.problem(error.describe(), label);

@@ -29,7 +29,7 @@ fn hinted(hint: &Entry<'_>, linkage: &SceneLinks) -> Option<PointId> {
 /// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
 pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balance> {
     let section = root.inner("balance")?;
-    let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-ground-carries")));
+    let link = linkage.link_of(&section, text!("scene-ground-carries"));
     match (section.get("at"), section.get("angle")) {
         (None, None) => Some(Balance::Moment(link?)),
         (Some(at), Some(_)) => {
