@@ -10,7 +10,7 @@ use assur_group::{BuildError, GroupError, RegistryError};
 use assur_integrator::{Dependence, FixedStep, IntegrationError, MotionError, Request, State, Until};
 use assur_kinematics::{CompileError, PositionError};
 use assur_motor::{
-    Characteristic, CharacteristicKind, MotorWarning, RatedData, SelectionRequest, find_designation,
+    Characteristic, CharacteristicKind, MotorWarning, RatedMotor, SelectionRequest, find_designation,
     parse_table, select,
 };
 use assur_words::{Describe, LANGUAGES, Language, Text, name, text};
@@ -251,10 +251,10 @@ fn errors_and_warnings_of_motors() {
     }
     let good = rows[0].rated_data();
     let data = [
-        RatedData { inertia: Some(0.0), ..good },
-        RatedData { rated_speed: 200.0, ..good },
-        RatedData { max_torque_ratio: Some(0.5), ..good },
-        RatedData { max_torque_ratio: None, ..good },
+        RatedMotor { inertia: Some(0.0), ..good },
+        RatedMotor { rated_speed: 200.0, ..good },
+        RatedMotor { max_torque_ratio: Some(0.5), ..good },
+        RatedMotor { max_torque_ratio: None, ..good },
     ];
     let refused = |data| Characteristic::new(CharacteristicKind::Kloss, data).unwrap_err().describe();
     all.extend(data.iter().map(refused));

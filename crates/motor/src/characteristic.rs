@@ -2,7 +2,7 @@
 
 use assur_words::{number, text};
 
-use crate::{CharacteristicKind, MotorError, RatedData};
+use crate::{CharacteristicKind, MotorError, RatedMotor};
 
 /// Torque of an asynchronous motor, N·m, over its speed, rad/s. The motor drives towards positive speed.
 ///
@@ -36,7 +36,7 @@ impl Characteristic {
     ///
     /// [`MotorError`] for data that can't be those of an asynchronous motor, or without the breakdown torque that Kloss's formula
     /// needs.
-    pub fn new(kind: CharacteristicKind, rated: &RatedData) -> Result<Self, MotorError> {
+    pub fn new(kind: CharacteristicKind, rated: &RatedMotor) -> Result<Self, MotorError> {
         validate(rated)?;
         let torque = rated_torque(rated);
         // sk = sn (l + sqrt(l² - 1)): M(sn) = Mn solved for sk, the root above sn.
@@ -115,7 +115,7 @@ impl Characteristic {
 }
 
 /// Checks every value that is given.
-pub(crate) fn validate(rated: &RatedData) -> Result<(), MotorError> {
+pub(crate) fn validate(rated: &RatedMotor) -> Result<(), MotorError> {
     let named = [
         (text!("motor-rated-power"), rated.power),
         (text!("motor-rated-synchronous"), rated.synchronous_speed),
@@ -127,7 +127,7 @@ pub(crate) fn validate(rated: &RatedData) -> Result<(), MotorError> {
             return Err(MotorError(text!("motor-rated-not-positive", what, value = number(value))));
         }
     }
-    let RatedData { rated_speed, synchronous_speed, .. } = *rated;
+    let RatedMotor { rated_speed, synchronous_speed, .. } = *rated;
     if rated_speed >= synchronous_speed {
         let [rated, synchronous, excess] =
             [rated_speed, synchronous_speed, rated_speed - synchronous_speed].map(number);
@@ -142,11 +142,11 @@ pub(crate) fn validate(rated: &RatedData) -> Result<(), MotorError> {
 }
 
 /// Rated torque Mn = Pn / wn, N·m.
-pub(crate) fn rated_torque(rated: &RatedData) -> f64 {
+pub(crate) fn rated_torque(rated: &RatedMotor) -> f64 {
     rated.power / rated.rated_speed
 }
 
 /// Rated slip sn = (ws - wn) / ws.
-pub(crate) fn rated_slip(rated: &RatedData) -> f64 {
+pub(crate) fn rated_slip(rated: &RatedMotor) -> f64 {
     (rated.synchronous_speed - rated.rated_speed) / rated.synchronous_speed
 }

@@ -6,9 +6,9 @@
 //! the function that uses it.
 //!
 //! ```
-//! use assur_motor::{Characteristic, CharacteristicKind, RatedData, rad_per_s};
+//! use assur_motor::{Characteristic, CharacteristicKind, RatedMotor, rad_per_s};
 //!
-//! let rated = RatedData {
+//! let rated = RatedMotor {
 //!     power: 1100.0,
 //!     synchronous_speed: rad_per_s(1500.0),
 //!     rated_speed: rad_per_s(1410.0),
@@ -57,7 +57,7 @@ mod warning;
 
 assur_words::resources!();
 
-pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
+pub use assur_mechanism::{CharacteristicKind, RatedMotor};
 pub use catalogue::{CataloguePlugin, MotorFilter, catalogues, find_catalogue, find_motor, list_motors};
 pub use characteristic::Characteristic;
 pub use error::MotorError;

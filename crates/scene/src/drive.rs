@@ -1,6 +1,8 @@
 //! `[drive]`: motor, reducer and flywheel.
 
-use assur_mechanism::{Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, Torque};
+use assur_mechanism::{
+    CharacteristicKind, Drive, FlywheelPlace, Motion, MotorChoice, RatedMotor, Solve, Torque,
+};
 
 use assur_words::{name, text};
 
@@ -13,8 +15,8 @@ use crate::walk::{Entry, Section};
 
 /// Keys that have a meaning only with a motor.
 const OF_THE_MOTOR: [&str; 5] = ["catalogue", "max_motor_speed", "characteristic", "ratio", "efficiency"];
-const CHARACTERISTICS: &[(&str, Characteristic)] =
-    &[("kloss", Characteristic::Kloss), ("linear", Characteristic::Linear)];
+const CHARACTERISTICS: &[(&str, CharacteristicKind)] =
+    &[("kloss", CharacteristicKind::Kloss), ("linear", CharacteristicKind::Linear)];
 const PLACES: &[(&str, FlywheelPlace)] = &[("crank", FlywheelPlace::Crank), ("motor", FlywheelPlace::Motor)];
 
 /// Reads the drive; `motion` is the motion of the scene, if it could be read.
@@ -132,14 +134,14 @@ fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
     let catalogue = section.get("catalogue").and_then(|entry| entry.text(text!("scene-name-of-catalogue")));
     let max_speed = section.number("max_motor_speed");
     let given = section.get("characteristic").and_then(|entry| entry.choice(CHARACTERISTICS));
-    let mut characteristic = given.unwrap_or(Characteristic::Kloss);
-    if let Some(Motor::Rated(rated)) = motor {
+    let mut characteristic = given.unwrap_or(CharacteristicKind::Kloss);
+    if let Some(MotorChoice::Rated(rated)) = motor {
         refuse_with_rated(section);
         if rated.max_torque_ratio.is_none() {
-            if given == Some(Characteristic::Kloss) {
+            if given == Some(CharacteristicKind::Kloss) {
                 entry.fault(text!("scene-kloss-needs-ratio"), text!("scene-or-linear"));
             }
-            characteristic = Characteristic::Linear;
+            characteristic = CharacteristicKind::Linear;
         }
     }
     let catalogue = catalogue.map(str::to_owned);
@@ -154,13 +156,13 @@ fn refuse_with_rated(section: &Section<'_>) {
     }
 }
 
-fn motor(drive: &Section<'_>, entry: &Entry<'_>) -> Option<Motor> {
+fn motor(drive: &Section<'_>, entry: &Entry<'_>) -> Option<MotorChoice> {
     if entry.value.is_table() {
-        return rated(&drive.inner("motor")?).map(Motor::Rated);
+        return rated(&drive.inner("motor")?).map(MotorChoice::Rated);
     }
     match entry.text(text!("scene-designation"))? {
-        "auto" => Some(Motor::Auto),
-        designation => Some(Motor::Designation(designation.to_owned())),
+        "auto" => Some(MotorChoice::Auto),
+        designation => Some(MotorChoice::Designation(designation.to_owned())),
     }
 }
 

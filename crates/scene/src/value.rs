@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use assur_formula::{Formula, FormulaError};
-use assur_mechanism::{Over, Shape, Table, Value};
+use assur_mechanism::{LawTable, Over, Shape, Value};
 
 use assur_words::{Describe, Text, joined, number, text, unit};
 
@@ -197,7 +197,7 @@ fn plain(
     }
     let repeat = over == Over::Coordinate && given.unwrap_or(!context.has_no_cycle());
     let entry = section.need("table")?;
-    let mut table = Table { rows: rows(&entry, argument, dimension)?, shape };
+    let mut table = LawTable { rows: rows(&entry, argument, dimension)?, shape };
     if over == Over::Speed && context.sign() < 0.0 {
         table = table.mirrored();
     }
@@ -208,7 +208,7 @@ fn plain(
 }
 
 /// Rows of a repeating table beyond the cycle would never be reached.
-fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
+fn check_span(entry: &Entry<'_>, table: &LawTable, context: &Context<'_>) {
     let (Some(first), Some(last)) = (table.rows.first(), table.rows.last()) else {
         return;
     };
@@ -235,7 +235,7 @@ fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<
     section.need("axis");
     let axis = section.number("axis");
     let side = |key: &str| match section.get(key) {
-        None => Some(Table::constant(0.0)),
+        None => Some(LawTable::constant(0.0)),
         Some(entry) => one_way(&entry, shape, dimension),
     };
     if section.get("forward").is_none() && section.get("back").is_none() {
@@ -246,9 +246,9 @@ fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<
 }
 
 /// One direction of a stroke: a number, or rows over 0 to 1.
-fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Table> {
+fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<LawTable> {
     if !entry.value.is_array() {
-        return entry.quantity(dimension).map(Table::constant);
+        return entry.quantity(dimension).map(LawTable::constant);
     }
     let rows = rows(entry, Dimension::Number, dimension)?;
     let ends = [rows.first(), rows.last()];
@@ -256,7 +256,7 @@ fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Tabl
         entry.problem(text!("scene-row-outside-stroke", at = brief(*at)), Text::default());
         return None;
     }
-    Some(Table { rows, shape })
+    Some(LawTable { rows, shape })
 }
 
 /// Reads rows [argument, value] with arguments that do not decrease.

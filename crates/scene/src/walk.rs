@@ -14,7 +14,7 @@ use toml::de::{DeTable, DeValue};
 use crate::error::{Fault, Faults};
 use crate::limits;
 use crate::numbers::in_quotes;
-use crate::reference::{Default, Key, Kind, Table, table};
+use crate::reference::{KeyDefault, KeyTable, SceneKey, ValueKind, table};
 use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
 use crate::units::Dimension;
 
@@ -36,7 +36,7 @@ pub(crate) enum Known {
     /// Those of a file that is no scene.
     Names(&'static [&'static str]),
     /// Those of a table of the reference, of one of its sorts where the second is given.
-    Table(&'static Table, Option<&'static str>),
+    Table(&'static KeyTable, Option<&'static str>),
 }
 
 impl Known {
@@ -58,7 +58,7 @@ impl Known {
             None if !elsewhere.is_empty() => {
                 text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
             }
-            None if Table::is_of_the_file(word) => text!("scene-key-at-top"),
+            None if KeyTable::is_of_the_file(word) => text!("scene-key-at-top"),
             near => did_you_mean(near),
         }
     }
@@ -115,14 +115,15 @@ impl<'a> Section<'a> {
     }
 
     /// What the reference says of a key.
-    fn known(&self, key: &str) -> Option<&'static Key> {
+    fn known(&self, key: &str) -> Option<&'static SceneKey> {
         let Known::Table(table, _) = self.known else { return None };
         table.key(key)
     }
 
     /// The table that is the value of a key.
-    fn table_of(&self, key: &str) -> Option<&'static Table> {
-        let header = |kind: &Kind| if let Kind::Table(header) = kind { Some(*header) } else { None };
+    fn table_of(&self, key: &str) -> Option<&'static KeyTable> {
+        let header =
+            |kind: &ValueKind| if let ValueKind::Table(header) = kind { Some(*header) } else { None };
         self.known(key)?.kinds.iter().find_map(header).map(table)
     }
 
@@ -150,10 +151,10 @@ impl<'a> Section<'a> {
     /// The number of a key whose quantity depends on what the input coordinate is; where that is not known, any unit is right.
     pub(crate) fn by_input(&self, key: &str, coordinate: Option<Dimension>) -> Option<f64> {
         let known = self.known(key)?;
-        let entry = if known.default == Default::Needed { self.need(key) } else { self.get(key) };
+        let entry = if known.default == KeyDefault::Needed { self.need(key) } else { self.get(key) };
         match (entry, known.default) {
             (Some(entry), _) => entry.bounded(known.dimension(coordinate), known.limits),
-            (None, Default::Is(default)) => default.parse().ok(),
+            (None, KeyDefault::Is(default)) => default.parse().ok(),
             (None, _) => None,
         }
     }
@@ -276,7 +277,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A table of the reference.
-    pub(crate) fn section(&self, table: &'static Table) -> Option<Section<'a>> {
+    pub(crate) fn section(&self, table: &'static KeyTable) -> Option<Section<'a>> {
         self.section_as(text!(table.what), Known::Table(table, None))
     }
 

@@ -2,7 +2,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 
 use super::{kloss, linear, shaper_motor};
-use crate::{Characteristic, CharacteristicKind, RatedData};
+use crate::{Characteristic, CharacteristicKind, RatedMotor};
 
 #[test]
 fn kloss_of_the_shaper_motor_by_hand() {
@@ -72,29 +72,29 @@ fn linear_knows_no_breakdown_point() {
 
 #[test]
 fn impossible_data_are_refused() {
-    let why = |data: RatedData| {
+    let why = |data: RatedMotor| {
         let error = Characteristic::new(CharacteristicKind::Kloss, &data).unwrap_err();
         error.0.identity().unwrap()
     };
     let good = shaper_motor();
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(why(RatedData { power: bad, ..good }), "motor-rated-not-positive");
-        assert_eq!(why(RatedData { rated_speed: bad, ..good }), "motor-rated-not-positive");
-        assert_eq!(why(RatedData { inertia: Some(bad), ..good }), "motor-rated-not-positive");
+        assert_eq!(why(RatedMotor { power: bad, ..good }), "motor-rated-not-positive");
+        assert_eq!(why(RatedMotor { rated_speed: bad, ..good }), "motor-rated-not-positive");
+        assert_eq!(why(RatedMotor { inertia: Some(bad), ..good }), "motor-rated-not-positive");
     }
     for bad in [1.0, 0.5, -2.0, f64::NAN, f64::INFINITY] {
-        let data = RatedData { max_torque_ratio: Some(bad), ..good };
+        let data = RatedMotor { max_torque_ratio: Some(bad), ..good };
         assert_eq!(why(data), "motor-bad-torque-ratio");
         assert!(Characteristic::new(CharacteristicKind::Linear, &data).is_err());
     }
-    assert_eq!(why(RatedData { max_torque_ratio: None, ..good }), "motor-no-torque-ratio");
-    let equal = RatedData { synchronous_speed: 100.0, rated_speed: 100.0, ..good };
+    assert_eq!(why(RatedMotor { max_torque_ratio: None, ..good }), "motor-no-torque-ratio");
+    let equal = RatedMotor { synchronous_speed: 100.0, rated_speed: 100.0, ..good };
     assert_eq!(why(equal), "motor-no-slip");
 }
 
 #[test]
 fn errors_say_how_much_and_what_to_do() {
-    let data = RatedData { synchronous_speed: 100.0, rated_speed: 102.5, ..shaper_motor() };
+    let data = RatedMotor { synchronous_speed: 100.0, rated_speed: 102.5, ..shaper_motor() };
     assert_eq!(
         Characteristic::new(CharacteristicKind::Linear, &data).unwrap_err().to_string(),
         "rated speed 102.5 rad/s exceeds or equals the synchronous speed 100 rad/s (by 2.5 rad/s): \
@@ -109,8 +109,8 @@ fn kinds_have_stable_names() {
 
 prop_compose! {
     /// Motors as catalogues have them, and somewhat beyond.
-    fn any_motor()(power in 10.0..1e6, ws in 30.0..400.0f64, sn in 0.002..0.2, l in 1.05..6.0) -> RatedData {
-        RatedData { power, synchronous_speed: ws, rated_speed: ws * (1.0 - sn), max_torque_ratio: Some(l), inertia: None }
+    fn any_motor()(power in 10.0..1e6, ws in 30.0..400.0f64, sn in 0.002..0.2, l in 1.05..6.0) -> RatedMotor {
+        RatedMotor { power, synchronous_speed: ws, rated_speed: ws * (1.0 - sn), max_torque_ratio: Some(l), inertia: None }
     }
 }
 

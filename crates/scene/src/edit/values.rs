@@ -13,7 +13,7 @@ use crate::units::{is_unit, number_length};
 /// A number of a scene, with or without a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneValue {
-    /// Its key, as [`Key`](super::Key) reads it.
+    /// Its key, as [`KeyPath`](super::KeyPath) reads it.
     pub key: String,
     /// Bytes of the file that the value takes, quotes included.
     pub span: Range<usize>,

@@ -13,13 +13,13 @@ use crate::numbers::Bound;
 use crate::units::Dimension;
 
 /// All tables in the order of the reference.
-pub static TABLES: LazyLock<Vec<Table>> = LazyLock::new(|| {
+pub static TABLES: LazyLock<Vec<KeyTable>> = LazyLock::new(|| {
     let lines = include_str!("keys.txt").lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
-    let mut tables = Vec::<Table>::new();
+    let mut tables = Vec::<KeyTable>::new();
     for line in lines {
         if let Some((header, what)) = line.split_once(" : ") {
-            tables.push(Table { header: of(header), what, keys: Vec::new() });
-        } else if let (Some(table), Some(key)) = (tables.last_mut(), Key::read(line)) {
+            tables.push(KeyTable { header: of(header), what, keys: Vec::new() });
+        } else if let (Some(table), Some(key)) = (tables.last_mut(), SceneKey::read(line)) {
             table.keys.push(key);
         }
     }
@@ -32,33 +32,33 @@ fn of(column: &'static str) -> &'static str {
 }
 
 /// The table of a header; without keys where there is none, which tests exclude.
-pub(crate) fn table(header: &str) -> &'static Table {
-    static NONE: Table = Table { header: "", what: "scene-a-table", keys: Vec::new() };
+pub(crate) fn table(header: &str) -> &'static KeyTable {
+    static NONE: KeyTable = KeyTable { header: "", what: "scene-a-table", keys: Vec::new() };
     TABLES.iter().find(|table| table.header == header).unwrap_or(&NONE)
 }
 
 /// A table of the scene and its keys.
 #[derive(Debug)]
-pub struct Table {
+pub struct KeyTable {
     /// How it is written: `[link.NAME]`, `[[slide]]`; of the file as a whole empty.
     pub header: &'static str,
     /// The identity of what it is, with an article: a link.
     pub what: &'static str,
     /// Its keys.
-    pub keys: Vec<Key>,
+    pub keys: Vec<SceneKey>,
 }
 
 /// A key of a table.
 #[derive(Debug)]
-pub struct Key {
+pub struct SceneKey {
     /// How it is written; a name in capitals stands for one that the user chooses.
     pub name: &'static str,
     /// What its value may be, one of these.
-    pub kinds: Vec<Kind>,
+    pub kinds: Vec<ValueKind>,
     /// The limits of its number.
     pub(crate) limits: Bound,
     /// What holds without it.
-    pub default: Default,
+    pub default: KeyDefault,
     /// A value as it is written.
     pub example: &'static str,
     /// The identity of a sentence that says what it is.
@@ -71,7 +71,7 @@ pub struct Key {
 
 /// What a value may be.
 #[derive(Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ValueKind {
     /// A number in SI, or a text of a number and a unit.
     Quantity(Dimension),
     /// A quantity of the first dimension where the input turns, of the second where it slides.
@@ -102,7 +102,7 @@ pub enum Kind {
 
 /// What holds where a key is left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Default {
+pub enum KeyDefault {
     /// The table is refused without the key.
     Needed,
     /// The thing is absent, or as the sentence on the key says.
@@ -111,12 +111,12 @@ pub enum Default {
     Is(&'static str),
 }
 
-impl Key {
+impl SceneKey {
     /// Reads a line of the reference.
     fn read(line: &'static str) -> Option<Self> {
         let columns: Vec<_> = line.split(" | ").map(of).collect();
         let [name, kinds, limits, default, sorts, example, about, also] = columns[..] else { return None };
-        let kinds = kinds.split("; ").map(Kind::read).collect::<Option<_>>()?;
+        let kinds = kinds.split("; ").map(ValueKind::read).collect::<Option<_>>()?;
         let limits = match limits {
             "" => Bound::Any,
             ">= 0" => Bound::NotNegative,
@@ -125,9 +125,9 @@ impl Key {
             _ => return None,
         };
         let default = match default {
-            "" => Default::Absent,
-            "needed" => Default::Needed,
-            value => Default::Is(value),
+            "" => KeyDefault::Absent,
+            "needed" => KeyDefault::Needed,
+            value => KeyDefault::Is(value),
         };
         Some(Self { name, kinds, limits, default, example, about, also, sorts })
     }
@@ -135,8 +135,8 @@ impl Key {
     /// The quantity that it may be; `coordinate`: what the input coordinate is, `None` where that is not known.
     pub(crate) fn dimension(&self, coordinate: Option<Dimension>) -> Option<Dimension> {
         self.kinds.iter().find_map(|kind| match *kind {
-            Kind::Quantity(dimension) => Some(dimension),
-            Kind::ByInput(turning, sliding) => {
+            ValueKind::Quantity(dimension) => Some(dimension),
+            ValueKind::ByInput(turning, sliding) => {
                 coordinate.map(|coordinate| if coordinate == Dimension::Angle { turning } else { sliding })
             }
             _ => None,
@@ -145,7 +145,7 @@ impl Key {
 
     /// The words that it may be.
     pub(crate) fn words(&self) -> impl Iterator<Item = &'static str> {
-        self.kinds.iter().filter_map(|kind| if let Kind::Word(word) = kind { Some(*word) } else { None })
+        self.kinds.iter().filter_map(|kind| if let ValueKind::Word(word) = kind { Some(*word) } else { None })
     }
 
     /// What its value may be, in words.
@@ -167,7 +167,7 @@ fn either(mut texts: Vec<Text>) -> Text {
     if texts.is_empty() { last } else { text!("scene-either", these = joined(", ", texts), last = last) }
 }
 
-impl Kind {
+impl ValueKind {
     /// Reads a kind as the reference writes it.
     fn read(text: &'static str) -> Option<Self> {
         let within = |of: &str| text.strip_prefix(of);
@@ -199,7 +199,7 @@ impl Kind {
     }
 }
 
-impl Describe for Kind {
+impl Describe for ValueKind {
     fn describe(&self) -> Text {
         match self {
             Self::Quantity(dimension) => dimension.with_units(),
@@ -221,7 +221,7 @@ impl Describe for Kind {
     }
 }
 
-impl Table {
+impl KeyTable {
     /// The name of the table as it stands in keys: `link`, `drive.motor`; of the file as a whole empty.
     pub fn name(&self) -> &'static str {
         let inner = self.header.trim_matches(['[', ']']);
@@ -230,14 +230,14 @@ impl Table {
 
     /// Names of its keys; with a sort those that a table of this sort has.
     pub(crate) fn names(&self, sort: Option<&str>) -> impl Iterator<Item = &'static str> {
-        let has = move |key: &&Key| {
+        let has = move |key: &&SceneKey| {
             key.sorts.is_empty() || sort.is_none_or(|sort| key.sorts.split(", ").any(|own| own == sort))
         };
         self.keys.iter().filter(has).map(|key| key.name)
     }
 
     /// A key of it.
-    pub(crate) fn key(&self, name: &str) -> Option<&Key> {
+    pub(crate) fn key(&self, name: &str) -> Option<&SceneKey> {
         self.keys.iter().find(|key| key.name == name)
     }
 
@@ -248,7 +248,7 @@ impl Table {
 
     /// Where this key is found in another table.
     pub(crate) fn elsewhere(word: &str) -> Vec<&'static str> {
-        let has = |table: &&Table| table.key(word).is_some();
+        let has = |table: &&KeyTable| table.key(word).is_some();
         TABLES.iter().filter(has).map(|table| table.header).filter(|header| !header.is_empty()).collect()
     }
 
@@ -271,7 +271,7 @@ impl Table {
 
     /// The key that people mean by another word.
     pub(crate) fn meant(&self, word: &str) -> Option<&'static str> {
-        let meant = |key: &&Key| key.also.split(", ").any(|also| also.eq_ignore_ascii_case(word));
+        let meant = |key: &&SceneKey| key.also.split(", ").any(|also| also.eq_ignore_ascii_case(word));
         self.keys.iter().find(meant).map(|key| key.name)
     }
 }
@@ -280,7 +280,7 @@ impl Table {
 pub fn search<'w>(
     word: &'w str,
     language: &'w Language,
-) -> impl Iterator<Item = (&'static Table, Vec<&'static Key>)> + 'w {
+) -> impl Iterator<Item = (&'static KeyTable, Vec<&'static SceneKey>)> + 'w {
     let (word, whole) = (word.trim().trim_matches(['[', ']']).to_lowercase(), word.is_empty());
     // The name of a table stands for the table and for keys of that name, not for every sentence in which it occurs.
     let names_table = TABLES.iter().any(|table| !table.header.is_empty() && table.name() == word);
@@ -288,8 +288,8 @@ pub fn search<'w>(
         let (owner, own) = word.rsplit_once('.').unwrap_or(("", &word));
         let is_table = table.name() == word
             || (table.header.contains(".NAME") && table.name() == owner && own == "name");
-        let of_table = |key: &Key| !owner.is_empty() && table.name() == owner && key.name == own;
-        let found = |key: &&Key| {
+        let of_table = |key: &SceneKey| !owner.is_empty() && table.name() == owner && key.name == own;
+        let found = |key: &&SceneKey| {
             let speaks = if names_table { key.name == word } else { key.speaks_of(&word, language) };
             whole || is_table || of_table(key) || speaks
         };
