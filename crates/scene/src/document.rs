@@ -53,7 +53,7 @@ pub fn read<T>(
     known: &'static [&'static str],
     make: impl FnOnce(&Section<'_>) -> T,
 ) -> Result<T, SceneErrors> {
-    read_known(file_name, text, what, known.into(), make)
+    read_known(file_name, text, what, Known::Names(known), make)
 }
 
 /// Reads a TOML file whose keys stand in a table of the reference, or in a list.
@@ -125,8 +125,7 @@ fn syntax_faults<'m>(text: &str, errors: impl Iterator<Item = (Range<usize>, &'m
             faults.push(Fault::new(at..at + 1, words));
             break;
         }
-        let words =
-            standing(text, &span).unwrap_or_else(|| syntax_words(message, text.get(span.clone())));
+        let words = standing(text, &span).unwrap_or_else(|| syntax_words(message, text.get(span.clone())));
         let fault = Fault::new(span.clone(), words);
         let earlier = if message == "duplicate key" { earlier(text, &span) } else { None };
         faults.push(match earlier {

@@ -5,7 +5,7 @@ use assur_book::{Column, Document, Table, Unit, catalogue, row};
 use assur_diagram::VectorPlan;
 use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_report::topic;
-use assur_words::{Text, name, number, text};
+use assur_words::{Text, list, name, number, text, unit};
 
 use super::context::{Context, still};
 use super::{NoteError, construction};
@@ -125,16 +125,23 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
     let most = pairs.clone().map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
     let moduli = pairs.filter_map(|(_, reaction)| reaction.series.last());
-    let moduli: Vec<String> =
-        moduli.map(|index| found.series[*index].short.clone()).take(MOST_REACTIONS).collect();
+    let moduli: Vec<String> = moduli.map(|index| found.series[*index].short.clone()).collect();
     let balancing = found.reactions.iter().position(|reaction| reaction.of.is_none());
     let of = most.map(|index| found.reactions[index].name.clone()).unwrap_or_default();
-    // All of them in one diagram, as L fig. 2 has them.
-    let together = context.first(View::Curves, |state| state.picked = moduli);
-    page.figure(together, CURVE, text!("note-reactions-drawn"));
+    // All of them together, as L fig. 2 has them.
+    for some in moduli.chunks(MOST_REACTIONS) {
+        let together = context.first(View::Curves, |state| state.picked = some.to_vec());
+        page.figure(together, CURVE, text!("note-reactions-drawn"));
+    }
+    let balance = balancing.and_then(|index| found.reactions[index].series.first());
+    let symbol = balance.map(|index| unit(found.series[*index].unit.clone()));
     let all = [
         (most, ViewPart::Overview, text!("note-reaction-curve", of)),
-        (balancing, ViewPart::Curves, text!("note-balancing-curve")),
+        (
+            balancing,
+            ViewPart::Curves,
+            list([Some(text!("note-balancing-curve")), symbol].into_iter().flatten()),
+        ),
     ];
     for (index, part, caption) in all {
         let Some(index) = index else { continue };

@@ -114,6 +114,39 @@ fn keys() {
 }
 
 #[test]
+fn a_fault_of_the_syntax_is_told_by_what_stands_there() {
+    snapshot(
+        "syntax",
+        &all(
+            BASE,
+            &[
+                ("mass = \"3 kg\"", "mass = three", &[(9, 8)]),
+                ("mass = \"3 kg\"", "mass = nano kg", &[(9, 8)]),
+                ("mass = \"3 kg\"", "mass = .5", &[(9, 8)]),
+                ("mass = \"3 kg\"", "mass = 5.", &[(9, 10)]),
+                ("mass = \"3 kg\"", "mass = 05", &[(9, 8)]),
+                ("mass = \"3 kg\"", "mass", &[(9, 5)]),
+                ("[0, \"-400 mm\"]", "[0 1]", &[(5, 28)]),
+                ("[0, \"-400 mm\"]", "[0, one]", &[(5, 31)]),
+                ("[input]", "[input", &[(27, 7)]),
+            ],
+        ),
+    );
+}
+
+#[test]
+fn what_follows_from_a_fault_is_no_second_one() {
+    let steady = steady();
+    let solved = steady.replace("[[force]]", "[drive]\nmotor = \"auto\"\nflywheel = \"solve\"\n\n[[force]]");
+    let cases: &[Case] = &[
+        ("link = \"crank\"\npositions", "link = \"crnk\"\npositions", &[(28, 8)]),
+        ("unevenness = 0.05", "unevenness = -1", &[(34, 14)]),
+        ("motor = \"auto\"", "motor = \"auto\"\nratio = -2", &[(38, 9)]),
+    ];
+    snapshot("once", &all(&solved, cases));
+}
+
+#[test]
 fn units_and_numbers() {
     snapshot(
         "units_and_numbers",

@@ -71,7 +71,11 @@ const BAD: &[(&str, Dimension, &str)] = &[
     ("3 kgg", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kgg`"),
     ("3 kg*", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kg*`"),
     ("3 kg^x", D::Mass, "wants a mass (kg, g, t, lb), got the unknown unit `kg^x`"),
-    ("3 m^2147483647", D::Length, "wants a length (m, mm, cm, dm, km, um, in, ft), got the unknown unit `m^2147483647`"),
+    (
+        "3 m^2147483647",
+        D::Length,
+        "wants a length (m, mm, cm, dm, km, um, in, ft), got the unknown unit `m^2147483647`",
+    ),
     ("1,5 kN", D::Force, "has a comma in the number `1,5 kN`: the decimal sign is a point"),
     ("kN", D::Force, "wants a force (N, kN, MN, mN, kgf, lbf), got `kN`, which does not begin with a number"),
     ("", D::Time, "wants a time (s, ms, min, h), got ``, which does not begin with a number"),
@@ -80,7 +84,11 @@ const BAD: &[(&str, Dimension, &str)] = &[
         D::Length,
         "wants a length (m, mm, cm, dm, km, um, in, ft), got `inf m`, which does not begin with a number",
     ),
-    ("nan", D::Length, "wants a length (m, mm, cm, dm, km, um, in, ft), got `nan`, which does not begin with a number"),
+    (
+        "nan",
+        D::Length,
+        "wants a length (m, mm, cm, dm, km, um, in, ft), got `nan`, which does not begin with a number",
+    ),
     ("1e999 m", D::Length, "is too large: `1e999 m`, at most 1e6 m"),
     ("1e308 km", D::Length, "is too large: `1e308 km`, at most 1e6 m"),
 ];
@@ -99,7 +107,7 @@ fn bad_quantities() {
 #[test]
 fn near_units_are_suggested() {
     let near = |text, dimension| match quantity(text, dimension) {
-        Err(UnitError::UnknownUnit { near, .. }) => near,
+        Err(UnitError { fault: UnitFault::UnknownUnit(near), .. }) => near,
         other => panic!("{text}: {other:?}"),
     };
     assert_eq!(near("3 Kg", D::Mass).as_deref(), Some("kg"));

@@ -155,3 +155,24 @@ fn a_length_on_paper_times_its_scale_is_the_true_one() {
     }
     assert!(measured > 20, "{measured}");
 }
+
+#[test]
+fn the_link_of_reduction_has_the_mass_of_the_table() {
+    let html = of("shaper-drive", "en", Form::Html).text;
+    let state = state("shaper-drive");
+    let json: Value =
+        serde_json::from_str(&to_json(&state.found().unwrap().analysis, false).unwrap()).unwrap();
+    let figures = between(&html, "<figure>", "</figure>");
+    let figure = figures.into_iter().find(|figure| figure.contains("The link of reduction")).unwrap();
+    let text = plain(figure);
+    let masses: Vec<f64> =
+        text.split(", m ").skip(1).filter_map(|rest| rest.split_once(" kg")?.0.parse().ok()).collect();
+    assert!(!masses.is_empty(), "{text}");
+    // Of the links alone, J/r² with the crank's r = 100 mm.
+    let positions = json["positions"].as_array().unwrap();
+    let wanted = |row: &Value| row["reduced"]["inertia"].as_f64().unwrap() / 0.01;
+    for mass in masses {
+        let is_one = positions.iter().any(|row| (mass / wanted(row) - 1.0).abs() < 1e-4);
+        assert!(is_one, "{mass}");
+    }
+}

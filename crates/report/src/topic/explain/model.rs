@@ -2,8 +2,8 @@
 
 use assur_book::{Unit, link_name};
 use assur_mechanism::{
-    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, Motor, Over, Surfaces,
-    Torque, Value,
+    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, MotorChoice, Over,
+    Surfaces, Torque, Value,
 };
 use assur_motor::find_motor;
 use assur_structure::name_of;
@@ -42,13 +42,13 @@ pub(super) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
 
 /// Whether the inertia of the rotor of a motor is known; rated data and catalogues may give none. `None` for a motor that is yet to be
 /// chosen.
-pub(super) fn has_rotor(motor: &Motor, catalogue: Option<&str>) -> Option<bool> {
+pub(super) fn has_rotor(motor: &MotorChoice, catalogue: Option<&str>) -> Option<bool> {
     match motor {
-        Motor::Rated(rated) => Some(rated.inertia.is_some_and(|inertia| inertia > 0.0)),
-        Motor::Designation(designation) => {
+        MotorChoice::Rated(rated) => Some(rated.inertia.is_some_and(|inertia| inertia > 0.0)),
+        MotorChoice::Designation(designation) => {
             Some(find_motor(catalogue, designation).is_ok_and(|motor| motor.rotor_inertia.is_some()))
         }
-        Motor::Auto => None,
+        MotorChoice::Auto => None,
     }
 }
 
