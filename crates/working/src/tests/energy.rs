@@ -79,6 +79,12 @@ fn example_2_is_worked_by_areas() {
     near(result(&form, "A_ex"), 10.0 * PI);
     near(result(&form, "J_fw"), PI / 20.0);
     near(result(&form, "χ"), 0.04 / PI);
+    // With a reduced inertia that varies the speed has its extremes elsewhere than the energy.
+    for (inertia, words) in [(Some(1.0), "are equal:"), (None, "not where the moments")] {
+        let form = EnergyForm { inertia, ..form.clone() };
+        let text = assur_worksheet::text(&form.sections(), WIDTH, Language::english());
+        assert!(text.contains(words), "{text}");
+    }
 }
 
 /// What begins with a speed keeps its energy; a brake that no line is drawn of has the work of the quadrature.

@@ -1,6 +1,6 @@
 //! What the model of a scene leaves out.
 
-use assur_mechanism::{GROUND, LinkId, Load, Mechanism, Motion, Motor, Torque};
+use assur_mechanism::{GROUND, LinkId, Load, Mechanism, Motion, MotorChoice, Torque};
 use assur_words::{list, text};
 
 use super::model::{has_rotor, heavy, used_drive};
@@ -92,7 +92,7 @@ fn drive(mechanism: &Mechanism, list: &mut Vec<Remark>) {
     if let Torque::Motor { motor, catalogue, .. } = &drive.torque {
         if has_rotor(motor, catalogue.as_deref()) == Some(false) {
             let how = match motor {
-                Motor::Rated(_) => text!("missing-rotor-how"),
+                MotorChoice::Rated(_) => text!("missing-rotor-how"),
                 _ => text!("missing-rotor-of-catalogue"),
             };
             list.push(remark(text!("missing-rotor"), how));
