@@ -128,13 +128,13 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let moduli: Vec<String> = moduli.map(|index| found.series[*index].short.clone()).collect();
     let balancing = found.reactions.iter().position(|reaction| reaction.of.is_none());
     let of = most.map(|index| found.reactions[index].name.clone()).unwrap_or_default();
+    let balance = balancing.and_then(|index| found.reactions[index].series.first());
+    let symbol = balance.map(|index| unit(found.series[*index].unit.clone()));
     // All of them together, as L fig. 2 has them.
     for some in moduli.chunks(MOST_REACTIONS) {
         let together = context.first(View::Curves, |state| state.picked = some.to_vec());
         page.figure(together, CURVE, text!("note-reactions-drawn"));
     }
-    let balance = balancing.and_then(|index| found.reactions[index].series.first());
-    let symbol = balance.map(|index| unit(found.series[*index].unit.clone()));
     let all = [
         (most, ViewPart::Overview, text!("note-reaction-curve", of)),
         (
