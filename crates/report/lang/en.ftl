@@ -396,6 +396,7 @@ note-figure = Figure { $number }. { $caption }
 note-table = Table { $number }. { $caption }
 note-main-results = Main results
 note-place = position { $position }, { $at }
+note-legend-at = { $caption }; values in the legend: { $place }
 note-mechanism-moving = The mechanism over one cycle; on paper: { $at }
 note-input-link = Input link { $link }
 note-with-group = with group { $number }, { $kind }

@@ -400,6 +400,7 @@ note-figure = Рисунок { $number }. { $caption }
 note-table = Таблица { $number }. { $caption }
 note-main-results = Основные результаты
 note-place = положение { $position }, { $at }
+note-legend-at = { $caption }; значения в легенде: { $place }
 note-mechanism-moving = Механизм в течение цикла; на бумаге: { $at }
 note-input-link = Входное звено { $link }
 note-with-group = с группой { $number }, { $kind }

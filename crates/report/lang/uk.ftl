@@ -400,6 +400,7 @@ note-figure = Рисунок { $number }. { $caption }
 note-table = Таблиця { $number }. { $caption }
 note-main-results = Основні результати
 note-place = положення { $position }, { $at }
+note-legend-at = { $caption }; значення в легенді: { $place }
 note-mechanism-moving = Механізм протягом циклу; на папері: { $at }
 note-input-link = Вхідна ланка { $link }
 note-with-group = з групою { $number }, { $kind }

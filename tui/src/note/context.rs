@@ -3,7 +3,7 @@
 use assur_book::Document;
 use assur_figure::{Figure, Frame};
 use assur_report::topic::Source;
-use assur_words::{Text, joined, list};
+use assur_words::{Text, joined, list, text};
 
 use super::NoteError;
 use crate::screen::state::{Found, Scene, State, View};
@@ -87,6 +87,11 @@ impl Context<'_> {
     /// `position 6, 45 deg`.
     pub(super) fn place(&self, position: usize) -> Text {
         self.source().map(|source| source.place(position)).unwrap_or_default()
+    }
+
+    /// A caption that says to which position the values of the legend belong, the first of the chosen ones.
+    pub(super) fn with_legend(&self, caption: Text) -> Text {
+        text!("note-legend-at", caption = caption, place = self.place(self.positions[0]))
     }
 
     /// The chosen positions in words.

@@ -133,7 +133,7 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     // All of them together, as L fig. 2 has them.
     for some in moduli.chunks(MOST_REACTIONS) {
         let together = context.first(View::Curves, |state| state.picked = some.to_vec());
-        page.figure(together, CURVE, text!("note-reactions-drawn"));
+        page.figure(together, CURVE, context.with_legend(text!("note-reactions-drawn")));
     }
     let all = [
         (most, ViewPart::Overview, text!("note-reaction-curve", of)),

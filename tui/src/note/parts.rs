@@ -153,7 +153,7 @@ fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
     let caption = text!("note-link-of-reduction", place = context.places());
     for (view, part, size, caption) in [
         (View::Motion, ViewPart::Course, CURVES, text!("note-speed-and-moments")),
-        (View::Drive, ViewPart::Inertia, CURVE, text!("note-shares-drawn")),
+        (View::Drive, ViewPart::Inertia, CURVE, context.with_legend(text!("note-shares-drawn"))),
         (View::Drive, ViewPart::EnergyMass, DIAGRAM, text!("note-energy-mass")),
         (View::Motion, ViewPart::Iteration, CURVES, text!("note-iteration-drawn")),
     ] {
@@ -191,7 +191,7 @@ fn reduced_inertia(context: &mut Context<'_>, page: &mut Document) -> Result<(),
     if inertia.size() > 0.0 {
         let picked = [inertia, slope].map(|series| series.short.clone()).to_vec();
         let figure = context.first(View::Curves, |state| state.picked = picked);
-        page.figure(figure, CURVE, text!("note-reduced-inertia-drawn"));
+        page.figure(figure, CURVE, context.with_legend(text!("note-reduced-inertia-drawn")));
     }
     Ok(())
 }

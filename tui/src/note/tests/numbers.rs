@@ -176,3 +176,20 @@ fn the_link_of_reduction_has_the_mass_of_the_table() {
         assert!(is_one, "{mass}");
     }
 }
+
+#[test]
+fn the_values_of_a_legend_say_their_position() {
+    let html = of("shaper-drive", "en", Form::Html).text;
+    let figures = between(&html, "<figure>", "</figure>");
+    let captions: Vec<String> =
+        figures.iter().map(|figure| plain(between(figure, "<figcaption>", "</figcaption>")[0])).collect();
+    let of = |words: &str| captions.iter().filter(|caption| caption.contains(words)).collect::<Vec<_>>();
+    let reactions = of("Reactions of the pairs over the cycle");
+    // Seven pairs, four in a figure.
+    assert_eq!(reactions.len(), 2, "{captions:?}");
+    assert!(
+        reactions.iter().all(|caption| caption.contains("values in the legend: position ")),
+        "{reactions:?}"
+    );
+    assert!(of("Balancing load over the cycle, N·m").len() == 1, "{captions:?}");
+}
