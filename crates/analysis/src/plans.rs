@@ -87,9 +87,10 @@ impl Calculation {
     /// Results from the reactions of all positions, and the geometry of the contacts.
     pub(crate) fn cycle(&self, survey: &Survey) -> Cycle {
         let mechanism = &self.linkage.mechanism;
-        let closed = mechanism.input.is_cycle();
+        let input = &mechanism.input;
         let extreme = |(pair, link, sizes): &(PairId, LinkId, Sizes)| {
-            sizes.extreme(mechanism.named_pair(*pair), mechanism.named_link(*link), closed)
+            let places = (|index| input.coordinate(index), input.is_cycle());
+            sizes.extreme(mechanism.named_pair(*pair), mechanism.named_link(*link), places)
         };
         Cycle {
             reaction_extremes: survey.sizes.iter().filter_map(extreme).collect(),

@@ -39,6 +39,7 @@ pub use analysis::{
 pub use assur_check::Check;
 pub use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 pub use assur_integrator::{Event, SolutionCost, State};
+pub use assur_number::{Extreme, Statistic};
 pub use column::{Column, Owner, Part, Quantity};
 pub use dynamics::{
     AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,

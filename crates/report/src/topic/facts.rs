@@ -87,8 +87,8 @@ fn farthest(analysis: &Analysis, column: Column) -> Option<Turn> {
     analysis.peaks.of(column).or_else(|| {
         let table = &analysis.positions;
         let value = |row| Some(Turn::at(table.get(row, Column::COORDINATE)?, table.get(row, column)?));
-        let greater = |best: Turn, next: Turn| if next.value.abs() > best.value.abs() { next } else { best };
-        (0..table.len()).filter_map(value).reduce(greater)
+        let found: Vec<Turn> = (0..table.len()).filter_map(value).collect();
+        Turn::statistic(&found).farthest().map(|best| found[best.number])
     })
 }
 

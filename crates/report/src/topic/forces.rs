@@ -1,8 +1,8 @@
 //! Reduction, reactions with their causes, loads and the balancing load.
 
-use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table as Results};
+use assur_analysis::results::{Analysis, Owner, Part, Quantity, Statistic, Table as Results};
 use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name, row};
-use assur_diagram::Extreme;
+use assur_diagram::ReactionExtreme;
 use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
 use assur_words::{Text, name, number, text};
 
@@ -64,7 +64,7 @@ pub(super) fn shown(table: &Results) -> Vec<(PairId, Vec<LinkId>)> {
 }
 
 /// The greatest value of each reaction that is [`shown`].
-pub(super) fn greatest_reactions(analysis: &Analysis) -> impl Iterator<Item = &Extreme> {
+pub(super) fn greatest_reactions(analysis: &Analysis) -> impl Iterator<Item = &ReactionExtreme> {
     let of = |(pair, links): (PairId, Vec<LinkId>)| links.into_iter().map(move |link| (pair, link));
     let all = &analysis.cycle.reaction_extremes;
     let wanted = shown(&analysis.positions).into_iter().flat_map(of);
@@ -159,13 +159,18 @@ impl Source<'_> {
 
 /// The balancing load in each position, and the greatest one.
 pub fn balancing(source: &Source<'_>, page: &mut Document) {
-    let Some((number, greatest)) = source.analysis.survey.greatest_balancing else { return };
+    let Some(greatest) =
+        source.analysis.survey.of(assur_analysis::results::Column::BALANCING).and_then(Statistic::farthest)
+    else {
+        return;
+    };
+    let number = greatest.number;
     let (heading, _, unit) = source.balancing_load();
     page.heading(heading);
     balancing_at_positions(source, page);
     page.paragraph(text!(
         "report-greatest-balancing",
-        load = unit.show(greatest),
+        load = unit.show(greatest.value),
         position = assur_words::number(number),
         at = source.units.coordinate.show(source.mechanism.input.coordinate(number))
     ));

@@ -1,8 +1,8 @@
 //! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked, those of one unit over each other,
 //! with their extremes and means.
 
-use assur_analysis::results::{Owner, Quantity};
-use assur_book::{Column, Extreme, Table, catalogue, row};
+use assur_analysis::results::{Extreme, Owner, Quantity};
+use assur_book::{Column, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_report::text::Line;
 use assur_words::{self as words, Text, joined, list, name, quantity, text, unit};
@@ -160,8 +160,8 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let row = |(number, series): (usize, &Series)| {
         let shown = |value: f64| if value.abs() <= series.least() { 0.0 } else { value };
         let now = series.clean(state.position).map(|value| series.factor * value);
-        let summary = series.summary();
-        let (greatest, least) = (summary.map(|all| all.greatest), summary.map(|all| all.least));
+        let all = series.statistic();
+        let (greatest, least) = (all.greatest(), all.least());
         let value = |extreme: Option<Extreme>| extreme.map(|extreme| shown(extreme.value));
         let at = |extreme: Option<Extreme>| extreme.map(|extreme| words::number(extreme.number));
         row![
@@ -172,8 +172,8 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
             at(greatest),
             value(least),
             at(least),
-            summary.map(|summary| shown(summary.mean)),
-            summary.map(|summary| shown(summary.rms)),
+            all.mean().map(shown),
+            all.rms().map(shown),
         ]
     };
     let rows = picked(state, scene).into_iter().enumerate().map(row);
