@@ -89,13 +89,13 @@ impl Width {
     /// Plants errors: `check` gives the check of a mechanism with an error of so many parts of a number; `None` where the
     /// mechanism has nothing of the sort.
     fn add(&mut self, what: &str, check: impl Fn(f64) -> Option<Check>) {
-        let Some(sound) = check(0.0).filter(|check| check.judged) else { return };
-        assert!(sound.ok, "{what}: {sound:?}");
+        let Some(sound) = check(0.0).filter(|check| check.finding.holds.is_some()) else { return };
+        assert!(sound.finding.holds == Some(true), "{what}: {sound:?}");
         let Some(error) = twice_the_limit(what, &check) else { return };
         self.mechanisms += 1;
         self.error = self.error.max(error);
-        if sound.limit > 0.0 {
-            self.share = self.share.max(sound.residual / sound.limit);
+        if sound.finding.bound > 0.0 {
+            self.share = self.share.max(sound.finding.error / sound.finding.bound);
         }
     }
 
@@ -119,13 +119,13 @@ fn twice_the_limit(what: &str, check: &impl Fn(f64) -> Option<Check>) -> Option<
     let at = |error| check(error).unwrap();
     let gross = [GROSS, 1e3 * GROSS, 1e6 * GROSS].into_iter().find(|error| at(*error).failed())?;
     let first = at(gross);
-    let error = 2.0 * gross * first.limit / first.residual;
+    let error = 2.0 * gross * first.finding.bound / first.finding.error;
     let found = at(error);
-    if (1.5..3.0).contains(&(found.residual / found.limit)) {
-        assert!(found.failed(), "{what}: twice the limit is not caught: {found:?}");
-        let grown = first.limit / found.limit;
+    if (1.5..3.0).contains(&(found.finding.error / found.finding.bound)) {
+        assert!(found.finding.failed(), "{what}: twice the limit is not caught: {found:?}");
+        let grown = first.finding.bound / found.finding.bound;
         assert!(
-            first.place != found.place || grown < 2.0,
+            first.finding.place != found.finding.place || grown < 2.0,
             "{what}: {gross:e} widens its own limit {grown} times"
         );
         return Some(error);
@@ -147,7 +147,10 @@ fn twice_what_passes(what: &str, at: &impl Fn(f64) -> Check, gross: f64) -> f64 
     }
     for factor in [2.0, 3.0, 5.0, 10.0, 100.0] {
         let found = at(factor * low);
-        assert!(found.failed(), "{what}: {factor} times an error that passes is not caught: {found:?}");
+        assert!(
+            found.finding.failed(),
+            "{what}: {factor} times an error that passes is not caught: {found:?}"
+        );
     }
     2.0 * low
 }

@@ -1,7 +1,7 @@
 //! The checks of the numbers.
 
-use assur_analysis::results::Check;
-use assur_book::{Cell, Column, Digits, Document, Table, Unit, row};
+use assur_analysis::results::{Check, Finding, verdict};
+use assur_book::{Column, Digits, Document, Table, Unit, row};
 use assur_words::{Text, list, number, text};
 
 /// The checks, one row each: name, largest residual, where, limit, whether it holds, or that nothing could be checked;
@@ -17,8 +17,9 @@ pub fn checks(checks: &[Check], page: &mut Document) {
         Column::of(text!("head-result")),
     ];
     let row = |check: &Check| {
-        let place = (!check.place.is_empty()).then(|| check.place.clone());
-        row![check.name.clone(), check.residual, check.at.map(number), place, check.limit, verdict(check)]
+        let Finding { place, error, bound, holds, .. } = &check.finding;
+        let place = (!place.is_empty()).then(|| place.clone());
+        row![check.name.clone(), *error, check.at.map(number), place, *bound, verdict(*holds)]
     };
     page.table(Table::list(Text::default(), heads).rows(checks.iter().map(row)));
     sampled(checks).into_iter().chain(not_judged(checks)).for_each(|line| page.paragraph(line));
@@ -54,19 +55,11 @@ fn thousands(number: usize) -> String {
     grouped.collect::<String>().chars().rev().collect()
 }
 
-fn verdict(check: &Check) -> Cell {
-    Cell::Text(match check.verdict() {
-        Some(false) => text!("report-check-failed"),
-        Some(true) => text!("report-check-ok"),
-        None => text!("report-check-not-judged"),
-    })
-}
-
 /// In how many positions which checks were not possible, and why: one sentence for those that have both in common.
 pub fn not_judged(checks: &[Check]) -> Vec<Text> {
     let mut kinds: Vec<(usize, Text, Vec<Text>)> = Vec::new();
     for check in checks.iter().filter(|check| check.left_out > 0) {
-        let (count, why) = (check.left_out, check.why_left_out.clone());
+        let (count, why) = (check.left_out, check.finding.why.clone());
         match kinds.iter_mut().find(|kind| kind.0 == count && kind.1 == why) {
             Some((_, _, names)) => names.push(check.name.clone()),
             None => kinds.push((count, why, vec![check.name.clone()])),
@@ -75,9 +68,9 @@ pub fn not_judged(checks: &[Check]) -> Vec<Text> {
     let sentence = |(count, why, names): (usize, Text, Vec<Text>)| {
         text!("report-not-judged-in", count, checks = list(names), reason = why)
     };
-    let alone = checks.iter().filter(|check| check.verdict().is_none() && check.left_out == 0);
+    let alone = checks.iter().filter(|check| check.finding.holds.is_none() && check.left_out == 0);
     let alone = alone.map(|check| {
-        text!("report-not-judged", check = check.name.clone(), reason = check.why_left_out.clone())
+        text!("report-not-judged", check = check.name.clone(), reason = check.finding.why.clone())
     });
     kinds.into_iter().map(sentence).chain(alone).collect()
 }

@@ -205,11 +205,11 @@ pub fn checks_fact(analysis: &Analysis) -> Option<Fact> {
         return None;
     }
     let failed: Vec<_> =
-        checks.iter().filter(|check| check.failed()).map(|check| check.name.clone()).collect();
+        checks.iter().filter(|check| check.finding.failed()).map(|check| check.name.clone()).collect();
     if !failed.is_empty() {
         return Some(Fact::text("fact-checks-fail", list(failed)));
     }
-    let judged = checks.iter().filter(|check| check.verdict().is_some()).count();
+    let judged = checks.iter().filter(|check| check.finding.holds.is_some()).count();
     let whole = analysis.survey.failures == 0 && analysis.no_motion.is_none();
     let id = if whole { "fact-checks-hold" } else { "fact-checks-hold-partly" };
     Some(Fact::text(id, joined(" / ", [judged, checks.len()].map(count))))

@@ -6,6 +6,7 @@
 
 use std::ops::ControlFlow;
 
+use assur_check::Finding;
 use assur_force::{AnalyzerPlugin, Kinetostatics, Loads, analyzers};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
@@ -13,7 +14,7 @@ use assur_words::{Describe, Text, name, number, text};
 use serde::Serialize;
 
 use super::nearest;
-use super::row::{Comparison, DISTANCES, FACTOR, FRICTION, Subject};
+use super::row::{Comparison, DISTANCES, FACTOR, FRICTION};
 use super::walk::growth;
 use crate::chart::state;
 
@@ -169,14 +170,10 @@ fn walk(
                 .zip(&known)
                 .fold(0.0, |most, (a, b)| assur_number::greater(most, (a - b).abs() / size))
         });
-        let subject = Subject {
-            place: text!("stability-place", group, kind = text!("stability-jamming")),
-            method: name(used.name),
-            quantity: FRICTION,
-            distance,
-            health: distance,
-            bound: FACTOR * f64::EPSILON * all * all / distance,
-        };
-        rows.push(subject.row(outcome));
+        let place = text!("stability-place", group, kind = text!("stability-jamming"));
+        let bound = FACTOR * f64::EPSILON * all * all / distance;
+        let (method, finding) = (name(used.name), Finding::within(place, bound));
+        let row = Comparison { method, quantity: FRICTION, distance, health: distance, finding };
+        rows.push(row.judged(outcome));
     }
 }
