@@ -23,14 +23,20 @@ impl Calculation {
     /// of these; none where the plan leaves out groups.
     pub fn checks(&self, coverage: Coverage, watch: &mut Watch<'_>) -> Result<Checks, Stopped> {
         if self.plan.is_partial() || coverage == Coverage::None {
-            return Ok(Checks::none());
+            return Ok(Checks::default());
         }
         let checked = Checked::of(self, coverage, watch)?;
         let mut of_motion = Vec::new();
         let (mut all, residuals) = match &self.motion {
             InputMotion::Prescribed => self.position_checks(&checked, watch),
             motion => rayon::in_place_scope(|scope| {
-                scope.spawn(|_| of_motion = self.motion_checks(motion));
+                scope.spawn(|_| {
+                    of_motion = match motion {
+                        InputMotion::Prescribed => Vec::new(),
+                        InputMotion::Transient(found) => self.transient_checks(found),
+                        InputMotion::Steady(found) => self.steady_checks(found),
+                    }
+                });
                 self.position_checks(&checked, watch)
             }),
         }?;
@@ -56,14 +62,6 @@ impl Calculation {
         };
         let found = subject.checks(&mut |done, total| watch(Progress::Checks { done, total }));
         found.continue_value().ok_or(Stopped)
-    }
-
-    fn motion_checks(&self, motion: &InputMotion) -> Vec<Check> {
-        match motion {
-            InputMotion::Prescribed => Vec::new(),
-            InputMotion::Transient(found) => self.transient_checks(found),
-            InputMotion::Steady(found) => self.steady_checks(found),
-        }
     }
 
     fn is_regular(&self, state: &State) -> bool {

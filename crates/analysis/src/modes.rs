@@ -1,7 +1,7 @@
 //! The modes of every group over the cycle.
 
 use assur_group::Order;
-use assur_kinematics::{Course, CourseEnd, Linkage, Unlisted};
+use assur_kinematics::{CountFrom, Courses, Linkage, ModeCourse, ModeMeeting, Unlisted};
 use assur_mechanism::{LinkId, Named};
 use serde::Serialize;
 
@@ -28,44 +28,7 @@ pub struct GroupModes {
     /// Each mode, numbered as in the first position; one born later takes the next number.
     pub modes: Vec<ModeCourse>,
     /// Where two modes meet and both go on.
-    pub meetings: Vec<Meeting>,
-}
-
-/// A number of modes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct CountFrom {
-    /// The first coordinate, rad or m.
-    pub from: f64,
-    /// The number.
-    pub modes: usize,
-}
-
-/// A mode as far as it exists without a gap.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ModeCourse {
-    /// Its number.
-    pub way: usize,
-    /// First coordinate, rad or m.
-    pub from: f64,
-    /// Last coordinate.
-    pub to: f64,
-    /// How it begins.
-    pub begins: CourseEnd,
-    /// How it ends.
-    pub ends: CourseEnd,
-    /// The circuit, from 0.
-    pub circuit: usize,
-    /// The branch, from 0.
-    pub branch: usize,
-}
-
-/// Where two modes meet and both go on.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Meeting {
-    /// The coordinate, rad or m.
-    pub at: f64,
-    /// The modes.
-    pub ways: [usize; 2],
+    pub meetings: Vec<ModeMeeting>,
 }
 
 /// The modes of every group over the cycle.
@@ -79,27 +42,19 @@ pub(crate) fn of(linkage: &Linkage) -> Vec<GroupModes> {
             Ok(courses) => (None, Some(courses)),
             Err(why) => (Some(why), None),
         };
-        let all = courses.clone().unwrap_or_default();
-        let mode = |(way, course): (usize, &Course)| ModeCourse {
-            way,
-            from: course.from,
-            to: course.to,
-            begins: course.ends[0],
-            ends: course.ends[1],
-            circuit: course.circuit,
-            branch: course.branch,
-        };
+        let listed = courses.is_some();
+        let Courses { courses: modes, counts, meetings, circuits, branches } = courses.unwrap_or_default();
         GroupModes {
             group: index + 1,
             kind: found.plugin.kind.to_owned(),
             links: found.frame.links.iter().map(|&link| linkage.mechanism.named_link(link)).collect(),
-            way: way.filter(|_| courses.is_some()).map(|modes| modes.number(modes.present)),
+            way: way.filter(|_| listed).map(|modes| modes.number(modes.present)),
             unlisted,
-            circuits: courses.as_ref().map(|all| all.circuits),
-            branches: courses.as_ref().map(|all| all.branches),
-            counts: all.counts.iter().map(|&(from, modes)| CountFrom { from, modes }).collect(),
-            modes: all.courses.iter().enumerate().map(mode).collect(),
-            meetings: all.meetings.iter().map(|&(at, ways)| Meeting { at, ways }).collect(),
+            circuits: listed.then_some(circuits),
+            branches: listed.then_some(branches),
+            counts,
+            modes,
+            meetings,
         }
     };
     (0..linkage.structure.groups.len()).map(group).collect()

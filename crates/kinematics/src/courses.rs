@@ -65,29 +65,51 @@ pub enum CourseEnd {
 }
 
 /// A mode as far as it exists without a gap.
-#[derive(Debug, Clone, Copy)]
-pub struct Course {
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ModeCourse {
+    /// Its number: its place among all.
+    pub way: usize,
     /// The first coordinate, rad or m.
     pub from: f64,
     /// The last one.
     pub to: f64,
-    /// How it begins and ends.
-    pub ends: [CourseEnd; 2],
+    /// How it begins.
+    pub begins: CourseEnd,
+    /// How it ends.
+    pub ends: CourseEnd,
     /// The circuit: what can be reached without taking the mechanism apart; from 0.
     pub circuit: usize,
     /// The branch: what can be reached without a singular position; from 0.
     pub branch: usize,
 }
 
-/// All modes of a group over a cycle; the number of a mode is its place in `courses`.
+/// A number of modes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CountFrom {
+    /// The first coordinate, rad or m.
+    pub from: f64,
+    /// The number.
+    pub modes: usize,
+}
+
+/// Where two modes meet and both go on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ModeMeeting {
+    /// The coordinate, rad or m.
+    pub at: f64,
+    /// The modes.
+    pub ways: [usize; 2],
+}
+
+/// All modes of a group over a cycle.
 #[derive(Debug, Clone, Default)]
 pub struct Courses {
     /// Each mode; first those of the first position in their order.
-    pub courses: Vec<Course>,
-    /// How many modes there are from a coordinate on, rad or m.
-    pub counts: Vec<(f64, usize)>,
-    /// Where two modes meet and both go on: coordinate and numbers.
-    pub meetings: Vec<(f64, [usize; 2])>,
+    pub courses: Vec<ModeCourse>,
+    /// How many modes there are from a coordinate on.
+    pub counts: Vec<CountFrom>,
+    /// Where two modes meet and both go on.
+    pub meetings: Vec<ModeMeeting>,
     /// Number of circuits.
     pub circuits: usize,
     /// Number of branches.
@@ -193,21 +215,21 @@ impl<'a> Walk<'a> {
 
     /// Begins a course at a coordinate; its number.
     fn begin(&mut self, from: f64, end: CourseEnd) -> usize {
-        let ends = [end, CourseEnd::Cycle];
-        self.found.courses.push(Course { from, to: from, ends, circuit: 0, branch: 0 });
-        self.found.courses.len() - 1
+        let (way, ends) = (self.found.courses.len(), CourseEnd::Cycle);
+        self.found.courses.push(ModeCourse { way, from, to: from, begins: end, ends, circuit: 0, branch: 0 });
+        way
     }
 
     /// Ends a course at the present coordinate.
     fn end(&mut self, number: usize, end: CourseEnd) {
         let course = &mut self.found.courses[number];
-        (course.to, course.ends[1]) = (self.now.0, end);
+        (course.to, course.ends) = (self.now.0, end);
     }
 
     fn count(&mut self, from: f64) {
-        let count = self.now.1.as_ref().map_or(0, Vec::len);
-        if self.found.counts.last().is_none_or(|(_, last)| *last != count) {
-            self.found.counts.push((from, count));
+        let modes = self.now.1.as_ref().map_or(0, Vec::len);
+        if self.found.counts.last().is_none_or(|last| last.modes != modes) {
+            self.found.counts.push(CountFrom { from, modes });
         }
     }
 
@@ -326,21 +348,19 @@ fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
 impl Courses {
     /// Numbers circuits and branches; `closed`: courses that go on in others at the end of the cycle.
     fn group(&mut self, closed: &[[usize; 2]]) {
-        let joined = |courses: &[Course], is_circuit: bool, met: &[(f64, [usize; 2])]| {
+        let joined = |courses: &[ModeCourse], is_circuit: bool, met: &[ModeMeeting]| {
             let mut of: Vec<usize> = (0..courses.len()).collect();
             let mut join = |[a, b]: [usize; 2]| {
                 let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
                 of.iter_mut().filter(|one| **one == high).for_each(|one| *one = low);
             };
             // The end of a course that has met another one is not where its beginning can go without that meeting.
-            let has_met = |number: usize| met.iter().any(|(_, pair)| pair.contains(&number));
+            let has_met = |number: usize| met.iter().any(|met| met.ways.contains(&number));
             closed.iter().copied().filter(|[last, _]| is_circuit || !has_met(*last)).for_each(&mut join);
             if is_circuit {
-                for (_, pair) in met {
-                    join(*pair);
-                }
+                met.iter().for_each(|met| join(met.ways));
                 for (number, course) in courses.iter().enumerate() {
-                    for end in course.ends {
+                    for end in [course.begins, course.ends] {
                         if let CourseEnd::With(other) = end {
                             join([number, other]);
                         }

@@ -41,7 +41,7 @@ mod wide;
 assur_words::resources!();
 
 pub use chain::{Chain, ChainError, Input};
-pub use courses::{Course, CourseEnd, Courses, Unlisted};
+pub use courses::{CountFrom, CourseEnd, Courses, ModeCourse, ModeMeeting, Unlisted};
 pub use enclosures::Enclosures;
 pub use error::{CompileError, PositionError};
 pub use interpolant::Interpolation;

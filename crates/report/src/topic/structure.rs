@@ -1,9 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
-use assur_analysis::{GroupModes, Meeting, ModeCourse, PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::{CourseEnd, Unlisted};
+use assur_kinematics::{CourseEnd, ModeCourse, ModeMeeting, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -196,7 +196,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     if let Some(way) = group.way {
         page.paragraph(text!("report-modes-present", mode = number(way)));
     }
-    let meeting = |meeting: &Meeting| {
+    let meeting = |meeting: &ModeMeeting| {
         let [one, other] = meeting.ways.map(number);
         text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
     };
