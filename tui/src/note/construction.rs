@@ -2,7 +2,7 @@
 
 use assur_book::{Column, Document, Table, row};
 use assur_figure::{Figure, Panel};
-use assur_force::{Construction, Step};
+use assur_force::{Construction, ConstructionStep};
 use assur_words::{joined, number, quantity, text};
 
 use super::NoteError;
@@ -47,7 +47,7 @@ pub(super) fn construction(context: &mut Context<'_>, page: &mut Document) -> Re
 
 /// The last steps of the stages: where forces follow points and lines, or the drawing changes.
 fn stages(construction: &Construction) -> Vec<usize> {
-    let stage = |step: &Step| (step.drawing, step.unit == "N");
+    let stage = |step: &ConstructionStep| (step.drawing, step.unit == "N");
     let steps = &construction.steps;
     let ends =
         (0..steps.len()).filter(|at| steps.get(at + 1).is_none_or(|next| stage(next) != stage(&steps[*at])));

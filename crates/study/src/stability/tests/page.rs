@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use assur_structure::Structure;
 use assur_testkit::specimen::{Recipe, kinds};
-use assur_words::{Text, text};
+use assur_words::text;
 
 use super::bench::{MOST_TURNS, sections};
 use super::{Section, walk_group};

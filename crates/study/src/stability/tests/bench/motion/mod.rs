@@ -49,9 +49,10 @@ impl Case {
             ..Request::new(self.initial, self.until)
         };
         if let Err(why) = (plugin.suitability)(&motion.dependence(), TOLERANCE) {
-            let row = self.subject(plugin.name, f64::NAN).judged_or(Err(why), true);
+            let mut row = self.subject(plugin.name, f64::NAN).judged_or(Err(why), true);
+            row.finding.bound = 0.0;
             // Once a walk is enough.
-            return self.is_first.then_some(Comparison { bound: 0.0, ..row });
+            return self.is_first.then_some(row);
         }
         let found = plugin.solve(&mut *motion, &request);
         let steps = match &found {
