@@ -71,7 +71,7 @@ impl AssurGroup<f64> for Mutant {
     }
 
     fn place(&self, bodies: &mut [Body<f64>], way: usize) -> Result<f64, GroupError> {
-        let health = self.sound.finding.place(bodies, way)?;
+        let health = self.sound.place(bodies, way)?;
         (self.slip.place)(&mut bodies[self.link()]);
         Ok(health)
     }

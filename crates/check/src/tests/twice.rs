@@ -117,7 +117,7 @@ impl Width {
 /// force on a point that is at rest).
 fn twice_the_limit(what: &str, check: &impl Fn(f64) -> Option<Check>) -> Option<f64> {
     let at = |error| check(error).unwrap();
-    let gross = [GROSS, 1e3 * GROSS, 1e6 * GROSS].into_iter().find(|error| at(*error).failed())?;
+    let gross = [GROSS, 1e3 * GROSS, 1e6 * GROSS].into_iter().find(|error| at(*error).finding.failed())?;
     let first = at(gross);
     let error = 2.0 * gross * first.finding.bound / first.finding.error;
     let found = at(error);
@@ -137,13 +137,13 @@ fn twice_the_limit(what: &str, check: &impl Fn(f64) -> Option<Check>) -> Option<
 /// limits, of coarse and of fine differences. Twice the greatest error that passes must be caught, and all beyond it.
 fn twice_what_passes(what: &str, at: &impl Fn(f64) -> Check, gross: f64) -> f64 {
     let (mut low, mut high) = (1e-9 * gross, gross);
-    if at(low).failed() {
+    if at(low).finding.failed() {
         // Zero against zero: there is nothing to round.
         return low;
     }
     while high > 1.5 * low {
         let middle = (low * high).sqrt();
-        *if at(middle).failed() { &mut high } else { &mut low } = middle;
+        *if at(middle).finding.failed() { &mut high } else { &mut low } = middle;
     }
     for factor in [2.0, 3.0, 5.0, 10.0, 100.0] {
         let found = at(factor * low);
