@@ -358,7 +358,9 @@ impl Courses {
             let has_met = |number: usize| met.iter().any(|met| met.ways.contains(&number));
             closed.iter().copied().filter(|[last, _]| is_circuit || !has_met(*last)).for_each(&mut join);
             if is_circuit {
-                met.iter().for_each(|met| join(met.ways));
+                for meeting in met {
+                    join(meeting.ways);
+                }
                 for (number, course) in courses.iter().enumerate() {
                     for end in [course.begins, course.ends] {
                         if let CourseEnd::With(other) = end {
