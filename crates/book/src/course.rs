@@ -230,9 +230,9 @@ impl Course {
         Some([found.greatest()?, found.least()?].map(|extreme| self.line[extreme.number]))
     }
 
-    /// Extremes and means over the positions, of the values times a factor.
-    pub fn statistic(&self, factor: f64) -> Statistic {
-        self.nodes.iter().map(|node| (node.number, factor * node.value)).collect()
+    /// Extremes and means over the positions.
+    pub fn statistic(&self) -> Statistic {
+        self.nodes.iter().map(|node| (node.number, node.value)).collect()
     }
 }
 

@@ -58,7 +58,7 @@ fn closing_is_found_and_not_assumed() {
 #[test]
 fn extremes_have_their_signs_and_their_positions() {
     let course = Course::from_points([[0.0, 32.0], [1.0, -90.0], [2.0, 32.0], [3.0, 0.0]]);
-    let found = course.statistic(1.0);
+    let found = course.statistic();
     let [greatest, least] = [found.greatest().unwrap(), found.least().unwrap()];
     assert_eq!((greatest.value, greatest.number), (32.0, 0));
     assert_eq!((least.value, least.number), (-90.0, 1));

@@ -54,10 +54,11 @@ impl Survey {
         let schema = rows.schema();
         for (column, statistic) in &mut self.statistics {
             let values = schema.find(*column).into_iter().flat_map(|column| rows.each(column));
-            let known = rows.numbers().iter().zip(values);
-            known.for_each(|(number, value)| {
-                value.into_iter().for_each(|value| statistic.push(*number, value))
-            });
+            for (number, value) in rows.numbers().iter().zip(values) {
+                if let Some(value) = value {
+                    statistic.push(*number, value);
+                }
+            }
         }
         let Some(coordinate) = schema.find(Column::COORDINATE) else { return };
         for (pair, link, sizes) in &mut self.sizes {

@@ -1,6 +1,6 @@
 //! Every quantity over the positions, in the unit that is shown.
 
-use assur_analysis::results::{Column, Owner, Schema, Statistic};
+use assur_analysis::results::{Column, Owner, Schema};
 use assur_book::Course;
 use assur_book::catalogue::{self, Shown};
 use assur_words::{Text, joined, list, quantity, unit};
@@ -69,11 +69,6 @@ impl Series {
     /// The greatest modulus of a value, in the unit that is shown.
     pub(crate) fn size(&self) -> f64 {
         self.factor * self.course.size()
-    }
-
-    /// Its extremes and means in the unit that is shown.
-    pub(crate) fn statistic(&self) -> Statistic {
-        self.course.statistic(self.factor)
     }
 
     /// What it is, and of what: `point D x PF1`.
