@@ -1,7 +1,7 @@
 //! The modes of every group over the cycle.
 
 use assur_group::Order;
-use assur_kinematics::{CountFrom, Courses, Linkage, ModeCourse, ModeMeeting, Unlisted};
+use assur_kinematics::{Linkage, ModeCourses, Unlisted};
 use assur_mechanism::{LinkId, Named};
 use serde::Serialize;
 
@@ -19,16 +19,9 @@ pub struct GroupModes {
     /// Why its modes are not listed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unlisted: Option<Unlisted>,
-    /// Number of circuits: what can't be reached without taking the mechanism apart; `None` where modes are not listed.
-    pub circuits: Option<usize>,
-    /// Number of branches: what can't be reached without a singular position.
-    pub branches: Option<usize>,
-    /// How many modes there are from a coordinate on.
-    pub counts: Vec<CountFrom>,
-    /// Each mode, numbered as in the first position; one born later takes the next number.
-    pub modes: Vec<ModeCourse>,
-    /// Where two modes meet and both go on.
-    pub meetings: Vec<ModeMeeting>,
+    /// The modes; none where they are not listed.
+    #[serde(flatten)]
+    pub courses: ModeCourses,
 }
 
 /// The modes of every group over the cycle.
@@ -39,22 +32,16 @@ pub(crate) fn of(linkage: &Linkage) -> Vec<GroupModes> {
         let found = &linkage.structure.groups[index];
         let way = is_placed.then(|| linkage.modes(index, &position).ok().flatten()).flatten();
         let (unlisted, courses) = match linkage.courses(index) {
-            Ok(courses) => (None, Some(courses)),
-            Err(why) => (Some(why), None),
+            Ok(courses) => (None, courses),
+            Err(why) => (Some(why), ModeCourses::default()),
         };
-        let listed = courses.is_some();
-        let Courses { courses: modes, counts, meetings, circuits, branches } = courses.unwrap_or_default();
         GroupModes {
             group: index + 1,
             kind: found.plugin.kind.to_owned(),
             links: found.frame.links.iter().map(|&link| linkage.mechanism.named_link(link)).collect(),
-            way: way.filter(|_| listed).map(|modes| modes.number(modes.present)),
+            way: way.filter(|_| unlisted.is_none()).map(|modes| modes.number(modes.present)),
             unlisted,
-            circuits: listed.then_some(circuits),
-            branches: listed.then_some(branches),
-            counts,
-            modes,
-            meetings,
+            courses,
         }
     };
     (0..linkage.structure.groups.len()).map(group).collect()

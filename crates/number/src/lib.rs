@@ -18,7 +18,7 @@ mod statistic;
 pub use dd::Dd;
 pub use intervals::Intervals;
 pub use lanes::Lanes;
-pub use real::{Formula, Real};
+pub use real::Real;
 pub use statistic::{Extreme, Statistic};
 
 /// The greater of two numbers; NaN if one is, so that a number without a value is not hidden by others.

@@ -14,7 +14,7 @@ use assur_words::{Describe, Text, number, quantity, text};
 use crate::Status;
 use crate::measure::Need;
 use crate::point::Worker;
-use crate::rows::{Failure, Outcome};
+use crate::rows::Failure;
 
 /// Most blocks of eight positions that are kept from one point to the next: some ten times what fits into a fast cache, and
 /// for all threads together far less than a sweep may take.
@@ -65,7 +65,7 @@ impl<'a, 'w> Positions<'a, 'w> {
     }
 
     /// Calculates every position.
-    pub(crate) fn outcome(mut self) -> Result<Outcome, Failure> {
+    pub(crate) fn calculate(mut self) -> Result<(), Failure> {
         let Calculation { linkage, no_motion, .. } = self.calculation;
         let positions = linkage.mechanism.input.positions;
         let Memory { mut blocks, holds_all, .. } = std::mem::take(&mut self.worker.memory);
@@ -115,9 +115,7 @@ impl<'a, 'w> Positions<'a, 'w> {
                 let message = text!("sweep-misfit", misfit = misfit);
                 Err(Failure { status: Status::NoAssembly, message, failed: Some(0) })
             }
-            (None, None) => {
-                Ok(Outcome { status: Status::Ok, message: String::new(), failed: Some(0), motor: None })
-            }
+            (None, None) => Ok(()),
         }
     }
 

@@ -95,7 +95,7 @@ impl Walk<'_> {
         for [j, k] in self.pairs(|at| &sides.after[at], &after, PAIR) {
             let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
             for (number, partner) in [(one, other), (other, one)] {
-                self.found.courses[number].begins = CourseEnd::With(partner);
+                self.found.modes[number].begins = CourseEnd::With(partner);
             }
             (sides.numbers[j], sides.numbers[k]) = (Some(one), Some(other));
         }

@@ -164,7 +164,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         kind = name(group.kind.clone()),
         links = named(&group.links)
     );
-    let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
+    let (Some(circuits), Some(branches)) = (group.courses.circuits, group.courses.branches) else {
         let unlisted = match group.unlisted {
             Some(Unlisted::At(place)) => {
                 text!("report-modes-together", group = named, coordinate = unit.show(place))
@@ -187,8 +187,8 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         text(text!("head-circuit")),
         text(text!("head-branch")),
     ];
-    page.table(Table::list(named, columns).rows(group.modes.iter().map(of)));
-    let counts = group.counts.iter().map(|count| {
+    page.table(Table::list(named, columns).rows(group.courses.modes.iter().map(of)));
+    let counts = group.courses.counts.iter().map(|count| {
         text!("report-modes-from", count = number(count.modes), coordinate = unit.show(count.from))
     });
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
@@ -200,8 +200,8 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         let [one, other] = meeting.ways.map(number);
         text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
     };
-    if !group.meetings.is_empty() {
-        let meetings = joined("; ", group.meetings.iter().map(meeting));
+    if !group.courses.meetings.is_empty() {
+        let meetings = joined("; ", group.courses.meetings.iter().map(meeting));
         page.paragraph(text!("report-modes-meet", meetings = meetings));
     }
 }
