@@ -46,13 +46,13 @@ pub(crate) enum Command {
     /// Measure speed against accuracy of every method that can do a scene
     Chart(super::chart::ChartArgs),
     /// Walk towards the singular positions of a scene; how near it comes to them, and how much each length may change
-    Stability(StabilityArgs),
+    Stability(super::study::StabilityArgs),
     /// Measure the motion: strokes, dead points, extremes, force angles, centrodes, curvature
-    Geometry(super::geometry::GeometryArgs),
+    Geometry(super::study::GeometryArgs),
     /// Mobility, Assur groups and class; with another link as the input too
-    Structure(super::structure::StructureArgs),
+    Structure(super::study::StructureArgs),
     /// Shaking force and moment on the ground, harmonics, and the counterweights that make the force least
-    Shaking(super::shaking::ShakingArgs),
+    Shaking(super::study::ShakingArgs),
     /// Write the explanatory note: task, structure, plans, forces, dynamics, working, checks, with all figures
     Report(super::report::ReportArgs),
     /// Draw a view of the terminal UI to a file: the mechanism, curves, forces, plans
@@ -104,19 +104,6 @@ pub(crate) struct AnalyzeArgs {
     pub(crate) format: Format,
     /// Write to this file (csv: into this folder) instead of standard output
     #[arg(short, long, value_name = "FILE_OR_FOLDER")]
-    pub(crate) output: Option<PathBuf>,
-}
-
-/// Arguments of `stability`.
-#[derive(Debug, Clone, Args)]
-pub(crate) struct StabilityArgs {
-    /// Scene file
-    pub(crate) scene: PathBuf,
-    /// Form of the results
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
-    /// Write to this file instead of standard output
-    #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
 

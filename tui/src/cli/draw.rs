@@ -36,7 +36,7 @@ pub(crate) fn run(args: &DrawArgs, style: Style) -> Result<Status, Fault> {
     let verdict = Verdict::of_state(&state, &session);
     verdict.tell(style);
     match still::draw(state, &args.request, &args.output) {
-        Ok(content) => output.write(content, verdict.status()).map(|()| verdict.status()),
+        Ok(content) => output.write(content, verdict.status()),
         Err(StillError::Nothing(why)) => {
             style.tell(text!("cli-nothing-to-draw", reason = why));
             Ok(Status::Failed)

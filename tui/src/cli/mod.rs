@@ -3,12 +3,10 @@
 mod analyze;
 mod args;
 mod chart;
-mod check;
 mod config;
 mod draw;
 mod explain;
 mod fault;
-mod geometry;
 mod keys;
 mod lists;
 mod options;
@@ -17,11 +15,9 @@ mod plans;
 mod report;
 mod scene;
 mod set;
-mod shaking;
 mod shell;
-mod stability;
 mod starter;
-mod structure;
+mod study;
 mod style;
 mod sweep;
 mod usage;
@@ -99,13 +95,13 @@ type Configured = (Config, Option<Fault>);
 fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fault> {
     match cli.command {
         Some(Command::Analyze(args)) => analyze::run(&args, style),
-        Some(Command::Check(args)) => check::run(&args, style),
+        Some(Command::Check(args)) => analyze::check(&args, style),
         Some(Command::Explain(args)) => explain::run(&args, style),
         Some(Command::Chart(args)) => chart::run(&args, style),
-        Some(Command::Stability(args)) => stability::run(&args, style),
-        Some(Command::Geometry(args)) => geometry::run(&args, style),
-        Some(Command::Shaking(args)) => shaking::run(&args, style),
-        Some(Command::Structure(args)) => structure::run(&args, style),
+        Some(Command::Stability(args)) => study::stability(&args, style),
+        Some(Command::Geometry(args)) => study::geometry(&args, style),
+        Some(Command::Shaking(args)) => study::shaking(&args, style),
+        Some(Command::Structure(args)) => study::structure(&args, style),
         Some(Command::Report(args)) => report::run(&args, cli.language.as_deref(), style),
         Some(Command::Draw(args)) => draw::run(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),

@@ -63,7 +63,7 @@ pub(crate) fn run(args: &ReportArgs, language: Option<&str>, style: Style) -> Re
                 .try_for_each(|(file, (_, drawn))| file.write_all(drawn.as_bytes()))
         })?;
     }
-    output.write(written.text, status).map(|()| status)
+    output.write(written.text, status)
 }
 
 /// The note of a scene that is open in the terminal UI, by these methods.

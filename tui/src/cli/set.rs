@@ -57,8 +57,7 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
     let file = args.scene.display().to_string();
     let mechanism = assur_scene::read(&file, &text).map_err(|errors| scene::faults(&errors))?;
     scene::doubt_of(&mechanism.notes, style)?;
-    output.write(&text, Status::Done)?;
-    Ok(Status::Done)
+    output.write(&text, Status::Done)
 }
 
 /// A value as TOML: a number alone as a number, everything else as a text.
