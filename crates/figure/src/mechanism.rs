@@ -144,9 +144,8 @@ impl Drawing<'_> {
         let slides = self.linkage.mechanism.slides.iter().zip(self.strokes);
         let ground = slides.filter(|(slide, _)| slide.on == GROUND);
         let ends = ground.filter_map(|(slide, stroke)| self.guide(slide, *stroke));
-        ends.map(|ends| ends.map(|at| bodies[GROUND].point(at)))
-            .map(|[from, to]| Item::Guide { from, to })
-            .collect()
+        let ends = ends.map(|ends| ends.map(|at| bodies[GROUND].point(at)));
+        ends.map(|ends| Item::Ground { ends, guides: true }).collect()
     }
 
     /// The arcs with their lines and the radii to their ends.
@@ -156,7 +155,7 @@ impl Drawing<'_> {
             let body = &bodies[arc.link];
             let points: Vec<Point> = arc.points().map(|at| body.point(at)).collect();
             let (center, ends) = (body.point(arc.center), [points[0], points[points.len() - 1]]);
-            items.push(Item::Surface { from: arc.line[0], to: arc.line[1] });
+            items.push(Item::Ground { ends: arc.line, guides: false });
             items.push(Item::line([ends[0], center, ends[1]], Stroke::Dashed, Ink::Trace));
             items.push(Item::line(points, Stroke::Thick, self.ink(arc.link)));
         }
