@@ -72,7 +72,7 @@ pub(crate) enum Command {
         /// File to write; must not exist
         file: PathBuf,
         /// Mechanism of the scene (default: a slider-crank compressor)
-        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(super::starter::kinds()))]
+        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(super::shell::kinds()))]
         kind: Option<String>,
     },
     /// Print the default configuration of the terminal UI, commented

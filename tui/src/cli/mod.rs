@@ -16,7 +16,6 @@ mod report;
 mod scene;
 mod set;
 mod shell;
-mod starter;
 mod study;
 mod style;
 mod sweep;
@@ -109,7 +108,7 @@ fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fau
         Some(Command::Keys(args)) => keys::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
-        Some(Command::New { file, kind }) => starter::run(&file, kind.as_deref()),
+        Some(Command::New { file, kind }) => shell::new(&file, kind.as_deref()),
         Some(Command::Config) => config::print(style),
         Some(Command::Completions { shell }) => shell::completions(shell),
         Some(Command::Man) => shell::man(),

@@ -15,7 +15,6 @@ mod plans;
 mod regime;
 mod shaking;
 mod structure;
-mod task;
 mod units;
 
 use assur_analysis::results::{Analysis, Column as Values, Owner, Part, Quantity, Table};
@@ -35,14 +34,13 @@ pub use forces::{
     reactions_at_positions, reduction,
 };
 pub use friction::{friction, friction_tables};
-pub use given::{loads_given, motion_given, task_text};
+pub use given::{dimensions, loads_given, motion_given, task_text};
 pub use measured::geometry;
 pub use motion::{condition, positions, rates, rates_of_links, rates_of_points, shown_positions, transfer};
 pub use plans::plans;
 pub use regime::{course as regime_over_cycle, facts as regime_facts, iteration};
 pub use shaking::shaking;
 pub use structure::{groups, mobility, pairs, passive_part, study as structure_study};
-pub use task::dimensions;
 pub(crate) use units::Units;
 
 /// What the topics are told from.
