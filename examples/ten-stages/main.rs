@@ -7,7 +7,7 @@ use std::error::Error;
 
 use assur_all as _;
 use assur_dynamics::{Steady, steady};
-use assur_force::{Cause, Kinetostatics, Loads, Side, State, choose};
+use assur_force::{Cause, Kinetostatics, LoadState, Loads, Side, choose};
 use assur_group::{Body, Order};
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
@@ -105,7 +105,8 @@ fn inertia(mechanism: &Mechanism, bodies: &[Body<f64>]) -> [f64; 2] {
 /// The dynamic model: J and J' by their sums, Q by the powers of weights and resistance.
 fn stage_4(linkage: &Linkage, loads: &Loads, index: usize) -> Done<[f64; 3]> {
     let q = linkage.mechanism.input.coordinate(index);
-    let (bodies, state) = (bodies(linkage, q)?, State { coordinate: q, speed: 1.0, ..State::default() });
+    let (bodies, state) =
+        (bodies(linkage, q)?, LoadState { coordinate: q, speed: 1.0, ..LoadState::default() });
     let mut moment = 0.0;
     loads.by_cause(&state, &bodies, &mut |cause, link, load| {
         if !matches!(cause, Cause::Inertia(_)) {
@@ -122,7 +123,7 @@ fn stage_5(loads: &Loads, linkage: &Linkage) -> Done<String> {
     let (mut work, count) = (0.0, 720);
     for index in 0..count {
         let q = std::f64::consts::TAU * (f64::from(index) + 0.5) / f64::from(count);
-        let state = State { coordinate: q, speed: 1.0, ..State::default() };
+        let state = LoadState { coordinate: q, speed: 1.0, ..LoadState::default() };
         work -= loads.reduced(&state, &bodies(linkage, q)?).moment * std::f64::consts::TAU / f64::from(count);
     }
     let input_speed = rad_per_s(60.0);
@@ -157,16 +158,16 @@ fn stage_6(linkage: &Linkage, loads: &Loads) -> Done<Steady> {
 }
 
 /// Speed and acceleration of the input in the regime.
-fn state(found: &Steady, q: f64) -> State {
+fn state(found: &Steady, q: f64) -> LoadState {
     let at = found.regime.state(q);
     let (speed, acceleration, time) = (at.speed, at.acceleration, at.time);
-    State { coordinate: q, speed, acceleration, time, side: Side::After }
+    LoadState { coordinate: q, speed, acceleration, time, side: Side::After }
 }
 
 /// Real motion and inertia loads: those of the rocker.
 fn stage_7(linkage: &Linkage, found: &Steady, index: usize) -> Done<String> {
     let q = linkage.mechanism.input.coordinate(index);
-    let (State { speed, acceleration, .. }, bodies) = (state(found, q), bodies(linkage, q)?);
+    let (LoadState { speed, acceleration, .. }, bodies) = (state(found, q), bodies(linkage, q)?);
     let id = linkage.mechanism.link("rocker").ok_or("no rocker")?;
     let (link, body) = (&linkage.mechanism.links[id], &bodies[id]);
     let by_time = |first: f64, second: f64| second * speed * speed + first * acceleration;

@@ -12,7 +12,7 @@ fn the_stages_agree_with_the_program() {
     // The sums of the second and third equations against the compiled loads.
     for index in 0..48 {
         let q = linkage.mechanism.input.coordinate(index);
-        let state = State { coordinate: q, speed: 1.0, ..State::default() };
+        let state = LoadState { coordinate: q, speed: 1.0, ..LoadState::default() };
         let reduced = loads.reduced(&state, &bodies(&linkage, q).unwrap());
         let own = stage_4(&linkage, &loads, index).unwrap();
         let theirs = [reduced.inertia, reduced.inertia_derivative, reduced.moment];

@@ -2,7 +2,7 @@
 
 use assur_all as _;
 use assur_analysis::{Calculation, Coverage, Options, unwatched};
-use assur_force::State;
+use assur_force::LoadState;
 use assur_geometry::geometry;
 use assur_kinematics::Linkage;
 use assur_shaking::{Criterion, Shaking, shaking};
@@ -217,7 +217,7 @@ fn linkage(name: &str) -> Option<Linkage> {
 
 fn shaken(name: &str) -> Option<Shaking> {
     let linkage = linkage(name)?;
-    shaking(&linkage, &|q| State::prescribed(&linkage.mechanism, q)).ok()
+    shaking(&linkage, &|q| LoadState::prescribed(&linkage.mechanism, q)).ok()
 }
 
 /// Another method found 2687.69 N as the least maximum over 720 positions; between them the force is a little greater.

@@ -21,7 +21,7 @@ pub(crate) fn of_position(calculation: &Calculation, index: usize) -> Result<Wor
 pub(crate) fn of_sample(
     calculation: &Calculation,
     number: usize,
-    state: assur_force::State,
+    state: assur_force::LoadState,
 ) -> Result<Working, WorkingError> {
     work(calculation, PositionOrSample::Sample(number), state, true)
 }
@@ -29,7 +29,7 @@ pub(crate) fn of_sample(
 fn work(
     calculation: &Calculation,
     place: PositionOrSample,
-    state: assur_force::State,
+    state: assur_force::LoadState,
     has_forces: bool,
 ) -> Result<Working, WorkingError> {
     // Where the motion is not found, neither are its forces.

@@ -12,7 +12,7 @@ use std::process::{Command, ExitCode};
 
 use assur_all as _;
 use assur_analysis::{Calculation, Options, unwatched};
-use assur_force::{Reactions, State};
+use assur_force::{LoadState, Reactions};
 use assur_group::{Order, Wrench};
 
 /// All kinematic results, and no reaction.
@@ -118,7 +118,7 @@ fn reduced(runs: usize) {
     let mut position = linkage.position();
     for q in coordinates(runs) {
         let _ = linkage.solve(q, Order::Second, &mut position);
-        black_box(loads.reduced(&State::prescribed(&linkage.mechanism, q), &position.bodies));
+        black_box(loads.reduced(&LoadState::prescribed(&linkage.mechanism, q), &position.bodies));
     }
 }
 
@@ -133,7 +133,7 @@ fn forces(runs: usize, all: bool) {
     let mut out = Reactions::new(linkage).without_idle(&study.plan.groups_carrying);
     for q in coordinates(runs) {
         let _ = linkage.solve(q, Order::Second, &mut position);
-        let state = State::prescribed(&linkage.mechanism, q);
+        let state = LoadState::prescribed(&linkage.mechanism, q);
         loads.evaluate(&state, &position.bodies, &mut wrenches);
         let _ = black_box(analyzer.instance.solve(linkage, &position, &mut wrenches, &mut out));
     }

@@ -2,7 +2,7 @@
 
 use std::ops::AddAssign;
 
-use assur_force::{Cause, Loads, State};
+use assur_force::{Cause, LoadState, Loads};
 use assur_group::Body;
 use assur_mechanism::Mechanism;
 
@@ -39,7 +39,7 @@ impl Acting {
     pub(crate) fn of(
         loads: &Loads,
         mechanism: &Mechanism,
-        state: &State,
+        state: &LoadState,
         bodies: &[Body<f64>],
         [torque, friction]: [f64; 2],
     ) -> Self {
@@ -53,7 +53,7 @@ impl Acting {
             };
             each[place] += assur_force::power(&wrench, &bodies[link]);
         });
-        let State { time, coordinate, speed, .. } = *state;
+        let LoadState { time, coordinate, speed, .. } = *state;
         Self { time, coordinate, speed, each, friction }
     }
 

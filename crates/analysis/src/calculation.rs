@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use assur_dynamics::equation;
-use assur_force::{AnalyzerPlugin, Loads, Side, State};
+use assur_force::{AnalyzerPlugin, LoadState, Loads, Side};
 use assur_kinematics::{Linkage, decompose};
 use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
@@ -143,14 +143,14 @@ impl Calculation {
     }
 
     /// State of the input at the coordinate of a position: as prescribed, or in the steady regime.
-    pub fn state(&self, coordinate: f64) -> State {
+    pub fn state(&self, coordinate: f64) -> LoadState {
         self.motion.state(&self.linkage.mechanism, coordinate)
     }
 }
 
 impl Calculation {
     /// A sample of a transient motion by its number, and how many there are.
-    pub fn sample(&self, number: usize) -> (Option<State>, usize) {
+    pub fn sample(&self, number: usize) -> (Option<LoadState>, usize) {
         match &self.motion {
             InputMotion::Transient(found) => {
                 (found.instants.get(number).map(|instant| instant.state), found.instants.len())
@@ -161,7 +161,7 @@ impl Calculation {
 
     /// Moment of the drive on the input link (N m; force, N), and moment of inertia (mass) of flywheel and rotor reduced to it,
     /// in a state of a motion that follows from its equation; `None` where the motion is prescribed, or held by the loads.
-    pub fn drive_in(&self, state: &State) -> Option<[f64; 2]> {
+    pub fn drive_in(&self, state: &LoadState) -> Option<[f64; 2]> {
         match &self.motion {
             InputMotion::Prescribed => None,
             _ if matches!(state.side, Side::Held { .. }) => None,

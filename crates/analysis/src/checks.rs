@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_check::{Check, Chosen, Coverage, ForceResiduals, InputLoad, Residuals, Subject, methods};
 use assur_dynamics::{InputDrive, Regime, Steady, Transient, section_margin};
-use assur_force::{Side, State};
+use assur_force::{LoadState, Side};
 use assur_group::Order;
 use assur_integrator::Sample;
 use assur_kinematics::Linkage;
@@ -16,7 +16,7 @@ use crate::progress::{Stopped, Watch};
 use crate::results::{Checks, Column, Owner, Quantity, Residual, Schema, Table};
 use crate::{Calculation, InputMotion, Progress};
 
-type LoadAtState<'a> = Box<dyn Fn(&State) -> InputLoad + Sync + 'a>;
+type LoadAtState<'a> = Box<dyn Fn(&LoadState) -> InputLoad + Sync + 'a>;
 
 impl Calculation {
     /// Every check that applies to the scene, in the covered positions and samples of the motion, and the residuals of each
@@ -66,14 +66,14 @@ impl Calculation {
         }
     }
 
-    fn is_regular(&self, state: &State) -> bool {
+    fn is_regular(&self, state: &LoadState) -> bool {
         let mut position = self.linkage.position();
         let solved = self.linkage.solve(state.coordinate, Order::Place, &mut position);
         solved.is_ok() && !self.linkage.is_at_change_point(&position)
     }
 
     /// Whether dry friction holds a motion at rest in a state: it is not determined there, nor are the reactions that depend on it.
-    pub(crate) fn rests_by_friction(&self, state: &State) -> bool {
+    pub(crate) fn rests_by_friction(&self, state: &LoadState) -> bool {
         let rests = state.speed == 0.0 && matches!(state.side, Side::Held { .. });
         rests && !self.linkage.mechanism.frictions.is_empty()
     }
@@ -97,7 +97,7 @@ impl Calculation {
                     [span(|at| at.coordinate), span(|at| at.time)].map(|span| self.tolerance() * span);
                 let machine = assur_dynamics::equation(&self.linkage, loads).ok()?;
                 let drive = *machine.drive();
-                Some(Box::new(move |state: &State| {
+                Some(Box::new(move |state: &LoadState| {
                     let load = input_load(&drive, state, drive.torque(state), f64::EPSILON);
                     InputLoad { accuracy, ..load }
                 }))
@@ -106,7 +106,7 @@ impl Calculation {
                 let regime = &found.regime;
                 let accuracy = regime.error_of_moments + ROUNDING * greatest_moment(&self.linkage, regime);
                 let of_speed = regime.effort.residual + f64::EPSILON;
-                Some(Box::new(move |state: &State| {
+                Some(Box::new(move |state: &LoadState| {
                     let driving = regime.state(state.coordinate).drive;
                     let load = input_load(&regime.drive(), state, driving, of_speed);
                     InputLoad { error: load.error + accuracy, ..load }
@@ -187,7 +187,7 @@ struct Checked<'a> {
     states: Chosen,
     /// The samples of a transient motion, of which only some have forces; otherwise the states are those of the
     /// positions.
-    trajectory: Option<Vec<State>>,
+    trajectory: Option<Vec<LoadState>>,
 }
 
 impl<'a> Checked<'a> {
@@ -204,9 +204,9 @@ impl<'a> Checked<'a> {
     }
 
     /// A state by its number; `None` for a sample of a transient motion in which forces are not determined.
-    fn state(&self, number: usize) -> Option<State> {
+    fn state(&self, number: usize) -> Option<LoadState> {
         if let Some(all) = &self.trajectory {
-            let known = |state: &State| {
+            let known = |state: &LoadState| {
                 self.calculation.is_regular(state) && !self.calculation.rests_by_friction(state)
             };
             return all.get(number).copied().filter(known);
@@ -218,9 +218,9 @@ impl<'a> Checked<'a> {
 
 /// What a drive puts on the input in a state: its moment less that of its inertia. `of_speed`: relative accuracy of the
 /// speed, on which a stiff drive depends strongly.
-fn input_load(drive: &InputDrive, state: &State, moment: f64, of_speed: f64) -> InputLoad {
+fn input_load(drive: &InputDrive, state: &LoadState, moment: f64, of_speed: f64) -> InputLoad {
     let of_inertia = drive.inertia * state.acceleration;
-    let faster = State { speed: state.speed * (1.0 + of_speed), ..*state };
+    let faster = LoadState { speed: state.speed * (1.0 + of_speed), ..*state };
     let rounding = 4.0 * f64::EPSILON * (moment.abs() + of_inertia.abs());
     InputLoad {
         value: moment - of_inertia,

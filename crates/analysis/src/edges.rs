@@ -2,7 +2,7 @@
 //! formula of a load changes, and the end of the cycle. Drawings and extremes between the positions need them; no other result does.
 
 use assur_dynamics::Instant;
-use assur_force::{Loads, Side, State, tolerance};
+use assur_force::{LoadState, Loads, Side, tolerance};
 use assur_number::Lanes;
 
 use crate::Calculation;
@@ -63,7 +63,7 @@ impl Calculation {
 
     /// The states at the places between the positions, in their order; `count` places and positions in all, but for those at which
     /// the formula of a load changes.
-    fn between(&self, positions: &Table, last: usize, count: usize) -> Vec<State> {
+    fn between(&self, positions: &Table, last: usize, count: usize) -> Vec<LoadState> {
         let input = &self.linkage.mechanism.input;
         let ends = [0, last].map(|index| input.coordinate(index));
         let sense = (ends[1] - ends[0]).signum();
@@ -110,7 +110,7 @@ impl Calculation {
         let least = tolerance(start.abs().max(end.abs()), None);
         let (mut at, mut places) = (start, Vec::new());
         while places.len() <= MOST {
-            let piece = loads.enter(&State { side: Side::After, ..self.state(at) }, &mut phase);
+            let piece = loads.enter(&LoadState { side: Side::After, ..self.state(at) }, &mut phase);
             let next = piece.coordinate[usize::from(sense > 0.0)];
             let (way, left) = (sense * (next - at), sense * (end - next));
             if way.is_nan() || way <= least || left.is_nan() || left < -least {
@@ -128,19 +128,19 @@ impl Calculation {
     }
 
     /// The states before and after a place, in the order of the positions.
-    fn both_sides(&self, place: f64, ends: [f64; 2]) -> [State; 2] {
-        let after = State { side: Side::After, ..self.state(place) };
+    fn both_sides(&self, place: f64, ends: [f64; 2]) -> [LoadState; 2] {
+        let after = LoadState { side: Side::After, ..self.state(place) };
         let way = if after.speed == 0.0 { ends[1] - ends[0] } else { after.speed };
         let behind = place - 2.0 * way.signum() * tolerance(place.abs().max((ends[1] - ends[0]).abs()), None);
         let acceleration = match self.motion {
             InputMotion::Steady(_) => self.state(behind).acceleration,
             _ => after.acceleration,
         };
-        let before = State { side: Side::Before, acceleration, ..after };
+        let before = LoadState { side: Side::Before, acceleration, ..after };
         if self.goes_along(ends) { [before, after] } else { [after, before] }
     }
 }
 
-pub(crate) fn instant(state: State) -> Instant {
+pub(crate) fn instant(state: LoadState) -> Instant {
     Instant { state, holding: None, friction: 0.0 }
 }

@@ -4,10 +4,10 @@
 use std::sync::Arc;
 
 use assur_dynamics::{Driven, Instant, Machine, Steady, Transient, equation, request};
-use assur_force::{Kinetostatics, Loads, Side, State, tolerance};
+use assur_force::{Kinetostatics, LoadState, Loads, Side, tolerance};
 use assur_group::plane::dot;
 use assur_group::{Body, Order};
-use assur_integrator::{Motion as _, Request, Sample, State as Place, Trajectory, Until, solve};
+use assur_integrator::{EquationOfMotion as _, Request, Sample, State, Trajectory, Until, solve};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId, Mechanism};
 
@@ -112,7 +112,7 @@ impl Calculation {
         let (nodes, links): (Vec<Acting>, Vec<Vec<f64>>) =
             nodes.collect::<Option<Vec<_>>>()?.into_iter().unzip();
         let jumps = trajectory.events.iter().map(|event| {
-            let Place { time, coordinate, speed } = event.state;
+            let State { time, coordinate, speed } = event.state;
             let sample = |acceleration| Sample { time, coordinate, speed, acceleration };
             // From which side it came to a speed at which loads jump, as to rest where it turns back.
             let earlier = trajectory.samples.partition_point(|sample| sample.time < time);
@@ -143,7 +143,7 @@ impl Calculation {
         let mut frictional = self.friction_of_motion(loads);
         let samples = (0..=CYCLE_INTERVALS).map(|i| {
             self.linkage.solve(at(i), order(frictional.is_some()), &mut position).ok()?;
-            let state = State { side: Side::After, ..self.state(at(i)) };
+            let state = LoadState { side: Side::After, ..self.state(at(i)) };
             let moments = self.moments_in(found, &state, &position, &mut frictional)?;
             let links = energies_of_links(mechanism, &state, &position.bodies);
             Some((Acting::of(loads, mechanism, &state, &position.bodies, moments), links))
@@ -164,7 +164,7 @@ impl Calculation {
     fn moments_in(
         &self,
         found: &Steady,
-        state: &State,
+        state: &LoadState,
         position: &Position,
         frictional: &mut Option<Kinetostatics<'_>>,
     ) -> Option<[f64; 2]> {
@@ -176,7 +176,7 @@ impl Calculation {
             Side::Before => self.state(behind).acceleration,
             _ => state.acceleration,
         };
-        frictional.solve(&State { acceleration, ..*state }, position).ok()?;
+        frictional.solve(&LoadState { acceleration, ..*state }, position).ok()?;
         let friction = frictional.reactions.friction.as_ref()?;
         let each = friction.frictions.bearings.iter().zip(&friction.forces);
         Some([torque, each.map(|(bearing, force)| force * bearing.relative(&position.bodies)).sum()])
@@ -190,7 +190,7 @@ impl Calculation {
         let has_friction = friction.is_some();
         let mut moments = |coordinate: f64, side| {
             self.linkage.solve(coordinate, order(has_friction), &mut position).ok()?;
-            let state = State { side, ..self.state(coordinate) };
+            let state = LoadState { side, ..self.state(coordinate) };
             let given = self.moments_in(found, &state, &position, &mut friction)?;
             let acting = Acting::of(loads, &self.linkage.mechanism, &state, &position.bodies, given);
             Some(acting.moments(sense))
@@ -198,8 +198,8 @@ impl Calculation {
         let mut machine = Machine::new(&self.linkage, loads);
         let (mut works, mut changes, mut start) = (Works::default(), Works::default(), from);
         while (to - start) * sense > 0.0 {
-            let State { time, speed, .. } = self.state(start);
-            let piece = machine.enter(&Place { time, coordinate: start, speed }).ok()?;
+            let LoadState { time, speed, .. } = self.state(start);
+            let piece = machine.enter(&State { time, coordinate: start, speed }).ok()?;
             let bound = piece.coordinate[usize::from(sense > 0.0)];
             let end = if (to - bound) * sense > 0.0 && (bound - start) * sense > 0.0 { bound } else { to };
             let step = (end - start) / f64::from(IN_INTERVAL);
@@ -238,7 +238,7 @@ pub(crate) fn by_load(mechanism: &Mechanism, loads: usize) -> Vec<(Owner, usize)
 }
 
 /// Kinetic energies of the links (E eq. 3), J.
-fn energies_of_links(mechanism: &Mechanism, state: &State, bodies: &[Body<f64>]) -> Vec<f64> {
+fn energies_of_links(mechanism: &Mechanism, state: &LoadState, bodies: &[Body<f64>]) -> Vec<f64> {
     let of = |link: LinkId| {
         let (found, body) = (&mechanism.links[link], &bodies[link]);
         let velocity = body.first(body.arm(found.center)).map(|v| v * state.speed);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use assur_check::Notable;
 use assur_dynamics::Instant;
-use assur_force::{ForceError, Kinetostatics, LaneKinetostatics, State};
+use assur_force::{ForceError, Kinetostatics, LaneKinetostatics, LoadState};
 use assur_kinematics::{LanePosition, PositionError};
 use assur_number::Lanes;
 
@@ -131,7 +131,7 @@ impl<'a> Filler<'a> {
     }
 
     /// Finds the forces in these lanes: where they are determined, the balancing loads, and why others have none.
-    fn solve_forces(&mut self, first: usize, rows: Mask, states: &[State; Lanes::WIDTH]) -> Forces {
+    fn solve_forces(&mut self, first: usize, rows: Mask, states: &[LoadState; Lanes::WIDTH]) -> Forces {
         let Self { forces, position, several, calculation, .. } = self;
         let Some((forces, joints)) = forces else { return (rows, [None; Lanes::WIDTH], Vec::new()) };
         let refused = forces.solve(states, position).err().unwrap_or_default();

@@ -3,10 +3,8 @@
 use assur_dynamics::{
     DynamicsError, Machine, Method, Steady, Transient, Watcher, equation, steady, transient,
 };
-use assur_force::{Loads, Side, State};
-use assur_integrator::{
-    AUTO, Candidate, Dependence, IntegrationError, Motion as _, State as IntegratorState, choose,
-};
+use assur_force::{LoadState, Loads, Side};
+use assur_integrator::{AUTO, Candidate, Dependence, EquationOfMotion as _, IntegrationError, State, choose};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
 use assur_words::{Describe, Text, joined, name, number, text};
@@ -39,7 +37,7 @@ impl InputMotion {
         let Some(loads) = loads else { return Ok(Self::Prescribed) };
         let mut counter = Counter::new(&linkage.mechanism);
         let mut stopped = false;
-        let mut watcher = |state: &IntegratorState| {
+        let mut watcher = |state: &State| {
             let flow = watch(counter.progress(state));
             stopped |= flow.is_break();
             flow
@@ -87,13 +85,13 @@ impl InputMotion {
 
     /// State of the input at the coordinate of a position. In a transient motion the positions are at rest: the motion
     /// is in the trajectory.
-    pub(crate) fn state(&self, mechanism: &Mechanism, coordinate: f64) -> State {
+    pub(crate) fn state(&self, mechanism: &Mechanism, coordinate: f64) -> LoadState {
         match self {
-            Self::Prescribed | Self::Transient(_) => State::prescribed(mechanism, coordinate),
+            Self::Prescribed | Self::Transient(_) => LoadState::prescribed(mechanism, coordinate),
             Self::Steady(found) => {
                 let at = found.regime.state(coordinate);
                 let (speed, acceleration, time) = (at.speed, at.acceleration, at.time);
-                State { coordinate, speed, acceleration, time, side: Side::After }
+                LoadState { coordinate, speed, acceleration, time, side: Side::After }
             }
         }
     }
@@ -127,7 +125,7 @@ impl Counter {
         clippy::cast_sign_loss,
         reason = "a count that is shown: not negative, and beyond the largest number nobody counts"
     )]
-    fn progress(&mut self, state: &IntegratorState) -> Progress {
+    fn progress(&mut self, state: &State) -> Progress {
         self.evaluations += 1;
         if self.steady {
             return Progress::Regime { evaluations: self.evaluations };

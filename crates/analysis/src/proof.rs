@@ -2,7 +2,9 @@
 
 use assur_check::Check;
 use assur_dynamics::{Driven, Machine, Regime, Steady, Transient};
-use assur_integrator::{AUTO, Motion, Piece, Request, Sample, Solution, State, Trajectory, Until, solve};
+use assur_integrator::{
+    AUTO, EquationOfMotion, Piece, Request, Sample, Solution, State, Trajectory, Until, solve,
+};
 use assur_words::{Text, name, text};
 
 use crate::Calculation;
@@ -161,7 +163,7 @@ impl Between {
 
 impl Balance {
     /// `careful`: what the rounding of the coordinate makes of the power is measured, too.
-    fn of(motion: &mut dyn Motion, trajectory: &Trajectory, careful: bool) -> Option<Self> {
+    fn of(motion: &mut dyn EquationOfMotion, trajectory: &Trajectory, careful: bool) -> Option<Self> {
         let samples = &trajectory.samples;
         let step =
             (samples.last()?.time - samples.first()?.time) / samples.len().saturating_sub(1).max(1) as f64;

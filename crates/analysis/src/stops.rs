@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assur_dynamics::{Instant, equation};
-use assur_force::{Side, State, beside};
+use assur_force::{LoadState, Side, beside};
 use assur_integrator::Sample;
 use assur_number::Lanes;
 
@@ -39,7 +39,7 @@ impl Calculation {
     fn before_rest(&self, two: &[Instant]) -> Option<(Instant, Acting)> {
         let (loads, [moving, rest]) = (self.loads.as_ref()?, [two[0].state, two[1].state]);
         let stops = moving.speed != 0.0 && rest.speed == 0.0 && matches!(rest.side, Side::Held { .. });
-        let State { time, coordinate, .. } = Some(rest).filter(|_| stops)?;
+        let LoadState { time, coordinate, .. } = Some(rest).filter(|_| stops)?;
         let speed = beside(0.0, moving.speed.signum());
         let mut motion = equation(&self.linkage, loads).ok()?;
         let instant = motion.instant(&Sample { time, coordinate, speed, acceleration: 0.0 }, false).ok()?;

@@ -2,7 +2,7 @@
 
 use assur_check::Notable;
 use assur_dynamics::Instant;
-use assur_force::{ForceError, State};
+use assur_force::{ForceError, LoadState};
 use assur_number::Lanes;
 use assur_words::{Describe, Text};
 
@@ -46,7 +46,7 @@ impl WithoutForces {
 
 impl Calculation {
     /// The states of a trajectory, in order of time; empty with a prescribed motion.
-    pub(crate) fn states(&self) -> Vec<State> {
+    pub(crate) fn states(&self) -> Vec<LoadState> {
         self.instants().into_iter().map(|instant| instant.state).collect()
     }
 
@@ -62,7 +62,7 @@ impl Calculation {
                     let state = self.state(input.from + cycle * (f64::from(i) / f64::from(CYCLE_INTERVALS)));
                     // The end of the cycle is its start, one cycle later.
                     let time = if i == CYCLE_INTERVALS { end } else { state.time };
-                    Instant { state: State { time, ..state }, holding: None, friction: 0.0 }
+                    Instant { state: LoadState { time, ..state }, holding: None, friction: 0.0 }
                 });
                 each.collect()
             }

@@ -1,6 +1,6 @@
 //! One state with the data that the checks of forces compare.
 
-use assur_force::{JointReaction, Loads, Reactions, State};
+use assur_force::{JointReaction, LoadState, Loads, Reactions};
 use assur_group::Wrench;
 
 use crate::subject::{Solved, Subject};
@@ -22,7 +22,7 @@ pub(crate) struct Case<'a> {
     pub(crate) subject: &'a Subject<'a>,
     pub(crate) loads: &'a Loads,
     pub(crate) one: &'a Solved,
-    pub(crate) state: &'a State,
+    pub(crate) state: &'a LoadState,
     /// The loads, computed independently from the scene.
     pub(crate) items: &'a Items,
     /// The result of each method; `None` where it fails.

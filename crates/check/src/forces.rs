@@ -1,6 +1,6 @@
 //! The checks of forces: loads, reduced quantities, equilibrium, agreement of methods, power.
 
-use assur_force::{Joint, Loads, State, joints};
+use assur_force::{Joint, LoadState, Loads, joints};
 use assur_group::Wrench;
 use assur_words::{Text, text};
 
@@ -45,7 +45,7 @@ impl<'a> Forces<'a> {
         }
     }
 
-    pub(crate) fn add(&mut self, index: usize, state: &State) {
+    pub(crate) fn add(&mut self, index: usize, state: &LoadState) {
         let (subject, loads) = (self.subject, self.loads);
         let Some(one) = &subject.solve(index, state.coordinate) else { return };
         let given = given(loads, state, &one.position.bodies);

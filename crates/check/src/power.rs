@@ -1,7 +1,7 @@
 //! Power: the equation of motion as a sum over every load (S stage 8, "Pogr1"), and virtual power and the drive against the
 //! balancing load of the force analysis (S stage 10).
 
-use assur_force::{Cause, Side, State, UnitBalance, power, tolerance};
+use assur_force::{Cause, LoadState, Side, UnitBalance, power, tolerance};
 use assur_group::Body;
 use assur_mechanism::PairId;
 use assur_words::{Text, name, text};
@@ -89,7 +89,7 @@ fn uncertain(case: &Case<'_>, accuracy: [f64; 2], rounding: f64) -> Option<f64> 
     let period = case.subject.linkage.mechanism.input.period();
     let of_rounding = [tolerance(state.coordinate, period), 0.0];
     let states = |[coordinate, time]: [f64; 2]| {
-        [-1.0, 1.0].map(|side| State {
+        [-1.0, 1.0].map(|side| LoadState {
             coordinate: state.coordinate + side * coordinate,
             time: state.time + side * time,
             ..*state
@@ -99,7 +99,7 @@ fn uncertain(case: &Case<'_>, accuracy: [f64; 2], rounding: f64) -> Option<f64> 
     // By the formulas of either side: at a bend the steeper line tells, at a jump neither does.
     let gained = |off| {
         let sides = states(off);
-        let by = |side: &State| {
+        let by = |side: &LoadState| {
             let mut phase = loads.phase();
             loads.enter(side, &mut phase);
             difference(sides.map(|at| loads.reduced_in_phase(&phase, &at, bodies).moment))
@@ -113,7 +113,8 @@ fn uncertain(case: &Case<'_>, accuracy: [f64; 2], rounding: f64) -> Option<f64> 
             return None;
         }
     }
-    let side = |upper| loads.reduced(&State { side: Side::Held { upper }, ..*state }, bodies).moment.abs();
+    let side =
+        |upper| loads.reduced(&LoadState { side: Side::Held { upper }, ..*state }, bodies).moment.abs();
     let sides = if matches!(state.side, Side::Held { .. }) { side(0.0) + side(1.0) } else { 0.0 };
     Some(gained(of_rounding) + ROUNDINGS * f64::EPSILON * sides)
 }

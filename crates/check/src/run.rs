@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_kinematics::Linkage;
 use rayon::prelude::*;
 
@@ -33,7 +33,7 @@ pub fn checks(linkage: &Linkage) -> Vec<Check> {
         loads: loads.as_ref(),
         positions: all.clone(),
         states: all,
-        state: &|index| Some(State::prescribed(&linkage.mechanism, input.coordinate(index))),
+        state: &|index| Some(LoadState::prescribed(&linkage.mechanism, input.coordinate(index))),
         drive: None,
         methods: methods(linkage, None),
     };

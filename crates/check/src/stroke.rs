@@ -1,6 +1,6 @@
 //! Sizes of loads, computed independently: tables, and the stroke of a point from its places alone.
 
-use assur_force::State;
+use assur_force::LoadState;
 use assur_formula::{Branches, Formula, Sign, Variables};
 use assur_group::Order;
 use assur_kinematics::Linkage;
@@ -27,7 +27,7 @@ const ROUNDING: f64 = 1e-11;
 
 /// The variables on which the size of a load may depend.
 pub(crate) struct At<'a> {
-    pub(crate) state: &'a State,
+    pub(crate) state: &'a LoadState,
     /// Place of the load's point, m, and its PF1.
     pub(crate) point: [f64; 2],
     pub(crate) pf1: [f64; 2],
@@ -78,7 +78,7 @@ pub(crate) fn sizes(value: &Value, at: &At<'_>) -> Sizes {
 
 /// The values of a formula within rounding of its variables, on either side of the jumps that lie there.
 fn by_formula(formula: &Formula, factor: f64, axis: Option<f64>, at: &At<'_>) -> Sizes {
-    let State { coordinate, speed, time, .. } = *at.state;
+    let LoadState { coordinate, speed, time, .. } = *at.state;
     let (place, width) = match (axis, at.extremes) {
         (Some(axis), Some([low, high])) => {
             let (s, c) = axis.sin_cos();

@@ -1,6 +1,6 @@
 //! What is checked: a linkage, and where there are loads the states and methods.
 
-use assur_force::{AnalyzerPlugin, Loads, Reactions, State, applicable, choose};
+use assur_force::{AnalyzerPlugin, LoadState, Loads, Reactions, applicable, choose};
 use assur_group::Order;
 use assur_kinematics::{Interpolation, Linkage, Position};
 
@@ -18,10 +18,10 @@ pub struct Subject<'a> {
     /// of a trajectory.
     pub states: Chosen,
     /// The state of such a number; `None` where forces are not determined.
-    pub state: &'a (dyn Fn(usize) -> Option<State> + Sync),
+    pub state: &'a (dyn Fn(usize) -> Option<LoadState> + Sync),
     /// The load on the input in a state, by the motion that was found; `None` where the motion is prescribed, so that the
     /// balancing load has nothing to agree with.
-    pub drive: Option<&'a (dyn Fn(&State) -> InputLoad + Sync)>,
+    pub drive: Option<&'a (dyn Fn(&LoadState) -> InputLoad + Sync)>,
     /// The methods. All checks use the first one that gives reactions; the others are compared with it.
     pub methods: Vec<AnalyzerPlugin>,
 }
@@ -103,7 +103,7 @@ impl Subject<'_> {
         &self,
         method: &AnalyzerPlugin,
         loads: &Loads,
-        state: &State,
+        state: &LoadState,
         position: &Position,
     ) -> Option<Reactions> {
         let mut wrenches = loads.total(state, &position.bodies);

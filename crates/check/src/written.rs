@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use assur_force::{Cause, Loads, Side, State};
+use assur_force::{Cause, LoadState, Loads, Side};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{
     Brake, Contact, Direction, Force, GROUND, LinkId, Load, LoadId, LoadKind, Mechanism, Moment, Place,
@@ -54,7 +54,7 @@ struct Size {
 /// Bodies and state of one position, and the compiled loads there.
 struct Now<'a> {
     bodies: &'a [Body<f64>],
-    state: &'a State,
+    state: &'a LoadState,
     given: &'a Given,
 }
 
@@ -65,7 +65,7 @@ impl Now<'_> {
 }
 
 /// The compiled loads, summed by cause and link.
-pub(crate) fn given(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Given {
+pub(crate) fn given(loads: &Loads, state: &LoadState, bodies: &[Body<f64>]) -> Given {
     let mut all = Given::new();
     loads.by_cause(state, bodies, &mut |cause, link, wrench| {
         all.entry((cause, link)).or_insert(Wrench::ZERO).add_at([0.0; 2], wrench.force(), wrench.m);
@@ -91,7 +91,7 @@ impl<'a> Writer<'a> {
 
     /// All loads of a position with the inertia loads. Where the scene leaves a choice (a jump of a table, a force
     /// against the motion of a point at rest), the choice of the compiled loads is accepted if it is possible.
-    pub(crate) fn items(&self, given: &Given, state: &State, bodies: &[Body<f64>]) -> Items {
+    pub(crate) fn items(&self, given: &Given, state: &LoadState, bodies: &[Body<f64>]) -> Items {
         let now = Now { bodies, state, given };
         let mut items = Items::new();
         for id in 1..self.mechanism.links.len() {
@@ -298,7 +298,7 @@ impl<'a> Writer<'a> {
     fn turned(&self, now: &Now<'_>, contact: &Contact) -> f64 {
         let rounding = f64::EPSILON * now.state.coordinate;
         let [before, after] = [-rounding, rounding].map(|off| {
-            let state = State { coordinate: now.state.coordinate + off, ..*now.state };
+            let state = LoadState { coordinate: now.state.coordinate + off, ..*now.state };
             self.size(&Now { state: &state, ..*now }, &contact.angle, contact.center, None, f64::INFINITY)
                 .value
         });
@@ -354,7 +354,7 @@ impl<'a> Writer<'a> {
 
 /// The directions of the motion of the input at a state, 1 or -1: a motion that is held has both; one that begins or ends
 /// at rest has that of its acceleration, or of the input if there is none.
-fn senses(state: &State, of_input: f64) -> [f64; 2] {
+fn senses(state: &LoadState, of_input: f64) -> [f64; 2] {
     let ahead = if state.side == Side::Before { -state.acceleration } else { state.acceleration };
     let mut directions = [state.speed, ahead].into_iter().filter(|direction| *direction != 0.0);
     match (directions.next(), state.side) {

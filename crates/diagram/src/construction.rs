@@ -1,6 +1,6 @@
 //! The construction of a force analyzer as plans.
 
-use assur_force::{Construction, Drawing, Step, VectorKind};
+use assur_force::{Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::{minus, plus, scaled};
 
 use assur_words::text;
@@ -18,7 +18,8 @@ pub fn construction_plans(construction: &Construction) -> Vec<VectorPlan> {
 
 /// One drawing of a construction; `None` if the construction has no step in it.
 fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<VectorPlan> {
-    let steps: Vec<&Step> = construction.steps.iter().filter(|step| step.drawing == drawing).collect();
+    let steps: Vec<&ConstructionStep> =
+        construction.steps.iter().filter(|step| step.drawing == drawing).collect();
     let first = steps.first()?;
     let (title, unit) = match drawing {
         Drawing::Mechanism => ("plan-construction-mechanism", "m"),
@@ -52,10 +53,10 @@ fn construction_plan(construction: &Construction, drawing: Drawing) -> Option<Ve
 /// those in the mechanism with the force polygon laid off from its corner to the same scale of forces (L fig. 1).
 pub fn construction_picture(construction: &Construction, lever: bool) -> Vec<(usize, [[f64; 2]; 2])> {
     let numbered = construction.steps.iter().enumerate();
-    let steps: Vec<(usize, &Step)> =
+    let steps: Vec<(usize, &ConstructionStep)> =
         numbered.filter(|(_, step)| (step.drawing == Drawing::Lever) == lever).collect();
     let scale = drawn_per_newton(&steps.iter().map(|(_, step)| *step).collect::<Vec<_>>());
-    let ends = |step: &Step| {
+    let ends = |step: &ConstructionStep| {
         let start = match step.drawing {
             Drawing::Polygon => plus(construction.corner, scaled(scale, step.start)),
             _ => plus(step.start, scaled(scale, step.after)),
@@ -65,12 +66,12 @@ pub fn construction_picture(construction: &Construction, lever: bool) -> Vec<(us
     steps.into_iter().map(|(number, step)| (number, ends(step))).collect()
 }
 
-fn is_force(step: &Step) -> bool {
+fn is_force(step: &ConstructionStep) -> bool {
     step.unit == "N"
 }
 
 /// Length in the drawing for 1 N.
-fn drawn_per_newton(steps: &[&Step]) -> f64 {
+fn drawn_per_newton(steps: &[&ConstructionStep]) -> f64 {
     let in_lengths = || steps.iter().filter(|step| step.drawing != Drawing::Polygon);
     let places = || in_lengths().flat_map(|step| [Some(step.start), end_of_line(step)]).flatten();
     let Some(first) = places().next() else { return 0.0 };
@@ -80,12 +81,12 @@ fn drawn_per_newton(steps: &[&Step]) -> f64 {
     if greatest > 0.0 { 0.5 * width / greatest } else { 0.0 }
 }
 
-fn end_of_line(step: &Step) -> Option<[f64; 2]> {
+fn end_of_line(step: &ConstructionStep) -> Option<[f64; 2]> {
     (!is_force(step)).then(|| plus(step.start, step.vector))
 }
 
 /// Closure error of the sides up to the closing one, and of the reactions that replace it.
-fn open(steps: &[&Step]) -> f64 {
+fn open(steps: &[&ConstructionStep]) -> f64 {
     let sum = |wanted: &dyn Fn(VectorKind) -> bool| {
         let sides = steps.iter().filter(|step| wanted(step.kind));
         length(sides.fold([0.0; 2], |sum, side| plus(sum, side.vector)))

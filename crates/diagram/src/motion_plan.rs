@@ -1,6 +1,6 @@
 //! The plans of velocities and of accelerations.
 
-use assur_force::State;
+use assur_force::LoadState;
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{GROUND, LinkId, Place, PointId, Slide};
@@ -14,7 +14,7 @@ use assur_force::VectorKind;
 ///
 /// With a state in m/s; without, PF1: per unit speed of the coordinate. The residual is the greatest difference between
 /// the components, found from the rotation of the links, and the images, found from the points.
-pub fn velocity_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> VectorPlan {
+pub fn velocity_plan(linkage: &Linkage, position: &Position, state: Option<&LoadState>) -> VectorPlan {
     draw(linkage, position, state, 1)
 }
 
@@ -24,11 +24,11 @@ pub fn velocity_plan(linkage: &Linkage, position: &Position, state: Option<&Stat
 ///
 /// With a state in m/s^2; without, PF2: for unit speed of the coordinate and no acceleration of it. `position` needs
 /// PF2. The residual is the greatest difference between the sums of the components and PF2 w^2 + PF1 e of the points.
-pub fn acceleration_plan(linkage: &Linkage, position: &Position, state: Option<&State>) -> VectorPlan {
+pub fn acceleration_plan(linkage: &Linkage, position: &Position, state: Option<&LoadState>) -> VectorPlan {
     draw(linkage, position, state, 2)
 }
 
-fn draw(linkage: &Linkage, position: &Position, state: Option<&State>, order: usize) -> VectorPlan {
+fn draw(linkage: &Linkage, position: &Position, state: Option<&LoadState>, order: usize) -> VectorPlan {
     let title = match (order, state.is_some()) {
         (1, true) => text!("plan-velocities"),
         (1, false) => text!("plan-velocities-unit"),
@@ -187,7 +187,7 @@ pub(crate) struct Rate {
 }
 
 impl Rate {
-    pub(crate) fn of(state: Option<&State>) -> Self {
+    pub(crate) fn of(state: Option<&LoadState>) -> Self {
         state.map_or(Self { w: 1.0, e: 0.0 }, |state| Self { w: state.speed, e: state.acceleration })
     }
 }

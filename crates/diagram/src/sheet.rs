@@ -1,7 +1,7 @@
 //! All plans of one position.
 
 use assur_force::{
-    Acting, AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Kinetostatics, Loads, Reactions, State,
+    Acting, AnalyzerPlugin, Cause, Construction, ForceAnalyzer, Kinetostatics, LoadState, Loads, Reactions,
     analyzers, joints,
 };
 use assur_geometry::{Center, instant_centers};
@@ -45,7 +45,7 @@ pub struct PlanSheet {
 pub fn sheet(
     linkage: &Linkage,
     loads: &Loads,
-    state: &State,
+    state: &LoadState,
     moves: bool,
     analyzer: &AnalyzerPlugin,
 ) -> Result<PlanSheet, DiagramError> {
@@ -78,7 +78,7 @@ fn reactions(
     linkage: &Linkage,
     position: &Position,
     loads: &Loads,
-    state: &State,
+    state: &LoadState,
     analyzer: &dyn ForceAnalyzer,
 ) -> Result<Reactions, DiagramError> {
     if loads.frictions().is_some() {
@@ -148,7 +148,7 @@ pub fn split(
     linkage: &Linkage,
     position: &Position,
     loads: &Loads,
-    state: &State,
+    state: &LoadState,
     analyzer: &dyn ForceAnalyzer,
 ) -> Result<Split, DiagramError> {
     let list = loads.acting(state, &position.bodies);

@@ -1,6 +1,6 @@
 //! Where the force of a guide changes its side.
 
-use assur_force::{ForceAnalyzer, Loads, Reactions, State};
+use assur_force::{ForceAnalyzer, LoadState, Loads, Reactions};
 use assur_group::plane::{dot, perp};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
@@ -55,7 +55,7 @@ pub struct Solver<'a> {
 
 /// Where the force of each slide on its sliding link (L: the reaction at B) changes its sign, by slide.
 ///
-/// `state_at` gives speed and acceleration at a coordinate ([`State::prescribed`] for a prescribed motion). Between the
+/// `state_at` gives speed and acceleration at a coordinate ([`LoadState::prescribed`] for a prescribed motion). Between the
 /// positions of the scene the forces are computed in steps of 1/180 of the range at most, on both sides of each jump of
 /// a load, and at each minimum that may reach zero, so the changes do not depend on the number of positions. Over a
 /// whole cycle this includes the step from the last position to the first.
@@ -66,7 +66,7 @@ pub struct Solver<'a> {
 pub fn sign_changes(
     solver: &Solver<'_>,
     slides: &[usize],
-    state_at: &dyn Fn(f64) -> State,
+    state_at: &dyn Fn(f64) -> LoadState,
 ) -> Result<Vec<Vec<SignChange>>, DiagramError> {
     let input = &solver.linkage.mechanism.input;
     // The position after the last is the first one of the next cycle.
@@ -114,7 +114,7 @@ struct Sample {
 }
 
 /// The coordinates at which the forces are computed: those of the positions, and samples between them.
-fn samples(loads: &Loads, positions: &[f64], state_at: &dyn Fn(f64) -> State) -> Vec<Sample> {
+fn samples(loads: &Loads, positions: &[f64], state_at: &dyn Fn(f64) -> LoadState) -> Vec<Sample> {
     let range = positions.last().map_or(0.0, |last| last - positions[0]);
     let mut all = Vec::new();
     for (index, &start) in positions.iter().enumerate() {
@@ -132,7 +132,12 @@ fn samples(loads: &Loads, positions: &[f64], state_at: &dyn Fn(f64) -> State) ->
 }
 
 /// Coordinates beside the ends of the smooth pieces of the loads between two positions.
-fn jumps(loads: &Loads, [start, end]: [f64; 2], beside: f64, state_at: &dyn Fn(f64) -> State) -> Vec<f64> {
+fn jumps(
+    loads: &Loads,
+    [start, end]: [f64; 2],
+    beside: f64,
+    state_at: &dyn Fn(f64) -> LoadState,
+) -> Vec<f64> {
     let (mut found, mut at, mut phase) = (Vec::new(), start, loads.phase());
     let inside = |x: f64| x > start.min(end) && x < start.max(end);
     loop {
@@ -227,14 +232,14 @@ struct Across<'a> {
     solver: Solver<'a>,
     /// Slides with their pairs.
     slides: Vec<(usize, usize)>,
-    state_at: &'a dyn Fn(f64) -> State,
+    state_at: &'a dyn Fn(f64) -> LoadState,
     position: assur_kinematics::Position,
     wrenches: Vec<Wrench<f64>>,
     out: Reactions,
 }
 
 impl<'a> Across<'a> {
-    fn new(solver: Solver<'a>, slides: &[usize], state_at: &'a dyn Fn(f64) -> State) -> Self {
+    fn new(solver: Solver<'a>, slides: &[usize], state_at: &'a dyn Fn(f64) -> LoadState) -> Self {
         let linkage = solver.linkage;
         let (position, out) = (linkage.position(), Reactions::new(linkage).without_idle(solver.carrying));
         let wrenches = vec![Wrench::ZERO; linkage.structure.links];

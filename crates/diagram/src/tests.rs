@@ -7,7 +7,7 @@ mod press;
 mod words;
 
 use assur_all as _;
-use assur_force::{ForceAnalyzer, Loads, Reactions, State, find};
+use assur_force::{ForceAnalyzer, LoadState, Loads, Reactions, find};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
 
@@ -29,8 +29,8 @@ pub(super) fn analyzer(name: &str) -> &'static dyn ForceAnalyzer {
 }
 
 /// A state that shows every part, whatever the motion of the scene.
-pub(super) fn state(linkage: &Linkage, coordinate: f64) -> State {
-    State { speed: 3.0, acceleration: -4.0, ..State::prescribed(&linkage.mechanism, coordinate) }
+pub(super) fn state(linkage: &Linkage, coordinate: f64) -> LoadState {
+    LoadState { speed: 3.0, acceleration: -4.0, ..LoadState::prescribed(&linkage.mechanism, coordinate) }
 }
 
 pub(super) fn solved(linkage: &Linkage, coordinate: f64) -> Position {
@@ -42,7 +42,7 @@ pub(super) fn solved(linkage: &Linkage, coordinate: f64) -> Position {
 pub(super) fn reactions(
     linkage: &Linkage,
     loads: &Loads,
-    state: &State,
+    state: &LoadState,
     position: &Position,
 ) -> Option<Reactions> {
     let mut wrenches = loads.total(state, &position.bodies);

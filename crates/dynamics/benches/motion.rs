@@ -3,7 +3,7 @@
 use assur_all as _;
 use assur_dynamics::{equation, request, steady};
 use assur_force::Loads;
-use assur_integrator::{Motion, Request, State, find};
+use assur_integrator::{EquationOfMotion, Request, State, find};
 use assur_kinematics::Linkage;
 use divan::{Bencher, black_box};
 

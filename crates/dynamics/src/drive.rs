@@ -1,7 +1,7 @@
 //! The drive of the input link, reduced to it: torque, flywheel and rotor; and a machine with its drive as an equation of motion.
 
 use assur_force::{Side, beside};
-use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State};
 use assur_motor::Characteristic;
 
 use crate::Machine;
@@ -76,7 +76,7 @@ impl InputDrive {
     }
 
     /// Moment of the drive on the input link, N m, along the coordinate, by the formulas on the side of a state.
-    pub fn torque(&self, state: &assur_force::State) -> f64 {
+    pub fn torque(&self, state: &assur_force::LoadState) -> f64 {
         let above_or_below = |side: f64| {
             let v = self.sense * state.speed;
             let factor = self.branch(self.sense * beside(state.speed, side)).factor;
@@ -116,7 +116,7 @@ pub struct Driven<M> {
     factor: f64,
 }
 
-impl<M: Motion> Driven<M> {
+impl<M: EquationOfMotion> Driven<M> {
     /// Puts a drive on the input link of a machine.
     pub fn new(machine: M, drive: InputDrive) -> Self {
         Self { machine, drive, factor: 1.0 }
@@ -155,13 +155,13 @@ impl Driven<Machine<'_>> {
     }
 
     /// Chooses the formulas of loads and drive on the side of a state that lies on no bound of the speed.
-    pub(crate) fn enter_side(&mut self, state: &assur_force::State) {
+    pub(crate) fn enter_side(&mut self, state: &assur_force::LoadState) {
         self.machine.enter_side(state);
         self.factor = self.drive.branch(self.drive.sense * state.speed).factor;
     }
 }
 
-impl<M: Motion> Motion for Driven<M> {
+impl<M: EquationOfMotion> EquationOfMotion for Driven<M> {
     fn dependence(&self) -> Dependence {
         let mut dependence = self.machine.dependence();
         dependence.moment_on_speed |= matches!(self.drive.source, Source::Motor { .. });

@@ -4,7 +4,8 @@
 use std::sync::Arc;
 
 use assur_force::{
-    Bearing, ForceAnalyzer, FreeMotion, FrictionSolution, Loads, Phase, Piece, Reactions, State, tolerance,
+    Bearing, ForceAnalyzer, FreeMotion, FrictionSolution, LoadState, Loads, Phase, Piece, Reactions,
+    tolerance,
 };
 use assur_group::{Body, Wrench};
 use assur_integrator::{MotionError, Reduced};
@@ -125,7 +126,7 @@ impl Friction {
     }
 
     /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.
-    pub(crate) fn enter(&mut self, loads: &Loads, state: &State, piece: &mut Piece) {
+    pub(crate) fn enter(&mut self, loads: &Loads, state: &LoadState, piece: &mut Piece) {
         if let Some(friction) = &mut self.out.friction {
             loads.enter_friction(state, &mut friction.senses, piece);
         }
@@ -134,7 +135,7 @@ impl Friction {
     }
 
     /// Cuts an interval of the coordinate to the bends around the place just ahead of a state.
-    fn cut(&self, state: &State, interval: &mut [f64; 2]) {
+    fn cut(&self, state: &LoadState, interval: &mut [f64; 2]) {
         let (bends, cycle) = &self.bends;
         let (Some(first), Some(last)) = (bends.first(), bends.last()) else { return };
         let ahead = state.coordinate + state.speed.signum() * tolerance(state.coordinate, Some(*cycle));
@@ -149,7 +150,7 @@ impl Friction {
     pub(crate) fn moment(
         &mut self,
         place: &Configuration<'_>,
-        state: &State,
+        state: &LoadState,
         ideal: &Reduced,
         drive: [f64; 2],
     ) -> Result<f64, MotionError> {
@@ -159,7 +160,7 @@ impl Friction {
             let near = 2.0 * tolerance(state.coordinate, place.linkage.mechanism.input.period());
             let inside = state.coordinate.min(high - near).max(low + near);
             let [speed, acceleration] = course.at(inside);
-            let moment = self.in_known_motion(place, &State { speed, acceleration, ..*state })?;
+            let moment = self.in_known_motion(place, &LoadState { speed, acceleration, ..*state })?;
             FrictionMoment { moment, jams: false }
         } else {
             place.loads.evaluate_in_phase(place.phase, state, &place.position.bodies, &mut self.wrenches);
@@ -169,7 +170,7 @@ impl Friction {
         Ok(self.found.moment)
     }
 
-    fn in_known_motion(&mut self, place: &Configuration<'_>, state: &State) -> Result<f64, MotionError> {
+    fn in_known_motion(&mut self, place: &Configuration<'_>, state: &LoadState) -> Result<f64, MotionError> {
         let Configuration { linkage, loads, phase, position } = place;
         loads.evaluate_in_phase(phase, state, &position.bodies, &mut self.wrenches);
         let method = self.method.ok_or_else(no_method)?;
@@ -187,7 +188,8 @@ impl Friction {
         [drive, drive_inertia]: [f64; 2],
     ) -> Result<Vec<FrictionSolution>, MotionError> {
         self.inertia.fill(Wrench::ZERO);
-        let unit = State { coordinate: place.position.coordinate, acceleration: 1.0, ..State::default() };
+        let unit =
+            LoadState { coordinate: place.position.coordinate, acceleration: 1.0, ..LoadState::default() };
         place.loads.inertia(&unit, &place.position.bodies, &mut self.inertia);
         let motion = FreeMotion { loads: &self.wrenches, inertia: &self.inertia, drive, drive_inertia };
         let method = self.method.ok_or_else(no_method)?;
@@ -201,7 +203,7 @@ impl Friction {
         &mut self,
         mut all: Vec<FrictionSolution>,
         place: &Configuration<'_>,
-        state: &State,
+        state: &LoadState,
         ideal: &Reduced,
         [drive, drive_inertia]: [f64; 2],
     ) -> Result<FrictionMoment, MotionError> {
@@ -246,7 +248,7 @@ impl Friction {
     pub(crate) fn acceleration_at(
         &mut self,
         place: &Configuration<'_>,
-        state: &State,
+        state: &LoadState,
         drive: [f64; 2],
     ) -> Result<Option<f64>, MotionError> {
         place.loads.evaluate(state, &place.position.bodies, &mut self.wrenches);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use assur_integrator::{Motion as _, State};
+use assur_integrator::{EquationOfMotion as _, State};
 use assur_mechanism::Mechanism;
 use assur_number::search::try_bisect;
 

@@ -2,7 +2,7 @@
 //! speed.
 
 use assur_force::{Side, beside};
-use assur_integrator::{Motion, MotionError, Reduced, Sample, State};
+use assur_integrator::{EquationOfMotion, MotionError, Reduced, Sample, State};
 use assur_number::search::try_bisect;
 use serde::Serialize;
 
@@ -17,7 +17,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instant {
     /// The state, with its side.
-    pub state: assur_force::State,
+    pub state: assur_force::LoadState,
     /// What holds the motion at its speed, if anything does.
     pub holding: Option<Holding>,
     /// Moment of the dry friction of all pairs reduced to the input, N m (N); 0 at rest, where it is not determined.
@@ -70,7 +70,7 @@ impl Driven<Machine<'_>> {
         }
         let [net_up, net_down] = [up, down].map(|acceleration| above.inertia * acceleration);
         let holding = Holding { moment: -0.5 * (net_up + net_down), bound: 0.5 * (net_down - net_up) };
-        let state = assur_force::State { side: Side::Held { upper }, ..load_state(&at) };
+        let state = assur_force::LoadState { side: Side::Held { upper }, ..load_state(&at) };
         let known = jump > 0.0 && !(over.jams || under.jams);
         Ok(Instant { state, holding: known.then_some(holding), friction })
     }
@@ -83,14 +83,14 @@ impl Driven<Machine<'_>> {
         of_speed: f64,
     ) -> Result<(Reduced, FrictionMoment), MotionError> {
         let speed = if of_speed == 0.0 { at.speed } else { beside(at.speed, of_speed) };
-        self.enter_side(&assur_force::State { side, ..load_state(&State { speed, ..*at }) });
+        self.enter_side(&assur_force::LoadState { side, ..load_state(&State { speed, ..*at }) });
         Ok((self.reduced(at)?, self.machine().friction()))
     }
 
     /// The share of the formulas above a speed that holds it with dry friction, which is not linear in the loads, and the moment of
     /// friction.
     fn held_with_friction(&mut self, at: &State) -> Result<(f64, f64), MotionError> {
-        let state = |upper: f64| assur_force::State { side: Side::Held { upper }, ..load_state(at) };
+        let state = |upper: f64| assur_force::LoadState { side: Side::Held { upper }, ..load_state(at) };
         let mut above = |upper: f64| -> Result<bool, MotionError> {
             let drive = [self.drive().torque(&state(upper)), self.drive().inertia];
             Ok(self.machine().acceleration_at(&state(upper), drive)?.is_some_and(|found| found < 0.0))
@@ -105,6 +105,10 @@ impl Driven<Machine<'_>> {
 
 impl Instant {
     fn free(at: &State, acceleration: f64, side: Side, friction: f64) -> Self {
-        Self { state: assur_force::State { acceleration, side, ..load_state(at) }, holding: None, friction }
+        Self {
+            state: assur_force::LoadState { acceleration, side, ..load_state(at) },
+            holding: None,
+            friction,
+        }
     }
 }

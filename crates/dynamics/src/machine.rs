@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_force::{Loads, Phase};
 use assur_group::{Body, Order};
-use assur_integrator::{Dependence, Motion, MotionError, Partials, Piece, Reduced, State};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State};
 use assur_kinematics::{Linkage, Position};
 use assur_words::text;
 
@@ -89,7 +89,7 @@ impl<'a> Machine<'a> {
     }
 
     /// The reduced moment of the loads at a state by the formulas that the state itself selects, without dry friction.
-    pub(crate) fn load_moment(&mut self, state: &assur_force::State) -> Result<f64, MotionError> {
+    pub(crate) fn load_moment(&mut self, state: &assur_force::LoadState) -> Result<f64, MotionError> {
         self.solve(state.coordinate)?;
         Ok(self.loads.reduced(state, &self.position.bodies).moment)
     }
@@ -97,7 +97,7 @@ impl<'a> Machine<'a> {
     /// The acceleration with dry friction at a state by the formulas that the state itself selects; `None` where none is possible.
     pub(crate) fn acceleration_at(
         &mut self,
-        state: &assur_force::State,
+        state: &assur_force::LoadState,
         drive: [f64; 2],
     ) -> Result<Option<f64>, MotionError> {
         self.solve(state.coordinate)?;
@@ -128,7 +128,7 @@ impl<'a> Machine<'a> {
     }
 
     /// Chooses the formulas of the loads on the side of a state, and returns the box in which they are smooth.
-    pub(crate) fn enter_side(&mut self, state: &assur_force::State) -> Piece {
+    pub(crate) fn enter_side(&mut self, state: &assur_force::LoadState) -> Piece {
         let mut piece = self.loads.enter(state, &mut self.phase);
         if let Some(friction) = &mut self.friction {
             friction.enter(self.loads, state, &mut piece);
@@ -161,11 +161,11 @@ impl<'a> Machine<'a> {
 
 /// The state as the loads see it.
 #[inline]
-pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_force::State {
-    assur_force::State { time, coordinate, speed, ..assur_force::State::default() }
+pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_force::LoadState {
+    assur_force::LoadState { time, coordinate, speed, ..assur_force::LoadState::default() }
 }
 
-impl Motion for Machine<'_> {
+impl EquationOfMotion for Machine<'_> {
     fn dependence(&self) -> Dependence {
         let Some(friction) = &self.friction else { return self.dependence };
         let by_motion = friction.is_free();
@@ -211,11 +211,11 @@ pub type Watcher<'w> = dyn FnMut(&State) -> ControlFlow<()> + 'w;
 
 /// An equation of motion and who watches it, if anybody.
 pub(crate) struct Watched<'a, 'w> {
-    pub(crate) motion: &'a mut dyn Motion,
+    pub(crate) motion: &'a mut dyn EquationOfMotion,
     pub(crate) watcher: Option<&'a mut Watcher<'w>>,
 }
 
-impl Motion for Watched<'_, '_> {
+impl EquationOfMotion for Watched<'_, '_> {
     fn dependence(&self) -> Dependence {
         self.motion.dependence()
     }

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use assur_force::Loads;
-use assur_integrator::Motion as Equation;
+use assur_integrator::EquationOfMotion;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, Motor as Asked, Solve, Torque};
 use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, Refusal, flywheel_sizes};
@@ -65,7 +65,7 @@ pub(crate) fn steady_of(
 
 /// The steady regime of an equation of motion with the motion and the drive of `mechanism`.
 pub(crate) fn steady_motion(
-    motion: &mut dyn Equation,
+    motion: &mut dyn EquationOfMotion,
     mechanism: &Mechanism,
     watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Steady, DynamicsError> {

@@ -2,12 +2,12 @@
 
 use assur_force::Loads;
 use assur_integrator::{
-    Dependence, Equation, FixedStep, IntegrationError, Knob, Motion, Request, Solution, State, Trajectory,
-    Until, enter,
+    CountedEquation, Dependence, EquationOfMotion, FixedStep, IntegrationError, Knob, Request, Solution,
+    State, Trajectory, Until, enter,
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    FlywheelPlace, Load, Mechanism, Motion as Asked, Solve, StepLength, Torque, Until as AskedUntil,
+    FlywheelPlace, Load, Mechanism, Motion, Solve, StepLength, Torque, Until as AskedUntil,
 };
 use assur_words::{Describe, Text};
 
@@ -89,7 +89,7 @@ pub fn transient(
     watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Transient, DynamicsError> {
     let mechanism = &linkage.mechanism;
-    let Some(Asked::Transient { integrator: named, tolerance, .. }) = &mechanism.motion else {
+    let Some(Motion::Transient { integrator: named, tolerance, .. }) = &mechanism.motion else {
         return Err(DynamicsError::NoMotion("transient"));
     };
     let mut motion = equation(linkage, loads)?;
@@ -115,7 +115,7 @@ pub fn transient(
 /// reason is returned with it.
 fn solve(
     named: &str,
-    motion: &mut dyn Motion,
+    motion: &mut dyn EquationOfMotion,
     request: &Request,
 ) -> Result<(Solution, Option<Text>), IntegrationError> {
     let first = assur_integrator::solve(named, motion, request);
@@ -145,8 +145,8 @@ pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Mac
 /// # Errors
 ///
 /// [`DynamicsError::NoMotion`]; from rest, the first position may fail.
-pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request, DynamicsError> {
-    let Some(Asked::Transient { speed, until, samples, tolerance, step, max_steps, .. }) = &mechanism.motion
+pub fn request(mechanism: &Mechanism, motion: &mut dyn EquationOfMotion) -> Result<Request, DynamicsError> {
+    let Some(Motion::Transient { speed, until, samples, tolerance, step, max_steps, .. }) = &mechanism.motion
     else {
         return Err(DynamicsError::NoMotion("transient"));
     };
@@ -169,11 +169,15 @@ pub fn request(mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<Request
 }
 
 /// The direction in which the motion begins: that of the speed; from rest, that of the moments; else the input's.
-fn heading(initial: &State, mechanism: &Mechanism, motion: &mut dyn Motion) -> Result<f64, DynamicsError> {
+fn heading(
+    initial: &State,
+    mechanism: &Mechanism,
+    motion: &mut dyn EquationOfMotion,
+) -> Result<f64, DynamicsError> {
     if initial.speed != 0.0 {
         return Ok(initial.speed.signum());
     }
-    match enter(&mut Equation::new(motion), initial, false)? {
+    match enter(&mut CountedEquation::new(motion), initial, false)? {
         Some((_, acceleration)) => Ok(acceleration.signum()),
         None => Ok(mechanism.input.sign()),
     }

@@ -6,7 +6,7 @@ use assur_number::Lanes;
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Describe, Text, name, number, quantity, text};
 
-use crate::{Accelerations, Acting, Construction, FreeMotion, Iteration, LoadError, Reactions};
+use crate::{Accelerations, Acting, Construction, FreeMotion, FrictionIteration, LoadError, Reactions};
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
@@ -83,7 +83,7 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         _position: &Position,
         _loads: &[Wrench<f64>],
         _out: &Reactions,
-    ) -> Vec<Iteration> {
+    ) -> Vec<FrictionIteration> {
         Vec::new()
     }
 

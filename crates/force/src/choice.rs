@@ -3,7 +3,7 @@
 use assur_integrator::Piece;
 use assur_mechanism::LoadId;
 
-use crate::State;
+use crate::LoadState;
 use crate::breaks::cut;
 use crate::law::{Active, Law};
 use crate::loads::{Action, Applied, ArcContact, Loads};
@@ -13,15 +13,15 @@ use crate::state::{Selection, Side};
 /// The formulas of all loads on one side of a state, or in one smooth piece.
 pub(crate) trait Formulas {
     /// The formula of the size of a load.
-    fn size(&self, loads: &Loads, load: usize, law: &Law, state: &State) -> Active;
+    fn size(&self, loads: &Loads, load: usize, law: &Law, state: &LoadState) -> Active;
     /// The formula of the angle of a contact.
-    fn angle(&self, loads: &Loads, load: usize, law: &Law, state: &State) -> Active;
-    fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &State) -> bool;
+    fn angle(&self, loads: &Loads, load: usize, law: &Law, state: &LoadState) -> Active;
+    fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &LoadState) -> bool;
     /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
-    fn friction_sense(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &State) -> f64;
+    fn friction_sense(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &LoadState) -> f64;
     /// Factor of the unit vector of PF1 for a load against the motion; 0 where the point is at rest. `lengths`: of PF1
     /// and PF2 of its point.
-    fn against(&self, loads: &Loads, load: usize, state: &State, lengths: [f64; 2]) -> f64;
+    fn against(&self, loads: &Loads, load: usize, state: &LoadState, lengths: [f64; 2]) -> f64;
 }
 
 /// Says which formulas apply at a state.
@@ -31,7 +31,7 @@ pub(crate) trait Choice {
 
     /// A number that the formulas at a state give: of one side, or of both sides by their shares where the motion is
     /// held between them.
-    fn weigh(&self, loads: &Loads, state: &State, number: impl Fn(&Self::Formulas) -> f64) -> f64;
+    fn weigh(&self, loads: &Loads, state: &LoadState, number: impl Fn(&Self::Formulas) -> f64) -> f64;
 }
 
 /// The formulas that the state itself selects.
@@ -41,7 +41,7 @@ impl Choice for Live {
     type Formulas = Selection;
 
     #[inline(always)]
-    fn weigh(&self, loads: &Loads, state: &State, number: impl Fn(&Selection) -> f64) -> f64 {
+    fn weigh(&self, loads: &Loads, state: &LoadState, number: impl Fn(&Selection) -> f64) -> f64 {
         match loads.selections(state) {
             Selections::One(selection) => number(&selection),
             Selections::Held([(below, lower), (above, upper)]) => {
@@ -55,31 +55,31 @@ impl Choice for Phase {
     type Formulas = Self;
 
     #[inline(always)]
-    fn weigh(&self, _: &Loads, _: &State, number: impl Fn(&Self) -> f64) -> f64 {
+    fn weigh(&self, _: &Loads, _: &LoadState, number: impl Fn(&Self) -> f64) -> f64 {
         number(self)
     }
 }
 
 impl Formulas for Selection {
     #[inline(always)]
-    fn size(&self, loads: &Loads, _: usize, law: &Law, state: &State) -> Active {
+    fn size(&self, loads: &Loads, _: usize, law: &Law, state: &LoadState) -> Active {
         law.at(state, self, loads.period)
     }
 
     #[inline(always)]
-    fn angle(&self, loads: &Loads, _: usize, law: &Law, state: &State) -> Active {
+    fn angle(&self, loads: &Loads, _: usize, law: &Law, state: &LoadState) -> Active {
         law.at(state, self, loads.period)
     }
 
     #[inline(always)]
-    fn touches(&self, loads: &Loads, _: usize, contact: &ArcContact, state: &State) -> bool {
+    fn touches(&self, loads: &Loads, _: usize, contact: &ArcContact, state: &LoadState) -> bool {
         let ahead = self.coordinate(state, loads.period);
         let behind = 2.0 * state.coordinate - ahead;
         contact.touches(ahead) || (self.closed && contact.touches(behind))
     }
 
     #[inline(always)]
-    fn friction_sense(&self, loads: &Loads, sliding: &Sliding, _: usize, state: &State) -> f64 {
+    fn friction_sense(&self, loads: &Loads, sliding: &Sliding, _: usize, state: &LoadState) -> f64 {
         // Without a motion, or at speed 0 of a prescribed one, it is as if the input moved along its direction.
         let sense = match (self.moves, self.closed) {
             (true, _) => self.sense,
@@ -91,7 +91,7 @@ impl Formulas for Selection {
     }
 
     #[inline(always)]
-    fn against(&self, loads: &Loads, _: usize, _: &State, [first, second]: [f64; 2]) -> f64 {
+    fn against(&self, loads: &Loads, _: usize, _: &LoadState, [first, second]: [f64; 2]) -> f64 {
         /// A rest within this distance of the coordinate is at the coordinate: the difference is rounding.
         const AT_REST: f64 = 1e-12;
         let rests = first <= loads.standing.max(AT_REST * second);
@@ -101,27 +101,27 @@ impl Formulas for Selection {
 
 impl Formulas for Phase {
     #[inline(always)]
-    fn size(&self, _: &Loads, load: usize, _: &Law, _: &State) -> Active {
+    fn size(&self, _: &Loads, load: usize, _: &Law, _: &LoadState) -> Active {
         self.loads[load].size
     }
 
     #[inline(always)]
-    fn angle(&self, _: &Loads, load: usize, _: &Law, _: &State) -> Active {
+    fn angle(&self, _: &Loads, load: usize, _: &Law, _: &LoadState) -> Active {
         self.loads[load].angle
     }
 
     #[inline(always)]
-    fn touches(&self, _: &Loads, load: usize, _: &ArcContact, _: &State) -> bool {
+    fn touches(&self, _: &Loads, load: usize, _: &ArcContact, _: &LoadState) -> bool {
         self.loads[load].touches
     }
 
     #[inline(always)]
-    fn friction_sense(&self, _: &Loads, _: &Sliding, load: usize, _: &State) -> f64 {
+    fn friction_sense(&self, _: &Loads, _: &Sliding, load: usize, _: &LoadState) -> f64 {
         self.loads[load].friction_sense
     }
 
     #[inline(always)]
-    fn against(&self, _: &Loads, load: usize, state: &State, _: [f64; 2]) -> f64 {
+    fn against(&self, _: &Loads, load: usize, state: &LoadState, _: [f64; 2]) -> f64 {
         let [low, high] = self.loads[load].stays;
         // Beyond a rest PF1 has reversed; the formula of the piece has not.
         let within = state.coordinate >= low && state.coordinate <= high;
@@ -153,14 +153,14 @@ impl Loads {
     }
 
     /// The value of a law that has no place at a state.
-    pub(crate) fn value_of(&self, law: &Law, state: &State) -> f64 {
+    pub(crate) fn value_of(&self, law: &Law, state: &LoadState) -> f64 {
         let value = |side: &Selection| law.value(law.at(state, side, self.period), state, [0.0; 2]);
         Live.weigh(self, state, value)
     }
 
     /// Angle of a contact of the mechanism at a state, rad, and its coefficient of friction with its sign along (cos a, -sin a);
     /// `None` where no link has it.
-    pub fn contact(&self, id: LoadId, state: &State) -> Option<[f64; 2]> {
+    pub fn contact(&self, id: LoadId, state: &LoadState) -> Option<[f64; 2]> {
         let index = self.applied.iter().position(|load| load.id == id)?;
         let Action::Contact(contact) = &self.applied[index].action else { return None };
         let sign = contact.sliding.as_ref().map_or(1.0, |sliding| {
@@ -171,7 +171,7 @@ impl Loads {
 
     /// The formulas in use at a state: those of one side, or of both where the motion is held.
     #[inline(always)]
-    pub(crate) fn selections(&self, state: &State) -> Selections {
+    pub(crate) fn selections(&self, state: &LoadState) -> Selections {
         let (speed, acceleration) = (state.speed, state.acceleration);
         let sign = |value: f64| if value == 0.0 { 0.0 } else { value.signum() };
         let one = |ahead: f64| {
@@ -256,7 +256,7 @@ impl Loads {
     /// The direction along the coordinate is the sign of the speed; at zero speed, that of the acceleration, else that
     /// of the input. At a row of a table over the speed the segment is the one towards which the acceleration leads,
     /// else the one above the row; for the other one, call this with a speed just beside the row. Allocates nothing.
-    pub fn enter(&self, state: &State, phase: &mut Phase) -> Piece {
+    pub fn enter(&self, state: &LoadState, phase: &mut Phase) -> Piece {
         let side = match self.selections(state) {
             Selections::One(side) | Selections::Held([_, (_, side)]) => side,
         };
@@ -280,7 +280,14 @@ impl Loads {
 
 impl LoadPhase {
     /// Chooses the formulas of a load, and cuts the `bounds` to those in which they are valid.
-    fn enter(&mut self, loads: &Loads, load: &Applied, state: &State, side: &Selection, bounds: &mut Piece) {
+    fn enter(
+        &mut self,
+        loads: &Loads,
+        load: &Applied,
+        state: &LoadState,
+        side: &Selection,
+        bounds: &mut Piece,
+    ) {
         self.size = load.size.enter(state, side, loads.period, bounds);
         let ahead = side.coordinate(state, loads.period);
         if let Some(rests) = load.rests() {

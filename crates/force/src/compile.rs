@@ -20,7 +20,7 @@ use crate::law::Law;
 use crate::loads::{Action, Along, Applied, ArcContact, Mass, PointForce, Shoe};
 use crate::sliding::{Rate, Sliding};
 use crate::stroke::{Stroke, Travel};
-use crate::{Bearing, Block, Frictions, LoadError, LoadFault, Loads, State, Unknown};
+use crate::{Bearing, Block, Frictions, LoadError, LoadFault, LoadState, Loads, Unknown};
 
 /// How far from the first position the search over a cycle starts, as part of the cycle: much less than a cell of the
 /// grid.
@@ -193,7 +193,7 @@ impl<'a> Compiler<'a> {
 
     /// In which sense the arc of a contact slides, found before the motion.
     fn sliding(&self, loads: &Loads, contact: &Contact, angle: &Law) -> Result<Sliding, LoadFault> {
-        let angle = |q: f64| loads.value_of(angle, &State::prescribed(self.mechanism, q));
+        let angle = |q: f64| loads.value_of(angle, &LoadState::prescribed(self.mechanism, q));
         let cycle = self.spans().first().map(|span| self.reach(span));
         let repeats = |span: &Span| {
             let again = |q: f64| (angle(q + span.length) - angle(q)).abs() <= SAME_ANGLE;
@@ -258,7 +258,7 @@ impl<'a> Compiler<'a> {
             LoadFault::Unlocated { function, column }
         };
         let mut law = FormulaLaw::new(formula.clone(), factor, steps).map_err(unlocated)?;
-        let motion = |q: f64| State::prescribed(self.mechanism, q);
+        let motion = |q: f64| LoadState::prescribed(self.mechanism, q);
         if let Some(index) = law.changing_too_often(self.cycle(), MOST_CHANGES, motion) {
             let (function, column) = place(index);
             return Err(LoadFault::ChangesTooOften { function, column, most: MOST_CHANGES });

@@ -6,7 +6,7 @@ use assur_mechanism::{LinkId, Mechanism};
 use assur_words::{Describe, Text, text};
 use serde::Serialize;
 
-use crate::State;
+use crate::LoadState;
 use crate::choice::Live;
 use crate::loads::{Cause, Loads};
 use crate::visit::{Sink, Visit};
@@ -82,7 +82,7 @@ pub enum Drawing {
 
 /// One step of a construction.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Step {
+pub struct ConstructionStep {
     /// Short name: `F`, `R3`, or words.
     pub name: Text,
     /// What it draws.
@@ -109,12 +109,12 @@ pub struct Construction {
     /// Where the first corner of the force polygon lies in the drawing of the mechanism, m.
     pub corner: [f64; 2],
     /// The steps in order.
-    pub steps: Vec<Step>,
+    pub steps: Vec<ConstructionStep>,
 }
 
 impl Construction {
     /// The step of this short name in English in a drawing.
-    pub fn step(&self, drawing: Drawing, name: &str) -> Option<&Step> {
+    pub fn step(&self, drawing: Drawing, name: &str) -> Option<&ConstructionStep> {
         self.steps.iter().find(|step| step.drawing == drawing && step.name.to_string() == name)
     }
 }
@@ -188,7 +188,7 @@ impl Sink<f64> for Gather {
 
 impl Loads {
     /// Each load of a state by itself: weights, the loads of the scene (a spring on both of its links), inertia loads.
-    pub fn acting(&self, state: &State, bodies: &[Body<f64>]) -> Vec<Acting> {
+    pub fn acting(&self, state: &LoadState, bodies: &[Body<f64>]) -> Vec<Acting> {
         let mut all = Gather::default();
         let heavy = self.masses.iter().filter(|mass| mass.m > 0.0 && self.has_weights());
         for mass in heavy {

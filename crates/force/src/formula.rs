@@ -4,7 +4,7 @@ use assur_formula::{Branches, Formula, Sign, Used, Variable, Variables};
 use assur_integrator::Piece;
 use assur_number::search::bisect;
 
-use crate::State;
+use crate::LoadState;
 use crate::breaks::{Breaks, cut};
 use crate::grid::Span;
 use crate::state::Selection;
@@ -97,11 +97,11 @@ impl FormulaLaw {
         mut self,
         travel: Travel,
         span: &Span,
-        mut motion: impl FnMut(f64) -> Result<(State, [f64; 2]), E>,
+        mut motion: impl FnMut(f64) -> Result<(LoadState, [f64; 2]), E>,
     ) -> Result<Result<Self, Unlocated>, E> {
         self.travel = Some(travel);
         let mut at = |q: f64| {
-            let (State { speed, time, .. }, point) = motion(q)?;
+            let (LoadState { speed, time, .. }, point) = motion(q)?;
             Ok::<_, E>(Variables { coordinate: q, speed, time, place: travel.part(point) })
         };
         let mut points = Vec::new();
@@ -154,7 +154,7 @@ impl FormulaLaw {
 
     /// The sides of its jumps at a state; where it bends, the formula itself holds.
     #[inline]
-    pub(crate) fn branches(&self, state: &State, side: &Selection, period: Option<f64>) -> Branches {
+    pub(crate) fn branches(&self, state: &LoadState, side: &Selection, period: Option<f64>) -> Branches {
         if self.jumps == 0 {
             return Branches::default();
         }
@@ -179,7 +179,7 @@ impl FormulaLaw {
     /// The smooth branch on a side of a state; cuts the `bounds` to those in which it applies.
     pub(crate) fn enter(
         &self,
-        state: &State,
+        state: &LoadState,
         side: &Selection,
         period: Option<f64>,
         bounds: &mut Piece,
@@ -230,10 +230,10 @@ impl FormulaLaw {
         &self,
         range: [f64; 2],
         most: usize,
-        motion: impl Fn(f64) -> State,
+        motion: impl Fn(f64) -> LoadState,
     ) -> Option<usize> {
         let at = |q: f64| {
-            let State { coordinate, speed, time, .. } = motion(q);
+            let LoadState { coordinate, speed, time, .. } = motion(q);
             Variables { coordinate, speed, time, place: f64::NAN }
         };
         let mut left = most;
@@ -259,9 +259,9 @@ impl FormulaLaw {
 
     /// Its value on given sides; `point`: its place, m. Beyond [`MOST`] it is not a number, as where it divides by zero.
     #[inline]
-    pub(crate) fn value(&self, branches: Branches, state: &State, point: [f64; 2]) -> f64 {
+    pub(crate) fn value(&self, branches: Branches, state: &LoadState, point: [f64; 2]) -> f64 {
         let place = self.travel.map_or(0.0, |travel| travel.part(point));
-        let State { coordinate, speed, time, .. } = *state;
+        let LoadState { coordinate, speed, time, .. } = *state;
         let value =
             self.factor * self.formula.value_on(&Variables { coordinate, speed, time, place }, branches);
         if value.abs() <= MOST { value } else { f64::NAN }

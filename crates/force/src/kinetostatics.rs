@@ -4,7 +4,7 @@ use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::{Lanes, Real};
 
-use crate::{ForceAnalyzer, ForceError, Iteration, Loads, Reactions, State, applicable};
+use crate::{ForceAnalyzer, ForceError, FrictionIteration, LoadState, Loads, Reactions, applicable};
 
 /// The force analysis of a mechanism by one method, with its memory: one position after the other.
 #[derive(Debug, Clone)]
@@ -32,7 +32,7 @@ impl<'a> Kinetostatics<'a> {
 
     /// Finds the reactions and the balancing load of a state; the position is solved up to PF2.
     #[inline]
-    pub fn solve(&mut self, state: &State, position: &Position) -> Result<(), ForceError> {
+    pub fn solve(&mut self, state: &LoadState, position: &Position) -> Result<(), ForceError> {
         let at_change_point = self.linkage.is_at_change_point(position);
         // A passive part may hold the mechanism where the ways of a group meet.
         if at_change_point && self.linkage.structure.passive.is_empty() {
@@ -53,7 +53,7 @@ impl<'a> Kinetostatics<'a> {
     }
 
     /// Where dry friction leaves no solution at a state: see [`ForceAnalyzer::jamming_limit`].
-    pub fn jamming_limit(&mut self, state: &State, position: &Position) -> Option<f64> {
+    pub fn jamming_limit(&mut self, state: &LoadState, position: &Position) -> Option<f64> {
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         if let Some(friction) = &mut self.reactions.friction {
             self.loads.senses(state, &position.bodies, &mut friction.senses);
@@ -62,7 +62,7 @@ impl<'a> Kinetostatics<'a> {
     }
 
     /// How friction is found at a state: see [`ForceAnalyzer::iteration`].
-    pub fn iteration(&mut self, state: &State, position: &Position) -> Vec<Iteration> {
+    pub fn iteration(&mut self, state: &LoadState, position: &Position) -> Vec<FrictionIteration> {
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         if let Some(friction) = &mut self.reactions.friction {
             self.loads.senses(state, &position.bodies, &mut friction.senses);
@@ -75,7 +75,7 @@ impl<'a> Kinetostatics<'a> {
     fn explained(
         &self,
         found: Result<(), ForceError>,
-        state: &State,
+        state: &LoadState,
         position: &Position,
     ) -> Result<(), ForceError> {
         self.loads.finite(&self.linkage.mechanism, state, &position.bodies)?;
@@ -84,7 +84,7 @@ impl<'a> Kinetostatics<'a> {
 
     /// The balancing load at a change point, where the reactions are not determined but the powers of the loads are: by a
     /// method that finds it without reactions; `None` where there is none.
-    pub fn balancing_alone(&self, state: &State, position: &Position) -> Option<f64> {
+    pub fn balancing_alone(&self, state: &LoadState, position: &Position) -> Option<f64> {
         let without_reactions = applicable(self.linkage).into_iter().filter(|plugin| !plugin.gives_reactions);
         let method = without_reactions.min_by_key(|plugin| plugin.rank)?;
         let mut wrenches = self.loads.total(state, &position.bodies);
@@ -128,7 +128,7 @@ impl<'a> LaneKinetostatics<'a> {
     #[inline]
     pub fn solve(
         &mut self,
-        states: &[State; Lanes::WIDTH],
+        states: &[LoadState; Lanes::WIDTH],
         position: &LanePosition,
     ) -> Result<(), Vec<(usize, ForceError)>> {
         let Kinetostatics { linkage, loads, analyzer, .. } = self.single;
@@ -151,13 +151,18 @@ impl<'a> LaneKinetostatics<'a> {
     }
 
     /// The [balancing load at a change point](Kinetostatics::balancing_alone) in a lane.
-    pub fn balancing_alone(&mut self, lane: usize, state: &State, position: &LanePosition) -> Option<f64> {
+    pub fn balancing_alone(
+        &mut self,
+        lane: usize,
+        state: &LoadState,
+        position: &LanePosition,
+    ) -> Option<f64> {
         position.copy_lane(lane, &mut self.position);
         self.single.balancing_alone(state, &self.position)
     }
 
     /// Where dry friction leaves no solution in a lane.
-    pub fn jamming_limit(&mut self, lane: usize, state: &State, position: &LanePosition) -> Option<f64> {
+    pub fn jamming_limit(&mut self, lane: usize, state: &LoadState, position: &LanePosition) -> Option<f64> {
         position.copy_lane(lane, &mut self.position);
         self.single.jamming_limit(state, &self.position)
     }
@@ -167,7 +172,7 @@ impl<'a> LaneKinetostatics<'a> {
     fn solve_alone(
         &mut self,
         alone: [bool; Lanes::WIDTH],
-        states: &[State; Lanes::WIDTH],
+        states: &[LoadState; Lanes::WIDTH],
         position: &LanePosition,
     ) -> Result<(), Vec<(usize, ForceError)>> {
         let mut failures = Vec::new();

@@ -4,7 +4,7 @@ use assur_formula::{Branches, Used};
 use assur_integrator::Piece;
 use assur_mechanism::{Shape, Table};
 
-use crate::State;
+use crate::LoadState;
 use crate::breaks::{Breaks, cut};
 use crate::formula::FormulaLaw;
 use crate::state::Selection;
@@ -88,7 +88,7 @@ impl Law {
 
     /// The formula on a side of a state.
     #[inline(always)]
-    pub(crate) fn at(&self, state: &State, side: &Selection, period: Option<f64>) -> Active {
+    pub(crate) fn at(&self, state: &LoadState, side: &Selection, period: Option<f64>) -> Active {
         match self {
             Self::Constant(_) => Active::only(),
             Self::Coordinate(table, breaks) => on_coordinate(table, breaks, side.coordinate(state, period)),
@@ -104,7 +104,7 @@ impl Law {
     /// The formula on a side of a state; cuts the `bounds` to those in which it is smooth.
     pub(crate) fn enter(
         &self,
-        state: &State,
+        state: &LoadState,
         side: &Selection,
         period: Option<f64>,
         bounds: &mut Piece,
@@ -125,7 +125,7 @@ impl Law {
 
     /// The size of the load by one formula, continued beyond its ends; `point`: its place, m.
     #[inline(always)]
-    pub(crate) fn value(&self, active: Active, state: &State, point: [f64; 2]) -> f64 {
+    pub(crate) fn value(&self, active: Active, state: &LoadState, point: [f64; 2]) -> f64 {
         match self {
             Self::Constant(value) => *value,
             Self::Coordinate(table, _) => table.value(active.piece.segment, state.coordinate - active.shift),

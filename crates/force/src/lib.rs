@@ -41,18 +41,18 @@ pub use balance::{IdleBalance, Reactions, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
 pub use construction::Acting;
-pub use construction::{Construction, Drawing, Step, VectorKind};
+pub use construction::{Construction, ConstructionStep, Drawing, VectorKind};
 pub use error::{LoadError, LoadFault};
 pub use friction::{
-    Accelerations, Bearing, Block, Doubt, FreeMotion, FrictionForces, FrictionSolution, Frictions, Iteration,
-    Unknown, UnknownKind,
+    Accelerations, Bearing, Block, Doubt, FreeMotion, FrictionForces, FrictionIteration, FrictionSolution,
+    Frictions, Unknown, UnknownKind,
 };
 pub use group_by_group::{Unsolved, group_by_group, input_link};
 pub use joints::{Joint, JointReaction, joints};
 pub use kinetostatics::{Kinetostatics, LaneKinetostatics};
 pub use loads::{Cause, Loads};
 pub use reduce::power;
-pub use state::{LoadNumber, Side, State, beside};
+pub use state::{LoadNumber, LoadState, Side, beside};
 
 pub use inventory;
 

@@ -8,7 +8,7 @@ use assur_number::{Formula, Real};
 use crate::choice::{Choice, Live};
 use crate::loads::{Applied, Loads, Mass};
 use crate::visit::{self, Sink, Visit};
-use crate::{LoadNumber, Phase, State};
+use crate::{LoadNumber, LoadState, Phase};
 
 /// Adds up the virtual power of loads.
 struct Power<T>(T);
@@ -40,7 +40,7 @@ impl Loads {
     /// Reduced inertia, its derivative and the reduced moment by the formulas of one phase, continued smoothly beyond
     /// its bounds. `bodies` need PF2 only where J depends on the coordinate.
     #[inline]
-    pub fn reduced_in_phase(&self, phase: &Phase, state: &State, bodies: &[Body<f64>]) -> Reduced {
+    pub fn reduced_in_phase(&self, phase: &Phase, state: &LoadState, bodies: &[Body<f64>]) -> Reduced {
         f64::evaluate(Visit { loads: self, choice: phase, states: state, bodies })
     }
 

@@ -10,7 +10,7 @@ use crate::formula::variable_of;
 
 /// Where the mechanism is and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct State {
+pub struct LoadState {
     /// Input coordinate q, rad (m for a sliding input).
     pub coordinate: f64,
     /// dq/dt with its sign, rad/s (m/s); 0 without a motion.
@@ -50,7 +50,7 @@ pub fn beside(speed: f64, side: f64) -> f64 {
     speed + side * (2.0 * f64::EPSILON * speed.abs()).max(f64::MIN_POSITIVE)
 }
 
-impl State {
+impl LoadState {
     /// The state of a prescribed motion; for any other motion, or none, the state of rest at time 0.
     ///
     /// The time is that of the [`passage`] from the first position. A coordinate that is never passed has the time of the
@@ -86,22 +86,28 @@ pub(crate) struct Selection {
 impl Selection {
     /// The coordinate at which the formula of a law is chosen.
     #[inline(always)]
-    pub(crate) fn coordinate(&self, state: &State, period: Option<f64>) -> f64 {
+    pub(crate) fn coordinate(&self, state: &LoadState, period: Option<f64>) -> f64 {
         // A position that should lie on a row may miss it by rounding.
         state.coordinate + self.ahead * self.sense * tolerance(state.coordinate, period)
     }
 
     /// The time at which the formula of a law is chosen.
     #[inline(always)]
-    pub(crate) fn time(&self, state: &State) -> f64 {
+    pub(crate) fn time(&self, state: &LoadState) -> f64 {
         state.time + self.ahead * tolerance(state.time, None)
     }
 
     /// The variables just ahead of a state, or just before it, as the side demands; `distance`: in the least that counts.
     /// What depends on one of them has its own least distance, what mixes them goes along the motion. The place of a point
     /// is not among them.
-    pub(crate) fn ahead(&self, state: &State, period: Option<f64>, used: Used, distance: f64) -> Variables {
-        let State { coordinate, speed, time, .. } = *state;
+    pub(crate) fn ahead(
+        &self,
+        state: &LoadState,
+        period: Option<f64>,
+        used: Used,
+        distance: f64,
+    ) -> Variables {
+        let LoadState { coordinate, speed, time, .. } = *state;
         let near = Variables { coordinate, speed, time, place: f64::NAN };
         let [way, delay] =
             [tolerance(coordinate, period), tolerance(time, None)].map(|least| distance * least);
@@ -129,13 +135,13 @@ impl Selection {
 
     /// The speed at which the coordinate changes with time: the speed of a state may be that of all positions, whose times
     /// follow from speed and acceleration at the first of them.
-    fn rate(&self, state: &State) -> f64 {
+    fn rate(&self, state: &LoadState) -> f64 {
         let passing = state.speed + state.acceleration * state.time;
         if self.closed && passing * self.sense > 0.0 { passing } else { state.speed }
     }
 
     /// The time in which the motion of a state goes a way along the coordinate; to the turning point where it never does.
-    fn after(&self, state: &State, way: f64) -> f64 {
+    fn after(&self, state: &LoadState, way: f64) -> f64 {
         let (rate, acceleration) = (self.rate(state), state.acceleration);
         let turn = if acceleration == 0.0 { 0.0 } else { -rate / acceleration };
         let after = passage(way, rate, acceleration).unwrap_or(turn);
@@ -145,14 +151,14 @@ impl Selection {
 
     /// The variables where the motion of a state passes another coordinate, at the speed of the state. The place of a point
     /// is not among them.
-    pub(crate) fn passing(&self, state: &State, coordinate: f64) -> Variables {
+    pub(crate) fn passing(&self, state: &LoadState, coordinate: f64) -> Variables {
         let after = self.after(state, coordinate - state.coordinate);
         Variables { coordinate, speed: state.speed, time: state.time + after, place: f64::NAN }
     }
 
     /// The speed at which the formula of a law is chosen.
     #[inline(always)]
-    pub(crate) fn speed(&self, state: &State) -> f64 {
+    pub(crate) fn speed(&self, state: &LoadState) -> f64 {
         if self.speed_side == 0.0 { state.speed } else { beside(state.speed, self.speed_side) }
     }
 }
@@ -166,7 +172,7 @@ pub trait LoadNumber: Number {
     type States;
 
     /// The state of a lane.
-    fn state(states: &Self::States, lane: usize) -> &State;
+    fn state(states: &Self::States, lane: usize) -> &LoadState;
 
     /// The number in a lane.
     fn lane(self, lane: usize) -> f64;
@@ -176,10 +182,10 @@ pub trait LoadNumber: Number {
 }
 
 impl LoadNumber for f64 {
-    type States = State;
+    type States = LoadState;
 
     #[inline(always)]
-    fn state(states: &State, _: usize) -> &State {
+    fn state(states: &LoadState, _: usize) -> &LoadState {
         states
     }
 
@@ -195,10 +201,10 @@ impl LoadNumber for f64 {
 }
 
 impl LoadNumber for Lanes {
-    type States = [State; Self::WIDTH];
+    type States = [LoadState; Self::WIDTH];
 
     #[inline(always)]
-    fn state(states: &[State; Self::WIDTH], lane: usize) -> &State {
+    fn state(states: &[LoadState; Self::WIDTH], lane: usize) -> &LoadState {
         &states[lane]
     }
 

@@ -12,7 +12,7 @@ use assur_all as _;
 use assur_group::{Body, Order, Wrench};
 use assur_kinematics::Linkage;
 
-use crate::{Cause, Loads, State};
+use crate::{Cause, LoadState, Loads};
 
 fn fixture(name: &str) -> String {
     let path = format!("{}/../../fixtures/{name}.toml", env!("CARGO_MANIFEST_DIR"));
@@ -35,12 +35,12 @@ fn bodies(linkage: &Linkage, q: f64) -> Vec<Body<f64>> {
     position.bodies
 }
 
-fn at(coordinate: f64, speed: f64) -> State {
-    State { coordinate, speed, ..State::default() }
+fn at(coordinate: f64, speed: f64) -> LoadState {
+    LoadState { coordinate, speed, ..LoadState::default() }
 }
 
 /// All loads without the inertia loads.
-fn applied(loads: &Loads, state: &State, bodies: &[Body<f64>]) -> Vec<Wrench<f64>> {
+fn applied(loads: &Loads, state: &LoadState, bodies: &[Body<f64>]) -> Vec<Wrench<f64>> {
     let mut sums = vec![Wrench::ZERO; bodies.len()];
     loads.by_cause(state, bodies, &mut |cause, link, Wrench { fx, fy, m }| {
         if !matches!(cause, Cause::Inertia(_)) {

@@ -7,7 +7,7 @@ use assur_number::{Formula, Real};
 use crate::choice::{Choice, Live};
 use crate::loads::{Cause, Loads, Mass};
 use crate::visit::{Sink, Visit};
-use crate::{LoadError, LoadFault, LoadNumber, Phase, State};
+use crate::{LoadError, LoadFault, LoadNumber, LoadState, Phase};
 use assur_mechanism::Mechanism;
 
 /// Adds up loads about the origins of the bodies.
@@ -152,7 +152,7 @@ impl Loads {
     pub fn evaluate_in_phase(
         &self,
         phase: &Phase,
-        state: &State,
+        state: &LoadState,
         bodies: &[Body<f64>],
         wrenches: &mut [Wrench<f64>],
     ) {
@@ -194,7 +194,7 @@ impl Loads {
     pub fn finite(
         &self,
         mechanism: &Mechanism,
-        state: &State,
+        state: &LoadState,
         bodies: &[Body<f64>],
     ) -> Result<(), LoadError> {
         let mut without = None;

@@ -1,13 +1,13 @@
 //! Loads, reduction and reactions in lanes are those of one position at a time, bit for bit.
 
 use assur_all as _;
-use assur_force::{Kinetostatics, LaneKinetostatics, Loads, Side, State, analyzers};
+use assur_force::{Kinetostatics, LaneKinetostatics, LoadState, Loads, Side, analyzers};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
 use assur_testkit::specimen::{Recipe, Rng};
 
-type States = [State; Lanes::WIDTH];
+type States = [LoadState; Lanes::WIDTH];
 
 /// States beside each other, some at rest, held, on a jump, or close to a change point.
 fn states(linkage: &Linkage, rng: &mut Rng) -> States {
@@ -22,7 +22,7 @@ fn states(linkage: &Linkage, rng: &mut Rng) -> States {
             mechanism.input.coordinate(rng.below(2 * mechanism.input.positions))
         };
         if rng.chance(0.5) {
-            return State::prescribed(mechanism, coordinate);
+            return LoadState::prescribed(mechanism, coordinate);
         }
         let side = match rng.below(4) {
             0 => Side::Prescribed,
@@ -31,7 +31,7 @@ fn states(linkage: &Linkage, rng: &mut Rng) -> States {
             _ => Side::After,
         };
         let mut some = |size: f64| if rng.chance(0.2) { 0.0 } else { rng.signed(0.0, size) };
-        State { coordinate, speed: some(9.0), acceleration: some(50.0), time: some(0.1).abs(), side }
+        LoadState { coordinate, speed: some(9.0), acceleration: some(50.0), time: some(0.1).abs(), side }
     })
 }
 

@@ -26,7 +26,7 @@ mod unique;
 
 pub use every::{Solutions, is_same};
 pub use moduli::{Moduli, Width};
-pub use path::{Node, path};
+pub use path::{PathPoint, path};
 pub use radius::spectral_radius;
 pub use unique::{Sum, Unique};
 

@@ -14,7 +14,7 @@ const MOST: usize = 2000;
 
 /// A point of a path: the part of all friction, and the moduli.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Node {
+pub struct PathPoint {
     /// From 0 to 1.
     pub part: f64,
     /// The moduli of the solution.
@@ -23,8 +23,8 @@ pub struct Node {
 
 /// The moduli of a solution with all friction, to which a path leads from a point of it; `None` where it ends before. `solve` finds
 /// the moduli at a part near expected ones, as [`Moduli::near`] does.
-pub fn path(mut now: Node, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>) -> Option<Vec<f64>> {
-    let mut before: Option<Node> = None;
+pub fn path(mut now: PathPoint, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>) -> Option<Vec<f64>> {
+    let mut before: Option<PathPoint> = None;
     let mut step = FIRST;
     for _ in 0..MOST {
         if now.part >= 1.0 {
@@ -32,7 +32,7 @@ pub fn path(mut now: Node, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>
         }
         let part = (now.part + step).min(1.0);
         if let Some(moduli) = solve(part, &expected(before.as_ref(), &now, part)) {
-            before = Some(std::mem::replace(&mut now, Node { part, moduli }));
+            before = Some(std::mem::replace(&mut now, PathPoint { part, moduli }));
             step *= 1.5;
         } else {
             step *= 0.5;
@@ -45,7 +45,7 @@ pub fn path(mut now: Node, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>
 }
 
 /// The moduli that a path will have, straight on.
-fn expected(before: Option<&Node>, now: &Node, part: f64) -> Vec<f64> {
+fn expected(before: Option<&PathPoint>, now: &PathPoint, part: f64) -> Vec<f64> {
     let Some(before) = before else { return now.moduli.clone() };
     let share = (part - now.part) / (now.part - before.part);
     now.moduli.iter().zip(&before.moduli).map(|(now, before)| now + share * (now - before)).collect()

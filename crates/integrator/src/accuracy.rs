@@ -1,7 +1,7 @@
 //! Control of the global error of a motion, which the control of the local error of each step can't ensure: local
 //! errors may grow, and the motion of a stiff or unstable equation may follow a wrong branch at a loose tolerance.
 
-use crate::{IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajectory};
+use crate::{EquationOfMotion, IntegrationError, IntegratorPlugin, Knob, Request, Trajectory};
 
 /// Each run is compared with one at this fraction of its tolerance.
 const FINER: f64 = 0.1;
@@ -24,7 +24,7 @@ const LEAST_TOLERANCE: f64 = 1e-15;
 /// gives the same motion. The estimated error is in [`SolutionCost::error`](crate::SolutionCost::error).
 pub(crate) fn solve(
     plugin: &IntegratorPlugin,
-    motion: &mut dyn Motion,
+    motion: &mut dyn EquationOfMotion,
     request: &Request,
 ) -> Result<Trajectory, IntegrationError> {
     let mut found = plugin.solve(motion, request)?;

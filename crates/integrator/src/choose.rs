@@ -4,8 +4,8 @@ use assur_words::{Describe, Text, joined, name, number, text};
 
 use crate::error::SUSPICIOUS;
 use crate::{
-    Dependence, IntegrationError, IntegratorPlugin, Knob, Motion, Request, Trajectory, accuracy, find,
-    integrators,
+    Dependence, EquationOfMotion, IntegrationError, IntegratorPlugin, Knob, Request, Trajectory, accuracy,
+    find, integrators,
 };
 
 /// The name that leaves the choice of the method to the program.
@@ -43,7 +43,11 @@ pub struct Solution {
 }
 
 /// Solves an equation by the method of that name, or by the methods that [`AUTO`] stands for.
-pub fn solve(name: &str, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
+pub fn solve(
+    name: &str,
+    motion: &mut dyn EquationOfMotion,
+    request: &Request,
+) -> Result<Solution, IntegrationError> {
     let mut found = choose(name, &motion.dependence(), request.tolerance)?.solve(motion, request)?;
     if found.integrator.knob == Knob::Step {
         found.trajectory.statistics.error = error_of_steps(&found, motion, request);
@@ -53,7 +57,7 @@ pub fn solve(name: &str, motion: &mut dyn Motion, request: &Request) -> Result<S
 
 /// The deviation of a motion by fixed steps from that by the method that [`AUTO`] stands for; `None` where that fails, or
 /// has fixed steps as well.
-fn error_of_steps(found: &Solution, motion: &mut dyn Motion, request: &Request) -> Option<f64> {
+fn error_of_steps(found: &Solution, motion: &mut dyn EquationOfMotion, request: &Request) -> Option<f64> {
     let adaptive = choose(AUTO, &motion.dependence(), request.tolerance).ok()?.solve(motion, request).ok()?;
     (adaptive.integrator.knob != Knob::Step).then(|| adaptive.trajectory.deviation(&found.trajectory))
 }
@@ -104,7 +108,11 @@ fn ranked(
 
 impl Choice {
     /// Solves the equation by the first method that can treat it, keeping the tolerance for the motion as a whole.
-    pub fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Solution, IntegrationError> {
+    pub fn solve(
+        &self,
+        motion: &mut dyn EquationOfMotion,
+        request: &Request,
+    ) -> Result<Solution, IntegrationError> {
         let mut refusals = Vec::new();
         let mut rest = self.others.iter();
         let mut candidate = &self.first;

@@ -1,6 +1,6 @@
 //! Control of the step size: the norm of an error, and the proportional-integral controller.
 
-use crate::{Equation, FixedStep, Node, Request, State, Until};
+use crate::{CountedEquation, FixedStep, Node, Request, State, Until};
 
 /// Constants of the controller of step sizes (Gustafsson; Hairer, Wanner II, IV.2):
 /// factor = safety · error^-`proportional` · `error_before`^`integral`.
@@ -130,7 +130,7 @@ pub(crate) fn fixed_step(request: &Request, node: &Node) -> f64 {
 /// First step of an adaptive method whose error estimate has that order: chosen from the change of the acceleration
 /// along a short trial step, for a local error near the tolerance.
 pub(crate) fn first_step(
-    equation: &mut Equation<'_>,
+    equation: &mut CountedEquation<'_>,
     node: &Node,
     tolerance: f64,
     order: f64,

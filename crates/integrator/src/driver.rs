@@ -6,8 +6,8 @@ use assur_words::text;
 
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
-    Attempt, Dense, EventKind, FixedStep, IntegrationError, Integrator, Motion, MotionError, Node, Pace,
-    Request, Run, Scale, State, Step, Stepper, Trajectory, control,
+    Attempt, Dense, EquationOfMotion, EventKind, FixedStep, IntegrationError, Integrator, MotionError, Node,
+    Pace, Request, Run, Scale, State, Step, Stepper, Trajectory, control,
 };
 
 mod bends;
@@ -30,7 +30,11 @@ impl<S> Steps<S> {
 }
 
 impl<S: Stepper> Integrator for Steps<S> {
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+    fn solve(
+        &self,
+        motion: &mut dyn EquationOfMotion,
+        request: &Request,
+    ) -> Result<Trajectory, IntegrationError> {
         let mut drive = Drive::<S>::new(motion, request);
         drive.begin()?;
         while !drive.run.finished {
@@ -52,7 +56,7 @@ struct Drive<'a, S> {
     step: f64,
     /// A step to repeat, and the bound that it is to meet; without one it ends where the equation bends.
     redo: Option<(f64, Option<Side>)>,
-    /// The [bends](crate::Motion::bends) at the present state, and at the end of the step that is judged.
+    /// The [bends](crate::EquationOfMotion::bends) at the present state, and at the end of the step that is judged.
     bends: [Vec<f64>; 2],
     error_before: f64,
     after_rejection: bool,
@@ -75,7 +79,7 @@ struct Plan {
 }
 
 impl<'a, S: Stepper> Drive<'a, S> {
-    fn new(motion: &'a mut dyn Motion, request: &'a Request) -> Self {
+    fn new(motion: &'a mut dyn EquationOfMotion, request: &'a Request) -> Self {
         let stepper = S::default();
         let run = Run::new(motion, request);
         Self {

@@ -1,24 +1,24 @@
 //! The equation with a counter: every evaluation of every method is counted here.
 
-use crate::{Motion, MotionError, Partials, Piece, SolutionCost, State};
+use crate::{EquationOfMotion, MotionError, Partials, Piece, SolutionCost, State};
 
 /// The equation of motion as a step sees it.
-pub struct Equation<'a> {
-    motion: &'a mut dyn Motion,
+pub struct CountedEquation<'a> {
+    motion: &'a mut dyn EquationOfMotion,
     evaluations: usize,
     jacobians: usize,
     pieces: usize,
 }
 
-impl std::fmt::Debug for Equation<'_> {
+impl std::fmt::Debug for CountedEquation<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Equation").field("evaluations", &self.evaluations).finish_non_exhaustive()
+        f.debug_struct("CountedEquation").field("evaluations", &self.evaluations).finish_non_exhaustive()
     }
 }
 
-impl<'a> Equation<'a> {
+impl<'a> CountedEquation<'a> {
     /// Counts from zero.
-    pub fn new(motion: &'a mut dyn Motion) -> Self {
+    pub fn new(motion: &'a mut dyn EquationOfMotion) -> Self {
         Self { motion, evaluations: 0, jacobians: 0, pieces: 0 }
     }
 
@@ -38,7 +38,7 @@ impl<'a> Equation<'a> {
         self.motion.dependence().moment_on_acceleration
     }
 
-    /// Enters the piece just after `state`, see [`Motion::enter`].
+    /// Enters the piece just after `state`, see [`EquationOfMotion::enter`].
     pub fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
         self.pieces += 1;
         self.motion.enter(state)
@@ -64,7 +64,7 @@ impl<'a> Equation<'a> {
         Ok((reduced.inertia, reduced.moment))
     }
 
-    /// The [`Motion::bends`] at a state; counts as one evaluation.
+    /// The [`EquationOfMotion::bends`] at a state; counts as one evaluation.
     ///
     /// # Errors
     ///

@@ -160,7 +160,7 @@ impl Piece {
 /// The equation of motion of a mechanism with one degree of freedom.
 ///
 /// Required: what it depends on, its pieces, its coefficients.
-pub trait Motion {
+pub trait EquationOfMotion {
     /// What J and Q depend on, over all pieces.
     fn dependence(&self) -> Dependence;
 

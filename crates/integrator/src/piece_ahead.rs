@@ -2,7 +2,7 @@
 
 use assur_words::{number, text};
 
-use crate::{Equation, IntegrationError, MotionError, Piece, State};
+use crate::{CountedEquation, IntegrationError, MotionError, Piece, State};
 
 /// Enters the piece after `state`, and returns the acceleration in it; `at_speed_bound` if the speed is on a bound of
 /// the previous piece.
@@ -15,7 +15,7 @@ use crate::{Equation, IntegrationError, MotionError, Piece, State};
 ///
 /// [`IntegrationError::Equation`], [`IntegrationError::EmptyPiece`].
 pub fn enter(
-    equation: &mut Equation<'_>,
+    equation: &mut CountedEquation<'_>,
     state: &State,
     at_speed_bound: bool,
 ) -> Result<Option<(Piece, f64)>, IntegrationError> {
@@ -41,7 +41,7 @@ pub fn enter(
 
 /// The piece on a side of the speed with its acceleration, if that leads into it.
 fn leading(
-    equation: &mut Equation<'_>,
+    equation: &mut CountedEquation<'_>,
     state: &State,
     side: f64,
 ) -> Result<Option<(Piece, f64)>, IntegrationError> {
@@ -50,14 +50,14 @@ fn leading(
     Ok((acceleration * side > 0.0).then_some((piece, acceleration)))
 }
 
-fn acceleration(equation: &mut Equation<'_>, state: &State) -> Result<f64, IntegrationError> {
+fn acceleration(equation: &mut CountedEquation<'_>, state: &State) -> Result<f64, IntegrationError> {
     equation.acceleration(state).map_err(|source| IntegrationError::equation(state, source))
 }
 
 /// Enters the piece, each time a little further ahead, until it contains states ahead of `state`: a table that repeats
 /// with the cycle may place a row a rounding before or after the bound that it reported.
 pub(crate) fn piece_ahead(
-    equation: &mut Equation<'_>,
+    equation: &mut CountedEquation<'_>,
     state: &State,
     side: f64,
 ) -> Result<Piece, IntegrationError> {

@@ -3,7 +3,7 @@
 use assur_plugin::RegistryError;
 use assur_words::{Text, text};
 
-use crate::{Dependence, IntegrationError, Motion, Request, Trajectory};
+use crate::{Dependence, EquationOfMotion, IntegrationError, Request, Trajectory};
 
 /// A method for the equation of motion.
 ///
@@ -12,7 +12,11 @@ use crate::{Dependence, IntegrationError, Motion, Request, Trajectory};
 pub trait Integrator: Sync {
     /// Solves the equation from the initial state to the end. Called through [`IntegratorPlugin::solve`], which makes sure
     /// that the method suits the equation.
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError>;
+    fn solve(
+        &self,
+        motion: &mut dyn EquationOfMotion,
+        request: &Request,
+    ) -> Result<Trajectory, IntegrationError>;
 }
 
 /// Entry of a method in the registry: `inventory::submit! { IntegratorPlugin { ... } }`.
@@ -97,7 +101,11 @@ impl IntegratorPlugin {
     }
 
     /// Solves the equation from the initial state to the end.
-    pub fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+    pub fn solve(
+        &self,
+        motion: &mut dyn EquationOfMotion,
+        request: &Request,
+    ) -> Result<Trajectory, IntegrationError> {
         self.supports(&motion.dependence())?;
         request.check()?;
         self.method.solve(motion, request)

@@ -4,8 +4,8 @@ use assur_words::{Text, text};
 
 use crate::segment::{Segment, instant, samples};
 use crate::{
-    Curve, Equation, Event, EventKind, IntegrationError, Motion, MotionError, Node, Piece, Request,
-    SolutionCost, State, Trajectory, Until, enter,
+    CountedEquation, Curve, EquationOfMotion, Event, EventKind, IntegrationError, MotionError, Node, Piece,
+    Request, SolutionCost, State, Trajectory, Until, enter,
 };
 
 /// The reason where the speed only decays, so that the requested end is never reached.
@@ -18,7 +18,7 @@ const MOST_EVENTS: usize = 1_000_000;
 #[derive(Debug)]
 pub struct Run<'a, C> {
     /// The equation of motion.
-    pub equation: Equation<'a>,
+    pub equation: CountedEquation<'a>,
     /// What is requested.
     pub request: &'a Request,
     /// Present state, with its acceleration by the formulas of the present piece.
@@ -40,10 +40,10 @@ pub struct Run<'a, C> {
 
 impl<'a, C: Curve> Run<'a, C> {
     /// At the initial state, before any piece is entered.
-    pub fn new(motion: &'a mut dyn Motion, request: &'a Request) -> Self {
+    pub fn new(motion: &'a mut dyn EquationOfMotion, request: &'a Request) -> Self {
         let node = Node { state: request.initial, acceleration: 0.0 };
         Self {
-            equation: Equation::new(motion),
+            equation: CountedEquation::new(motion),
             request,
             node,
             piece: Piece::UNBOUNDED,

@@ -1,6 +1,6 @@
 //! A solution as segments that follow each other in time, and the equally spaced samples of it.
 
-use crate::{Equation, IntegrationError, Node, Sample, State};
+use crate::{CountedEquation, IntegrationError, Node, Sample, State};
 
 /// The motion inside one smooth piece of the equation, as a function of time.
 pub trait Curve {
@@ -27,7 +27,7 @@ impl<C: Curve> Segment<C> {
         }
     }
 
-    fn node(&self, equation: &mut Equation<'_>, time: f64) -> Result<Node, IntegrationError> {
+    fn node(&self, equation: &mut CountedEquation<'_>, time: f64) -> Result<Node, IntegrationError> {
         let state = self.at(time);
         let acceleration = match self.curve {
             Some(_) => {
@@ -39,7 +39,7 @@ impl<C: Curve> Segment<C> {
     }
 
     /// Enters the smooth piece of the equation that holds the segment, by a state well inside.
-    fn enter(&self, equation: &mut Equation<'_>) -> Result<(), IntegrationError> {
+    fn enter(&self, equation: &mut CountedEquation<'_>) -> Result<(), IntegrationError> {
         if self.curve.is_some() {
             let middle = self.at(0.5 * (self.from.time + self.end));
             equation.enter(&middle).map_err(|source| IntegrationError::equation(&middle, source))?;
@@ -56,7 +56,7 @@ impl<C: Curve> Segment<C> {
 ///
 /// [`IntegrationError::Equation`] where the equation fails at a sample.
 pub(crate) fn samples<C: Curve>(
-    equation: &mut Equation<'_>,
+    equation: &mut CountedEquation<'_>,
     segments: &[Segment<C>],
     count: usize,
     [first, last]: [Node; 2],

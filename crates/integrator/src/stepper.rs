@@ -1,6 +1,6 @@
 //! What a one-step method must provide to the driver.
 
-use crate::{Control, Dense, Equation, MotionError, Scale, State};
+use crate::{Control, CountedEquation, Dense, MotionError, Scale, State};
 
 /// A state and its acceleration.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -38,7 +38,7 @@ pub enum Pace {
 #[derive(Debug)]
 pub struct Step<'a, 'm> {
     /// The equation, in the piece of the step.
-    pub equation: &'a mut Equation<'m>,
+    pub equation: &'a mut CountedEquation<'m>,
     /// Its start.
     pub from: Node,
     /// Its length, s.
@@ -82,7 +82,7 @@ pub trait Stepper: Default {
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError>;
 
     /// Acceleration at the end of the last attempt.
-    fn finish(&mut self, equation: &mut Equation<'_>, end: &State) -> Result<f64, MotionError> {
+    fn finish(&mut self, equation: &mut CountedEquation<'_>, end: &State) -> Result<f64, MotionError> {
         equation.acceleration(end)
     }
 
@@ -91,5 +91,10 @@ pub trait Stepper: Default {
     /// # Errors
     ///
     /// [`MotionError`] if an extra stage fails.
-    fn dense(&mut self, equation: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError>;
+    fn dense(
+        &mut self,
+        equation: &mut CountedEquation<'_>,
+        from: &Node,
+        to: &Node,
+    ) -> Result<Dense, MotionError>;
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_group::{Body, Order, Wrench};
 use assur_kinematics::{Linkage, Position, PositionError};
@@ -87,7 +87,7 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
-    fn of(carrier: &Carrier, body: &Body<f64>, state: &State) -> Self {
+    fn of(carrier: &Carrier, body: &Body<f64>, state: &LoadState) -> Self {
         let (w, e) =
             (body.w1 * state.speed, body.w2 * state.speed * state.speed + body.w1 * state.acceleration);
         // -m a of a point at the arm r from the pin: m (w² r - e x r).
@@ -117,14 +117,14 @@ impl Unit {
 pub(crate) struct Sampler<'a> {
     pub(crate) linkage: &'a Linkage,
     loads: &'a Loads,
-    state: &'a dyn Fn(f64) -> State,
+    state: &'a dyn Fn(f64) -> LoadState,
     pub(crate) carriers: Vec<Carrier>,
     position: Position,
     wrenches: Vec<Wrench<f64>>,
 }
 
 impl<'a> Sampler<'a> {
-    pub(crate) fn new(linkage: &'a Linkage, loads: &'a Loads, state: &'a dyn Fn(f64) -> State) -> Self {
+    pub(crate) fn new(linkage: &'a Linkage, loads: &'a Loads, state: &'a dyn Fn(f64) -> LoadState) -> Self {
         let (carriers, position) = (carriers(linkage), linkage.position());
         let wrenches = vec![Wrench::ZERO; position.bodies.len()];
         Self { linkage, loads, state, carriers, position, wrenches }

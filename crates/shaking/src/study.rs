@@ -1,6 +1,6 @@
 //! Shaking force over the cycle, before and after balancing.
 
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{Mechanism, Motion, Range};
 
@@ -17,7 +17,7 @@ const FORMAT: u32 = 1;
 const SAMPLES: usize = 720;
 
 /// Shaking force, harmonics and counterweights of a mechanism; `state` is its motion at a coordinate.
-pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shaking, ShakingError> {
+pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> LoadState) -> Result<Shaking, ShakingError> {
     let mechanism = &linkage.mechanism;
     let input = &mechanism.input;
     let period = period(mechanism)?;
@@ -50,7 +50,7 @@ pub fn shaking(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Shakin
 /// # Errors
 ///
 /// Those of [`shaking`].
-pub fn shaking_size(linkage: &Linkage, state: &dyn Fn(f64) -> State) -> Result<Size, ShakingError> {
+pub fn shaking_size(linkage: &Linkage, state: &dyn Fn(f64) -> LoadState) -> Result<Size, ShakingError> {
     let input = &linkage.mechanism.input;
     let step = input.sign() * period(&linkage.mechanism)? / SAMPLES as f64;
     let loads = Loads::compile(linkage)?;

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
 
 use assur_all as _;
-use assur_force::State;
+use assur_force::LoadState;
 use assur_kinematics::Linkage;
 use assur_mechanism::{InputPair, Mechanism, Motion, Range};
 use assur_shaking::{AtPosition, Criterion, Shaking, shaking};
@@ -11,7 +11,7 @@ use assur_testkit::specimen::Recipe;
 
 fn found(mechanism: Mechanism) -> Shaking {
     let linkage = Linkage::compile(mechanism).unwrap();
-    shaking(&linkage, &|q| State::prescribed(&linkage.mechanism, q)).unwrap()
+    shaking(&linkage, &|q| LoadState::prescribed(&linkage.mechanism, q)).unwrap()
 }
 
 /// Random mechanisms with a cycle, a mass beyond the crank and a prescribed motion; the crank can carry a counterweight.

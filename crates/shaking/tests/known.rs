@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 
 use assur_all as _;
-use assur_force::State;
+use assur_force::LoadState;
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_shaking::{Criterion, Shaking, ShakingError, shaking};
@@ -17,7 +17,7 @@ fn compile(scene: &str) -> Linkage {
 
 fn found(scene: &str) -> Result<Shaking, ShakingError> {
     let linkage = compile(scene);
-    shaking(&linkage, &|q| State::prescribed(&linkage.mechanism, q))
+    shaking(&linkage, &|q| LoadState::prescribed(&linkage.mechanism, q))
 }
 
 fn near(found: f64, wanted: f64, limit: f64) {
@@ -125,7 +125,7 @@ fn counterweights_of_a_four_bar() {
         let crank = &mut scene.links[1];
         crank.center = [0, 1].map(|i| crank.center[i] + product[i] / crank.mass);
         let changed = Linkage::compile(scene).unwrap();
-        shaking(&changed, &|q| State::prescribed(&changed.mechanism, q)).unwrap().before.greatest_force
+        shaking(&changed, &|q| LoadState::prescribed(&changed.mechanism, q)).unwrap().before.greatest_force
     };
     let weight = &maximum.counterweights[0];
     let best = [weight.product * weight.angle.cos(), weight.product * weight.angle.sin()];
@@ -142,8 +142,8 @@ fn counterweights_of_a_four_bar() {
 fn momentum_changes_by_the_shaking_force() {
     let scene = assur_fixtures::scene("four-bar").replace("acceleration = 30", "");
     let linkage = compile(&scene);
-    let found = shaking(&linkage, &|q| State::prescribed(&linkage.mechanism, q)).unwrap();
-    let speed = State::prescribed(&linkage.mechanism, 0.0).speed;
+    let found = shaking(&linkage, &|q| LoadState::prescribed(&linkage.mechanism, q)).unwrap();
+    let speed = LoadState::prescribed(&linkage.mechanism, 0.0).speed;
     let momentum = |q: f64| {
         let mut position = linkage.position();
         linkage.solve(q, Order::First, &mut position).unwrap();

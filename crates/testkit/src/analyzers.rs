@@ -1,6 +1,6 @@
 //! The conformance suite of force analyzers: virtual power, equilibrium of every link, proportion, lanes.
 
-use assur_force::{AnalyzerPlugin, ForceError, Loads, Reactions, State, power};
+use assur_force::{AnalyzerPlugin, ForceError, LoadState, Loads, Reactions, power};
 use assur_group::plane::{cross, vector};
 use assur_group::{Order, PairGeometry, Wrench};
 use assur_kinematics::{Linkage, Position};
@@ -75,8 +75,11 @@ impl Case<'_> {
         if linkage.solve(coordinate, Order::Second, &mut position).is_err() {
             return Ok(false);
         }
-        let state =
-            State { speed: 3.0, acceleration: 2.0, ..State::prescribed(&linkage.mechanism, coordinate) };
+        let state = LoadState {
+            speed: 3.0,
+            acceleration: 2.0,
+            ..LoadState::prescribed(&linkage.mechanism, coordinate)
+        };
         let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
         loads.evaluate(&state, &position.bodies, &mut wrenches);
         let case = Case { linkage, position, loads: wrenches, seed };

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use assur_integrator::{
-    FixedStep, IntegrationError, IntegratorPlugin, Knob, Motion, Request, State, Trajectory, Until,
+    EquationOfMotion, FixedStep, IntegrationError, IntegratorPlugin, Knob, Request, State, Trajectory, Until,
 };
 use assur_problems as problems;
 
@@ -19,7 +19,7 @@ const ORDER: f64 = 0.3;
 /// A motion whose end is known.
 struct Problem {
     name: &'static str,
-    motion: fn() -> Box<dyn Motion>,
+    motion: fn() -> Box<dyn EquationOfMotion>,
     initial: State,
     until: Until,
     /// What of the end is known, and the wanted value.

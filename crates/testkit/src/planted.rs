@@ -3,7 +3,9 @@
 use assur_all as _;
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions};
 use assur_group::Wrench;
-use assur_integrator::{IntegrationError, Integrator, IntegratorPlugin, Knob, Motion, Request, Trajectory};
+use assur_integrator::{
+    EquationOfMotion, IntegrationError, Integrator, IntegratorPlugin, Knob, Request, Trajectory,
+};
 use assur_kinematics::{Linkage, Position};
 use assur_motor::{CataloguePlugin, CatalogueTable};
 use assur_words::Text;
@@ -68,7 +70,11 @@ fn mistakes_of_analyzers_are_caught() {
 struct Wrong(fn(&mut Trajectory));
 
 impl Integrator for Wrong {
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+    fn solve(
+        &self,
+        motion: &mut dyn EquationOfMotion,
+        request: &Request,
+    ) -> Result<Trajectory, IntegrationError> {
         let mut found = exact().method.solve(motion, request)?;
         (self.0)(&mut found);
         Ok(found)

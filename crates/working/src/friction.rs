@@ -1,6 +1,6 @@
 //! Dry friction of this position: the iteration of the textbooks, and the loads to which it leads.
 
-use assur_force::{Bearing, Iteration, Kinetostatics, Loads, UnknownKind};
+use assur_force::{Bearing, FrictionIteration, Kinetostatics, Loads, UnknownKind};
 use assur_group::plane::{dot, minus, perp};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId, Mechanism, PairId, Surfaces};
@@ -54,7 +54,7 @@ impl Work<'_> {
     /// Writes the moduli of a block, step by step.
     fn iteration(
         &mut self,
-        found: &Iteration,
+        found: &FrictionIteration,
         bearings: &[Bearing],
         unknown: impl Fn(usize) -> (usize, UnknownKind),
     ) {

@@ -21,7 +21,7 @@ mod names;
 
 pub use energy::{Cycle, Done, Ending, EnergyForm};
 
-use assur_force::{LoadError, Loads, State};
+use assur_force::{LoadError, LoadState, Loads};
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::Mechanism;
@@ -93,7 +93,7 @@ pub struct Task<'a> {
     /// Its loads; `None`: positions and transfer functions only.
     pub loads: Option<&'a Loads>,
     /// The state of the input.
-    pub state: State,
+    pub state: LoadState,
     /// Which position it is.
     pub place: PositionOrSample,
     /// What drives the input where its acceleration follows from the equation of motion.
@@ -140,7 +140,7 @@ pub struct Drive {
 pub(crate) struct Work<'a> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) bodies: &'a [Body<f64>],
-    pub(crate) state: State,
+    pub(crate) state: LoadState,
     pub(crate) drive: Option<Drive>,
     pub(crate) sheet: Sheet,
     pub(crate) general: Vec<usize>,

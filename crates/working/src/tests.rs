@@ -1,5 +1,5 @@
 use assur_all as _;
-use assur_force::{ForceAnalyzer, Loads, Reactions, State, analyzers};
+use assur_force::{ForceAnalyzer, LoadState, Loads, Reactions, analyzers};
 use assur_group::Wrench;
 use assur_kinematics::Linkage;
 use assur_mechanism::Motion;
@@ -24,7 +24,7 @@ pub(crate) fn compiled(mechanism: assur_mechanism::Mechanism) -> (Linkage, Optio
 }
 
 pub(crate) fn worked(linkage: &Linkage, loads: Option<&Loads>, index: usize) -> Working {
-    let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
+    let state = LoadState::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
     Working::of(&Task {
         linkage,
         loads,
@@ -40,7 +40,7 @@ pub(crate) fn worked(linkage: &Linkage, loads: Option<&Loads>, index: usize) -> 
 pub(crate) fn forces_agree(name: &str, linkage: &Linkage, loads: &Loads, index: usize, working: &Working) {
     let mut position = linkage.position();
     linkage.solve_index(index, assur_group::Order::Second, &mut position).unwrap();
-    let state = State::prescribed(&linkage.mechanism, position.coordinate);
+    let state = LoadState::prescribed(&linkage.mechanism, position.coordinate);
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
     loads.evaluate(&state, &position.bodies, &mut wrenches);
     let mut out = Reactions::new(linkage);

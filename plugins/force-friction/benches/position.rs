@@ -7,7 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use assur_all as _;
-use assur_force::{Kinetostatics, LaneKinetostatics, Loads, State, find};
+use assur_force::{Kinetostatics, LaneKinetostatics, LoadState, Loads, find};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_number::Lanes;
@@ -28,14 +28,14 @@ fn timed<'a>(linkage: &'a Linkage, loads: &'a Loads, method: &str, lanes: bool) 
             for block in 0..POSITIONS / Lanes::WIDTH {
                 let at = Lanes::of(|lane| coordinate(block * Lanes::WIDTH + lane));
                 linkage.solve_lanes(at, Order::Second, &mut together).unwrap();
-                let states = at.0.map(|q| State::prescribed(&linkage.mechanism, q));
+                let states = at.0.map(|q| LoadState::prescribed(&linkage.mechanism, q));
                 eight.solve(&states, &together).unwrap();
                 black_box(&eight.reactions.balancing);
             }
         } else {
             for q in (0..POSITIONS).map(coordinate) {
                 linkage.solve(q, Order::Second, &mut position).unwrap();
-                single.solve(&State::prescribed(&linkage.mechanism, q), &position).unwrap();
+                single.solve(&LoadState::prescribed(&linkage.mechanism, q), &position).unwrap();
                 black_box(&single.reactions.balancing);
             }
         }

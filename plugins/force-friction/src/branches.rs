@@ -1,7 +1,7 @@
 //! All solutions with friction of a mechanism: those of the last block, and for each of them those of the blocks before it.
 
-use assur_force::{Block, ForceError, Iteration};
-use assur_friction::{Moduli, Node, path};
+use assur_force::{Block, ForceError, FrictionIteration};
+use assur_friction::{Moduli, PathPoint, path};
 use assur_group::Wrench;
 
 use crate::chain::{Chain, Prepared};
@@ -153,7 +153,7 @@ impl Chain<'_> {
     fn continued(&self, block: &Block, branch: &Branch, scale: f64) -> Result<Option<Vec<f64>>, ForceError> {
         let moduli = |part: f64| self.prepare(block, (&branch.loads, &branch.pairs), scale * part);
         let Some(ideal) = moduli(0.0)? else { return Ok(None) };
-        let start = Node { part: 0.0, moduli: ideal.moduli.step(&vec![0.0; ideal.moduli.count()]) };
+        let start = PathPoint { part: 0.0, moduli: ideal.moduli.step(&vec![0.0; ideal.moduli.count()]) };
         Ok(path(start, |part, expected| moduli(part).ok()??.moduli.near(expected)))
     }
 }
@@ -163,7 +163,7 @@ const TOLD: (usize, f64) = (12, 1e-10);
 
 impl Chain<'_> {
     /// How the friction of each block is found, on the way to the solution that is taken.
-    pub(crate) fn iterations(&self, loads: &[Wrench<f64>]) -> Result<Vec<Iteration>, ForceError> {
+    pub(crate) fn iterations(&self, loads: &[Wrench<f64>]) -> Result<Vec<FrictionIteration>, ForceError> {
         let found = self.solutions(loads, 1.0)?;
         let taken = choice::taken(self, loads, &found).map(|index| found.branches[index].moduli.clone());
         let mut left = taken.as_deref();
@@ -177,7 +177,7 @@ impl Chain<'_> {
             left = left.and_then(|left| left.get(moduli.count()..));
             if moduli.count() > 0 {
                 let unknowns = block.unknowns.iter().copied();
-                all.push(Iteration {
+                all.push(FrictionIteration {
                     what: self.name(index),
                     unknowns: unknowns.filter(|one| self.frictions.unknowns[*one].is_modulus()).collect(),
                     steps: steps(moduli),

@@ -1,6 +1,6 @@
 //! Which of several solutions is taken, and up to which part of the coefficients there is any.
 
-use assur_friction::{Node, is_same, path};
+use assur_friction::{PathPoint, is_same, path};
 use assur_group::Wrench;
 
 use crate::branches::{Branch, Solutions};
@@ -25,13 +25,13 @@ pub(crate) fn taken(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions)
 }
 
 /// A part of the coefficients with certainly one solution, as great as the spectral radii promise, and its moduli.
-fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<Node> {
+fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<PathPoint> {
     let radius = found.certificates.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
     let parts = [0.9 / radius.max(1.0), START.min(0.01 / radius.max(1e-300))];
     parts.into_iter().find_map(|part| {
         let mut found = chain.solutions(loads, part).ok().filter(|found| found.proved)?;
         let only = found.branches.pop().filter(|_| found.branches.is_empty())?;
-        Some(Node { part, moduli: only.moduli })
+        Some(PathPoint { part, moduli: only.moduli })
     })
 }
 

@@ -19,8 +19,8 @@ mod choice;
 mod quick;
 
 use assur_force::{
-    Accelerations, AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FreeMotion, FrictionSolution, Iteration,
-    Reactions, group_by_group,
+    Accelerations, AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FreeMotion, FrictionIteration,
+    FrictionSolution, Reactions, group_by_group,
 };
 use assur_group::Wrench;
 use assur_kinematics::{LanePosition, Linkage, Position};
@@ -126,7 +126,7 @@ impl ForceAnalyzer for Friction {
         position: &Position,
         loads: &[Wrench<f64>],
         out: &Reactions,
-    ) -> Vec<Iteration> {
+    ) -> Vec<FrictionIteration> {
         let Some(chain) = Chain::of(linkage, position, out) else { return Vec::new() };
         chain.iterations(loads).unwrap_or_default()
     }

@@ -1,5 +1,5 @@
 use assur_all as _;
-use assur_force::{ForceAnalyzer, ForceError, Loads, Reactions, State, joints, power};
+use assur_force::{ForceAnalyzer, ForceError, LoadState, Loads, Reactions, joints, power};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
 use assur_structure::name_of;
@@ -24,7 +24,7 @@ fn solve(
     let loads = Loads::compile(linkage).unwrap();
     let mut position = linkage.position();
     linkage.solve(q, Order::Second, &mut position).unwrap();
-    let state = State::prescribed(&linkage.mechanism, q);
+    let state = LoadState::prescribed(&linkage.mechanism, q);
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
     loads.evaluate(&state, &position.bodies, &mut wrenches);
     let all = wrenches.clone();

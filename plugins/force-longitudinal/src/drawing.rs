@@ -1,6 +1,6 @@
 //! The construction as L draws it: the pole, F resolved along KA and KP, the polygon that closes in P.
 
-use assur_force::{Acting, Construction, Drawing, Step, VectorKind};
+use assur_force::{Acting, Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
@@ -88,12 +88,12 @@ impl Pole {
 
 /// Adds steps of one kind to a drawing; for each: name, start, vector, note.
 fn push<const N: usize>(
-    draft: &mut Vec<Step>,
+    draft: &mut Vec<ConstructionStep>,
     (drawing, kind): (Drawing, VectorKind),
     steps: [(&'static str, [f64; 2], [f64; 2], Text); N],
 ) {
     let unit = if matches!(kind, VectorKind::Point | VectorKind::Line) { "m" } else { "N" };
-    draft.extend(steps.map(|(symbol, start, vector, note)| Step {
+    draft.extend(steps.map(|(symbol, start, vector, note)| ConstructionStep {
         name: lettered(symbol),
         kind,
         drawing,
@@ -107,14 +107,23 @@ fn push<const N: usize>(
 
 /// Adds a line from the end of a force that begins at a point, as long as another force is drawn.
 fn push_line(
-    draft: &mut Vec<Step>,
+    draft: &mut Vec<ConstructionStep>,
     symbol: &'static str,
     start: [f64; 2],
     [after, vector]: [[f64; 2]; 2],
     note: Text,
 ) {
     let (kind, drawing) = (VectorKind::Line, Drawing::Mechanism);
-    draft.push(Step { name: lettered(symbol), kind, drawing, start, after, vector, unit: "N", note });
+    draft.push(ConstructionStep {
+        name: lettered(symbol),
+        kind,
+        drawing,
+        start,
+        after,
+        vector,
+        unit: "N",
+        note,
+    });
 }
 
 /// The symbol of a step; some have letters of their own in each language.
@@ -148,7 +157,7 @@ pub(crate) fn draw(scene: &Scene, at: &Setting, found: &Unknowns) -> Constructio
 }
 
 /// F and its components.
-fn loads(draft: &mut Vec<Step>, scene: &Scene, at: &Setting) {
+fn loads(draft: &mut Vec<ConstructionStep>, scene: &Scene, at: &Setting) {
     let Scene { third, b, end, coupler, .. } = scene;
     if at.known != [0.0, 0.0] {
         let (symbol, what) = if at.slider {
@@ -188,7 +197,7 @@ fn point_of_action(scene: &Scene, at: &Setting) -> ([f64; 2], f64) {
     (real.chain(made).find(sound).unwrap_or(action.at), 0.0)
 }
 
-fn lines(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, pole: Pole) {
+fn lines(draft: &mut Vec<ConstructionStep>, scene: &Scene, at: &Setting, pole: Pole) {
     let third =
         if at.slider { text!("force-longitudinal-normal") } else { text!("force-longitudinal-rocker") };
     let Some(place) = pole.place(at) else {
@@ -212,7 +221,7 @@ fn lines(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, pole: Pole) {
 }
 
 /// F along KA and KP, and the balancing force.
-fn resolution(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, found: &Unknowns, pole: Pole) {
+fn resolution(draft: &mut Vec<ConstructionStep>, scene: &Scene, at: &Setting, found: &Unknowns, pole: Pole) {
     let (k, couple) = point_of_action(scene, at);
     let (to_a, to_p) = (minus(at.a, k), pole.from(k, at));
     let turn = cross(to_a, to_p);
@@ -265,7 +274,7 @@ fn resolution(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, found: &Unknow
 }
 
 /// F + Fb + RP = 0, RP = R1 + R3, drawn head to tail.
-fn polygon(draft: &mut Vec<Step>, at: &Setting, found: &Unknowns) {
+fn polygon(draft: &mut Vec<ConstructionStep>, at: &Setting, found: &Unknowns) {
     let after = plus(at.force, found.fb);
     let last = plus(after, found.r1);
     let mut side = |kind, symbol, start, vector, note| {
@@ -281,7 +290,7 @@ fn polygon(draft: &mut Vec<Step>, at: &Setting, found: &Unknowns) {
     side(VectorKind::Reaction, "R3", last, found.r3, other);
 }
 
-fn reactions(draft: &mut Vec<Step>, scene: &Scene, at: &Setting, found: &Unknowns) {
+fn reactions(draft: &mut Vec<ConstructionStep>, scene: &Scene, at: &Setting, found: &Unknowns) {
     let Scene { third, a, b, o, end, .. } = scene;
     let (ra, rb) = (at_a(found), at_b(at, found));
     let on_b = if at.known == [0.0, 0.0] {

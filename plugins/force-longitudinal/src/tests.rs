@@ -8,7 +8,7 @@ mod print;
 mod refusals;
 mod working;
 
-use assur_force::{ForceAnalyzer, ForceError, Loads, Reactions, State};
+use assur_force::{ForceAnalyzer, ForceError, LoadState, Loads, Reactions};
 use assur_group::Order;
 use assur_group_rpr as _;
 use assur_group_rrp as _;
@@ -30,7 +30,7 @@ pub(super) fn loaded(linkage: &Linkage, coordinate: f64) -> (Position, Vec<assur
     let loads = Loads::compile(linkage).unwrap();
     let mut position = linkage.position();
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
-    let state = State::prescribed(&linkage.mechanism, coordinate);
+    let state = LoadState::prescribed(&linkage.mechanism, coordinate);
     let mut wrenches = vec![assur_group::Wrench::ZERO; linkage.structure.links];
     loads.evaluate(&state, &position.bodies, &mut wrenches);
     (position, wrenches)

@@ -5,7 +5,7 @@
 //! force and stands in the system itself.
 
 use assur_force::{Doubt, FrictionForces as Found, FrictionSolution, Reactions};
-use assur_friction::{Moduli, Node, Solutions, Width, path};
+use assur_friction::{Moduli, PathPoint, Solutions, Width, path};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{LinkId, Mechanism, Middle, PairId, Surfaces};
 
@@ -117,7 +117,7 @@ impl Frictional<'_> {
             Solutions { points: vec![only], complete: true, continuum: false }
         } else {
             let near = |part: f64, expected: &[f64]| prepared(part).ok()?.2.near(expected);
-            let start = Node { part: 0.0, moduli: prepared(0.0)?.2.step(&zero) };
+            let start = PathPoint { part: 0.0, moduli: prepared(0.0)?.2.step(&zero) };
             let mut all = system.solutions();
             taken = path(start, near).map(|z| all.index_of(z));
             all

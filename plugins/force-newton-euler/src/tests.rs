@@ -2,7 +2,7 @@
 //! the masses and the loads.
 
 use assur_all as _;
-use assur_force::{ForceAnalyzer, Loads, Reactions, State, joints, power};
+use assur_force::{ForceAnalyzer, LoadState, Loads, Reactions, joints, power};
 use assur_force_groups::Groups;
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
@@ -65,7 +65,7 @@ fn both(linkage: &Linkage, q: f64) -> Option<([Reactions; 2], Vec<Wrench<f64>>, 
     if position.health.iter().any(|health| health.abs() < 0.05) {
         return None;
     }
-    let state = State { coordinate: q, speed: 6.0, acceleration: -9.0, ..State::default() };
+    let state = LoadState { coordinate: q, speed: 6.0, acceleration: -9.0, ..LoadState::default() };
     let mut all = vec![Wrench::ZERO; linkage.structure.links];
     loads.evaluate(&state, &position.bodies, &mut all);
     let methods: [&dyn ForceAnalyzer; 2] = [&Groups, &NewtonEuler];

@@ -1,6 +1,6 @@
 //! The turned velocity plan with the forces on it.
 
-use assur_force::{Acting, Construction, Drawing, Step, UnitBalance, VectorKind};
+use assur_force::{Acting, Construction, ConstructionStep, Drawing, UnitBalance, VectorKind};
 use assur_group::Body;
 use assur_group::plane::{minus, opposite, perp, scaled};
 use assur_kinematics::{Linkage, Position};
@@ -25,8 +25,8 @@ fn turned(first: [f64; 2]) -> [f64; 2] {
     opposite(perp(first))
 }
 
-fn force(name: Text, kind: VectorKind, start: [f64; 2], vector: [f64; 2], note: Text) -> Step {
-    Step { name, kind, drawing: Drawing::Lever, start, after: [0.0; 2], vector, unit: "N", note }
+fn force(name: Text, kind: VectorKind, start: [f64; 2], vector: [f64; 2], note: Text) -> ConstructionStep {
+    ConstructionStep { name, kind, drawing: Drawing::Lever, start, after: [0.0; 2], vector, unit: "N", note }
 }
 
 struct Lever<'a> {
@@ -42,21 +42,21 @@ impl Lever<'_> {
     }
 
     /// The velocity of a point for dq = 1, turned, from the pole.
-    fn image_step(&self, name: Text, vector: [f64; 2], note: Text) -> Step {
+    fn image_step(&self, name: Text, vector: [f64; 2], note: Text) -> ConstructionStep {
         let unit = if self.linkage.angular() { "m/rad" } else { "m/m" };
         let (kind, drawing, start) = (VectorKind::Absolute, Drawing::Lever, [0.0; 2]);
-        Step { name, kind, drawing, start, after: [0.0; 2], vector, unit, note }
+        ConstructionStep { name, kind, drawing, start, after: [0.0; 2], vector, unit, note }
     }
 
     /// The images of the points from the pole, and each link between the images of its points.
-    fn images(&self, position: &Position) -> Vec<Step> {
+    fn images(&self, position: &Position) -> Vec<ConstructionStep> {
         let mechanism = &self.linkage.mechanism;
         let moving = mechanism
             .points
             .iter()
             .enumerate()
             .filter(|(_, point)| point.places.iter().all(|place| place.link != GROUND));
-        let mut steps: Vec<Step> = moving
+        let mut steps: Vec<ConstructionStep> = moving
             .map(|(id, point)| {
                 let image = turned(self.linkage.point_motion(id, position).pf1);
                 let letter = name(point.name.to_lowercase());
@@ -72,7 +72,7 @@ impl Lever<'_> {
                 let [start, end] = [from, to].map(|place| self.image(link, place.at));
                 let note = text!("force-lever-link", link = &mechanism.links[link].name);
                 let letters = joined("", [from, to].map(|place| name(place.name.to_lowercase())));
-                let line = Step {
+                let line = ConstructionStep {
                     kind: VectorKind::Line,
                     start,
                     ..self.image_step(letters, minus(end, start), note)
@@ -95,7 +95,7 @@ impl Lever<'_> {
     }
 
     /// A load in the image of the point where it acts, and its moment as a couple.
-    fn load(&self, load: &Acting, kind: VectorKind, symbol: &Text, what: &Text) -> Vec<Step> {
+    fn load(&self, load: &Acting, kind: VectorKind, symbol: &Text, what: &Text) -> Vec<ConstructionStep> {
         let (force_of, couple) = (load.wrench.force(), load.couple(self.bodies));
         let mut steps = Vec::new();
         if let Some(at) = load.at.filter(|_| force_of != [0.0, 0.0]) {
@@ -119,7 +119,14 @@ impl Lever<'_> {
 
     /// A moment on a link as two opposite forces across the line of two of its points. One in a point at rest has no moment about
     /// the pole and is not drawn: a moment on the crank is a force across it at its pin.
-    fn couple(&self, link: LinkId, moment: f64, kind: VectorKind, symbol: &Text, what: &Text) -> Vec<Step> {
+    fn couple(
+        &self,
+        link: LinkId,
+        moment: f64,
+        kind: VectorKind,
+        symbol: &Text,
+        what: &Text,
+    ) -> Vec<ConstructionStep> {
         let body = &self.bodies[link];
         let places = self.places(link);
         let far = |from: &Named<'_>, to: &Named<'_>| (to.at[0] - from.at[0]).hypot(to.at[1] - from.at[1]);
@@ -149,7 +156,7 @@ impl Lever<'_> {
     }
 
     /// The balancing load where it acts; a moment on the crank as a force at its pin.
-    fn balance(&self, size: f64) -> Vec<Step> {
+    fn balance(&self, size: f64) -> Vec<ConstructionStep> {
         let (mechanism, bodies) = (&self.linkage.mechanism, self.bodies);
         let (kind, symbol) = (VectorKind::Balancing, text!("force-lever-balance"));
         let on_input = text!("force-lever-balancing-load");

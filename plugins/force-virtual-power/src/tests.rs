@@ -1,4 +1,4 @@
-use assur_force::{Construction, Drawing, ForceAnalyzer, Loads, Reactions, State, find};
+use assur_force::{Construction, Drawing, ForceAnalyzer, LoadState, Loads, Reactions, find};
 use assur_force_newton_euler::NewtonEuler;
 use assur_group::plane::cross;
 use assur_group::{Order, Wrench};
@@ -23,7 +23,8 @@ fn loaded(linkage: &Linkage, coordinate: f64) -> (Position, Vec<Wrench<f64>>) {
     let loads = Loads::compile(linkage).unwrap();
     let mut position = linkage.position();
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
-    let state = State { speed: 3.0, acceleration: 2.0, ..State::prescribed(&linkage.mechanism, coordinate) };
+    let state =
+        LoadState { speed: 3.0, acceleration: 2.0, ..LoadState::prescribed(&linkage.mechanism, coordinate) };
     let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
     loads.evaluate(&state, &position.bodies, &mut wrenches);
     (position, wrenches)
@@ -60,7 +61,8 @@ fn agrees_with_newton_euler_on_fixtures() {
 /// The lever at a coordinate, under all loads with inertia.
 fn lever(linkage: &Linkage, coordinate: f64) -> Construction {
     let (position, _) = loaded(linkage, coordinate);
-    let state = State { speed: 3.0, acceleration: 2.0, ..State::prescribed(&linkage.mechanism, coordinate) };
+    let state =
+        LoadState { speed: 3.0, acceleration: 2.0, ..LoadState::prescribed(&linkage.mechanism, coordinate) };
     let loads = Loads::compile(linkage).unwrap().acting(&state, &position.bodies);
     VirtualPower.construction(linkage, &position, &loads).unwrap().unwrap()
 }

@@ -3,7 +3,7 @@
 //! time.
 
 use assur_integrator::{
-    Attempt, COEFFICIENTS, Control, Dense, Equation, MotionError, Node, Pace, State, Step, Stepper,
+    Attempt, COEFFICIENTS, Control, CountedEquation, Dense, MotionError, Node, Pace, State, Step, Stepper,
 };
 
 /// Nodes of a step from 0 to 1: those of Lobatto, which include both ends.
@@ -54,11 +54,11 @@ impl Stepper for Impulse {
         Ok(Attempt { end, error })
     }
 
-    fn finish(&mut self, _: &mut Equation<'_>, _: &State) -> Result<f64, MotionError> {
+    fn finish(&mut self, _: &mut CountedEquation<'_>, _: &State) -> Result<f64, MotionError> {
         Ok(self.acceleration)
     }
 
-    fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
+    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
         Ok(Dense {
             time: from.state.time,
             step: to.state.time - from.state.time,

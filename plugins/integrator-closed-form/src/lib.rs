@@ -2,8 +2,9 @@
 //! whole piece of the equation in one step. Also `quadrature`, for M(t) and M(w).
 
 use assur_integrator::{
-    Attempt, Cost, Dense, Dependence, Equation, IntegrationError, Integrator, IntegratorPlugin, Knob, Motion,
-    MotionError, Node, Pace, Request, State, Step, Stepper, Steps, Suitability, Trajectory, inventory,
+    Attempt, Cost, CountedEquation, Dense, Dependence, EquationOfMotion, IntegrationError, Integrator,
+    IntegratorPlugin, Knob, MotionError, Node, Pace, Request, State, Step, Stepper, Steps, Suitability,
+    Trajectory, inventory,
 };
 use assur_words::{Describe, Text, number, text};
 
@@ -52,11 +53,11 @@ impl Stepper for Parabola {
         Ok(Attempt { end: step.from.advanced(step.length), error: 0.0 })
     }
 
-    fn finish(&mut self, _: &mut Equation<'_>, _: &State) -> Result<f64, MotionError> {
+    fn finish(&mut self, _: &mut CountedEquation<'_>, _: &State) -> Result<f64, MotionError> {
         Ok(self.acceleration)
     }
 
-    fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
+    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
         Ok(Dense::parabola(from, to.state.time - from.state.time))
     }
 }
@@ -96,7 +97,11 @@ fn suitability(dependence: Dependence) -> Result<Suitability, Text> {
 struct Quadrature;
 
 impl Integrator for Quadrature {
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+    fn solve(
+        &self,
+        motion: &mut dyn EquationOfMotion,
+        request: &Request,
+    ) -> Result<Trajectory, IntegrationError> {
         if motion.dependence().moment_on_speed {
             speed::run(motion, request)
         } else {

@@ -1,7 +1,7 @@
 //! One step of Dormand-Prince 8(5,3).
 
 use assur_integrator::{
-    Attempt, Control, Dense, Equation, MotionError, Node, Pace, Scale, State, Step, Stepper,
+    Attempt, Control, CountedEquation, Dense, MotionError, Node, Pace, Scale, State, Step, Stepper,
 };
 
 use crate::dop853_table::{A, A_DENSE, B, B3, C, C_DENSE, D, E5};
@@ -49,13 +49,18 @@ impl Stepper for Dop853 {
         Ok(Attempt { end, error: self.error(&end, &scale) })
     }
 
-    fn finish(&mut self, equation: &mut Equation<'_>, end: &State) -> Result<f64, MotionError> {
+    fn finish(&mut self, equation: &mut CountedEquation<'_>, end: &State) -> Result<f64, MotionError> {
         let acceleration = equation.acceleration(end)?;
         self.0.k[12] = [end.speed, acceleration];
         Ok(acceleration)
     }
 
-    fn dense(&mut self, equation: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
+    fn dense(
+        &mut self,
+        equation: &mut CountedEquation<'_>,
+        from: &Node,
+        to: &Node,
+    ) -> Result<Dense, MotionError> {
         let stages = &mut self.0;
         for (c, weights) in C_DENSE.into_iter().zip(A_DENSE) {
             stages.stage(equation, c, weights)?;

@@ -1,6 +1,8 @@
 //! One step of Dormand-Prince 5(4).
 
-use assur_integrator::{Attempt, Control, Dense, Equation, MotionError, Node, Pace, State, Step, Stepper};
+use assur_integrator::{
+    Attempt, Control, CountedEquation, Dense, MotionError, Node, Pace, State, Step, Stepper,
+};
 
 use crate::stages::Stages;
 
@@ -33,11 +35,11 @@ impl Stepper for Dopri5 {
         Ok(Attempt { end, error: scale.norm(&end, h * q, h * w) })
     }
 
-    fn finish(&mut self, _: &mut Equation<'_>, _: &State) -> Result<f64, MotionError> {
+    fn finish(&mut self, _: &mut CountedEquation<'_>, _: &State) -> Result<f64, MotionError> {
         Ok(self.0.k[6][1])
     }
 
-    fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
+    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
         let h = self.0.h;
         let mut dense = Dense::cubic(from, to, h);
         let [q, w] = self.0.weighted(&D);

@@ -1,6 +1,6 @@
 //! Explicit stages, shared by both methods.
 
-use assur_integrator::{Equation, MotionError, State, Step};
+use assur_integrator::{CountedEquation, MotionError, State, Step};
 
 /// A stage: its slopes, which are its speed and its acceleration.
 pub(crate) type Slope = [f64; 2];
@@ -54,7 +54,7 @@ impl<const N: usize> Stages<N> {
     #[inline]
     pub(crate) fn stage(
         &mut self,
-        equation: &mut Equation<'_>,
+        equation: &mut CountedEquation<'_>,
         c: f64,
         weights: &[f64],
     ) -> Result<State, MotionError> {

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use assur_integrator::{Equation, MotionError, State};
+use assur_integrator::{CountedEquation, MotionError, State};
 use assur_number::panel::chebyshev::{
     INSIDE, NODES, Series, WITH_ENDS, divided, first_zero, integral, inverse, swing, tail, value,
 };
@@ -198,7 +198,7 @@ impl Panel {
     /// Fits a panel. `first` are the values at its start where they are known, `energy` is T there, and `largest`
     /// the largest T so far: the energy is right compared to that.
     pub(crate) fn fit(
-        equation: &mut Equation<'_>,
+        equation: &mut CountedEquation<'_>,
         from: &State,
         length: f64,
         first: Option<Values>,

@@ -1,8 +1,8 @@
 //! Panel after panel along the coordinate, through pieces and turning points, to the end.
 
 use assur_integrator::{
-    Curve, EventKind, IntegrationError, Integrator, Motion, MotionError, Request, Run, State, Trajectory,
-    Until,
+    Curve, EquationOfMotion, EventKind, IntegrationError, Integrator, MotionError, Request, Run, State,
+    Trajectory, Until,
 };
 use assur_words::text;
 
@@ -67,7 +67,11 @@ pub(crate) struct March<'a> {
 pub(crate) struct Energy;
 
 impl Integrator for Energy {
-    fn solve(&self, motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+    fn solve(
+        &self,
+        motion: &mut dyn EquationOfMotion,
+        request: &Request,
+    ) -> Result<Trajectory, IntegrationError> {
         let run = Run::new(motion, request);
         let mut march = March { run, energy: 0.0, largest: 0.0, length: FIRST_PANEL, known: None };
         march.begin()?;

@@ -1,6 +1,6 @@
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-use assur_integrator::{AUTO, EventKind, Motion, Reduced, Request, State, Until};
+use assur_integrator::{AUTO, EquationOfMotion, EventKind, Reduced, Request, State, Until};
 use assur_integrator_dormand_prince::DOP853;
 use assur_problems::{Andrews, Example, VARIABLE};
 use proptest::prelude::*;
@@ -288,7 +288,7 @@ proptest! {
             inertia_derivative: 0.0,
             moment: moments.iter().map(|(n, a, p)| a * (f64::from(*n) * at.coordinate + p).cos()).sum(),
         });
-        let mut equation = assur_integrator::Equation::new(&mut motion);
+        let mut equation = assur_integrator::CountedEquation::new(&mut motion);
         let state = State { coordinate: at, speed: 1.0, time: 0.0 };
         let (mut length, mut factor) = (length, 1.0);
         let panel = loop {

@@ -1,7 +1,7 @@
 //! One step of Radau IIA with three stages.
 
 use assur_integrator::{
-    Attempt, Control, Dense, Equation, MotionError, Node, Pace, Partials, Scale, State, Step, Stepper,
+    Attempt, Control, CountedEquation, Dense, MotionError, Node, Pace, Partials, Scale, State, Step, Stepper,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -61,7 +61,7 @@ impl Collocation {
     /// Newton's method for the stage speeds; none if it does not converge.
     fn solve(
         &mut self,
-        equation: &mut Equation<'_>,
+        equation: &mut CountedEquation<'_>,
         from: &Node,
         partials: &Partials,
         scale: &Scale,
@@ -111,7 +111,7 @@ impl Collocation {
     /// Error of order 3, filtered by (γ/h - Jacobian)^-1 so that stiff parts do not count twice (IV.8.20).
     fn error(
         &self,
-        equation: &mut Equation<'_>,
+        equation: &mut CountedEquation<'_>,
         (from, end): (&Node, &State),
         partials: &Partials,
         scale: &Scale,
@@ -137,7 +137,11 @@ impl Collocation {
         Ok(scale.norm(end, q, w))
     }
 
-    fn partials_at(&mut self, equation: &mut Equation<'_>, from: &Node) -> Result<Partials, MotionError> {
+    fn partials_at(
+        &mut self,
+        equation: &mut CountedEquation<'_>,
+        from: &Node,
+    ) -> Result<Partials, MotionError> {
         // Computed for each step and kept for its repetitions: two evaluations cost less than a slow iteration.
         if let Some((_, partials)) = self.partials.filter(|(state, _)| *state == from.state) {
             return Ok(partials);
@@ -193,12 +197,12 @@ impl Stepper for Collocation {
         Ok(Attempt { end, error })
     }
 
-    fn finish(&mut self, equation: &mut Equation<'_>, end: &State) -> Result<f64, MotionError> {
+    fn finish(&mut self, equation: &mut CountedEquation<'_>, end: &State) -> Result<f64, MotionError> {
         self.before = Some((*end, self.h, self.increments[1]));
         equation.acceleration(end)
     }
 
-    fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
+    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
         let mut dense = Dense::steady(&from.state, self.h);
         let slopes = self.increments.map(|z| [interpolate(&z, 0.0).1, interpolate(&z, 1.0).1]);
         dense.set_cubics(&from.state, &to.state, slopes);

@@ -1,8 +1,8 @@
 //! `rk4`: the classical Runge-Kutta method of order 4 at a fixed step, the improvement that D 3.23 names.
 
 use assur_integrator::{
-    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step, Stepper,
-    Steps, Suitability, inventory,
+    Attempt, Cost, CountedEquation, Dense, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step,
+    Stepper, Steps, Suitability, inventory,
 };
 use assur_words::text;
 
@@ -60,7 +60,7 @@ impl Stepper for Classical {
         Ok(Attempt { end, error: 0.0 })
     }
 
-    fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
+    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
         Ok(Dense::hermite(from, to))
     }
 }

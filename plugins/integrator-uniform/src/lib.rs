@@ -2,8 +2,8 @@
 //! 3.23, with D 3.12 and 3.13). Order 1, a fixed step.
 
 use assur_integrator::{
-    Attempt, Cost, Dense, Equation, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper, Steps,
-    Suitability, inventory,
+    Attempt, Cost, CountedEquation, Dense, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper,
+    Steps, Suitability, inventory,
 };
 use assur_words::text;
 
@@ -42,7 +42,7 @@ impl Stepper for Interval {
         Ok(Attempt { end: step.from.advanced(step.length), error: 0.0 })
     }
 
-    fn dense(&mut self, _: &mut Equation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
+    fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
         Ok(Dense::parabola(from, to.state.time - from.state.time))
     }
 }

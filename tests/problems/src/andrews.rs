@@ -1,7 +1,7 @@
 //! Andrews' squeezing mechanism, reduced to its crank. Data: Test Set for IVP Solvers, problem "andrews"; Hairer,
 //! Wanner II, VII.7.
 
-use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State};
 
 type Vector = [f64; 2];
 
@@ -80,7 +80,7 @@ fn add(sum: &mut Reduced, mass: f64, inertia: f64, (center, angular): (Point, Ve
     sum.inertia_derivative += 2.0 * (mass * dot(center[1], center[2]) + inertia * angular[0] * angular[1]);
 }
 
-impl Motion for Andrews {
+impl EquationOfMotion for Andrews {
     fn dependence(&self) -> Dependence {
         crate::VARIABLE
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State};
 
 mod andrews;
 mod elliptic;
@@ -54,7 +54,7 @@ impl<F: Fn(Place, &State) -> Reduced> Example<F> {
     }
 }
 
-impl<F: Fn(Place, &State) -> Reduced> Motion for Example<F> {
+impl<F: Fn(Place, &State) -> Reduced> EquationOfMotion for Example<F> {
     fn dependence(&self) -> Dependence {
         self.dependence
     }
@@ -106,41 +106,41 @@ pub const VARIABLE: Dependence = Dependence { inertia_constant: false, ..BY_COOR
 
 /// E1: J = 0.1 kg m², a driving moment of 30 N m that falls linearly to 0 over five turns, less 10 N m.
 /// From rest, w = sqrt(1000 pi) rad/s after five turns.
-pub fn e1() -> impl Motion {
+pub fn e1() -> impl EquationOfMotion {
     let five_turns = 10.0 * PI;
     Example::new(BY_COORDINATE, move |_, at| constant(0.1, 30.0 * (1.0 - at.coordinate / five_turns) - 10.0))
 }
 
 /// D1: a brake, J = 0.4 kg m², M = -0.8 N m. From 100 rad/s it stops in 50 s after 2500 rad.
-pub fn d1() -> impl Motion {
+pub fn d1() -> impl EquationOfMotion {
     Example::new(CONSTANT, |_, _| constant(0.4, -0.8))
 }
 
 /// The brake as dry friction: against the motion, so that it rests for good.
-pub fn d1_friction() -> impl Motion {
+pub fn d1_friction() -> impl EquationOfMotion {
     Example::new(CONSTANT, |place, _| constant(0.4, -0.8 * place.direction)).directed()
 }
 
 /// A pendulum: w' = -sin q.
-pub fn pendulum() -> impl Motion {
+pub fn pendulum() -> impl EquationOfMotion {
     Example::new(BY_COORDINATE, |_, at| constant(2.0, -2.0 * at.coordinate.sin()))
 }
 
 /// A mass of 1 whose moment jumps from 2 to -1 at q = 1 and to 4 at q = 2. From rest at q = 0 it passes q = 1 with
 /// w² = 4 at t = 1, q = 2 with w² = 2 at t = 3 - sqrt 2, and q = 3 with w² = 10 after (sqrt 10 - sqrt 2)/4 more.
-pub fn jumps() -> impl Motion {
+pub fn jumps() -> impl EquationOfMotion {
     const MOMENTS: [f64; 3] = [2.0, -1.0, 4.0];
     Example::new(BY_COORDINATE, |place, _| constant(1.0, MOMENTS[place.segment])).with_breaks(vec![1.0, 2.0])
 }
 
 /// A spring of stiffness 1 on a mass of 1 with dry friction 0.3: from rest at q = 1 it swings to -0.4 in pi seconds, and
 /// from there to -0.2, where the friction holds it: 2 pi seconds in all.
-pub fn friction_oscillator() -> impl Motion {
+pub fn friction_oscillator() -> impl EquationOfMotion {
     Example::new(BY_COORDINATE, |place, at| constant(1.0, -at.coordinate - 0.3 * place.direction)).directed()
 }
 
 /// Inertia that varies three times, no moment: the kinetic energy is kept. J = 2 + cos q.
-pub fn coasting() -> impl Motion {
+pub fn coasting() -> impl EquationOfMotion {
     Example::new(VARIABLE, |_, at| Reduced {
         inertia: 2.0 + at.coordinate.cos(),
         inertia_derivative: -at.coordinate.sin(),
@@ -150,7 +150,7 @@ pub fn coasting() -> impl Motion {
 
 /// A motor of slope `steepness` (N m s) at synchronous speed 10 rad/s on J = 1 + 0.3 cos q against a load
 /// 2 + sin q: stiff for a great steepness.
-pub fn motor(steepness: f64) -> impl Motion {
+pub fn motor(steepness: f64) -> impl EquationOfMotion {
     let dependence = Dependence { moment_on_speed: true, ..VARIABLE };
     Example::new(dependence, move |_, at| Reduced {
         inertia: 1.0 + 0.3 * at.coordinate.cos(),

@@ -1,13 +1,13 @@
 //! Families of equations of motion, with data drawn from a seed.
 
-use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State, Until};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State, Until};
 use assur_problems::{CONSTANT, Example};
 use assur_testkit::Rng;
 
 /// A motion to be found.
 pub(crate) struct Case {
     pub(crate) family: &'static str,
-    pub(crate) motion: Box<dyn Fn() -> Box<dyn Motion>>,
+    pub(crate) motion: Box<dyn Fn() -> Box<dyn EquationOfMotion>>,
     pub(crate) initial: State,
     pub(crate) until: Until,
     /// The end, where a formula gives it.
@@ -30,7 +30,7 @@ pub(crate) const FAMILIES: [fn(&mut Rng) -> Case; 10] = [
 
 fn case(
     family: &'static str,
-    motion: impl Fn() -> Box<dyn Motion> + 'static,
+    motion: impl Fn() -> Box<dyn EquationOfMotion> + 'static,
     (coordinate, speed): (f64, f64),
     end: f64,
 ) -> Case {
@@ -67,7 +67,7 @@ fn driven_oscillator(rng: &mut Rng) -> Case {
         coordinate: a * (p * t).cos() + b * (p * t).sin() + free,
         speed: p * (b * (p * t).cos() - a * (p * t).sin()) + free_speed,
     };
-    let motion = move || -> Box<dyn Motion> {
+    let motion = move || -> Box<dyn EquationOfMotion> {
         Box::new(Example::new(OSCILLATOR, move |_, at| {
             reduced(2.0, 2.0 * (f * (p * at.time).cos() - 2.0 * d * at.speed - k * at.coordinate))
         }))
@@ -83,7 +83,7 @@ fn relaxation(rng: &mut Rng) -> Case {
     let c2 = q0 - c1;
     let (fast, slow) = (c1 * (-a * t).exp(), c2 * (-b * t).exp());
     let exact = State { time: t, coordinate: fast + slow, speed: -a * fast - b * slow };
-    let motion = move || -> Box<dyn Motion> {
+    let motion = move || -> Box<dyn EquationOfMotion> {
         let dependence = Dependence { moment_on_time: false, ..OSCILLATOR };
         Box::new(Example::new(dependence, move |_, at| {
             reduced(0.5, -0.5 * ((a + b) * at.speed + a * b * at.coordinate))
@@ -101,7 +101,7 @@ fn pendulum(rng: &mut Rng) -> Case {
 fn harmonics(rng: &mut Rng) -> Case {
     let h: Vec<f64> = (0..9).map(|_| rng.signed(0.0, 1.0)).collect();
     let fan = rng.range(0.0, 0.5);
-    let motion = move || -> Box<dyn Motion> {
+    let motion = move || -> Box<dyn EquationOfMotion> {
         let h = h.clone();
         Box::new(Example::new(MACHINE, move |_, at| {
             let (q, w) = (at.coordinate, at.speed);
@@ -127,7 +127,7 @@ fn kloss_run_up(rng: &mut Rng) -> Case {
     let (top, critical, speed) = (rng.range(20.0, 80.0), rng.range(0.05, 0.4), rng.range(20.0, 160.0));
     let (inertia, load) = (rng.range(0.05, 2.0), rng.range(0.0, 0.5) * top * critical);
     let fan = rng.range(0.0, 0.3) * top / (speed * speed);
-    let motion = move || -> Box<dyn Motion> {
+    let motion = move || -> Box<dyn EquationOfMotion> {
         let dependence = Dependence { moment_on_speed: true, ..CONSTANT };
         Box::new(Example::new(dependence, move |_, at| {
             let w = at.speed;
@@ -144,7 +144,7 @@ fn kloss_with_variable_inertia(rng: &mut Rng) -> Case {
     let (top, critical, speed) = (rng.range(20.0, 200.0), rng.range(0.05, 0.3), rng.range(5.0, 40.0));
     let (inertia, swing) = (rng.range(0.3, 3.0), rng.range(0.1, 0.8));
     let (load, wave) = (rng.range(0.0, 0.4) * top * critical, rng.range(0.0, 0.5) * top * critical);
-    let motion = move || -> Box<dyn Motion> {
+    let motion = move || -> Box<dyn EquationOfMotion> {
         Box::new(Example::new(MACHINE, move |_, at| {
             let (q, w) = (at.coordinate, at.speed);
             Reduced {
@@ -170,7 +170,7 @@ fn stroke_damper(rng: &mut Rng) -> Case {
     let damping = 10.0_f64.powf(rng.range(0.0, 3.3));
     let (stiffness, arm) = (rng.range(0.0, 100.0), rng.range(0.1, 0.9));
     let weight = rng.signed(0.0, 10.0);
-    let motion = move || -> Box<dyn Motion> {
+    let motion = move || -> Box<dyn EquationOfMotion> {
         Box::new(Example::new(MACHINE, move |_, at| {
             let (sin, cos) = at.coordinate.sin_cos();
             // x = cos q + arm sin² q.
@@ -191,7 +191,7 @@ fn stroke_damper(rng: &mut Rng) -> Case {
 fn jumps_and_friction(rng: &mut Rng) -> Case {
     let moments: Vec<f64> = (0..6).map(|_| rng.signed(0.0, 2.0)).collect();
     let (friction, damping) = (rng.range(0.05, 0.5), rng.range(0.0, 0.2));
-    let motion = move || -> Box<dyn Motion> {
+    let motion = move || -> Box<dyn EquationOfMotion> {
         let moments = moments.clone();
         let example = Example::new(MACHINE, move |place, at| Reduced {
             inertia: 1.5 + at.coordinate.cos(),
@@ -213,7 +213,7 @@ struct Table {
     row: usize,
 }
 
-impl Motion for Table {
+impl EquationOfMotion for Table {
     fn dependence(&self) -> Dependence {
         Dependence { moment_on_coordinate: false, ..OSCILLATOR }
     }
@@ -237,6 +237,6 @@ fn table_over_time(rng: &mut Rng) -> Case {
     let mut rows = rows;
     rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let fan = rng.range(0.0, 0.4);
-    let motion = move || -> Box<dyn Motion> { Box::new(Table { rows: rows.clone(), fan, row: 0 }) };
+    let motion = move || -> Box<dyn EquationOfMotion> { Box::new(Table { rows: rows.clone(), fan, row: 0 }) };
     case("table over time", motion, (0.0, rng.signed(0.0, 3.0)), rng.range(0.5, 4.0))
 }

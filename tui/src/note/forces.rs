@@ -5,7 +5,7 @@ use assur_analysis::results::Owner;
 use assur_book::{Column, Document, Table, Unit, catalogue, row};
 use assur_diagram::VectorPlan;
 use assur_figure::{Figure, Ink, Panel, Stroke};
-use assur_force::{Construction, Step};
+use assur_force::{Construction, ConstructionStep};
 use assur_report::topic;
 use assur_words::{Text, joined, name, number, quantity, text};
 
@@ -187,7 +187,7 @@ fn construction(context: &mut Context<'_>, page: &mut Document) -> Result<(), No
 
 /// The last steps of the stages: where forces follow points and lines, or the drawing changes.
 fn stages(construction: &Construction) -> Vec<usize> {
-    let stage = |step: &Step| (step.drawing, step.unit == "N");
+    let stage = |step: &ConstructionStep| (step.drawing, step.unit == "N");
     let steps = &construction.steps;
     let ends =
         (0..steps.len()).filter(|at| steps.get(at + 1).is_none_or(|next| stage(next) != stage(&steps[*at])));

@@ -10,7 +10,7 @@ mod motion;
 use std::sync::Arc;
 
 use assur_dynamics::Instant;
-use assur_force::{Reactions, State};
+use assur_force::{LoadState, Reactions};
 use assur_group::Order;
 use assur_integrator::Reduced;
 use assur_kinematics::LanePosition;
@@ -83,7 +83,7 @@ impl Rows<'_> {
     }
 
     /// A number of the state of each lane.
-    fn state(&self, number: fn(&State) -> f64) -> Lanes {
+    fn state(&self, number: fn(&LoadState) -> f64) -> Lanes {
         Lanes::of(|lane| number(&self.instants[lane].state))
     }
 }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use assur_force::{Cause, State, power};
+use assur_force::{Cause, LoadState, power};
 use assur_group::{Body, Order};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LoadId, Mechanism, Motion, Notice};
@@ -132,7 +132,7 @@ impl Calculation {
             }
             seen.motion(&position.bodies);
             if let Some(loads) = self.loads.as_ref().filter(|_| self.is_prescribed()) {
-                let state = State::prescribed(&linkage.mechanism, position.coordinate);
+                let state = LoadState::prescribed(&linkage.mechanism, position.coordinate);
                 loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
                     let body = &position.bodies[link];
                     let terms = [wrench.fx * body.x1, wrench.fy * body.y1, wrench.m * body.w1];

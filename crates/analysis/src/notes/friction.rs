@@ -1,6 +1,6 @@
 //! What is said of dry friction: pairs that never move, positions of no relative speed, several solutions.
 
-use assur_force::{Cause, State};
+use assur_force::{Cause, LoadState};
 use assur_group::Order;
 use assur_mechanism::{Contact, LoadId, Name, Notice};
 use assur_structure::name_of;
@@ -91,7 +91,7 @@ impl Calculation {
         let (linkage, loads) = (&self.linkage, self.loads.as_ref()?);
         let mut position = linkage.position();
         linkage.solve_index(index, Order::First, &mut position).ok()?;
-        let state = State::prescribed(&linkage.mechanism, position.coordinate);
+        let state = LoadState::prescribed(&linkage.mechanism, position.coordinate);
         let [angle, friction] = loads.contact(id, &state)?;
         let mut force = None;
         loads.sizes(&state, &position.bodies, |cause, size| {

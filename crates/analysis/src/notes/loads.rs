@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use assur_force::{Cause, State, power};
+use assur_force::{Cause, LoadState, power};
 use assur_group::Order;
 use assur_mechanism::{LoadId, Motion, Over, Range, Spring, Value, passage};
 use assur_words::{Text, list, quantity, text};
@@ -99,7 +99,7 @@ impl Calculation {
         for place in 0..PLACES {
             let way = mechanism.input.sign() * cycle * f64::from(place) / f64::from(PLACES);
             self.linkage.solve(mechanism.input.from + way, Order::First, &mut position).ok()?;
-            let state = State::prescribed(mechanism, position.coordinate);
+            let state = LoadState::prescribed(mechanism, position.coordinate);
             loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
                 let Cause::Load(load) = cause else { return };
                 let work = speed.signum() * power(&wrench, &position.bodies[link]);

@@ -1,6 +1,6 @@
 //! The sizes that a load may have where its argument is rounded.
 
-use assur_force::State;
+use assur_force::LoadState;
 use assur_mechanism::Value;
 
 use super::{At, Extremes, sizes};
@@ -16,7 +16,7 @@ fn value(text: &str) -> Value {
 
 const PERIOD: f64 = 8.0;
 
-fn between(value: &Value, state: State, extremes: Option<Extremes>) -> [f64; 2] {
+fn between(value: &Value, state: LoadState, extremes: Option<Extremes>) -> [f64; 2] {
     let (point, pf1) = ([0.25, 0.0], [1.0, 0.0]);
     sizes(value, &At { state: &state, point, pf1, extremes, sense: 1.0, period: Some(PERIOD), scale: 2.0 })
         .range
@@ -34,19 +34,19 @@ fn a_line_has_what_it_gains_over_the_rounding_of_its_argument() {
     // A slope of 3: 1e-11 of the argument, at least of 1 s.
     let table = value("{ over = \"time\", table = [[0, 0], [4000, 12000]] }");
     for (time, width) in [(0.25, 1e-11), (1000.0, 1e-8)] {
-        let state = State { time, ..State::default() };
+        let state = LoadState { time, ..LoadState::default() };
         assert_between(between(&table, state, None), 3.0 * time, 3.0 * width);
     }
 }
 
 #[test]
 fn a_formula_has_what_it_gains_over_the_rounding_of_each_variable() {
-    let state = State { coordinate: 2.0, speed: 40.0, time: 30.0, ..State::default() };
+    let state = LoadState { coordinate: 2.0, speed: 40.0, time: 30.0, ..LoadState::default() };
     for (formula, middle, width) in [("3*q", 6.0, 3.0 * PERIOD), ("3*w", 120.0, 120.0), ("3*t", 90.0, 90.0)] {
         let value = value(&format!("{{ formula = \"{formula}\" }}"));
         assert_between(between(&value, state, None), middle, 1e-11 * width);
     }
     // A time of less than a second is rounded as one of a second.
-    let early = State { time: 0.25, ..state };
+    let early = LoadState { time: 0.25, ..state };
     assert_between(between(&value("{ formula = \"3*t\" }"), early, None), 0.75, 3e-11);
 }

@@ -1,4 +1,4 @@
-use assur_force::{Kinetostatics, LaneKinetostatics, Loads, State, find};
+use assur_force::{Kinetostatics, LaneKinetostatics, LoadState, Loads, find};
 use assur_group::{Order, Wrench};
 use assur_number::Lanes;
 
@@ -44,7 +44,7 @@ fn the_worst_condition_and_the_greatest_values_are_notable() {
     let loads = Loads::compile(&linkage).unwrap();
     let input = &linkage.mechanism.input;
     let states: Vec<_> =
-        (0..500).map(|i| State::prescribed(&linkage.mechanism, input.coordinate(i))).collect();
+        (0..500).map(|i| LoadState::prescribed(&linkage.mechanism, input.coordinate(i))).collect();
     let method = find("newton-euler").unwrap();
     let carrying = vec![true; linkage.groups().len()];
     let mut forces = LaneKinetostatics::new(Kinetostatics::new(&linkage, &loads, method.instance, &carrying));

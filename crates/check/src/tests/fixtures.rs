@@ -1,7 +1,7 @@
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_group::Order;
 
 use super::{checks, hold, names, scene, show};
@@ -85,7 +85,7 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
     let loads = Loads::compile(&linkage).unwrap();
     let input = &linkage.mechanism.input;
     let found = |factor: f64| {
-        let needed = |state: &State| {
+        let needed = |state: &LoadState| {
             let mut position = linkage.position();
             linkage.solve(state.coordinate, Order::Second, &mut position).unwrap();
             let found = loads.reduced(state, &position.bodies);
@@ -98,7 +98,7 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
             loads: Some(&loads),
             positions: Chosen::all(0),
             states: Chosen::all(input.positions),
-            state: &|index| Some(State::prescribed(&linkage.mechanism, input.coordinate(index))),
+            state: &|index| Some(LoadState::prescribed(&linkage.mechanism, input.coordinate(index))),
             drive: Some(&needed),
             methods: methods(&linkage, None),
         };
@@ -126,14 +126,14 @@ fn drive_at_rest(coordinate: f64, value: f64) -> Check {
          table = [[0, 5], [0.5, 5], [0.5, -3], [1, -3], [1.000000000001, 7], [2, 7]] }\n",
     );
     let loads = Loads::compile(&linkage).unwrap();
-    let state = State { coordinate, ..State::default() };
+    let state = LoadState { coordinate, ..LoadState::default() };
     let subject = Subject {
         linkage: &linkage,
         loads: Some(&loads),
         positions: Chosen::all(0),
         states: Chosen::all(1),
         state: &|_| Some(state),
-        drive: Some(&move |_: &State| InputLoad { value, error: 0.0, accuracy: [1e-9, 0.0] }),
+        drive: Some(&move |_: &LoadState| InputLoad { value, error: 0.0, accuracy: [1e-9, 0.0] }),
         methods: methods(&linkage, None),
     };
     let ControlFlow::Continue((all, _)) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));

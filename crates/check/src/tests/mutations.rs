@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Loads, Reactions, State};
+use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, LoadState, Loads, Reactions};
 use assur_group::{Anchor, Order, Wrench};
 use assur_kinematics::{Input, Linkage, Position};
 use assur_mechanism::{Direction, Friction, Mechanism, PairId, Spring, Surfaces, Value};
@@ -28,9 +28,9 @@ fn compiled(mechanism: &Mechanism) -> Linkage {
     Linkage::compile(mechanism.clone()).unwrap()
 }
 
-fn states(linkage: &Linkage) -> Vec<State> {
+fn states(linkage: &Linkage) -> Vec<LoadState> {
     let input = &linkage.mechanism.input;
-    (0..input.positions).map(|i| State::prescribed(&linkage.mechanism, input.coordinate(i))).collect()
+    (0..input.positions).map(|i| LoadState::prescribed(&linkage.mechanism, input.coordinate(i))).collect()
 }
 
 /// Names of the checks that fail; "no assembly" where a position can't be solved any more, which stops the program.

@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-use assur_force::{LoadFault, Loads, State};
+use assur_force::{LoadFault, LoadState, Loads};
 use assur_formula::{Formula, Variables};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
@@ -32,7 +32,7 @@ fn specimen(seed: u64) -> Option<(Mechanism, f64)> {
     {
         *speed = 0.0;
     }
-    let State { coordinate, speed, time, .. } = State::prescribed(&mechanism, at);
+    let LoadState { coordinate, speed, time, .. } = LoadState::prescribed(&mechanism, at);
     let mut linkage = Linkage::compile(mechanism.clone()).ok()?;
     linkage.solve(at, Order::Place, &mut linkage.position()).ok()?;
     linkage.mechanism.loads.clear();
@@ -55,14 +55,14 @@ fn specimen(seed: u64) -> Option<(Mechanism, f64)> {
 }
 
 /// The loads of a state, summed up link by link.
-fn loads_at(linkage: &Linkage, loads: &Loads, state: &State) -> Option<Vec<Wrench<f64>>> {
+fn loads_at(linkage: &Linkage, loads: &Loads, state: &LoadState) -> Option<Vec<Wrench<f64>>> {
     let mut position = linkage.position();
     linkage.solve(state.coordinate, Order::Second, &mut position).ok()?;
     Some(loads.total(state, &position.bodies))
 }
 
 /// Every check of forces in some states.
-fn checked(linkage: &Linkage, loads: &Loads, states: &[State]) -> Vec<Check> {
+fn checked(linkage: &Linkage, loads: &Loads, states: &[LoadState]) -> Vec<Check> {
     let subject = Subject {
         linkage,
         loads: Some(loads),
@@ -99,7 +99,7 @@ fn fault(mechanism: &Mechanism, at: f64) -> Result<bool, String> {
             return if is_no_load { Ok(false) } else { Err(error.to_string()) };
         }
     };
-    let state = |off: f64| State::prescribed(mechanism, at + off);
+    let state = |off: f64| LoadState::prescribed(mechanism, at + off);
     let beside = [0.0, -4e-16, 4e-16, -1e-13, 1e-13, -1e-9, 1e-9, -1e-3, 1e-3].map(state);
     let all = checked(&linkage, &loads, &beside);
     if all.iter().any(|check| !check.ok && check.judged) {

@@ -8,7 +8,7 @@
 
 use std::sync::OnceLock;
 
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_testkit::specimen::Recipe;
@@ -58,15 +58,15 @@ impl Trial {
         &self.linkage.mechanism
     }
 
-    fn state(&self) -> State {
-        State::prescribed(self.mechanism(), self.mechanism().input.coordinate(self.index))
+    fn state(&self) -> LoadState {
+        LoadState::prescribed(self.mechanism(), self.mechanism().input.coordinate(self.index))
     }
 
     /// What is checked, with all registered methods.
     fn subject<'a>(
         &'a self,
-        state: &'a (dyn Fn(usize) -> Option<State> + Sync),
-        drive: Option<&'a (dyn Fn(&State) -> InputLoad + Sync)>,
+        state: &'a (dyn Fn(usize) -> Option<LoadState> + Sync),
+        drive: Option<&'a (dyn Fn(&LoadState) -> InputLoad + Sync)>,
     ) -> Subject<'a> {
         let all = Chosen::all(self.mechanism().input.positions);
         let methods = methods(&self.linkage, None);

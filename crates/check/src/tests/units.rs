@@ -4,7 +4,7 @@
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, InputPair, LoadKind, Mechanism, Table, Value};
 use assur_testkit::specimen::Recipe;
@@ -95,7 +95,7 @@ fn found(mechanism: Mechanism) -> Vec<Check> {
         loads: Some(&loads),
         positions: all.clone(),
         states: all,
-        state: &|index| Some(State::prescribed(&linkage.mechanism, input.coordinate(index))),
+        state: &|index| Some(LoadState::prescribed(&linkage.mechanism, input.coordinate(index))),
         drive: None,
         methods: methods(&linkage, None),
     };

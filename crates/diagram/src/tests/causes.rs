@@ -1,4 +1,4 @@
-use assur_force::{Loads, State, analyzers};
+use assur_force::{LoadState, Loads, analyzers};
 use assur_mechanism::PairId;
 
 use super::{analyzer, compile, fixture, reactions, solved, state};
@@ -12,7 +12,7 @@ fn hodograph(scene: &str, closed: bool) -> Hodograph {
     let input = &linkage.mechanism.input;
     let coordinates: Vec<_> = (0..input.positions).map(|index| input.coordinate(index)).collect();
     let force = |q: &f64| {
-        let state = State::prescribed(&linkage.mechanism, *q);
+        let state = LoadState::prescribed(&linkage.mechanism, *q);
         let out = reactions(&linkage, &loads, &state, &solved(&linkage, *q)).unwrap();
         joint_forces(&linkage, &out).into_iter().find(|one| one.on == "arm").unwrap().force
     };

@@ -1,4 +1,4 @@
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_geometry::{CenterAt, instant_centers};
 use assur_group::plane::{minus, plus};
 
@@ -69,7 +69,7 @@ fn parts_of_velocities_and_accelerations_reach_the_images() {
 fn acceleration_parts_add_up_to_pf2_w2_and_pf1_e() {
     // Coriolis: A slides on the rocker of the shaper. Sum of the three parts against the point's own derivatives.
     let linkage = super::compile(&super::fixture("guide-shaper"));
-    let state = State { speed: 3.0, acceleration: -4.0, ..State::default() };
+    let state = LoadState { speed: 3.0, acceleration: -4.0, ..LoadState::default() };
     for index in 0..linkage.mechanism.input.positions {
         let position = solved(&linkage, linkage.mechanism.input.coordinate(index));
         let plan = acceleration_plan(&linkage, &position, Some(&state));

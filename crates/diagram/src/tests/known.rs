@@ -1,4 +1,4 @@
-use assur_force::State;
+use assur_force::LoadState;
 
 use super::{compile, fixture, solved};
 use assur_geometry::{CenterAt, instant_centers};
@@ -62,7 +62,7 @@ fn a_slider_crank_in_its_dead_center() {
     // r = 0.06, l = 0.24, w = 10, e = 5: at the top the pins are in line; a(B) = -w^2 r (1 + r/l) along y.
     let linkage = compile(&fixture("slider-crank"));
     let position = solved(&linkage, std::f64::consts::FRAC_PI_2);
-    let state = State { speed: 10.0, acceleration: 5.0, ..State::default() };
+    let state = LoadState { speed: 10.0, acceleration: 5.0, ..LoadState::default() };
     let v = velocity_plan(&linkage, &position, Some(&state));
     assert_eq!(v.unit, "m/s");
     assert!((vector(&v, "v(A)").end[0] + 0.6).abs() < 1e-14 && vector(&v, "v(B)").size < 1e-14);

@@ -1,4 +1,4 @@
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::Contact;
@@ -58,7 +58,7 @@ fn the_guide_changes_its_side_where_the_force_passes_through_a() {
     {
         let linkage = compile(&fixture(scene));
         let loads = Loads::compile(&linkage).unwrap();
-        let at = |q| State::prescribed(&linkage.mechanism, q);
+        let at = |q| LoadState::prescribed(&linkage.mechanism, q);
         assert!((f1.to_degrees() - rounded).abs() < 5e-3, "{scene} {}", f1.to_degrees());
         for name in ["groups", "longitudinal", "newton-euler"] {
             let found = sign_changes(&solver(&linkage, &loads, name), &[0], &at).unwrap().remove(0);
@@ -88,7 +88,7 @@ fn changes_between_two_positions_are_found_however_few_there_are() {
         for positions in [1, 2, 7, 12, 48, 360] {
             let linkage = compile(&pushed(table, positions));
             let loads = Loads::compile(&linkage).unwrap();
-            let at = |q| State::prescribed(&linkage.mechanism, q);
+            let at = |q| LoadState::prescribed(&linkage.mechanism, q);
             let found = sign_changes(&solver(&linkage, &loads, "groups"), &[0], &at).unwrap().remove(0);
             let places: Vec<f64> = found.iter().map(|change| change.coordinate.to_degrees()).collect();
             assert_eq!(places.len(), 2, "{positions} {found:?}");
@@ -109,7 +109,7 @@ fn a_dip_through_zero_between_samples_is_two_changes() {
         let table = format!("[[0, {across}], [\"360 deg\", {across}]]");
         let linkage = compile(&pushed(&table, positions).replace("[input]", along));
         let loads = Loads::compile(&linkage).unwrap();
-        let at = |q| State::prescribed(&linkage.mechanism, q);
+        let at = |q| LoadState::prescribed(&linkage.mechanism, q);
         let found = sign_changes(&solver(&linkage, &loads, "groups"), &[0], &at).unwrap().remove(0);
         assert_eq!(found.len(), 2, "{positions} {found:?}");
         for change in &found {

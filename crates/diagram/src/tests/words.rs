@@ -1,4 +1,4 @@
-use assur_force::{Loads, State, find};
+use assur_force::{LoadState, Loads, find};
 
 use super::{compile, fixture};
 use crate::sheet;
@@ -7,7 +7,7 @@ use crate::sheet;
 fn a_sheet_has_everything_and_serializes() {
     let linkage = compile(&fixture("press"));
     let loads = Loads::compile(&linkage).unwrap();
-    let state = State::prescribed(&linkage.mechanism, -1.9);
+    let state = LoadState::prescribed(&linkage.mechanism, -1.9);
     let found = sheet(&linkage, &loads, &state, true, find("groups").unwrap()).unwrap();
     assert_eq!((found.polygons.len(), found.centers.len(), found.constructions.len()), (2, 6, 3));
     assert!(found.constructions.iter().all(|plan| plan.residual < 1e-12));
@@ -25,7 +25,7 @@ fn where_the_published_form_fails_the_sheet_still_comes() {
     );
     let linkage = compile(&scene);
     let loads = Loads::compile(&linkage).unwrap();
-    let state = State::prescribed(&linkage.mechanism, 0.0);
+    let state = LoadState::prescribed(&linkage.mechanism, 0.0);
     let found = sheet(&linkage, &loads, &state, true, find("longitudinal").unwrap()).unwrap();
     assert_eq!(found.constructions.len(), 3);
 }
@@ -35,7 +35,7 @@ fn where_the_published_form_fails_the_sheet_still_comes() {
 fn a_share_of_a_multiple_joint_is_not_called_by_the_whole_reaction() {
     let linkage = compile(&fixture("conveyor"));
     let loads = Loads::compile(&linkage).unwrap();
-    let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(2));
+    let state = LoadState::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(2));
     let found = sheet(&linkage, &loads, &state, true, find("groups").unwrap()).unwrap();
     let names: Vec<_> =
         found.polygons.iter().flat_map(|plan| &plan.items).map(|v| v.name.to_string()).collect();

@@ -1,7 +1,7 @@
 //! The machine along one cycle: coefficients of its equation over the path coordinate x.
 
 use assur_force::tolerance;
-use assur_integrator::{Motion, MotionError, Piece, State};
+use assur_integrator::{EquationOfMotion, MotionError, Piece, State};
 
 use super::collocation::{RULE, S, Values};
 use crate::DynamicsError;
@@ -83,7 +83,7 @@ impl Cycle {
 
 /// The machine, evaluated along the path.
 pub(crate) struct Path<'a> {
-    motion: &'a mut dyn Motion,
+    motion: &'a mut dyn EquationOfMotion,
     pub(crate) cycle: Cycle,
     /// The moment of the loads depends on the speed.
     pub(crate) by_speed: bool,
@@ -98,7 +98,7 @@ impl std::fmt::Debug for Path<'_> {
 }
 
 impl<'a> Path<'a> {
-    pub(crate) fn new(motion: &'a mut dyn Motion, cycle: Cycle) -> Self {
+    pub(crate) fn new(motion: &'a mut dyn EquationOfMotion, cycle: Cycle) -> Self {
         let by_speed = motion.dependence().moment_on_speed;
         Self { motion, cycle, by_speed, evaluations: 0 }
     }

@@ -1,6 +1,6 @@
 //! From a request to a regime: first guesses, the search, refinement.
 
-use assur_integrator::Motion;
+use assur_integrator::EquationOfMotion;
 use assur_words::text;
 
 use super::collocation::RULE;
@@ -76,7 +76,7 @@ impl<'a> RegimeSolver<'a> {
     ///
     /// [`DynamicsError::OverTime`], [`DynamicsError::NoCycle`], [`DynamicsError::NotRepeating`], [`DynamicsError::Equation`]
     /// where a position fails.
-    pub fn new(motion: &'a mut dyn Motion, request: CycleRequest) -> Result<Self, DynamicsError> {
+    pub fn new(motion: &'a mut dyn EquationOfMotion, request: CycleRequest) -> Result<Self, DynamicsError> {
         if motion.dependence().moment_on_time {
             return Err(DynamicsError::OverTime);
         }

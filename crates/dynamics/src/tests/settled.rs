@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use assur_integrator::{
-    Dependence, Motion, MotionError, Piece, Reduced, Request, State, Trajectory, Until, find,
+    Dependence, EquationOfMotion, MotionError, Piece, Reduced, Request, State, Trajectory, Until, find,
 };
 
 use assur_fixtures::scene;
@@ -39,7 +39,7 @@ impl Hand<'_> {
     }
 }
 
-impl Motion for Hand<'_> {
+impl EquationOfMotion for Hand<'_> {
     fn dependence(&self) -> Dependence {
         Dependence { moment_on_coordinate: true, moment_on_speed: true, ..Dependence::default() }
     }

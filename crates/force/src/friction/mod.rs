@@ -22,7 +22,7 @@ pub use unknown::{Unknown, UnknownKind};
 use crate::breaks::cut;
 use crate::choice::Selections;
 use crate::state::Selection;
-use crate::{Loads, Piece, Side, State};
+use crate::{LoadState, Loads, Piece, Side};
 
 /// The dry friction of all pairs of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,7 +68,7 @@ pub struct Doubt {
 
 /// How the friction of groups that are solved together is found.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Iteration {
+pub struct FrictionIteration {
     /// The groups in words.
     pub what: Text,
     /// Indices of the unknowns that are moduli.
@@ -152,7 +152,7 @@ impl Loads {
     /// it is as if the input moved along its direction, and a motion that starts has the sense of its acceleration; where the
     /// relative speed is zero, the sign just after the state holds (just before the end of a motion). Where a motion is held at
     /// rest, the friction of what else would move is not determined: NaN.
-    pub fn senses(&self, state: &State, bodies: &[Body<f64>], senses: &mut [f64]) {
+    pub fn senses(&self, state: &LoadState, bodies: &[Body<f64>], senses: &mut [f64]) {
         self.write_relative(bodies, senses);
         self.turn_to_senses(state, senses, |speed| speed);
     }
@@ -166,7 +166,7 @@ impl Loads {
     /// Puts the [`senses`](Self::senses) of a state (of a lane) in the place of the relative speeds.
     pub(crate) fn turn_to_senses<T>(
         &self,
-        state: &State,
+        state: &LoadState,
         speeds: &mut [T],
         lane: impl Fn(&mut T) -> &mut f64,
     ) {
@@ -181,7 +181,7 @@ impl Loads {
         }
     }
 
-    fn side_of_friction(&self, state: &State) -> Selection {
+    fn side_of_friction(&self, state: &LoadState) -> Selection {
         let mut side = match self.selections(state) {
             Selections::One(side) | Selections::Held([_, (_, side)]) => side,
         };
@@ -192,7 +192,7 @@ impl Loads {
     }
 
     /// As [`senses`](Self::senses), on the side of a state that moves, and cuts a piece to the states in which they hold.
-    pub fn enter_friction(&self, state: &State, senses: &mut [f64], piece: &mut Piece) {
+    pub fn enter_friction(&self, state: &LoadState, senses: &mut [f64], piece: &mut Piece) {
         let Some(frictions) = &self.frictions else { return };
         let side = self.side_of_friction(state);
         let ahead = side.coordinate(state, self.period);
@@ -207,7 +207,7 @@ impl Loads {
 
     /// The speed of the input by which powers of friction are counted: 0 at rest in a motion; without a motion, 1 along the
     /// direction of the input.
-    pub fn speed_of_friction(&self, state: &State, moves: bool) -> f64 {
+    pub fn speed_of_friction(&self, state: &LoadState, moves: bool) -> f64 {
         let direction = self.direction();
         if moves { state.speed } else { direction }
     }

@@ -3,7 +3,7 @@
 use assur_mechanism::Mechanism;
 
 use super::{applied, at, bodies, compiled, linkage, near};
-use crate::{LoadFault, Loads, Piece, State};
+use crate::{LoadFault, LoadState, Loads, Piece};
 
 /// A slider-crank with a force on its slider; the piston moves between 0.1 and 0.3 m.
 fn scene(value: &str, motion: &str) -> String {
@@ -18,13 +18,13 @@ fn scene(value: &str, motion: &str) -> String {
 const TRANSIENT: &str = "[motion]\nkind = 'transient'\nspeed = 1\nuntil = '1 s'";
 
 /// The force at a state.
-fn force(text: &str, state: &State) -> f64 {
+fn force(text: &str, state: &LoadState) -> f64 {
     let (linkage, loads) = compiled(text);
     applied(&loads, state, &bodies(&linkage, state.coordinate))[3].fx
 }
 
 /// The box in which the loads are smooth, just after a state.
-fn piece(text: &str, state: &State) -> Piece {
+fn piece(text: &str, state: &LoadState) -> Piece {
     let (_, loads) = compiled(text);
     loads.enter(state, &mut loads.phase())
 }
@@ -32,7 +32,7 @@ fn piece(text: &str, state: &State) -> Piece {
 #[test]
 fn a_formula_gives_the_size() {
     let value = "{ formula = '5 + 0.6*sin(2*q) + w*t', unit = 'kN' }";
-    let state = State { time: 0.5, ..at(0.4, 3.0) };
+    let state = LoadState { time: 0.5, ..at(0.4, 3.0) };
     near(force(&scene(value, TRANSIENT), &state), 6500.0 + 600.0 * 0.8_f64.sin(), 1e4);
     // The place along the axis, from one extreme (q = 180 degrees) to the other.
     let place = "{ formula = '100*x', axis = 0 }";
@@ -52,7 +52,8 @@ fn a_jump_belongs_to_the_side_of_the_motion() {
     near(force(&text, &at(1.0, -2.0)), 100.0, 100.0);
     near(force(&text, &at(1.0, 2.0)), 101.0, 100.0);
     // The instant before the jump, in either direction.
-    let before = |coordinate: f64, speed: f64| State { side: crate::Side::Before, ..at(coordinate, speed) };
+    let before =
+        |coordinate: f64, speed: f64| LoadState { side: crate::Side::Before, ..at(coordinate, speed) };
     near(force(&text, &before(1.0, 2.0)), 100.0, 100.0);
     near(force(&text, &before(1.0, -2.0)), 101.0, 100.0);
     near(force(&text, &before(pi, 1.0)), 101.0, 100.0);
@@ -60,7 +61,7 @@ fn a_jump_belongs_to_the_side_of_the_motion() {
 
 #[test]
 fn pieces_end_at_the_switches() {
-    let state = State { time: 0.2, ..at(0.5, 3.0) };
+    let state = LoadState { time: 0.2, ..at(0.5, 3.0) };
     let found = piece(&scene("{ formula = 'abs(sin(q)) + step(t - 0.75) + max(w, 5)' }", TRANSIENT), &state);
     near(found.coordinate[0], 0.0, 1e-3);
     near(found.coordinate[1], std::f64::consts::PI, 1.0);
@@ -133,7 +134,7 @@ fn a_switch_has_the_value_ahead() {
     let size = |formula: &str, motion: &str, q: f64| {
         let axis = if formula.contains('x') && !formula.contains("max(0") { ", axis = 0" } else { "" };
         let (linkage, loads) = compiled(&scene(&format!("{{ formula = '{formula}'{axis} }}"), motion));
-        let state = State::prescribed(&linkage.mechanism, q);
+        let state = LoadState::prescribed(&linkage.mechanism, q);
         applied(&loads, &state, &bodies(&linkage, q))[3].fx
     };
     let steady = &known(2.0, 0.0);
@@ -215,11 +216,15 @@ fn a_brake_is_against_the_rotation_and_absent_at_rest() {
     let (linkage, loads) = compiled(&text);
     for (q, speed) in [(0.4, 3.0), (0.4, -3.0), (2.6, 3.0), (2.6, -3.0)] {
         let bodies = bodies(&linkage, q);
-        let wrench = applied(&loads, &State { time: 10.0, ..at(q, speed) }, &bodies)[2];
+        let wrench = applied(&loads, &LoadState { time: 10.0, ..at(q, speed) }, &bodies)[2];
         near(wrench.m, -(bodies[2].w1 * speed).signum() * 0.3 * 0.2 * 60.0, 10.0);
     }
     let bodies = bodies(&linkage, 0.4);
-    near(applied(&loads, &State { side: crate::Side::Prescribed, ..at(0.4, 0.0) }, &bodies)[2].m, 0.0, 1.0);
+    near(
+        applied(&loads, &LoadState { side: crate::Side::Prescribed, ..at(0.4, 0.0) }, &bodies)[2].m,
+        0.0,
+        1.0,
+    );
     // The rod rests where the crank is normal to the guide; there the moment changes its sense.
     let found = piece(&text, &at(0.4, 3.0));
     near(found.coordinate[1], std::f64::consts::FRAC_PI_2, 1.0);
@@ -233,7 +238,7 @@ fn a_brake_resists_a_motion_that_begins_and_none_that_rests() {
     let (linkage, loads) = compiled(&scene("0", motion));
     let bodies = bodies(&linkage, 0.4);
     let moment = |acceleration: f64, side: crate::Side| {
-        applied(&loads, &State { acceleration, side, ..at(0.4, 0.0) }, &bodies)[2].m
+        applied(&loads, &LoadState { acceleration, side, ..at(0.4, 0.0) }, &bodies)[2].m
     };
     for acceleration in [2.0, -2.0] {
         let against = -(bodies[2].w1 * acceleration).signum() * 0.3 * 0.2 * 50.0;

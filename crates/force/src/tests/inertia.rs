@@ -3,7 +3,7 @@
 use assur_group::Wrench;
 
 use super::{bodies, compiled, near};
-use crate::{State, power};
+use crate::{LoadState, power};
 
 /// A four-bar whose crank and rocker have moments of inertia by formulas.
 const FOUR_BAR: &str = r#"
@@ -32,8 +32,8 @@ speed = 3
 B = [0.35, 0.3]
 "#;
 
-fn state(coordinate: f64) -> State {
-    State { coordinate, speed: 3.0, acceleration: -7.0, ..State::default() }
+fn state(coordinate: f64) -> LoadState {
+    LoadState { coordinate, speed: 3.0, acceleration: -7.0, ..LoadState::default() }
 }
 
 /// By hand: the moment -I (phi' e + phi'' w²) - I' phi' w² / 2, phi' = 1 and phi'' = 0 of the input link.

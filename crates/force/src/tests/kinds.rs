@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 use assur_group::Wrench;
 
 use super::{applied, at, bodies, compiled, near};
-use crate::{Cause, Side, State};
+use crate::{Cause, LoadState, Side};
 
 fn arm(load: &str) -> String {
     format!(
@@ -26,7 +26,7 @@ speed = 3
     )
 }
 
-fn moment(load: &str, state: State) -> f64 {
+fn moment(load: &str, state: LoadState) -> f64 {
     let (linkage, loads) = compiled(&arm(load));
     loads.reduced(&state, &bodies(&linkage, state.coordinate)).moment
 }
@@ -43,7 +43,8 @@ fn inertia_of_a_turning_link() {
 fn inertia_loads_are_against_the_acceleration() {
     let (linkage, loads) = compiled(&arm(""));
     let mut wrenches = vec![Wrench::ZERO; 2];
-    let state = State { coordinate: FRAC_PI_2, speed: 3.0, acceleration: 4.0, time: 0.0, ..State::default() };
+    let state =
+        LoadState { coordinate: FRAC_PI_2, speed: 3.0, acceleration: 4.0, time: 0.0, ..LoadState::default() };
     loads.evaluate(&state, &bodies(&linkage, FRAC_PI_2), &mut wrenches);
     // Upright: a = (-0.25 * 4, -0.25 * 9); about O: -J e.
     near(wrenches[1].fx, 2.0, 1.0);
@@ -176,15 +177,15 @@ fn tables_over_speed_and_time() {
     };
     near(moment(&table("speed"), at(0.0, 50.0)), 40.0, 60.0);
     near(moment(&table("speed"), at(0.0, -50.0)), 60.0, 60.0);
-    near(moment(&table("time"), State { time: 100.0, ..at(0.0, 1.0) }), 20.0, 60.0);
+    near(moment(&table("time"), LoadState { time: 100.0, ..at(0.0, 1.0) }), 20.0, 60.0);
     let (linkage, _) = compiled(&arm(""));
-    near(State::prescribed(&linkage.mechanism, 6.0).time, 2.0, 1.0);
+    near(LoadState::prescribed(&linkage.mechanism, 6.0).time, 2.0, 1.0);
 }
 
 #[test]
 fn time_follows_from_speed_and_acceleration() {
     let (linkage, _) = compiled(&arm("").replace("speed = 3", "speed = 3\nacceleration = -0.5"));
-    let time = |q: f64| State::prescribed(&linkage.mechanism, q).time;
+    let time = |q: f64| LoadState::prescribed(&linkage.mechanism, q).time;
     // 3 t - t²/4 = 5 at t = 2; the motion turns back at 9 rad after 6 s.
     near(time(5.0), 2.0, 1.0);
     near(time(9.0), 6.0, 1.0);
@@ -195,7 +196,8 @@ fn time_follows_from_speed_and_acceleration() {
 #[test]
 fn causes_add_up_to_all_loads() {
     let (linkage, loads) = compiled(&super::fixture("stephenson3"));
-    let state = State { coordinate: 1.0, speed: 15.0, acceleration: 40.0, time: 0.0, ..State::default() };
+    let state =
+        LoadState { coordinate: 1.0, speed: 15.0, acceleration: 40.0, time: 0.0, ..LoadState::default() };
     let bodies = bodies(&linkage, 1.0);
     let mut all = vec![Wrench::ZERO; bodies.len()];
     loads.evaluate(&state, &bodies, &mut all);
@@ -233,7 +235,7 @@ fn friction_against_the_sliding_changes_its_sign_with_it() {
             near(moment(AGAINST, at(q, speed)), moment(&given(-slides * speed.signum()), at(q, speed)), 10.0);
         }
         // Without a speed it is as if the input moved along its direction.
-        let rest = State { side: Side::Prescribed, ..at(q, 0.0) };
+        let rest = LoadState { side: Side::Prescribed, ..at(q, 0.0) };
         near(moment(AGAINST, rest), moment(&given(-slides), rest), 10.0);
     }
     // Where the arc rolls, the sign is the one just after the position in the direction of motion.

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use proptest::prelude::*;
 
 use super::{at, bodies, compiled, fixture, near};
-use crate::{Dependence, State};
+use crate::{Dependence, LoadState};
 
 fn transient(name: &str) -> String {
     let text = fixture(name);
@@ -92,7 +92,7 @@ fn disc(over: &str, table: &str) -> String {
 
 #[test]
 fn rows_of_each_variable_bound_the_box() {
-    let bounds = |over: &str, state: State| {
+    let bounds = |over: &str, state: LoadState| {
         let (_, loads) = compiled(&disc(over, "[[1, 0], [2, 10], [2, 30], [4, 50]]"));
         let mut phase = loads.phase();
         loads.enter(&state, &mut phase)
@@ -106,8 +106,8 @@ fn rows_of_each_variable_bound_the_box() {
     assert_eq!(bounds("speed", at(0.0, 3.0)).speed, [2.0, 4.0]);
     assert_eq!(bounds("speed", at(0.0, 2.0_f64.next_down())).speed, [1.0, 2.0]);
     assert_eq!(bounds("speed", at(0.0, 0.0)).speed, [f64::NEG_INFINITY, 1.0]);
-    assert_eq!(bounds("time", State { time: 2.0, ..at(0.0, 1.0) }).time, [2.0, 4.0]);
-    assert_eq!(bounds("time", State { time: 2.0, ..at(0.0, 1.0) }).coordinate[0], f64::NEG_INFINITY);
+    assert_eq!(bounds("time", LoadState { time: 2.0, ..at(0.0, 1.0) }).time, [2.0, 4.0]);
+    assert_eq!(bounds("time", LoadState { time: 2.0, ..at(0.0, 1.0) }).coordinate[0], f64::NEG_INFINITY);
 }
 
 #[test]

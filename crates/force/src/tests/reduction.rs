@@ -2,7 +2,7 @@ use assur_group::Wrench;
 use serde_json::Value;
 
 use super::{bodies, compiled, fixture};
-use crate::{State, power};
+use crate::{LoadState, power};
 
 #[test]
 fn reduced_values_agree_with_the_independent_results() {
@@ -13,7 +13,7 @@ fn reduced_values_agree_with_the_independent_results() {
         let mut worst = [[0.0_f64; 2]; 3];
         for (i, wanted) in wanted["positions"].as_array().unwrap().iter().enumerate() {
             let q = linkage.mechanism.input.coordinate(i);
-            let found = loads.reduced(&State::prescribed(&linkage.mechanism, q), &bodies(&linkage, q));
+            let found = loads.reduced(&LoadState::prescribed(&linkage.mechanism, q), &bodies(&linkage, q));
             let found = [found.inertia, found.inertia_derivative, found.moment];
             let keys = ["inertia", "inertia_derivative", "moment"];
             for (k, (found, key)) in found.into_iter().zip(keys).enumerate() {
@@ -64,7 +64,7 @@ fn power_of_all_loads_is_the_equation_of_motion() {
         let (linkage, loads) = compiled(&fixture(name));
         for i in 0..12 {
             let q = linkage.mechanism.input.coordinate(i);
-            let state = State { coordinate: q, speed: 7.0, acceleration: -11.0, ..State::default() };
+            let state = LoadState { coordinate: q, speed: 7.0, acceleration: -11.0, ..LoadState::default() };
             let bodies = bodies(&linkage, q);
             let mut all = vec![Wrench::ZERO; bodies.len()];
             loads.evaluate(&state, &bodies, &mut all);
@@ -82,7 +82,7 @@ fn nothing_is_allocated() {
     for name in ["shaper", "conveyor", "stephenson3", "press"] {
         let (linkage, loads) = compiled(&fixture(name));
         let q = linkage.mechanism.input.coordinate(3);
-        let (state, bodies) = (State::prescribed(&linkage.mechanism, q), bodies(&linkage, q));
+        let (state, bodies) = (LoadState::prescribed(&linkage.mechanism, q), bodies(&linkage, q));
         let mut all = vec![Wrench::ZERO; bodies.len()];
         let mut phase = loads.phase();
         let counted = allocation_counter::measure(|| {

@@ -4,7 +4,7 @@ use crate::{Cost, Integrator, Knob, Suitability};
 struct Nothing;
 
 impl Integrator for Nothing {
-    fn solve(&self, _: &mut dyn Motion, _: &Request) -> Result<Trajectory, IntegrationError> {
+    fn solve(&self, _: &mut dyn EquationOfMotion, _: &Request) -> Result<Trajectory, IntegrationError> {
         Ok(Trajectory::default())
     }
 }

@@ -6,7 +6,7 @@ use crate::{Dependence, Reduced};
 /// J = 2 + q, Q = 10 - 8 q - 6 w.
 struct Known;
 
-impl Motion for Known {
+impl EquationOfMotion for Known {
     fn dependence(&self) -> Dependence {
         Dependence { moment_on_coordinate: true, moment_on_speed: true, ..Dependence::default() }
     }
@@ -28,7 +28,7 @@ fn at(coordinate: f64, speed: f64) -> State {
 #[test]
 fn acceleration_follows_from_moment_and_change_of_inertia() {
     let motion = &mut Known;
-    let mut equation = Equation::new(motion);
+    let mut equation = CountedEquation::new(motion);
     // (10 - 16 - 12 - 1 4/2)/4
     assert_eq!(equation.acceleration(&at(2.0, 2.0)).unwrap(), -5.0);
     assert_eq!(equation.work(&at(2.0, 2.0)).unwrap(), (4.0, -18.0));
@@ -44,7 +44,7 @@ fn acceleration_follows_from_moment_and_change_of_inertia() {
 #[test]
 fn partial_derivatives_are_differences_and_give_the_eigenvalue() {
     let motion = &mut Known;
-    let mut equation = Equation::new(motion);
+    let mut equation = CountedEquation::new(motion);
     let here = at(2.0, 2.0);
     let acceleration = equation.acceleration(&here).unwrap();
     let found = equation.partials(&here, acceleration).unwrap();

@@ -1,6 +1,6 @@
 //! Forces: every registered analyzer, and the groups in other forms and numbers.
 
-use assur_force::{AnalyzerPlugin, Loads, Reactions, State, Unsolved, analyzers, group_by_group};
+use assur_force::{AnalyzerPlugin, LoadState, Loads, Reactions, Unsolved, analyzers, group_by_group};
 use assur_group::{AssurGroup, Body, Number, Order, Wrench, reactions_generally};
 use assur_kinematics::{Chain, Linkage, Position};
 use assur_mechanism::{Mechanism, Motion};
@@ -26,12 +26,12 @@ pub(crate) struct Loaded<'a> {
 }
 
 /// The state in which forces are compared: the prescribed motion, or the initial or mean speed without acceleration.
-pub(crate) fn state(mechanism: &Mechanism, coordinate: f64) -> State {
+pub(crate) fn state(mechanism: &Mechanism, coordinate: f64) -> LoadState {
     match mechanism.motion {
         Some(Motion::Transient { speed, .. } | Motion::Steady { mean_speed: speed, .. }) => {
-            State { coordinate, speed, ..State::default() }
+            LoadState { coordinate, speed, ..LoadState::default() }
         }
-        _ => State::prescribed(mechanism, coordinate),
+        _ => LoadState::prescribed(mechanism, coordinate),
     }
 }
 
@@ -60,7 +60,7 @@ impl<'a> Loaded<'a> {
     }
 
     /// The state of a position.
-    pub(crate) fn state(&self, index: usize) -> State {
+    pub(crate) fn state(&self, index: usize) -> LoadState {
         state(&self.work.linkage.mechanism, self.positions[index].coordinate)
     }
 

@@ -1,7 +1,7 @@
 //! Dry friction: the methods that solve it, against the textbook iteration after so many steps and against a regularized law.
 
 use assur_force::{
-    AnalyzerPlugin, Frictions, Kinetostatics, Loads, Reactions, State, Unknown, analyzers, choose,
+    AnalyzerPlugin, Frictions, Kinetostatics, LoadState, Loads, Reactions, Unknown, analyzers, choose,
 };
 use assur_kinematics::{Linkage, Position};
 use assur_words::{Describe, Text, text};
@@ -23,7 +23,7 @@ pub(crate) struct FrictionMethods<'a> {
     loads: &'a Loads,
     /// The method without friction in which the iteration solves each step.
     ideal: &'static AnalyzerPlugin,
-    states: Vec<State>,
+    states: Vec<LoadState>,
     /// By position: the sense of each bearing, and its relative speed as part of its greatest.
     senses: Vec<Vec<[f64; 2]>>,
     /// By position: forces of friction, then the balancing load; `None` where there is no solution.
@@ -36,7 +36,7 @@ impl<'a> FrictionMethods<'a> {
     pub(crate) fn new(loaded: &'a Loaded<'a>, loads: &'a Loads) -> Result<Option<Self>, ChartError> {
         let Some(frictions) = loads.frictions() else { return Ok(None) };
         let linkage = loaded.work.linkage;
-        let states: Vec<State> = (0..loaded.positions.len()).map(|index| loaded.state(index)).collect();
+        let states: Vec<LoadState> = (0..loaded.positions.len()).map(|index| loaded.state(index)).collect();
         let mut senses = vec![vec![0.0; frictions.bearings.len()]; states.len()];
         for ((state, position), senses) in states.iter().zip(&loaded.positions).zip(&mut senses) {
             loads.senses(state, &position.bodies, senses);

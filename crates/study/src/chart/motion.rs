@@ -5,7 +5,7 @@ pub(in crate::chart) mod reference;
 use std::hint::black_box;
 
 use assur_dynamics::{Driven, Machine};
-use assur_integrator::{FixedStep, IntegratorPlugin, Knob, Motion, Request, integrators};
+use assur_integrator::{EquationOfMotion, FixedStep, IntegratorPlugin, Knob, Request, integrators};
 use assur_words::{Describe, text};
 
 use super::data::{STEP, TOLERANCE};

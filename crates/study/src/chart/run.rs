@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 
 use assur_dynamics::DynamicsError;
 use assur_force::{LoadError, Loads, RegistryError};
-use assur_integrator::{AUTO, Dependence, Motion, Request, Until, choose};
+use assur_integrator::{AUTO, Dependence, EquationOfMotion, Request, Until, choose};
 use assur_kinematics::{CompileError, Linkage, PositionError};
-use assur_mechanism::Motion as Asked;
+use assur_mechanism::Motion;
 use assur_words::{Describe, Text, number, text};
 
 use super::data::TOLERANCE;
@@ -137,7 +137,7 @@ impl Charting<'_> {
     /// Motion, flywheel and steady regime, as far as the scene defines them.
     fn motion(&mut self, linkage: &Linkage, loads: &Loads) -> Result<(), ChartError> {
         let options = self.judge.options;
-        if let Some(Asked::Transient { .. }) = linkage.mechanism.motion {
+        if let Some(Motion::Transient { .. }) = linkage.mechanism.motion {
             let mut motion = assur_dynamics::equation(linkage, loads)?;
             let request = assur_dynamics::request(&linkage.mechanism, &mut motion)?;
             let task = Task { motion, request };

@@ -8,9 +8,9 @@ use assur_dynamics::{
     CycleRequest, DriveRequest, Driven, Machine, Regime, RegimeSolver, Source, TorqueRequest, steady,
 };
 use assur_force::Loads;
-use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, Request, State, Until};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, Request, State, Until};
 use assur_kinematics::Linkage;
-use assur_mechanism::Motion as Asked;
+use assur_mechanism::Motion;
 use assur_words::{Describe, Text, text};
 
 use super::data::TOLERANCE;
@@ -39,7 +39,7 @@ impl<'a> Cycle<'a> {
     /// Why it can't be found.
     pub(crate) fn of(linkage: &'a Linkage, loads: &'a Loads) -> Option<Result<Self, Text>> {
         let input = &linkage.mechanism.input;
-        let Some(Asked::Steady { mean_speed, .. }) = linkage.mechanism.motion else { return None };
+        let Some(Motion::Steady { mean_speed, .. }) = linkage.mechanism.motion else { return None };
         let length = input.period()?;
         let request = CycleRequest { start: input.from, length, mean_speed, constant_inertia: 0.0 };
         let found = steady(linkage, loads, None).map_err(|error| error.describe());
@@ -131,7 +131,7 @@ struct Counted<M> {
     count: usize,
 }
 
-impl<M: Motion> Motion for Counted<M> {
+impl<M: EquationOfMotion> EquationOfMotion for Counted<M> {
     fn dependence(&self) -> Dependence {
         self.motion.dependence()
     }

@@ -1,6 +1,6 @@
 //! The linear system works every group, so that a kind without its own equations needs nothing.
 
-use assur_force::State;
+use assur_force::LoadState;
 use assur_testkit::specimen::Recipe;
 
 use assur_words::Language;
@@ -15,7 +15,7 @@ fn generally(
     loads: Option<&assur_force::Loads>,
     index: usize,
 ) -> Working {
-    let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
+    let state = LoadState::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
     Working::by(
         &Task {
             linkage,

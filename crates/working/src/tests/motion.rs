@@ -1,6 +1,6 @@
 //! The equation of motion of a position against the program's reduction, and its forces against the drive.
 
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 
@@ -25,11 +25,11 @@ fn the_acceleration_follows_from_the_reduction() {
         for index in [1, 3, 7] {
             let mut position = linkage.position();
             linkage.solve_index(index, Order::Second, &mut position).unwrap();
-            let state = State { coordinate: position.coordinate, speed, ..State::default() };
+            let state = LoadState { coordinate: position.coordinate, speed, ..LoadState::default() };
             let reduced = loads.reduced(&state, &position.bodies);
             let net = reduced.moment + drive.moment - 0.5 * reduced.inertia_derivative * speed * speed;
             let acceleration = net / (reduced.inertia + drive.inertia);
-            let state = State { acceleration, ..state };
+            let state = LoadState { acceleration, ..state };
             let place = PositionOrSample::Position(index);
             let task = Task {
                 linkage: &linkage,

@@ -45,7 +45,7 @@ fn without_loads_and_motion_there_are_no_forces() {
 #[test]
 fn a_position_that_does_not_exist() {
     let (linkage, loads) = compiled(scene("slider-crank"));
-    let (state, place) = (assur_force::State::default(), PositionOrSample::Position(24));
+    let (state, place) = (assur_force::LoadState::default(), PositionOrSample::Position(24));
     let error = Working::of(&Task {
         linkage: &linkage,
         loads: loads.as_ref(),

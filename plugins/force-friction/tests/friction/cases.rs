@@ -1,7 +1,7 @@
 //! Closed forms, and the equations of the whole mechanism on random friction.
 
 use assur_all as _;
-use assur_force::{ForceError, Kinetostatics, Loads, State, find, power};
+use assur_force::{ForceError, Kinetostatics, LoadState, Loads, find, power};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Friction, Mechanism, Middle, PairId, Surfaces};
@@ -22,7 +22,7 @@ pub(super) fn solved(
     let mut forces = Kinetostatics::new(linkage, &loads, find(method).unwrap().instance, &carrying);
     let mut position = linkage.position();
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
-    forces.solve(&State::prescribed(&linkage.mechanism, coordinate), &position)?;
+    forces.solve(&LoadState::prescribed(&linkage.mechanism, coordinate), &position)?;
     let friction = forces.reactions.friction.unwrap();
     let several = friction.doubts.first().map_or(1, |(_, doubt)| doubt.solutions.len());
     Ok((forces.reactions.balancing, friction.forces, several))
@@ -35,7 +35,7 @@ pub(super) fn limit(linkage: &Linkage, coordinate: f64) -> f64 {
     let mut forces = Kinetostatics::new(linkage, &loads, find("coulomb").unwrap().instance, &carrying);
     let mut position = linkage.position();
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
-    forces.jamming_limit(&State::prescribed(&linkage.mechanism, coordinate), &position).unwrap()
+    forces.jamming_limit(&LoadState::prescribed(&linkage.mechanism, coordinate), &position).unwrap()
 }
 
 fn drawer(coefficient: f64, extra: &str) -> Linkage {
@@ -388,7 +388,7 @@ fn little_friction_costs_the_powers_of_the_ideal_reactions() {
         let coordinate = linkage.mechanism.input.coordinate(2);
         let mut position = linkage.position();
         linkage.solve(coordinate, Order::Second, &mut position).unwrap();
-        let state = State::prescribed(&linkage.mechanism, coordinate);
+        let state = LoadState::prescribed(&linkage.mechanism, coordinate);
         ideal.solve(&state, &position).unwrap();
         let mut senses = vec![0.0; frictions.bearings.len()];
         loads.senses(&state, &position.bodies, &mut senses);

@@ -1,6 +1,6 @@
 //! A slide alone, pressed on one face or on both: all solutions and the limit of jamming by cases.
 
-use assur_force::{Kinetostatics, Loads, State, find};
+use assur_force::{Kinetostatics, LoadState, Loads, find};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 
@@ -114,7 +114,7 @@ fn found(linkage: &Linkage, coordinate: f64) -> Vec<f64> {
     let mut forces = Kinetostatics::new(linkage, &loads, find("coulomb").unwrap().instance, &[]);
     let mut position = linkage.position();
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
-    if forces.solve(&State::prescribed(&linkage.mechanism, coordinate), &position).is_err() {
+    if forces.solve(&LoadState::prescribed(&linkage.mechanism, coordinate), &position).is_err() {
         return Vec::new();
     }
     let doubts = forces.reactions.friction.unwrap().doubts;

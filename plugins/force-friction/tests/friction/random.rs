@@ -1,6 +1,6 @@
 //! Random mechanisms of all kinds of two links, with friction in all pairs, by the two methods; and eight positions at once.
 
-use assur_force::{ForceError, Kinetostatics, LaneKinetostatics, Loads, Reactions, State, find};
+use assur_force::{ForceError, Kinetostatics, LaneKinetostatics, LoadState, Loads, Reactions, find};
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_number::Lanes;
@@ -14,7 +14,7 @@ fn by(linkage: &Linkage, loads: &Loads, method: &str, coordinate: f64) -> Result
     let mut forces = Kinetostatics::new(linkage, loads, find(method).unwrap().instance, &carrying);
     let mut position = linkage.position();
     linkage.solve(coordinate, Order::Second, &mut position).unwrap();
-    forces.solve(&State::prescribed(&linkage.mechanism, coordinate), &position)?;
+    forces.solve(&LoadState::prescribed(&linkage.mechanism, coordinate), &position)?;
     Ok(forces.reactions)
 }
 
@@ -124,7 +124,7 @@ fn eight_positions_at_once_have_the_bits_of_each() {
         let mut forces = Kinetostatics::new(&linkage, &loads, analyzer, &carrying);
         let mut lanes = LaneKinetostatics::new(forces.clone());
         let coordinates = Lanes::of(|lane| 0.3 + 0.7 * lane as f64);
-        let states = coordinates.0.map(|q| State::prescribed(&linkage.mechanism, q));
+        let states = coordinates.0.map(|q| LoadState::prescribed(&linkage.mechanism, q));
         let mut eight = linkage.lane_position();
         linkage.solve_lanes(coordinates, Order::Second, &mut eight).unwrap();
         lanes.solve(&states, &eight).unwrap();

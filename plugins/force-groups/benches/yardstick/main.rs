@@ -12,9 +12,9 @@ use std::hint::black_box;
 
 use assur_all as _;
 use assur_dynamics::Machine;
-use assur_force::{Kinetostatics, LaneKinetostatics, Loads, State, choose};
+use assur_force::{Kinetostatics, LaneKinetostatics, LoadState, Loads, choose};
 use assur_group::Order;
-use assur_integrator::Motion;
+use assur_integrator::EquationOfMotion;
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
 use assur_testkit::yardstick::{Contestant, coordinates, race};
@@ -38,12 +38,12 @@ impl Subject {
         Kinetostatics::new(&self.linkage, &self.loads, analyzer, &vec![true; self.linkage.groups().len()])
     }
 
-    fn states(&self, coordinates: Lanes) -> [State; Lanes::WIDTH] {
-        coordinates.0.map(|coordinate| State::prescribed(&self.linkage.mechanism, coordinate))
+    fn states(&self, coordinates: Lanes) -> [LoadState; Lanes::WIDTH] {
+        coordinates.0.map(|coordinate| LoadState::prescribed(&self.linkage.mechanism, coordinate))
     }
 
-    fn state(&self, coordinate: f64) -> State {
-        State::prescribed(&self.linkage.mechanism, coordinate)
+    fn state(&self, coordinate: f64) -> LoadState {
+        LoadState::prescribed(&self.linkage.mechanism, coordinate)
     }
 
     fn one_by_one<'a>(&'a self, name: &'static str) -> Contestant<'a> {
@@ -163,7 +163,7 @@ fn compare(six_bar: &Subject, andrews: &Subject) {
     let joints = assur_force::joints(&six_bar.linkage.mechanism, &six_bar.linkage.structure);
     for q in coordinates().take(50) {
         six_bar.linkage.solve(q, Order::Second, &mut position).expect("a position");
-        forces.solve(&State::prescribed(&six_bar.linkage.mechanism, q), &position).expect("reactions");
+        forces.solve(&LoadState::prescribed(&six_bar.linkage.mechanism, q), &position).expect("reactions");
         let (s, c) = q.sin_cos();
         let found = six_bar::by_hand([s, c]);
         let pairs = &forces.reactions.pairs;

@@ -1,4 +1,4 @@
-use assur_force::{Construction, Drawing, ForceAnalyzer, Loads, State};
+use assur_force::{Construction, Drawing, ForceAnalyzer, LoadState, Loads};
 use assur_group::plane::{cross, dot, minus, plus};
 use assur_kinematics::Linkage;
 
@@ -9,7 +9,7 @@ const STABLE: Longitudinal = Longitudinal { form: Form::Stable };
 
 fn drawn(linkage: &Linkage, q: f64) -> Construction {
     let (position, _) = loaded(linkage, q);
-    let state = State::prescribed(&linkage.mechanism, q);
+    let state = LoadState::prescribed(&linkage.mechanism, q);
     let loads = Loads::compile(linkage).unwrap().acting(&state, &position.bodies);
     STABLE.construction(linkage, &position, &loads).unwrap().unwrap()
 }

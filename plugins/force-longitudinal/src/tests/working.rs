@@ -1,6 +1,6 @@
 //! The working against the equations as printed, and its own proof against the groups.
 
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_working::{PositionOrSample, Task, Working};
 use assur_worksheet::Entry;
 
@@ -11,7 +11,7 @@ use crate::Form;
 /// The working of a position by a form of the method.
 fn worked(linkage: &assur_kinematics::Linkage, index: usize, form: Form) -> Working {
     let loads = Loads::compile(linkage).unwrap();
-    let state = State::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
+    let state = LoadState::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
     let (place, analyzer) = (PositionOrSample::Position(index), Some(form.name()));
     Working::of(&Task { linkage, loads: Some(&loads), state, place, drive: None, analyzer }).unwrap()
 }

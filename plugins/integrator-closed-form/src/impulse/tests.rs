@@ -1,4 +1,4 @@
-use assur_integrator::{Dependence, EventKind, Motion, Piece, Reduced, Request, Until};
+use assur_integrator::{Dependence, EquationOfMotion, EventKind, Piece, Reduced, Request, Until};
 use assur_problems::{CONSTANT, Example};
 
 use super::*;
@@ -19,7 +19,7 @@ struct Table {
     late: bool,
 }
 
-impl Motion for Table {
+impl EquationOfMotion for Table {
     fn dependence(&self) -> Dependence {
         BY_TIME
     }

@@ -1,7 +1,7 @@
 //! Panel after panel along the speed, through pieces, to the end.
 
 use assur_integrator::{
-    EventKind, IntegrationError, Motion, MotionError, Request, Run, State, Trajectory, Until,
+    EquationOfMotion, EventKind, IntegrationError, MotionError, Request, Run, State, Trajectory, Until,
 };
 use assur_words::{number, text};
 
@@ -36,7 +36,10 @@ pub(crate) struct March<'a> {
 }
 
 /// Solves the equation in panels of the speed.
-pub(crate) fn run(motion: &mut dyn Motion, request: &Request) -> Result<Trajectory, IntegrationError> {
+pub(crate) fn run(
+    motion: &mut dyn EquationOfMotion,
+    request: &Request,
+) -> Result<Trajectory, IntegrationError> {
     let mut march = March {
         run: Run::new(motion, request),
         fastest: request.initial.speed.abs(),

@@ -1,6 +1,6 @@
 //! A panel of the speed with the polynomials of time and way.
 
-use assur_integrator::{Curve, Equation, MotionError, Node, State};
+use assur_integrator::{CountedEquation, Curve, MotionError, Node, State};
 use assur_number::panel::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, inverse, tail, value};
 use assur_number::search::root;
 
@@ -50,7 +50,11 @@ pub(super) struct Place {
 
 impl Panel {
     /// Fits a panel of that length (with the sign of the acceleration) from a state.
-    pub(super) fn fit(equation: &mut Equation<'_>, from: &Node, length: f64) -> Result<Self, MotionError> {
+    pub(super) fn fit(
+        equation: &mut CountedEquation<'_>,
+        from: &Node,
+        length: f64,
+    ) -> Result<Self, MotionError> {
         let start = from.state.speed;
         let half = 0.5 * length;
         let mut values = [from.acceleration; NODES];

@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use assur_integrator::{Equation, Motion, Node, Request, Scale, State, Step, Stepper, Until};
+use assur_integrator::{
+    CountedEquation, EquationOfMotion, Node, Request, Scale, State, Step, Stepper, Until,
+};
 use proptest::prelude::*;
 
 use super::{METHODS, assert_close, from_rest};
@@ -59,7 +61,7 @@ fn step_errors<S: Stepper>(h: f64) -> [f64; 2] {
     let mut stepper = S::default();
     let mut motion = assur_problems::pendulum();
     motion.enter(&start).unwrap();
-    let mut equation = Equation::new(&mut motion);
+    let mut equation = CountedEquation::new(&mut motion);
     let from = Node { state: start, acceleration: -1.0_f64.sin() };
     let scale = Scale::new(1e-3, &start);
     let end = stepper.attempt(Step { equation: &mut equation, from, length: h, scale }).unwrap().end;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use assur_integrator::{EventKind, Motion, MotionError, Piece, Reduced, Trajectory};
+use assur_integrator::{EquationOfMotion, EventKind, MotionError, Piece, Reduced, Trajectory};
 
 use super::*;
 
@@ -112,7 +112,7 @@ struct Governor {
     above: bool,
 }
 
-impl Motion for Governor {
+impl EquationOfMotion for Governor {
     fn dependence(&self) -> Dependence {
         Dependence { moment_on_speed: true, ..assur_problems::CONSTANT }
     }
@@ -146,7 +146,7 @@ struct Switched {
     late: bool,
 }
 
-impl Motion for Switched {
+impl EquationOfMotion for Switched {
     fn dependence(&self) -> Dependence {
         Dependence { moment_on_time: true, ..assur_problems::CONSTANT }
     }

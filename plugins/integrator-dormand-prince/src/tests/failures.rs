@@ -1,6 +1,6 @@
 //! Honest failure: what, where, what to do.
 
-use assur_integrator::{Motion, MotionError, Piece, Reduced};
+use assur_integrator::{EquationOfMotion, MotionError, Piece, Reduced};
 
 use super::*;
 
@@ -24,7 +24,7 @@ fn stiffness_is_suspected_with_its_number() {
 /// The mechanism ends at q = 1.
 struct Wall;
 
-impl Motion for Wall {
+impl EquationOfMotion for Wall {
     fn dependence(&self) -> Dependence {
         assur_problems::BY_COORDINATE
     }

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use assur_diagram::enveloping;
 use assur_figure::mechanism::{Arc, brakes};
 use assur_figure::{Bounds, Item};
-use assur_force::{Loads, State};
+use assur_force::{LoadState, Loads};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{Contact, GROUND, Load, LoadId, Place, Range};
@@ -110,7 +110,7 @@ fn arc(
     for point in &found.path {
         linkage.solve(point.coordinate, Order::Place, &mut position).ok()?;
         let body = &position.bodies[link];
-        let state = State::prescribed(&linkage.mechanism, point.coordinate);
+        let state = LoadState::prescribed(&linkage.mechanism, point.coordinate);
         let angle = loads.and_then(|loads| loads.contact(id, &state)).map_or(0.0, |[angle, _]| angle);
         for angle in [0.0, angle] {
             let (s, c) = angle.sin_cos();

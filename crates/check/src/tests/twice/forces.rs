@@ -1,6 +1,6 @@
 //! Errors in the answers of a method, and in the load of the drive.
 
-use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, State};
+use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, LoadState, Reactions};
 use assur_group::{Order, PairGeometry, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::PairId;
@@ -169,7 +169,7 @@ fn a_drive_that_is_wrong_by_twice_the_limit_is_caught() {
         }
         width.add(&format!("{name}, seed {}", trial.seed), |error| {
             let linkage = &trial.linkage;
-            let needed = |state: &State| {
+            let needed = |state: &LoadState| {
                 let mut position = linkage.position();
                 linkage.solve(state.coordinate, Order::Second, &mut position).unwrap();
                 let found = trial.loads.reduced(state, &position.bodies);

@@ -1,6 +1,6 @@
 //! Places and coefficients along the path, in both directions and from any start.
 
-use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State};
 
 use super::{Cycle, Path};
 use crate::DynamicsError;
@@ -11,7 +11,7 @@ struct Known {
     square: f64,
 }
 
-impl Motion for Known {
+impl EquationOfMotion for Known {
     fn dependence(&self) -> Dependence {
         Dependence { moment_on_coordinate: true, moment_on_speed: true, ..Dependence::default() }
     }
@@ -78,7 +78,7 @@ fn a_moment_that_is_not_linear_in_the_speed_is_refused() {
 /// Formulas that change at 1 and at 3, where the earlier ones still hold.
 struct Edges;
 
-impl Motion for Edges {
+impl EquationOfMotion for Edges {
     fn dependence(&self) -> Dependence {
         Dependence { moment_on_coordinate: true, ..Dependence::default() }
     }

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use approx::assert_relative_eq;
-use assur_integrator::{EventKind, Motion as _, State};
+use assur_integrator::{EquationOfMotion as _, EventKind, State};
 use nalgebra::{SMatrix, SVector};
 
 use super::super::compiled;

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use assur_integrator::{IntegratorPlugin, Motion, Request, Sample, Trajectory, integrators};
+use assur_integrator::{EquationOfMotion, IntegratorPlugin, Request, Sample, Trajectory, integrators};
 use assur_number::greater;
 use assur_words::{Text, name, number, text};
 

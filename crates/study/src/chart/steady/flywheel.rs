@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use assur_dynamics::{RegimeSolver, steady};
-use assur_integrator::{Motion, Request};
-use assur_mechanism::{FlywheelPlace, Motion as Asked, Solve};
+use assur_integrator::{EquationOfMotion, Request};
+use assur_mechanism::{FlywheelPlace, Motion, Solve};
 use assur_words::{name, number, text};
 
 use super::Cycle;
@@ -21,7 +21,7 @@ const TIGHT: f64 = 1e-13;
 /// All methods; `None` if no flywheel is to be found.
 pub(crate) fn field<'a>(cycle: &'a Cycle<'a>) -> Option<Field<'a>> {
     let drive = cycle.linkage.mechanism.drive.as_ref()?;
-    let Some(Asked::Steady { unevenness: Some(Solve::Given(wanted)), .. }) = cycle.linkage.mechanism.motion
+    let Some(Motion::Steady { unevenness: Some(Solve::Given(wanted)), .. }) = cycle.linkage.mechanism.motion
     else {
         return None;
     };

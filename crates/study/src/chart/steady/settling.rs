@@ -1,6 +1,6 @@
 //! The regime by steps in time until the speed settles: a method in its own right, and the reference of the others.
 
-use assur_integrator::{Cost, IntegratorPlugin, Knob, Motion, Request, State, integrators};
+use assur_integrator::{Cost, EquationOfMotion, IntegratorPlugin, Knob, Request, State, integrators};
 use assur_words::{Describe, Text, name, number, text};
 
 use super::{Cycle, MOST_CYCLES, NEVER_SETTLES};

@@ -1,6 +1,6 @@
 //! The same mechanism in micrometers and kilometers, nanograms and kilotons.
 
-use assur_force::{Loads, Reactions, State};
+use assur_force::{LoadState, Loads, Reactions};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{InputPair, Mechanism, Range};
@@ -62,7 +62,7 @@ pub(crate) fn rows(linkage: &Linkage, q: f64, name: &str) -> Vec<Comparison> {
 /// Weights of all links.
 fn weights(linkage: &Linkage, position: &Position) -> Result<Vec<Wrench<f64>>, String> {
     let loads = Loads::compile(linkage).map_err(|error| error.to_string())?;
-    let state = State { coordinate: position.coordinate, ..State::default() };
+    let state = LoadState { coordinate: position.coordinate, ..LoadState::default() };
     Ok(loads.total(&state, &position.bodies))
 }
 

@@ -1,4 +1,6 @@
-use assur_integrator::{Dependence, IntegrationError, Motion, Reduced, Request, State, Trajectory, Until};
+use assur_integrator::{
+    Dependence, EquationOfMotion, IntegrationError, Reduced, Request, State, Trajectory, Until,
+};
 use assur_problems::{CONSTANT, Example, Place};
 
 use crate::QUADRATURE;
@@ -23,11 +25,11 @@ fn request(speed: f64, until: Until, tolerance: f64) -> Request {
     Request { tolerance, samples: 40, ..Request::new(initial, until) }
 }
 
-fn solve(motion: &mut dyn Motion, request: &Request) -> Trajectory {
+fn solve(motion: &mut dyn EquationOfMotion, request: &Request) -> Trajectory {
     QUADRATURE.solve(motion, request).unwrap()
 }
 
-fn refused(motion: &mut dyn Motion, request: &Request) -> String {
+fn refused(motion: &mut dyn EquationOfMotion, request: &Request) -> String {
     match QUADRATURE.solve(motion, request) {
         Err(error @ IntegrationError::NotReached { .. }) => error.to_string(),
         other => panic!("{other:?}"),

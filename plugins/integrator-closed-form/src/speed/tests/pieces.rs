@@ -12,7 +12,7 @@ pub(super) struct Rows {
     pub(super) segment: usize,
 }
 
-impl Motion for Rows {
+impl EquationOfMotion for Rows {
     fn dependence(&self) -> Dependence {
         BY_SPEED
     }
@@ -35,7 +35,7 @@ impl Motion for Rows {
 }
 
 /// Dry friction beside a brake: w' = -(a + b w) for w > 0 and +a for w < 0: rest at ln(1 + b w0/a)/b.
-fn braked(a: f64, b: f64) -> impl Motion {
+fn braked(a: f64, b: f64) -> impl EquationOfMotion {
     Example::new(BY_SPEED, move |place: Place, at: &State| reduced(-a * place.direction - b * at.speed))
         .directed()
 }

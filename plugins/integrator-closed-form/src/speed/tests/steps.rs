@@ -7,7 +7,7 @@ use super::pieces::Rows;
 use super::*;
 
 /// A motor by Kloss's formula against a load that grows with the square of the speed.
-fn run_up(load: f64, fan: f64) -> impl Motion {
+fn run_up(load: f64, fan: f64) -> impl EquationOfMotion {
     let (synchronous, critical, breakdown) = (157.0, 0.24, 900.0);
     speed_law(move |w| {
         let s = 1.0 - w / synchronous;

@@ -1,6 +1,6 @@
 //! Random mechanisms, changed in ways after which the results must change exactly so.
 
-use assur_force::{Loads, Reactions, State, choose};
+use assur_force::{LoadState, Loads, Reactions, choose};
 use assur_group::{Order, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, Inertia, InputPair, Link, Mechanism, Motion, Place, Point, Range, Sense};
@@ -35,7 +35,7 @@ fn solve(mechanism: &Mechanism) -> Found {
     };
     for index in 0..mechanism.input.positions {
         linkage.solve_index(index, Order::Second, &mut position).unwrap();
-        let state = State::prescribed(&linkage.mechanism, position.coordinate);
+        let state = LoadState::prescribed(&linkage.mechanism, position.coordinate);
         let mut wrenches = vec![Wrench::ZERO; linkage.structure.links];
         loads.evaluate(&state, &position.bodies, &mut wrenches);
         choose(None, false, false)

@@ -1,6 +1,6 @@
 //! A motion with its end in closed form.
 
-use assur_integrator::{Dependence, Event, EventKind, Motion, Reduced, State, Until};
+use assur_integrator::{Dependence, EquationOfMotion, Event, EventKind, Reduced, State, Until};
 use assur_problems::{Example, Place};
 
 use crate::stability::tests::Law;
@@ -30,7 +30,7 @@ pub(crate) struct Case {
     pub(super) distance: f64,
     /// Whether it is the first of its walk.
     pub(super) is_first: bool,
-    pub(super) motion: Box<dyn Fn() -> Box<dyn Motion>>,
+    pub(super) motion: Box<dyn Fn() -> Box<dyn EquationOfMotion>>,
     pub(super) initial: State,
     pub(super) until: Until,
     pub(super) wanted: Wanted,

@@ -1,6 +1,6 @@
 //! Jumps in loads: rows of a table, a narrow pulse, a load that comes later.
 
-use assur_integrator::{Dependence, Motion, MotionError, Piece, Reduced, State, Until};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State, Until};
 use assur_problems::{BY_COORDINATE, CONSTANT, Example, jumps};
 
 use super::case::{Case, constant, walk};
@@ -55,7 +55,7 @@ struct Later {
     acts: bool,
 }
 
-impl Motion for Later {
+impl EquationOfMotion for Later {
     fn dependence(&self) -> Dependence {
         Dependence { moment_on_time: true, ..CONSTANT }
     }
