@@ -19,7 +19,7 @@ pub use fact::link_name;
 pub use fact::{Fact, Value};
 pub use number::{Digits, Unit};
 pub use peaks::peaks;
-pub use table::{Cell, Column, Group, Printed, Table};
+pub use table::{Cell, Column, Group, Listing, Printed, Table};
 
 assur_words::resources!();
 

@@ -1,6 +1,6 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
-use assur_analysis::results::{Event, Integration, Owner, Quantity, Table as Results};
+use assur_analysis::results::{Integration, Owner, Quantity, Table as Results};
 use assur_book::{Column, Document, Table, Unit, row};
 use assur_integrator::EventKind;
 use assur_words::{Text, name, number, text};
@@ -145,19 +145,14 @@ fn holding(source: &Source<'_>, page: &mut Document) {
 }
 
 fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
-    let row = |event: &Event| {
-        let Event { kind, state } = event;
-        row![words_of(*kind), state.time, state.coordinate, state.speed]
-    };
     let shown = found.events.iter().take(EVENTS);
     let caption = text!("report-events", shown = shown.len(), all = found.events.len());
-    let heads = [
-        Column::of(text!("head-event")),
-        Column::short(text!("head-time"), SECOND),
-        Column::short(text!("head-coordinate"), source.units.coordinate),
-        Column::short(text!("head-speed"), source.units.rates[0]),
-    ];
-    page.table(Table::list(caption, heads).rows(shown.map(row)));
+    let table = Table::each(caption, shown)
+        .column(text!("head-event"), |event| words_of(event.kind))
+        .measured(text!("head-time"), SECOND, |event| event.state.time)
+        .measured(text!("head-coordinate"), source.units.coordinate, |event| event.state.coordinate)
+        .measured(text!("head-speed"), source.units.rates[0], |event| event.state.speed);
+    page.table(table.table());
 }
 
 /// What happened.

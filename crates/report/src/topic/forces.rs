@@ -1,7 +1,7 @@
 //! Reduction, reactions with their causes, loads and the balancing load.
 
 use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table as Results};
-use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name, row};
+use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name};
 use assur_diagram::Extreme;
 use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
 use assur_words::{Text, name, number, text};
@@ -129,21 +129,14 @@ pub fn direction(force: [f64; 2]) -> Option<f64> {
 }
 
 fn greatest(source: &Source<'_>, page: &mut Document) {
-    let heads = [
-        Column::of(text!("head-pair")),
-        Column::of(text!("head-on")),
-        Column::short(text!("head-greatest-force"), FORCE),
-        Column::of(text!("head-position")),
-        Column::short(Text::from(&source.analysis.input.link), source.units.coordinate),
-        Column::short(text!("head-rms-force"), FORCE),
-    ];
-    let mut table = Table::list(text!("report-greatest-reactions"), heads);
-    for found in greatest_reactions(source.analysis) {
-        let [pair, on] = [Text::from(&found.joint), Text::from(&found.on)];
-        let position = number(found.index);
-        table.row(row![pair, on, found.greatest, position, found.coordinate, found.rms]);
-    }
-    page.table(table);
+    let table = Table::each(text!("report-greatest-reactions"), greatest_reactions(source.analysis))
+        .column(text!("head-pair"), |found| Text::from(&found.joint))
+        .column(text!("head-on"), |found| Text::from(&found.on))
+        .measured(text!("head-greatest-force"), FORCE, |found| found.greatest)
+        .column(text!("head-position"), |found| number(found.index))
+        .measured(Text::from(&source.analysis.input.link), source.units.coordinate, |found| found.coordinate)
+        .measured(text!("head-rms-force"), FORCE, |found| found.rms);
+    page.table(table.table());
 }
 
 impl Source<'_> {

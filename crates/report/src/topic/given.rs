@@ -2,8 +2,8 @@
 
 use assur_book::{Cell, Column, Document, Fact, Table as List, Unit, link_name, row};
 use assur_mechanism::{
-    Direction, Drive, Force, Inertia, Link, LinkId, LoadKind, Mechanism, Motion, Motor, Over, Solve, Table,
-    Torque, Value, VaryingInertia,
+    Direction, Drive, Force, Inertia, LinkId, LoadKind, Mechanism, Motion, Motor, Over, Solve, Table, Torque,
+    Value, VaryingInertia,
 };
 use assur_words::{Text, joined, list, name, text, unit};
 
@@ -200,13 +200,9 @@ pub fn dimensions(source: &Source<'_>, page: &mut Document) {
     masses(source, page);
 }
 
-/// A column of lengths.
-fn mm(head: &'static str) -> Column {
-    Column::short(name(head), LENGTH)
-}
-
 fn points(source: &Source<'_>, page: &mut Document) {
-    let heads = [Column::of(text!("head-link")), Column::of(text!("head-point")), mm("x"), mm("y")];
+    let length = |axis| Column::short(name(axis), LENGTH);
+    let heads = [Column::of(text!("head-link")), Column::of(text!("head-point")), length("x"), length("y")];
     let mut table = List::list(text!("report-points"), heads);
     for (id, link) in source.mechanism.links.iter().enumerate() {
         for (point_id, point) in source.mechanism.points.iter().enumerate() {
@@ -219,24 +215,16 @@ fn points(source: &Source<'_>, page: &mut Document) {
 }
 
 fn slides(source: &Source<'_>, page: &mut Document) {
-    let degrees = |head| Column::short(head, ANGLE);
-    let heads = [
-        Column::of(text!("head-slide")),
-        Column::short(text!("head-point-x"), LENGTH),
-        mm("y"),
-        Column::of(text!("head-on")),
-        Column::short(text!("head-through-x"), LENGTH),
-        mm("y"),
-        degrees(text!("head-angle")),
-        degrees(text!("head-tilt")),
-    ];
-    let mut table = List::list(text!("report-slides"), heads);
-    for slide in &source.mechanism.slides {
-        let ([x, y], [through_x, through_y]) = (slide.point, slide.through);
-        let on = link_name(source.mechanism, slide.on);
-        table.row(row![&slide.name, x, y, on, through_x, through_y, slide.angle, slide.tilt]);
-    }
-    page.table(table);
+    let table = List::each(text!("report-slides"), &source.mechanism.slides)
+        .column(text!("head-slide"), |slide| &slide.name)
+        .measured(text!("head-point-x"), LENGTH, |slide| slide.point[0])
+        .measured(name("y"), LENGTH, |slide| slide.point[1])
+        .column(text!("head-on"), |slide| link_name(source.mechanism, slide.on))
+        .measured(text!("head-through-x"), LENGTH, |slide| slide.through[0])
+        .measured(name("y"), LENGTH, |slide| slide.through[1])
+        .measured(text!("head-angle"), ANGLE, |slide| slide.angle)
+        .measured(text!("head-tilt"), ANGLE, |slide| slide.tilt);
+    page.table(table.table());
 }
 
 /// A moment of inertia: a number, or the formula by which it varies, in SI.
@@ -253,20 +241,14 @@ fn inertia_given(inertia: &Inertia) -> Cell {
 }
 
 fn masses(source: &Source<'_>, page: &mut Document) {
-    let heavy = |link: &&Link| link.is_heavy();
-    let row = |link: &Link| {
-        let [x, y] = link.center;
-        row![&link.name, link.mass, x, y, inertia_given(&link.inertia)]
-    };
-    let heads = [
-        Column::of(text!("head-link")),
-        Column::short(text!("head-mass"), KILOGRAM),
-        Column::short(text!("head-center-x"), LENGTH),
-        mm("y"),
-        Column::short(text!("head-inertia"), INERTIA),
-    ];
-    let heavy = source.mechanism.links.iter().skip(1).filter(heavy);
-    let table = List::list(text!("report-masses"), heads).rows(heavy.map(row));
+    let heavy = source.mechanism.links.iter().skip(1).filter(|link| link.is_heavy());
+    let table = List::each(text!("report-masses"), heavy)
+        .column(text!("head-link"), |link| &link.name)
+        .measured(text!("head-mass"), KILOGRAM, |link| link.mass)
+        .measured(text!("head-center-x"), LENGTH, |link| link.center[0])
+        .measured(name("y"), LENGTH, |link| link.center[1])
+        .measured(text!("head-inertia"), INERTIA, |link| inertia_given(&link.inertia))
+        .table();
     if table.is_empty() {
         return page.paragraph(text!("report-massless"));
     }

@@ -47,22 +47,20 @@ fn swinging(found: &Geometry) -> impl Iterator<Item = (&Named<usize>, &Stroke, U
 fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
     page.heading(text!("geometry-strokes"));
     let unit = units.coordinate;
-    let row = |(name, stroke, own, speed): (&Named<usize>, &Stroke, Unit, Unit)| {
-        let overlap = stroke.overlap.zip(stroke.intervals);
-        let overlap = overlap.map(|(angle, [way, _])| beside(angle, way));
-        let speeds = stroke.mean_speeds.map(|speeds| list(&speeds, speed));
-        let dead = list(&stroke.dead_points, unit);
-        row![Text::from(name), own.show(stroke.stroke), dead, stroke.time_ratio, overlap, speeds]
+    let overlap = |stroke: &Stroke| {
+        let (angle, [way, _]) = stroke.overlap.zip(stroke.intervals)?;
+        Some(beside(angle, way))
     };
-    let heads = [
-        Column::of(text!("head-what")),
-        Column::of(text!("head-stroke")),
-        Column::short(text!("head-dead-points"), unit),
-        Column::of(text!("head-time-ratio")),
-        Column::short(text!("head-overlap"), unit),
-        Column::of(text!("head-mean-speeds")),
-    ];
-    let table = Table::list(Text::default(), heads).rows(swinging(found).map(row));
+    let table = Table::each(Text::default(), swinging(found))
+        .column(text!("head-what"), |(name, ..)| Text::from(*name))
+        .column(text!("head-stroke"), |(_, stroke, own, _)| own.show(stroke.stroke))
+        .measured(text!("head-dead-points"), unit, |(_, stroke, ..)| list(&stroke.dead_points, unit))
+        .column(text!("head-time-ratio"), |(_, stroke, ..)| stroke.time_ratio)
+        .measured(text!("head-overlap"), unit, |(_, stroke, ..)| overlap(stroke))
+        .column(text!("head-mean-speeds"), |(_, stroke, _, speed)| {
+            stroke.mean_speeds.map(|speeds| list(&speeds, *speed))
+        })
+        .table();
     if table.is_empty() {
         return page.paragraph(text!("geometry-no-strokes"));
     }
@@ -131,10 +129,10 @@ fn rests(found: &Geometry, units: &Units, page: &mut Document) {
     let links = found.links.iter().map(|(name, at)| (name, &at.rests));
     let points = found.points.iter().map(|(name, at)| (name, &at.rests));
     let at = links.chain(points).filter(|(_, rests)| !rests.is_empty());
-    let heads =
-        [Column::of(text!("head-link-or-point")), Column::short(text!("head-rests-at"), units.coordinate)];
-    let rows = at.map(|(of, at)| row![Text::from(of), list(at, units.coordinate)]);
-    let table = Table::list(Text::default(), heads).rows(rows);
+    let table = Table::each(Text::default(), at)
+        .column(text!("head-link-or-point"), |(of, _)| Text::from(*of))
+        .measured(text!("head-rests-at"), units.coordinate, |(_, at)| list(at, units.coordinate))
+        .table();
     let always = found.links.iter().filter(|(_, at)| at.rests_always).map(|(link, _)| Text::from(link));
     let always: Vec<_> = always.collect();
     if table.is_empty() && always.is_empty() {
