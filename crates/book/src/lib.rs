@@ -13,7 +13,7 @@ mod number;
 mod peaks;
 mod table;
 
-pub use course::{Course, Extreme, Node, Step, Summary};
+pub use course::{Course, Jump, Node, Summary};
 pub use document::{Block, Document, Term};
 pub use fact::link_name;
 pub use fact::{Fact, Value};

@@ -1,7 +1,7 @@
 //! The whole result.
 
 use assur_check::Check;
-use assur_diagram::{Enveloping, Extreme, Hodograph, PlanSheet, SignChange};
+use assur_diagram::{Enveloping, Hodograph, PlanSheet, ReactionExtreme, SignChange};
 use assur_integrator::{Event, SolutionCost, State};
 use assur_mechanism::{LinkId, Name, Named, Notice, SlideId};
 use assur_words::{Text, text};
@@ -96,7 +96,7 @@ pub struct Failure {
 pub struct Cycle {
     /// Greatest modulus and root mean square of each reaction.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub reaction_extremes: Vec<Extreme>,
+    pub reaction_extremes: Vec<ReactionExtreme>,
     /// By slide that carries a force: where the force changes the side of the guide. A slide without a change has an
     /// empty list.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]

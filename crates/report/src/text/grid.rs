@@ -1,6 +1,7 @@
 //! Columns of a table side by side.
 
-use assur_words::Text;
+use assur_book::Printed;
+use assur_words::{Text, unit};
 use unicode_width::UnicodeWidthStr;
 
 use super::layout::{Kind, Line, Style, joined, wrap};
@@ -19,9 +20,12 @@ pub(super) struct Ready {
 }
 
 impl Ready {
-    pub(super) fn of(head: String, unit: String, cells: Vec<String>, right: bool) -> Self {
-        let cells = cells.into_iter().map(|cell| vec![cell]).collect();
-        let mut column = Self { head: vec![head], unit, cells, width: 0, right };
+    pub(super) fn of(column: &Printed, style: Style<'_>) -> Self {
+        let cells = column.cells.iter().map(|cell| vec![style.line(cell)]).collect();
+        // Lines have no subscripts.
+        let head = vec![style.line(&column.head).replace("_{", "").replace('}', "")];
+        let (unit, right) = (style.line(&unit(column.unit)), column.is_of_numbers());
+        let mut column = Self { head, unit, cells, width: 0, right };
         column.width = column.widest(UnicodeWidthStr::width);
         column
     }
@@ -113,14 +117,8 @@ pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
 /// Rows in aligned columns below their heads and a line; columns of numbers are flush right.
 pub fn columns(head: &[Text], rows: &[Vec<Text>], style: Style<'_>) -> String {
     let column = |(number, head): (usize, &Text)| {
-        let cells = rows.iter().map(|row| row.get(number));
-        let is_number = |cell: Option<&Text>| {
-            let english = cell.map_or_else(String::new, Text::to_string);
-            english.is_empty() || english == "-" || english.parse::<f64>().is_ok()
-        };
-        let right = cells.clone().all(is_number);
-        let cells = cells.map(|cell| cell.map_or_else(String::new, |cell| style.line(cell))).collect();
-        Ready::of(style.line(head), String::new(), cells, right)
+        let cells = rows.iter().map(|row| row.get(number).cloned().unwrap_or_default()).collect();
+        Ready::of(&Printed { head: head.clone(), unit: "", cells }, style)
     };
     let all: Vec<_> = head.iter().enumerate().map(column).collect();
     joined(&grid(&all.iter().collect::<Vec<_>>(), rows.len()))

@@ -215,9 +215,9 @@ impl Page<'_> {
     fn table(&mut self, table: &Table) {
         self.caption(&table.caption);
         let (keys, groups) = table.printed();
-        let mut keys: Vec<_> = keys.into_iter().map(|key| self.ready(key)).collect();
-        let mut groups: Vec<Vec<Ready>> =
-            groups.into_iter().map(|group| group.into_iter().map(|one| self.ready(one)).collect()).collect();
+        let ready = |columns: &Vec<Printed>| columns.iter().map(|of| Ready::of(of, self.style)).collect();
+        let mut keys: Vec<_> = ready(&keys);
+        let mut groups: Vec<Vec<Ready>> = groups.iter().map(ready).collect();
         if let [group] = &mut groups[..] {
             fold(keys.iter_mut().chain(group).collect(), self.width);
         }
@@ -272,14 +272,6 @@ impl Page<'_> {
         if shown < all {
             self.push(Kind::Words, self.style.line(&text!("report-columns-shown", shown, all)));
         }
-    }
-
-    fn ready(&self, column: Printed) -> Ready {
-        let right = column.is_of_numbers();
-        let cells = column.cells.iter().map(|cell| self.style.line(cell)).collect();
-        let [head, unit] = [column.head, assur_words::unit(column.unit)].map(|text| self.style.line(&text));
-        // Lines have no subscripts.
-        Ready::of(head.replace("_{", "").replace('}', ""), unit, cells, right)
     }
 }
 

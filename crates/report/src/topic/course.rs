@@ -1,13 +1,13 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
-use assur_analysis::results::{Integration, Owner, Quantity, Table as Results};
+use assur_analysis::results::{Integration, Owner, Part, Quantity, Table as Results};
 use assur_book::{Column, Document, Table, Unit, row};
 use assur_integrator::EventKind;
 use assur_words::{Text, name, number, text};
 
 use super::forces::{force, has_reactions, shown};
 use super::units::{FORCE, JOULE, SECOND};
-use super::{Source, Values, each, modulus};
+use super::{Source, Values, each};
 
 /// Rows of the table; of more samples every so many are shown.
 const ROWS: usize = 51;
@@ -186,7 +186,7 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
     let mut table = Table::list(text!("report-greatest-at-samples"), heads);
     for (pair, links) in shown(all) {
         for link in links {
-            let sizes = modulus(all, force(pair, link)).into_iter().zip(&times);
+            let sizes = each(all, force(pair, link).part(Part::Modulus)).into_iter().zip(&times);
             let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
             let Some((size, time)) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
             table.row(row![source.name(Owner::Pair(pair)), source.name(Owner::Link(link)), size, time]);

@@ -2,12 +2,12 @@
 
 use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table as Results};
 use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name};
-use assur_diagram::Extreme;
+use assur_diagram::ReactionExtreme;
 use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
 use assur_words::{Text, name, number, text};
 
 use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
-use super::{Source, Values, each, modulus};
+use super::{Source, Values, each};
 
 /// Inertia, its derivative and the moment of the loads, reduced to the input link and to a point.
 pub fn reduction(source: &Source<'_>, page: &mut Document) {
@@ -64,7 +64,7 @@ pub(super) fn shown(table: &Results) -> Vec<(PairId, Vec<LinkId>)> {
 }
 
 /// The greatest value of each reaction that is [`shown`].
-pub(super) fn greatest_reactions(analysis: &Analysis) -> impl Iterator<Item = &Extreme> {
+fn greatest_reactions(analysis: &Analysis) -> impl Iterator<Item = &ReactionExtreme> {
     let of = |(pair, links): (PairId, Vec<LinkId>)| links.into_iter().map(move |link| (pair, link));
     let all = &analysis.cycle.reaction_extremes;
     let wanted = shown(&analysis.positions).into_iter().flat_map(of);
@@ -208,11 +208,8 @@ pub fn causes(source: &Source<'_>, page: &mut Document) {
 
 /// Projections and modulus.
 fn components(source: &Source<'_>, force: Values) -> Vec<Column> {
-    vec![
-        source.column(name("R_{x}"), FORCE, force.part(Part::X)),
-        source.column(name("R_{y}"), FORCE, force.part(Part::Y)),
-        Column::numbers(name("R"), FORCE, modulus(&source.positions, force)),
-    ]
+    let parts = [("R_{x}", Part::X), ("R_{y}", Part::Y), ("R", Part::Modulus)];
+    parts.into_iter().map(|(head, part)| source.column(name(head), FORCE, force.part(part))).collect()
 }
 
 /// The loads, the inertia loads of the links, and the shaking force.

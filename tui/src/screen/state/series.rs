@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Owner, Schema};
 use assur_book::catalogue::{self, Shown};
-use assur_book::{Course, Extreme, Summary};
+use assur_book::{Course, Node, Summary};
 use assur_words::{Text, joined, list, quantity, unit};
 
 use crate::number::number;
@@ -74,7 +74,7 @@ impl Series {
     /// Its extremes and means in the unit that is shown; `None` where no position has a value.
     pub(crate) fn summary(&self) -> Option<Summary> {
         let found = self.course.summary()?;
-        let shown = |extreme: Extreme| Extreme { value: self.factor * extreme.value, ..extreme };
+        let shown = |extreme: Node| Node { value: self.factor * extreme.value, ..extreme };
         Some(Summary {
             greatest: shown(found.greatest),
             least: shown(found.least),
