@@ -54,7 +54,7 @@ pub(crate) enum Command {
     /// Shaking force and moment on the ground, harmonics, and the counterweights that make the force least
     Shaking(super::study::ShakingArgs),
     /// Write the explanatory note: task, structure, plans, forces, dynamics, working, checks, with all figures
-    Report(super::report::ReportArgs),
+    Report(super::draw::ReportArgs),
     /// Draw a view of the terminal UI to a file: the mechanism, curves, forces, plans
     Draw(super::draw::DrawArgs),
     /// Calculate a scene over a grid of parameters, in parallel, one row for each point

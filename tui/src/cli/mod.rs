@@ -12,7 +12,6 @@ mod lists;
 mod options;
 mod output;
 mod plans;
-mod report;
 mod scene;
 mod set;
 mod shell;
@@ -101,8 +100,8 @@ fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fau
         Some(Command::Geometry(args)) => study::geometry(&args, style),
         Some(Command::Shaking(args)) => study::shaking(&args, style),
         Some(Command::Structure(args)) => study::structure(&args, style),
-        Some(Command::Report(args)) => report::run(&args, cli.language.as_deref(), style),
-        Some(Command::Draw(args)) => draw::run(&args, style),
+        Some(Command::Report(args)) => draw::report(&args, cli.language.as_deref(), style),
+        Some(Command::Draw(args)) => draw::draw(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Set(args)) => set::run(&args, style),
         Some(Command::Keys(args)) => keys::run(&args, style),
@@ -156,7 +155,7 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
                 config,
                 config_fault: fault.clone(),
                 config_file: config::file(),
-                note: Some(report::of_session),
+                note: Some(draw::of_session),
             };
             let code = crate::screen::run(scene, options);
             if let Some(fault) = fault {

@@ -56,7 +56,8 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
     let text = replaced(&text, places.iter().map(|(place, toml)| (&place.span, toml.as_str())));
     let file = args.scene.display().to_string();
     let mechanism = assur_scene::read(&file, &text).map_err(|errors| scene::faults(&errors))?;
-    scene::doubt_of(&mechanism.notes, style)?;
+    let doubts = mechanism.notes.iter().map(|doubt| text!("cli-note", note = doubt));
+    scene::doubted(doubts.collect(), style)?;
     output.write(&text, Status::Done)
 }
 
