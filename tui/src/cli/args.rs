@@ -89,7 +89,6 @@ pub(crate) enum Command {
     Man,
 }
 
-/// Arguments of `analyze`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct AnalyzeArgs {
     #[command(flatten)]
@@ -107,7 +106,6 @@ pub(crate) struct AnalyzeArgs {
     pub(crate) output: Option<PathBuf>,
 }
 
-/// Arguments of `explain`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ExplainArgs {
     #[command(flatten)]
@@ -122,7 +120,6 @@ pub(crate) struct ExplainArgs {
     pub(crate) energy: bool,
 }
 
-/// Arguments of `motors`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct MotorArgs {
     /// Only this catalogue

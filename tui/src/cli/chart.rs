@@ -22,7 +22,6 @@ use crate::session::Session;
 /// Exit status after Ctrl-C, the usual one in shells.
 const INTERRUPTED: u8 = 130;
 
-/// Arguments of `chart`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ChartArgs {
     /// Scene file

@@ -18,7 +18,6 @@ use crate::screen::still::{self, PictureArgs, StillError};
 use crate::session::Session;
 use crate::verdict::Verdict;
 
-/// Arguments of `draw`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct DrawArgs {
     #[command(flatten)]
@@ -49,7 +48,6 @@ pub(crate) fn draw(args: &DrawArgs, style: Style) -> Result<Status, Fault> {
     }
 }
 
-/// Arguments of `report`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ReportArgs {
     #[command(flatten)]

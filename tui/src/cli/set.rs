@@ -13,7 +13,6 @@ use super::scene;
 use super::style::Style;
 use crate::files;
 
-/// Arguments of `set`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct SetArgs {
     /// Scene file

@@ -20,7 +20,6 @@ use crate::progress::ProgressLine;
 use crate::session::{Source, mechanism_of};
 use crate::verdict::Verdict;
 
-/// Arguments of `structure`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct StructureArgs {
     /// Scene file
@@ -48,7 +47,6 @@ enum Form {
     Json,
 }
 
-/// Arguments of `geometry`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct GeometryArgs {
     /// Scene file
@@ -64,7 +62,6 @@ pub(crate) struct GeometryArgs {
     output: Option<PathBuf>,
 }
 
-/// Arguments of `shaking`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ShakingArgs {
     #[command(flatten)]
@@ -77,7 +74,6 @@ pub(crate) struct ShakingArgs {
     output: Option<PathBuf>,
 }
 
-/// Arguments of `stability`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct StabilityArgs {
     /// Scene file

@@ -4,7 +4,7 @@ use assur_book::Printed;
 use assur_words::{Text, unit};
 use unicode_width::UnicodeWidthStr;
 
-use super::layout::{Kind, Line, Style, joined, wrap};
+use super::layout::{Line, LineKind, Style, joined, wrap};
 
 /// Blanks between the columns of a table.
 pub(super) const GAP: usize = 2;
@@ -85,7 +85,7 @@ pub(super) fn total(columns: &[Ready]) -> usize {
 /// Heads, units, a line, and rows.
 pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
     let mut lines = Vec::new();
-    let mut line = |kind: Kind, cell: &dyn Fn(&Ready) -> String| {
+    let mut line = |kind: LineKind, cell: &dyn Fn(&Ready) -> String| {
         let mut text = String::new();
         for (number, column) in columns.iter().enumerate() {
             let cell = cell(column);
@@ -100,16 +100,16 @@ pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
         cell.and_then(|lines| lines.get(at)).cloned().unwrap_or_default()
     };
     for at in 0..columns.iter().map(|column| column.head.len()).max().unwrap_or(0) {
-        line(Kind::Head, &|column| part(Some(&column.head), at));
+        line(LineKind::Head, &|column| part(Some(&column.head), at));
     }
     if columns.iter().any(|column| !column.unit.is_empty()) {
-        line(Kind::Head, &|column| column.unit.clone());
+        line(LineKind::Head, &|column| column.unit.clone());
     }
-    line(Kind::Rule, &|column| "-".repeat(column.width));
+    line(LineKind::Rule, &|column| "-".repeat(column.width));
     for row in 0..rows {
         let height = columns.iter().filter_map(|column| column.cells.get(row)).map(Vec::len).max();
         (0..height.unwrap_or(1))
-            .for_each(|at| line(Kind::Row(row), &|column| part(column.cells.get(row), at)));
+            .for_each(|at| line(LineKind::Row(row), &|column| part(column.cells.get(row), at)));
     }
     lines
 }

@@ -14,7 +14,7 @@ use crate::json::analysis::finite as finite_analysis;
 use crate::json::{NotFinite, finite};
 use crate::topic::{self, Source};
 pub use grid::columns;
-pub use layout::{Kind, Line, Style, lines, written};
+pub use layout::{Line, LineKind, Style, lines, written};
 
 /// The text of a topic alone: of the blocks that it adds to a document.
 pub fn told(style: Style<'_>, topic: impl FnOnce(&mut Document)) -> String {

@@ -5,7 +5,7 @@ use assur_analysis::results::{
     Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
 };
 use assur_book::{Course, Jump};
-use assur_figure::{Axis, Bounds, Frame, Ink, Item, Key, Kind, Panel, Point, Sample, Sign, Stroke};
+use assur_figure::{Axis, AxisKind, Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
 use super::plots;
@@ -216,7 +216,7 @@ pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
         (text!(told), Course::from_points(points))
     };
     let panel = |title: &'static str, label: &'static str, count: usize, curves| {
-        let x = Axis { kind: Kind::Whole, ..Axis::around(text!(label), [1.0, count.max(2) as f64], 0.0) };
+        let x = Axis { kind: AxisKind::Whole, ..Axis::around(text!(label), [1.0, count.max(2) as f64], 0.0) };
         plots::curves(text!(title), curves, (x, 1.0), None)
     };
     let (turns, trials) = (&regime.iteration, &regime.trials);
