@@ -3,7 +3,7 @@
 use assur_mechanism::Name;
 use assur_words::{Text, count, joined, name};
 
-use crate::number::{Digits, Unit, dash};
+use crate::number::{Digits, NONE, Unit};
 
 /// A table.
 #[derive(Debug, Clone, Default)]
@@ -156,7 +156,7 @@ impl Column {
         let sizes = [self.greatest(), kind];
         let cell = |cell: &Cell| match cell {
             Cell::Number(value) => self.digits.write(value * self.unit.factor, sizes),
-            Cell::None => dash(),
+            Cell::None => name(NONE),
             Cell::Text(text) => text.clone(),
         };
         Printed { head, unit: self.unit.name, cells: self.cells.iter().map(cell).collect() }

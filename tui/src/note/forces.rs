@@ -2,12 +2,12 @@
 //! reactions, the balancing load.
 
 use assur_analysis::results::Owner;
-use assur_book::{Column, Document, Table, Unit, catalogue, row};
+use assur_book::{Document, Table, Unit, catalogue};
 use assur_diagram::VectorPlan;
 use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep};
 use assur_report::topic;
-use assur_words::{Text, joined, name, number, quantity, text};
+use assur_words::{Text, name, number, quantity, text};
 
 use super::NoteError;
 use super::context::{Context, still};
@@ -108,17 +108,15 @@ fn polygons(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
 
 /// The vectors of a polygon in each position.
 fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
-    let heads = [text!("note-position"), text!("head-vector"), text!("note-force"), text!("head-acts")];
-    let size = Column::short(name("F"), Unit::of("N", 1.0));
-    let mut table = Table::list(caption, heads.map(Column::of).into_iter().chain([size]));
-    for (position, plan) in polygons {
-        for (label, item) in
-            plans::labelled(ViewPart::Forces, plan).into_iter().filter(|(label, _)| label != "..")
-        {
-            table.row(row![number(position), name(label), item.name.clone(), item.note.clone(), item.size]);
-        }
-    }
-    table
+    let labelled = |plan| plans::labelled(ViewPart::Forces, plan).into_iter();
+    let rows = polygons.iter().flat_map(|(position, plan)| labelled(plan).map(move |row| (position, row)));
+    Table::each(caption, rows.filter(|(_, (label, _))| label != ".."))
+        .column(text!("note-position"), |(position, _)| number(position))
+        .column(text!("head-vector"), |(_, (label, _))| name(label.clone()))
+        .column(text!("note-force"), |(_, (_, item))| item.name.clone())
+        .column(text!("head-acts"), |(_, (_, item))| item.note.clone())
+        .measured(name("F"), Unit::of("N", 1.0), |(_, (_, item))| item.size)
+        .table()
 }
 
 /// The greatest reaction with its hodograph, and the balancing load.
@@ -197,12 +195,14 @@ fn stages(construction: &Construction) -> Vec<usize> {
 
 /// Every step: its vector and what it does.
 fn steps(construction: &Construction, caption: Text) -> Table {
-    let heads = [text!("note-step"), text!("head-vector"), text!("note-size"), text!("head-acts")];
-    let mut table = Table::list(caption, heads.map(Column::of));
-    for (at, step) in construction.steps.iter().enumerate() {
+    let size = |step: &ConstructionStep| {
         let length = step.vector[0].hypot(step.vector[1]);
-        let size = if length > 0.0 { quantity(digits(length, 5), step.unit) } else { joined("", []) };
-        table.row(row![number(at + 1), step.name.clone(), size, step.note.clone()]);
-    }
-    table
+        if length > 0.0 { quantity(digits(length, 5), step.unit) } else { Text::default() }
+    };
+    Table::each(caption, construction.steps.iter().enumerate())
+        .column(text!("note-step"), |(at, _)| number(at + 1))
+        .column(text!("head-vector"), |(_, step)| step.name.clone())
+        .column(text!("note-size"), |(_, step)| size(step))
+        .column(text!("head-acts"), |(_, step)| step.note.clone())
+        .table()
 }

@@ -1,7 +1,7 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
 use assur_analysis::results::{Integration, Owner, Part, Quantity, Table as Results};
-use assur_book::{Column, Document, Table, Unit, row};
+use assur_book::{Column, Document, Table, Unit};
 use assur_integrator::EventKind;
 use assur_words::{Text, name, number, text};
 
@@ -177,20 +177,16 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
         return;
     }
     let times = each(all, Values::of(Quantity::Time, Owner::Input));
-    let heads = [
-        Column::of(text!("head-pair")),
-        Column::of(text!("head-on")),
-        Column::short(text!("head-greatest-force"), FORCE),
-        Column::short(text!("head-time"), SECOND),
-    ];
-    let mut table = Table::list(text!("report-greatest-at-samples"), heads);
-    for (pair, links) in shown(all) {
-        for link in links {
-            let sizes = each(all, force(pair, link).part(Part::Modulus)).into_iter().zip(&times);
-            let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
-            let Some((size, time)) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-            table.row(row![source.name(Owner::Pair(pair)), source.name(Owner::Link(link)), size, time]);
-        }
-    }
-    page.table(table);
+    let greatest = |(pair, link)| {
+        let sizes = each(all, force(pair, link).part(Part::Modulus)).into_iter().zip(&times);
+        let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
+        Some((pair, link, found.max_by(|a, b| a.0.total_cmp(&b.0))?))
+    };
+    let rows = shown(all).into_iter().filter_map(greatest);
+    let table = Table::each(text!("report-greatest-at-samples"), rows)
+        .column(text!("head-pair"), |(pair, ..)| source.name(Owner::Pair(*pair)))
+        .column(text!("head-on"), |(_, link, _)| source.name(Owner::Link(*link)))
+        .measured(text!("head-greatest-force"), FORCE, |(.., (size, _))| *size)
+        .measured(text!("head-time"), SECOND, |(.., (_, time))| *time);
+    page.table(table.table());
 }

@@ -1,7 +1,7 @@
 //! The geometry of the motion as tables.
 
-use assur_book::{Column, Document, Group, Table, Unit, row};
-use assur_geometry::{AtPosition, CenterAt, Centers, Extremes, Geometry, Stroke};
+use assur_book::{Column, Document, Group, Table, Unit};
+use assur_geometry::{AtPosition, CenterAt, Centers, Geometry, Stroke};
 use assur_mechanism::Named;
 use assur_words::{Text, name, text};
 
@@ -68,29 +68,8 @@ fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
 }
 
 fn extremes(found: &Geometry, units: &Units, page: &mut Document) {
-    let place = || Column::short(text!("head-at"), units.coordinate);
-    let heads = [
-        Column::of(text!("head-of")),
-        Column::of(text!("head-quantity")),
-        Column::of(text!("head-unit")),
-        Column::of(text!("head-least")),
-        place(),
-        Column::of(text!("head-greatest")),
-        place(),
-    ];
-    let mut table = Table::list(Text::default(), heads);
-    let mut add = |of: &Named<usize>, what: Text, at: &Extremes, unit: Unit| {
-        let [least, most] = [beside(at.min, at.max), beside(at.max, at.min)].map(|value| unit.number(value));
-        table.row(row![
-            Text::from(of),
-            what,
-            assur_words::unit(unit.name),
-            least,
-            at.at_min,
-            most,
-            at.at_max
-        ]);
-    };
+    let mut rows = Vec::new();
+    let mut add = |of, what, at, unit| rows.push((of, what, at, unit));
     let (length, angle) = (units.length, units.angle);
     for (of, at) in &found.slides {
         add(of, text!("geometry-displacement"), &at.pf0, length[0]);
@@ -109,7 +88,15 @@ fn extremes(found: &Geometry, units: &Units, page: &mut Document) {
         add(of, text!("geometry-modulus", of = text!("quantity-pf2")), &at.pf2, length[2]);
     }
     page.heading(text!("geometry-extremes"));
-    page.table(table);
+    let table = Table::each(Text::default(), rows)
+        .column(text!("head-of"), |(of, ..)| Text::from(*of))
+        .column(text!("head-quantity"), |(_, what, ..)| what.clone())
+        .column(text!("head-unit"), |(.., unit)| assur_words::unit(unit.name))
+        .column(text!("head-least"), |(.., at, unit)| unit.number(beside(at.min, at.max)))
+        .measured(text!("head-at"), units.coordinate, |(.., at, _)| at.at_min)
+        .column(text!("head-greatest"), |(.., at, unit)| unit.number(beside(at.max, at.min)))
+        .measured(text!("head-at"), units.coordinate, |(.., at, _)| at.at_max);
+    page.table(table.table());
 }
 
 fn force_angles(found: &Geometry, units: &Units, page: &mut Document) {
