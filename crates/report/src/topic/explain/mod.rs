@@ -35,7 +35,9 @@ pub fn explain(
         (text!("explain-not-modelled"), not_modelled(mechanism)),
     ] {
         page.heading(heading);
-        remarks.into_iter().for_each(|remark| page.paragraph(remark));
+        for remark in remarks {
+            page.paragraph(remark);
+        }
     }
 }
 
