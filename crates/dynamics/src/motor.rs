@@ -1,8 +1,8 @@
 //! The motor of a scene: given by its data, looked up, or chosen (S stage 5); and how it works in a steady regime.
 
-use assur_mechanism::{Motor as Asked, Torque};
+use assur_mechanism::{MotorChoice, Torque};
 use assur_motor::{
-    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver, RatedData,
+    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver, RatedMotor,
     SelectionRequest, catalogues, check_breakdown, check_rms, check_rotor_inertia, check_starting,
     find_motor, list_motors, nearest, rms_torque, select,
 };
@@ -16,7 +16,7 @@ pub struct DriveMotor {
     /// Designation as the catalogue prints it; `None` for a motor given by its data.
     pub designation: Option<String>,
     /// The data of which the characteristic is computed.
-    pub rated: RatedData,
+    pub rated: RatedMotor,
     /// The mechanical characteristic.
     pub characteristic: Characteristic,
     /// Row of the catalogue, with mass and size.
@@ -43,10 +43,10 @@ impl DriveMotor {
             return Ok(None);
         };
         let (row, runners_up, passed_over) = match motor {
-            Asked::Rated(rated) => {
+            MotorChoice::Rated(rated) => {
                 let inertia = rated.inertia.filter(|inertia| *inertia > 0.0);
-                let rated = RatedData { inertia, ..*rated };
-                let characteristic = Characteristic::new(*kind, &rated)?;
+                let rated = RatedMotor { inertia, ..*rated };
+                let characteristic = Characteristic::new(*kind, &rated).map_err(DynamicsError::Rated)?;
                 return Ok(Some(Self {
                     designation: None,
                     rated,
@@ -56,10 +56,10 @@ impl DriveMotor {
                     passed_over: Vec::new(),
                 }));
             }
-            Asked::Designation(designation) => {
+            MotorChoice::Designation(designation) => {
                 (find_motor(catalogue.as_deref(), designation)?, Vec::new(), Vec::new())
             }
-            Asked::Auto => {
+            MotorChoice::Auto => {
                 let [required_power, input_speed] = need()?;
                 let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
                 let request = SelectionRequest {
@@ -68,7 +68,8 @@ impl DriveMotor {
                     max_motor_speed: *max_speed,
                     characteristic: *kind,
                 };
-                let found = select(list_motors(&catalogues()?, &filter)?, &request)?;
+                let found = select(list_motors(&catalogues()?, &filter)?, &request)
+                    .map_err(DynamicsError::Selection)?;
                 (found.chosen.motor, found.runners_up, found.passed_over)
             }
         };
@@ -82,7 +83,7 @@ impl DriveMotor {
         runners_up: Vec<Candidate<'static>>,
     ) -> Result<Self, DynamicsError> {
         let rated = row.rated_data();
-        let characteristic = Characteristic::new(kind, &rated)?;
+        let characteristic = Characteristic::new(kind, &rated).map_err(DynamicsError::Rated)?;
         let designation = Some(row.designation.clone());
         Ok(Self { designation, rated, characteristic, row: Some(row), runners_up, passed_over: Vec::new() })
     }

@@ -1,9 +1,9 @@
 //! The task as it is given: dimensions and masses, loads, motion and drive.
 
-use assur_book::{Cell, Column, Document, Fact, Table as List, Unit, link_name, row};
+use assur_book::{Cell, Column, Document, Fact, Table, Unit, link_name, row};
 use assur_mechanism::{
-    Direction, Drive, Force, Inertia, LinkId, LoadKind, Mechanism, Motion, Motor, Over, Solve, Table, Torque,
-    Value, VaryingInertia,
+    Direction, Drive, Force, Inertia, LawTable, LinkId, LoadKind, Mechanism, Motion, MotorChoice, Over,
+    Solve, Torque, Value, VaryingInertia,
 };
 use assur_words::{Text, joined, list, name, text, unit};
 
@@ -18,7 +18,7 @@ const NEWTON: &str = "N";
 pub fn loads_given(source: &Source<'_>, page: &mut Document) {
     let mechanism = source.mechanism;
     let heads = [text!("head-load"), text!("head-acts"), text!("head-value")].map(Column::of);
-    let mut rows = List::list(text!("report-given-loads"), heads);
+    let mut rows = Table::list(text!("report-given-loads"), heads);
     if let Some([x, y]) = mechanism.gravity {
         let size = Unit::of("m/s²", 1.0).show(x.hypot(y));
         rows.row(row![name("G"), text!("given-gravity"), joined(" = ", [name("g"), size])]);
@@ -114,7 +114,7 @@ fn law(mechanism: &Mechanism, value: &Value, of: &'static str) -> Text {
 }
 
 /// The rows of a table: argument, value; a constant is its value alone.
-fn pairs(table: &Table, by: Unit) -> Text {
+fn pairs(table: &LawTable, by: Unit) -> Text {
     if let [[_, value]] = table.rows[..] {
         return Unit::NONE.number(value);
     }
@@ -167,11 +167,11 @@ fn drive(drive: &Drive, moment: Unit) -> Vec<Fact> {
     facts
 }
 
-fn motor_given(motor: &Motor) -> Vec<Fact> {
+fn motor_given(motor: &MotorChoice) -> Vec<Fact> {
     match motor {
-        Motor::Auto => vec![Fact::text("given-motor", text!("given-chosen"))],
-        Motor::Designation(designation) => vec![Fact::text("given-motor", name(designation.clone()))],
-        Motor::Rated(rated) => {
+        MotorChoice::Auto => vec![Fact::text("given-motor", text!("given-chosen"))],
+        MotorChoice::Designation(designation) => vec![Fact::text("given-motor", name(designation.clone()))],
+        MotorChoice::Rated(rated) => {
             let breakdown = |ratio| Fact::number("fact-breakdown-ratio", ratio, Unit::NONE);
             let rotor = |inertia| Fact::number("fact-rotor", inertia, INERTIA);
             let some = [
@@ -203,7 +203,7 @@ pub fn dimensions(source: &Source<'_>, page: &mut Document) {
 fn points(source: &Source<'_>, page: &mut Document) {
     let length = |axis| Column::short(name(axis), LENGTH);
     let heads = [Column::of(text!("head-link")), Column::of(text!("head-point")), length("x"), length("y")];
-    let mut table = List::list(text!("report-points"), heads);
+    let mut table = Table::list(text!("report-points"), heads);
     for (id, link) in source.mechanism.links.iter().enumerate() {
         for (point_id, point) in source.mechanism.points.iter().enumerate() {
             if let Some([x, y]) = source.mechanism.place_in(point_id, id) {
@@ -215,7 +215,7 @@ fn points(source: &Source<'_>, page: &mut Document) {
 }
 
 fn slides(source: &Source<'_>, page: &mut Document) {
-    let table = List::each(text!("report-slides"), &source.mechanism.slides)
+    let table = Table::each(text!("report-slides"), &source.mechanism.slides)
         .column(text!("head-slide"), |slide| &slide.name)
         .measured(text!("head-point-x"), LENGTH, |slide| slide.point[0])
         .measured(name("y"), LENGTH, |slide| slide.point[1])
@@ -242,7 +242,7 @@ fn inertia_given(inertia: &Inertia) -> Cell {
 
 fn masses(source: &Source<'_>, page: &mut Document) {
     let heavy = source.mechanism.links.iter().skip(1).filter(|link| link.is_heavy());
-    let table = List::each(text!("report-masses"), heavy)
+    let table = Table::each(text!("report-masses"), heavy)
         .column(text!("head-link"), |link| &link.name)
         .measured(text!("head-mass"), KILOGRAM, |link| link.mass)
         .measured(text!("head-center-x"), LENGTH, |link| link.center[0])
