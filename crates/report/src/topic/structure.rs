@@ -1,9 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{PassiveReport, StructureReport};
-use assur_analysis::{GroupModes, Meeting, PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::{CourseEnd, Unlisted};
+use assur_kinematics::{CourseEnd, ModeMeeting, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -146,7 +146,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         kind = name(group.kind.clone()),
         links = named(&group.links)
     );
-    let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
+    let (Some(circuits), Some(branches)) = (group.courses.circuits, group.courses.branches) else {
         let unlisted = match group.unlisted {
             Some(Unlisted::At(place)) => {
                 text!("report-modes-together", group = named, coordinate = unit.show(place))
@@ -155,7 +155,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         };
         return page.paragraph(unlisted);
     };
-    let table = Table::each(named, &group.modes)
+    let table = Table::each(named, &group.courses.modes)
         .column(text!("head-mode"), |mode| number(mode.way))
         .measured(text!("head-from"), unit, |mode| mode.from)
         .measured(text!("head-to"), unit, |mode| mode.to)
@@ -164,7 +164,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         .column(text!("head-circuit"), |mode| number(mode.circuit))
         .column(text!("head-branch"), |mode| number(mode.branch));
     page.table(table.table());
-    let counts = group.counts.iter().map(|count| {
+    let counts = group.courses.counts.iter().map(|count| {
         text!("report-modes-from", count = number(count.modes), coordinate = unit.show(count.from))
     });
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
@@ -172,12 +172,12 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     if let Some(way) = group.way {
         page.paragraph(text!("report-modes-present", mode = number(way)));
     }
-    let meeting = |meeting: &Meeting| {
+    let meeting = |meeting: &ModeMeeting| {
         let [one, other] = meeting.ways.map(number);
         text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
     };
-    if !group.meetings.is_empty() {
-        let meetings = joined("; ", group.meetings.iter().map(meeting));
+    if !group.courses.meetings.is_empty() {
+        let meetings = joined("; ", group.courses.meetings.iter().map(meeting));
         page.paragraph(text!("report-modes-meet", meetings = meetings));
     }
 }
