@@ -36,7 +36,7 @@ pub struct Course {
 
 /// Both sides of a place at which a value jumps.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
+pub struct Jump {
     /// Coordinate, rad or m.
     pub at: f64,
     /// The values just before and just after it, SI.
@@ -87,12 +87,12 @@ impl Course {
     }
 
     /// Both sides of the places at which the value jumps.
-    pub fn steps(&self) -> impl Iterator<Item = Step> {
+    pub fn jumps(&self) -> impl Iterator<Item = Jump> {
         let (pairs, least) = (self.line.windows(2), ZERO * self.size());
         let jumps = pairs.filter(move |two| {
             two[0][0].to_bits() == two[1][0].to_bits() && (two[0][1] - two[1][1]).abs() > least
         });
-        jumps.map(|two| Step { at: two[0][0], values: [two[0][1], two[1][1]] })
+        jumps.map(|two| Jump { at: two[0][0], values: [two[0][1], two[1][1]] })
     }
 
     /// Values with their places, in the order of their numbers, and the end of the cycle.

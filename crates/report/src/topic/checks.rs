@@ -1,27 +1,25 @@
 //! The checks of the numbers.
 
-use assur_analysis::results::{Check, Finding, verdict};
-use assur_book::{Column, Digits, Document, Table, Unit, row};
+use assur_analysis::results::{Check, verdict};
+use assur_book::{Column, Digits, Document, Table};
 use assur_words::{Text, list, number, text};
 
 /// The checks, one row each: name, largest residual, where, limit, whether it holds, or that nothing could be checked;
 /// below, how many positions were checked where not all were, and in which of them checks were not possible, and why.
 pub fn checks(checks: &[Check], page: &mut Document) {
-    let size = |head| Column::short(head, Unit::NONE).with(Digits::Exponent);
-    let heads = [
-        Column::of(text!("head-check")),
-        size(text!("head-residual")),
-        Column::of(text!("head-position")),
-        Column::of(text!("head-place")),
-        size(text!("head-limit")),
-        Column::of(text!("head-result")),
-    ];
-    let row = |check: &Check| {
-        let Finding { place, error, bound, holds, .. } = &check.finding;
-        let place = (!place.is_empty()).then(|| place.clone());
-        row![check.name.clone(), *error, check.at.map(number), place, *bound, verdict(*holds)]
+    let size = |head| Column::of(head).with(Digits::Exponent);
+    let place = |check: &Check| {
+        let place = &check.finding.place;
+        (!place.is_empty()).then(|| place.clone())
     };
-    page.table(Table::list(Text::default(), heads).rows(checks.iter().map(row)));
+    let table = Table::each(Text::default(), checks)
+        .column(text!("head-check"), |check| check.name.clone())
+        .add(size(text!("head-residual")), |check| check.finding.error)
+        .column(text!("head-position"), |check| check.at.map(number))
+        .column(text!("head-place"), |check| place(check))
+        .add(size(text!("head-limit")), |check| check.finding.bound)
+        .column(text!("head-result"), |check| verdict(check.finding.holds));
+    page.table(table.table());
     sampled(checks).into_iter().chain(not_judged(checks)).for_each(|line| page.paragraph(line));
 }
 
