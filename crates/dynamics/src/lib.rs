@@ -9,7 +9,6 @@
 mod drive;
 mod error;
 mod friction;
-mod friction_regime;
 mod instant;
 mod machine;
 mod motor;

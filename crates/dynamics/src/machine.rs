@@ -32,17 +32,17 @@ impl<'a> Machine<'a> {
     }
 
     /// Takes the dry friction of a known motion from now on: the moment depends on the coordinate alone then, as far as friction
-    /// goes.
-    pub(crate) fn assume(&mut self, course: KnownMotion) {
+    /// goes. Without one friction is found with the acceleration.
+    pub(crate) fn assume(&mut self, course: Option<KnownMotion>) {
         if let Some(friction) = &mut self.friction {
-            friction.assume(Some(course));
+            friction.assume(course);
         }
     }
 
     /// The machine in a regime that was found, whose dry friction it takes.
     #[must_use]
     pub fn in_regime(mut self, regime: &Regime) -> Self {
-        self.assume(KnownMotion::Regime(Arc::new(regime.clone())));
+        self.assume(Some(KnownMotion::Regime(Arc::new(regime.clone()))));
         self
     }
 
@@ -53,13 +53,6 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// Finds friction with the acceleration again.
-    pub(crate) fn forget_course(&mut self) {
-        if let Some(friction) = &mut self.friction {
-            friction.assume(None);
-        }
-    }
-
     /// Whether pairs have dry friction.
     pub(crate) fn has_friction(&self) -> bool {
         self.friction.is_some()
@@ -67,7 +60,7 @@ impl<'a> Machine<'a> {
 
     /// The dry friction at the state that was evaluated last.
     pub(crate) fn friction(&self) -> FrictionMoment {
-        self.friction.as_ref().map(Friction::found).unwrap_or_default()
+        self.friction.as_ref().map(|friction| friction.found).unwrap_or_default()
     }
 
     /// The coefficients without dry friction.
@@ -168,7 +161,7 @@ pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_fo
 impl EquationOfMotion for Machine<'_> {
     fn dependence(&self) -> Dependence {
         let Some(friction) = &self.friction else { return self.dependence };
-        let by_motion = friction.is_free();
+        let by_motion = friction.course.is_none();
         Dependence {
             moment_on_coordinate: true,
             moment_on_speed: self.dependence.moment_on_speed || by_motion,
@@ -188,7 +181,7 @@ impl EquationOfMotion for Machine<'_> {
 
     /// Of the friction that was found last: at this state, under its drive.
     fn bends(&mut self, _: &State) -> Result<Vec<f64>, MotionError> {
-        Ok(self.friction.as_ref().map_or_else(Vec::new, |friction| friction.pressing().to_vec()))
+        Ok(self.friction.as_ref().map_or_else(Vec::new, |friction| friction.pressing.clone()))
     }
 
     #[inline]

@@ -229,25 +229,17 @@ impl Phase {
     }
 }
 
-impl LoadPhase {
-    /// Not yet entered.
-    fn new() -> Self {
-        Self {
-            size: Active::only(),
-            angle: Active::only(),
-            stays: EVERYWHERE,
-            touches: true,
-            friction_sense: 0.0,
-        }
-    }
-}
-
-const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-
 impl Loads {
     /// A phase with room for all loads, not yet entered.
     pub fn phase(&self) -> Phase {
-        Phase { loads: vec![LoadPhase::new(); self.applied.len()], sense: self.sense }
+        let new = LoadPhase {
+            size: Active::only(),
+            angle: Active::only(),
+            stays: [f64::NEG_INFINITY, f64::INFINITY],
+            touches: true,
+            friction_sense: 0.0,
+        };
+        Phase { loads: vec![new; self.applied.len()], sense: self.sense }
     }
 
     /// Chooses the formulas of the side of `state` (if the motion is held, of the side above its speed), and returns
@@ -265,16 +257,11 @@ impl Loads {
         for (load, phase) in self.applied.iter().zip(&mut phase.loads) {
             phase.enter(self, load, state, &side, &mut bounds);
         }
-        if self.turns_with_speed() {
+        if self.applied.iter().any(Applied::turns_with_speed) {
             let side = if phase.sense < 0.0 { [f64::NEG_INFINITY, 0.0] } else { [0.0, f64::INFINITY] };
             cut(&mut bounds.speed, side);
         }
         bounds
-    }
-
-    /// Whether a load depends on the sign of the speed: a load against the motion, friction against the sliding, or a stroke.
-    pub fn turns_with_speed(&self) -> bool {
-        self.applied.iter().any(Applied::turns_with_speed)
     }
 }
 

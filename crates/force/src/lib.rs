@@ -34,7 +34,9 @@ mod wrenches;
 
 assur_words::resources!();
 
-pub use analyzer::{AnalyzerPlugin, ForceAnalyzer, ForceError, analyzers, applicable, choose, find};
+pub use analyzer::{
+    AnalyzerPlugin, ForceAnalyzer, ForceError, FrictionAnalysis, analyzers, applicable, choose, find,
+};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
 pub use balance::{IdleBalance, Reactions, UnitBalance};

@@ -1,6 +1,6 @@
 //! All solutions of the equations in moduli.
 
-use crate::dense;
+use crate::matrix::solve;
 use crate::moduli::{Moduli, Width, length};
 use crate::quadrics::{self, Quadric};
 
@@ -96,7 +96,7 @@ impl Moduli {
         let constant = (0..lines.len()).map(|i| signs[i] * self.constants[lines[i]][0]).collect();
         let by_planes = planes.iter().map(|&p| (0..lines.len()).map(|i| signed(i, p)).collect());
         let rights: Vec<Vec<f64>> = std::iter::once(constant).chain(by_planes).collect();
-        let Some(solved) = dense::solve(matrix.clone(), rights.clone()) else {
+        let Some(solved) = solve(matrix.clone(), rights.clone()) else {
             self.singular(lines, planes, &matrix, &rights, found);
             return;
         };

@@ -16,18 +16,16 @@
 //!
 //! Nothing here knows of mechanisms; numbers may have any unit.
 
-mod dense;
 mod every;
+mod matrix;
 mod moduli;
-mod path;
 mod quadrics;
-mod radius;
 mod unique;
 
 pub use every::{Solutions, is_same};
+pub use matrix::spectral_radius;
 pub use moduli::{Moduli, Width};
-pub use path::{PathPoint, path};
-pub use radius::spectral_radius;
+pub use moduli::{PathPoint, path};
 pub use unique::{Sum, Unique};
 
 #[cfg(test)]

@@ -10,7 +10,6 @@ use crate::{
     Pace, Request, Run, Scale, State, Step, Stepper, Trajectory, control,
 };
 
-mod bends;
 mod events;
 mod sticking;
 
@@ -40,7 +39,7 @@ impl<S: Stepper> Integrator for Steps<S> {
         while !drive.run.finished {
             drive.advance()?;
         }
-        drive.run.statistics.stiffness = drive.reported_stiffness();
+        drive.run.equation.cost.stiffness = drive.reported_stiffness();
         drive.run.conclude()
     }
 }
@@ -200,7 +199,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         error: f64,
         source: Option<MotionError>,
     ) -> Result<(), IntegrationError> {
-        self.run.statistics.rejected += 1;
+        self.run.equation.cost.rejected += 1;
         self.after_rejection = true;
         let factor = match self.pace {
             Pace::Adaptive(control) => control.after_rejected(error),
@@ -223,7 +222,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
             let dense = self.dense(&to)?;
             if let Some((theta, side)) = self.bounds.first_exit(&dense) {
                 if theta < NEAR_END && !S::PARABOLIC {
-                    self.run.statistics.rejected += 1;
+                    self.run.equation.cost.rejected += 1;
                     self.redo = Some((theta * plan.h, Some(side)));
                     return Ok(());
                 }
@@ -258,7 +257,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
             }
         }
         self.propose(&plan, error);
-        self.run.statistics.steps += 1;
+        self.run.equation.cost.steps += 1;
         self.stalls = 0;
         self.scale.extend(&to.state);
         self.run.node = to;
@@ -310,7 +309,7 @@ impl<S: Stepper> Drive<'_, S> {
 
     /// Step times eigenvalue at the end of a long run.
     pub(super) fn reported_stiffness(&mut self) -> Option<f64> {
-        if self.run.statistics.steps > MANY_STEPS { self.stiffness() } else { None }
+        if self.run.equation.cost.steps > MANY_STEPS { self.stiffness() } else { None }
     }
 
     pub(super) fn too_many_steps(&mut self) -> IntegrationError {
@@ -319,7 +318,7 @@ impl<S: Stepper> Drive<'_, S> {
     }
 
     pub(super) fn check_stability_at_times(&mut self) -> Result<(), IntegrationError> {
-        if self.run.statistics.steps.is_multiple_of(PERIOD) { self.check_stability() } else { Ok(()) }
+        if self.run.equation.cost.steps.is_multiple_of(PERIOD) { self.check_stability() } else { Ok(()) }
     }
 
     /// At a fixed step no error estimate would notice an unstable step.

@@ -15,7 +15,6 @@ mod course;
 mod data;
 mod proof;
 mod samples;
-mod scaling;
 mod study;
 
 assur_words::resources!();

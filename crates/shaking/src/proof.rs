@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::scaling::Cone;
+use crate::cone::Cone;
 
 /// Parts of the greatest force of the dual point below which a row may be left out of the proof.
 const SHARES: [f64; 4] = [0.0, 1e-6, 1e-4, 1e-2];

@@ -5,7 +5,7 @@ use assur_group::plane::{cross, dot, minus, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 
 use crate::layout::{End, Layout};
-use crate::setting::{Setting, Unknowns};
+use crate::layout::{Setting, Unknowns};
 
 /// Force of the pin A on the coupler, N.
 pub(crate) fn at_a(found: &Unknowns) -> [f64; 2] {

@@ -8,7 +8,7 @@ use assur_words::{Text, joined, name, number, quantity, text};
 
 use crate::deliver::{at_a, at_b};
 use crate::layout::{End, Layout};
-use crate::setting::{Setting, Unknowns};
+use crate::layout::{Setting, Unknowns};
 
 /// Sines below this count as parallel in the drawing.
 const PARALLEL: f64 = 1e-12;

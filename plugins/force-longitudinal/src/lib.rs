@@ -23,10 +23,8 @@
 
 mod deliver;
 mod drawing;
+mod forms;
 mod layout;
-mod published;
-mod setting;
-mod stable;
 mod working;
 
 use assur_force::{Acting, AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions};
@@ -35,7 +33,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_words::{Text, text};
 
 use layout::Layout;
-use setting::{Setting, Unknowns};
+use layout::{Setting, Unknowns};
 
 assur_words::resources!();
 
@@ -107,10 +105,9 @@ impl Longitudinal {
         let setting = Setting::of(&layout, &position.bodies, loads);
         let unknowns = match self.form {
             Form::Stable => {
-                stable::solve(&setting).map_err(|health| singular(linkage, position.coordinate, health))
+                forms::stable(&setting).map_err(|health| singular(linkage, position.coordinate, health))
             }
-            Form::Published => published::solve(&setting)
-                .map(|found| found.unknowns)
+            Form::Published => forms::published(&setting)
                 .map_err(|failure| failure.explain(linkage, &layout, position.coordinate)),
         }?;
         Ok((layout, setting, unknowns))

@@ -13,8 +13,8 @@ use assur_worksheet::dyad::{along, minus as less};
 use assur_worksheet::{Expr, Point, Sheet, Symbol, WorkedLoad};
 
 use crate::Form;
+use crate::layout::Setting;
 use crate::layout::{End, Layout};
-use crate::setting::Setting;
 
 assur_working::inventory::submit! {
     AnalyzerWorking {

@@ -119,7 +119,7 @@ impl March<'_> {
 
     /// Starts again from rest, if the remaining speed is lost in rounding.
     fn restart(&mut self) -> Result<(), IntegrationError> {
-        self.run.statistics.rejected += 1;
+        self.run.equation.cost.rejected += 1;
         self.run.node.state.speed = 0.0;
         self.enter_next()
     }
@@ -186,7 +186,7 @@ impl March<'_> {
     }
 
     fn shorten(&mut self, length: f64, by: f64, source: Option<MotionError>) -> Result<(), IntegrationError> {
-        self.run.statistics.rejected += 1;
+        self.run.equation.cost.rejected += 1;
         self.length = length * by;
         if self.length > self.least() {
             return Ok(());
@@ -205,7 +205,7 @@ impl March<'_> {
         let tolerance = self.tolerance().max(CLOCK_ROUNDING);
         let clock = Clock::measure(panel, (until, rests), (begin, latest), tolerance);
         let clock = clock.map_err(|_| self.run.not_reached(text!("integrator-energy-creeps")))?;
-        self.run.statistics.steps += 1;
+        self.run.equation.cost.steps += 1;
         self.largest = self.largest.max(panel.most_energy());
         let end = clock.end();
         let passage = Passage { panel: Box::new(*panel), clock };

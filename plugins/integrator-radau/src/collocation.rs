@@ -203,10 +203,8 @@ impl Stepper for Collocation {
     }
 
     fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
-        let mut dense = Dense::steady(&from.state, self.h);
         let slopes = self.increments.map(|z| [interpolate(&z, 0.0).1, interpolate(&z, 1.0).1]);
-        dense.set_cubics(&from.state, &to.state, slopes);
-        Ok(dense)
+        Ok(Dense::with_slopes(&from.state, &to.state, self.h, slopes))
     }
 }
 

@@ -14,10 +14,11 @@
 
 use assur_words::text;
 
-use super::collocation::{RULE, S, Values};
-use super::extremes::{Piece, extremes};
 use super::path::{Coefficients, Panel};
-use super::report::FlywheelByMethod;
+use super::path::{RULE, S, Values};
+use super::regime::FlywheelByMethod;
+use super::solution::{Piece, extremes};
+use super::tuning::{Target, Tuned};
 
 /// The data of a cycle that the methods need: the work of all moments over the path, at the mean speed.
 #[derive(Debug, Clone)]
@@ -33,22 +34,6 @@ pub(crate) struct WorkDiagram {
     work: Vec<Values>,
     /// Work of the resisting moments over a cycle, J.
     pub(crate) resistance: f64,
-}
-
-/// The requirements on the flywheel, and the other inertia on its shaft.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct FlywheelTask {
-    /// Mean speed w, rad/s.
-    pub(crate) speed: f64,
-    pub(crate) unevenness: f64,
-    /// The part of J(q) that does not vary, kg m².
-    pub(crate) constant_inertia: f64,
-    /// Rotor reduced to the input, kg m².
-    pub(crate) rotor: f64,
-    /// Factor from inertia reduced to the input to inertia on the flywheel's own shaft.
-    pub(crate) to_own_shaft: f64,
-    /// The flywheel of the exact method on its own shaft, kg m².
-    pub(crate) exact: f64,
 }
 
 impl WorkDiagram {
@@ -95,9 +80,19 @@ impl WorkDiagram {
         high - low
     }
 
-    /// The flywheel by each method of the textbooks, and the exact one.
-    pub(crate) fn flywheels(&self, task: &FlywheelTask) -> Vec<FlywheelByMethod> {
-        let FlywheelTask { speed, unevenness, constant_inertia, rotor, to_own_shaft, exact } = *task;
+    /// The flywheel by each method of the textbooks, and the exact one; `constant_inertia`: the part of J(q) that does not vary,
+    /// kg m².
+    pub(crate) fn flywheels(
+        &self,
+        Tuned { unknowns, range, .. }: &Tuned,
+        target: &Target,
+        constant_inertia: f64,
+    ) -> Vec<FlywheelByMethod> {
+        let (speed, exact) = (range.mean(), unknowns.flywheel);
+        let unevenness = target.unevenness.unwrap_or(range.unevenness());
+        let ratio = unknowns.ratio().unwrap_or(1.0);
+        let rotor = ratio * ratio * target.rotor;
+        let to_own_shaft = if target.on_motor { 1.0 / (ratio * ratio) } else { 1.0 };
         let square = speed * speed;
         let by = 1.0 / (square * unevenness);
         let excess = self.excess_work() * by;

@@ -1,9 +1,11 @@
 //! The machine along one cycle: coefficients of its equation over the path coordinate x.
 
+use std::sync::LazyLock;
+
 use assur_force::tolerance;
 use assur_integrator::{EquationOfMotion, MotionError, Piece, State};
+use assur_number::panel::Radau;
 
-use super::collocation::{RULE, S, Values};
 use crate::DynamicsError;
 
 /// Coefficients of the equation at one place of the path, of the machine without its drive.
@@ -253,6 +255,15 @@ impl<'a> Path<'a> {
         self.cut(x + 0.5 * h, 0.5 * h, v, tolerance, scale, panels)
     }
 }
+
+/// Number of nodes in (0, 1].
+pub(crate) const S: usize = 8;
+
+/// One number for the start of a panel and one for each node.
+pub(crate) type Values = [f64; S + 1];
+
+/// The rule, computed once.
+pub(crate) static RULE: LazyLock<Radau<S, { S + 1 }>> = LazyLock::new(Radau::new);
 
 #[cfg(test)]
 mod tests;

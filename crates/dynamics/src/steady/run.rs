@@ -1,9 +1,9 @@
 //! One cycle from a given kinetic energy: collocation on each panel by Newton's method, with the derivatives of the
 //! energy with respect to its initial value, the drive and the flywheel (variational equation).
 
-use super::collocation::{RULE, S, Values};
-use super::newton::{Failure, Moment, Start, solve};
 use super::path::{Coefficients, NodalCoefficients, Panel, Path};
+use super::path::{RULE, S, Values};
+use super::segment::{Failure, Moment, Start, solve};
 use super::segment::{Segment, Setup};
 use super::solution::CycleSolution;
 use crate::DynamicsError;

@@ -1,11 +1,11 @@
 //! The periodic regime: a cycle that ends with the speed with which it began.
 
-use super::extremes::{Piece, extremes};
 use super::path::{Panel, Path};
-use super::report::Iteration;
+use super::regime::Iteration;
 use super::run::run_cycle;
 use super::segment::{BY_DRIVE, Misses, Setup};
 use super::solution::{Closing, CycleSolution};
+use super::solution::{Piece, extremes};
 use crate::DynamicsError;
 use crate::drive::Source;
 

@@ -3,12 +3,12 @@
 use assur_integrator::EquationOfMotion;
 use assur_words::text;
 
-use super::collocation::RULE;
-use super::diagram::{FlywheelTask, WorkDiagram};
+use super::diagram::WorkDiagram;
+use super::path::RULE;
 use super::path::{Cycle, Panel, Path};
-use super::regime::{Context, Regime};
-use super::report::{Effort, Iteration};
-use super::request::{CycleRequest, DriveRequest, TorqueRequest};
+use super::regime::Regime;
+use super::regime::{CycleRequest, DriveRequest, TorqueRequest};
+use super::regime::{Effort, Iteration};
 use super::segment::Setup;
 use super::shooting::Shooting;
 use super::solution::{Closing, CycleSolution};
@@ -144,10 +144,10 @@ impl<'a> RegimeSolver<'a> {
             TorqueRequest::Motor { efficiency, .. } => efficiency,
             _ => 1.0,
         };
-        let context = Context {
-            flywheel_wanted: target.unevenness.is_some(),
-            required_power: self.required_power(efficiency),
-            flywheel_by_method: self.diagram.flywheels(&self.flywheel_task(&tuned, &target)),
+        let flywheel_by_method = self.diagram.flywheels(&tuned, &target, self.request.constant_inertia);
+        let required_power = self.required_power(efficiency);
+        Ok(Regime {
+            flywheel_by_method,
             first,
             iterations,
             effort: Effort {
@@ -157,8 +157,8 @@ impl<'a> RegimeSolver<'a> {
                 residual: misses.residual,
             },
             error_of_moments: OFF_THE_MIDDLE * misses.moment,
-        };
-        Ok(Regime::new(tuned, context))
+            ..Regime::new(tuned, required_power, target.unevenness.is_some())
+        })
     }
 
     /// Without a drive the loads alone determine the mean speed, and no parameter is free to change it.
@@ -173,18 +173,6 @@ impl<'a> RegimeSolver<'a> {
         Ok(())
     }
 
-    fn flywheel_task(&self, tuned: &Tuned, target: &Target) -> FlywheelTask {
-        let ratio = tuned.unknowns.ratio().unwrap_or(1.0);
-        FlywheelTask {
-            speed: tuned.range.mean(),
-            unevenness: target.unevenness.unwrap_or(tuned.range.unevenness()),
-            constant_inertia: self.request.constant_inertia,
-            rotor: ratio * ratio * target.rotor,
-            to_own_shaft: if target.on_motor { 1.0 / (ratio * ratio) } else { 1.0 },
-            exact: tuned.unknowns.flywheel,
-        }
-    }
-
     /// Runs cycle after cycle from the mean speed until the relative change of the speed at the start is below
     /// `tolerance`: the slow method, for comparison with [`solve`](Self::solve).
     ///
@@ -197,7 +185,7 @@ impl<'a> RegimeSolver<'a> {
         tolerance: f64,
         most: usize,
     ) -> Result<Vec<Iteration>, DynamicsError> {
-        let setup = regime.solution().setup;
+        let setup = regime.solution.setup;
         let mut energy = self.energy(&setup, self.request.mean_speed.abs());
         let (mut iterations, mut guess, mut residual) = (Vec::new(), None, f64::NAN);
         for number in 1..=most {

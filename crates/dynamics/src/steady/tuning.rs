@@ -7,7 +7,7 @@
 use assur_motor::Characteristic;
 use assur_number::search::bisect;
 
-use super::report::Trial;
+use super::regime::Trial;
 use super::segment::Setup;
 use super::shooting::Shooting;
 use super::solution::{Closing, CycleSolution, SpeedRange};

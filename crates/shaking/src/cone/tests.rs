@@ -1,6 +1,8 @@
 use assur_testkit::Rng;
 use nalgebra::DVector;
 
+mod scaling;
+
 use super::least_maximum;
 use crate::proof::LinearForce;
 

@@ -55,10 +55,10 @@ proptest! {
     }
 }
 
-fn setting(linkage: &assur_kinematics::Linkage, q: f64) -> crate::setting::Setting {
+fn setting(linkage: &assur_kinematics::Linkage, q: f64) -> crate::layout::Setting {
     let (position, loads) = super::loaded(linkage, q);
     let layout = crate::layout::Layout::of(linkage).unwrap();
-    crate::setting::Setting::of(&layout, &position.bodies, &loads)
+    crate::layout::Setting::of(&layout, &position.bodies, &loads)
 }
 
 fn press_full_turn() -> String {

@@ -165,7 +165,7 @@ impl March<'_> {
             return self.pass(panel, room);
         }
         if let Some(whole) = panel.length_to_pole().filter(|_| !self.lengthened) {
-            self.run.statistics.rejected += 1;
+            self.run.equation.cost.rejected += 1;
             self.lengthened = true;
             self.length = whole.min(2.0 * room);
             return Ok(());
@@ -178,7 +178,7 @@ impl March<'_> {
 
     /// The panel after one that passed.
     fn plan(&mut self, panel: &Panel, length: f64, factor: f64) {
-        self.run.statistics.steps += 1;
+        self.run.equation.cost.steps += 1;
         // Towards a speed at which the moment vanishes panels shrink as they did before.
         let shrinking = if self.before > 0.0 { (length / self.before).min(1.0) } else { 1.0 };
         let most = if self.rejected { 1.0 } else { 4.0 };
@@ -189,7 +189,7 @@ impl March<'_> {
     }
 
     fn shorten(&mut self, length: f64) {
-        self.run.statistics.rejected += 1;
+        self.run.equation.cost.rejected += 1;
         self.rejected = true;
         self.length = length;
     }
