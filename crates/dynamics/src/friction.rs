@@ -33,7 +33,7 @@ pub(crate) struct Friction {
     /// The motion is known, and friction is that of its accelerations; without one it is found with the acceleration.
     pub(crate) course: Option<KnownMotion>,
     /// Where the friction of that motion bends, ascending, and the cycle of these places.
-    bends: (Vec<f64>, f64),
+    pub(crate) bends: (Vec<f64>, f64),
     /// The interval of the coordinate that was entered last.
     piece: [f64; 2],
     /// What was found last.
@@ -47,7 +47,6 @@ pub(crate) struct Friction {
 pub(crate) enum KnownMotion {
     /// At a constant speed.
     Uniform(f64),
-    /// A periodic regime.
     Regime(Arc<Regime>),
 }
 
@@ -108,11 +107,6 @@ impl Friction {
     pub(crate) fn assume(&mut self, course: Option<KnownMotion>) {
         self.course = course;
         self.bends.0.clear();
-    }
-
-    /// Ends pieces at these coordinates of a cycle from now on.
-    pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
-        self.bends = (coordinates, cycle);
     }
 
     /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.
@@ -197,7 +191,7 @@ impl Friction {
         ideal: &Reduced,
         [drive, drive_inertia]: [f64; 2],
     ) -> Result<FrictionMoment, MotionError> {
-        let (sense, rests) = (place.phase.sense(), state.speed == 0.0);
+        let (sense, rests) = (place.phase.sense, state.speed == 0.0);
         if rests && all.iter().any(|one| one.balancing * sense > 0.0) {
             all.retain(|one| one.balancing * sense > 0.0);
         } else if rests {

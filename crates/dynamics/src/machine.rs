@@ -49,7 +49,7 @@ impl<'a> Machine<'a> {
     /// Ends pieces where the friction of a known motion bends, at these coordinates of a cycle.
     pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
         if let Some(friction) = &mut self.friction {
-            friction.bend_at(coordinates, cycle);
+            friction.bends = (coordinates, cycle);
         }
     }
 
@@ -152,7 +152,6 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// The state as the loads see it.
 #[inline]
 pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_force::LoadState {
     assur_force::LoadState { time, coordinate, speed, ..assur_force::LoadState::default() }

@@ -11,7 +11,7 @@ use assur_mechanism::{
 };
 use assur_words::{Describe, Text};
 
-use crate::drive::{Driven, InputDrive, Source};
+use crate::drive::{Driven, InputDrive, TorqueSource};
 use crate::instant::Instant;
 use crate::machine::{Watched, Watcher};
 use crate::motor::DriveMotor;
@@ -197,12 +197,12 @@ fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
     let rotor = motor.as_ref().map_or(0.0, DriveMotor::rotor);
     let (source, ratio) = match (&drive.torque, motor) {
         (Torque::Balance, _) => return Err(steady_only("`torque = \"balance\"`")),
-        (Torque::Constant(moment), _) => (Source::Constant(*moment), 1.0),
+        (Torque::Constant(moment), _) => (TorqueSource::Constant(*moment), 1.0),
         (Torque::Motor { .. }, Some(DriveMotor { characteristic, .. })) => {
             let ratio = given(drive.ratio, "`ratio = \"solve\"`")?;
-            (Source::Motor { characteristic, ratio, efficiency: drive.efficiency }, ratio)
+            (TorqueSource::Motor { characteristic, ratio, efficiency: drive.efficiency }, ratio)
         }
-        (Torque::None | Torque::Motor { .. }, _) => (Source::None, 1.0),
+        (Torque::None | Torque::Motor { .. }, _) => (TorqueSource::None, 1.0),
     };
     let inertia = match drive.flywheel_on {
         FlywheelPlace::Crank => flywheel + ratio * ratio * rotor,

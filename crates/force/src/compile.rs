@@ -26,6 +26,9 @@ use crate::{Bearing, Block, Frictions, LoadError, LoadFault, LoadState, Loads, U
 /// grid.
 const BESIDE: f64 = 3.819_660_112_501_05e-4;
 
+/// At the ends of its range a mechanism just holds together: part of the whole that is left out there.
+const AT_ENDS: f64 = 1e-9;
+
 /// How often a formula may change in a cycle: what follows its changes takes time and memory with their number.
 const MOST_CHANGES: usize = 10_000;
 
@@ -180,13 +183,11 @@ impl<'a> Compiler<'a> {
     /// Where the senses of friction are looked for: over the cycle, or where an input that can't turn fully may be. There the two
     /// ends of a turn don't join, so that the senses don't repeat with it.
     fn span_of_friction(&self) -> Span {
-        /// At its ends the mechanism just holds together: part of the whole that is left out there.
-        const BESIDE: f64 = 1e-9;
         let whole = self.linkage.range.filter(|range| !range.full && self.linkage.angular());
         if let Some(range) = whole {
             let length = range.high - range.low;
-            let from = range.low + BESIDE * length;
-            return Span { from, length: (1.0 - 2.0 * BESIDE) * length, periodic: false, cells: GRID };
+            let from = range.low + AT_ENDS * length;
+            return Span { from, length: (1.0 - 2.0 * AT_ENDS) * length, periodic: false, cells: GRID };
         }
         self.spans().first().map_or_else(|| self.positions(), |span| self.reach(span))
     }
@@ -325,12 +326,10 @@ impl<'a> Compiler<'a> {
     /// Where the motion may be, of which the span of a stroke is a part: a range lists places, and a motion that an equation
     /// determines may leave it.
     fn reach(&self, span: &Span) -> Span {
-        /// At its ends the mechanism just holds together: part of the whole that is left out there.
-        const BESIDE: f64 = 1e-9;
         let stays = self.is_given();
         let whole = self.linkage.range.filter(|range| !(stays || span.periodic || range.full));
         let Some(whole) = whole else { return *span };
-        let beside = BESIDE * (whole.high - whole.low);
+        let beside = AT_ENDS * (whole.high - whole.low);
         let from = span.from.min(whole.low + beside);
         let length = (span.from + span.length).max(whole.high - beside) - from;
         if length.is_finite() { Span { from, length, cells: GRID, ..*span } } else { *span }

@@ -20,7 +20,6 @@ const REPEATS: f64 = 1e-9;
 /// Part of a cell between two places of an interval at which its sides are looked for.
 const BESIDE: f64 = 0.381_966_011_250_105;
 
-/// A formula, compiled.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FormulaLaw {
     formula: Formula,
@@ -42,7 +41,6 @@ struct Places {
     breaks: Breaks,
     /// The sides of those switches in each interval.
     sides: Vec<Branches>,
-    /// Which switches they are.
     switches: u32,
 }
 

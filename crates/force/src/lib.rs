@@ -42,8 +42,7 @@ pub use assur_plugin::RegistryError;
 pub use balance::{IdleBalance, Reactions, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
-pub use construction::Acting;
-pub use construction::{Construction, ConstructionStep, Drawing, VectorKind};
+pub use construction::{Acting, Construction, ConstructionStep, Drawing, VectorKind};
 pub use error::{LoadError, LoadFault};
 pub use friction::{
     Accelerations, Bearing, Block, Doubt, FreeMotion, FrictionForces, FrictionIteration, FrictionSolution,

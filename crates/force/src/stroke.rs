@@ -14,7 +14,6 @@ use crate::law::Curve;
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, PositionError> + 'a;
 
-/// A stroke, compiled.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Stroke {
     travel: Travel,
@@ -90,7 +89,6 @@ struct Pieces {
 pub(crate) struct Segment {
     /// Whether the point returns, so that the table `back` applies.
     pub(crate) back: bool,
-    /// Segment of the table.
     pub(crate) segment: usize,
 }
 

@@ -54,7 +54,6 @@ impl<T: LoadNumber> Sink<T> for Each<'_, T> {
 /// Speed and acceleration of the input.
 struct Rates<T> {
     speed: T,
-    /// Speed squared.
     square: T,
     acceleration: T,
     /// The input is at rest, in all lanes, and stays there.
@@ -104,10 +103,7 @@ impl<T: LoadNumber> Sink<T> for Sizes<'_, T> {
 
 /// The wrenches of all loads at some states.
 struct Evaluate<'a, T: LoadNumber, C> {
-    loads: &'a Loads,
-    choice: &'a C,
-    states: &'a T::States,
-    bodies: &'a [Body<T>],
+    visit: Visit<'a, T, C>,
     wrenches: &'a mut [Wrench<T>],
 }
 
@@ -116,7 +112,8 @@ impl<T: LoadNumber, C: Choice> Formula for Evaluate<'_, T, C> {
 
     #[inline(always)]
     fn evaluate(self) {
-        let Self { loads, choice, states, bodies, wrenches } = self;
+        let Self { visit, wrenches } = self;
+        let Visit { loads, states, bodies, .. } = visit;
         wrenches.fill(Wrench::ZERO);
         let (gravity, rates) = (vector(loads.gravity), Rates::of(states));
         if !rates.rests || loads.has_weights() {
@@ -125,7 +122,7 @@ impl<T: LoadNumber, C: Choice> Formula for Evaluate<'_, T, C> {
                 wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
             }
         }
-        Visit { loads, choice, states, bodies }.each(&mut Sum(wrenches));
+        visit.each(&mut Sum(wrenches));
     }
 }
 
@@ -141,7 +138,7 @@ impl Loads {
         bodies: &[Body<T>],
         wrenches: &mut [Wrench<T>],
     ) {
-        T::evaluate(Evaluate { loads: self, choice: &Live, states, bodies, wrenches });
+        T::evaluate(Evaluate { visit: Visit { loads: self, choice: &Live, states, bodies }, wrenches });
     }
 
     /// As [`evaluate`](Self::evaluate), by the formulas of one phase, continued smoothly beyond its bounds.
@@ -152,7 +149,8 @@ impl Loads {
         bodies: &[Body<f64>],
         wrenches: &mut [Wrench<f64>],
     ) {
-        f64::evaluate(Evaluate { loads: self, choice: phase, states: state, bodies, wrenches });
+        let visit = Visit { loads: self, choice: phase, states: state, bodies };
+        f64::evaluate(Evaluate { visit, wrenches });
     }
 
     /// All loads of a state as [`evaluate`](Self::evaluate) writes them.

@@ -24,8 +24,7 @@ mod unique;
 
 pub use every::{Solutions, is_same};
 pub use matrix::spectral_radius;
-pub use moduli::{Moduli, Width};
-pub use moduli::{PathPoint, path};
+pub use moduli::{Moduli, PathPoint, Width, path};
 pub use unique::{Sum, Unique};
 
 #[cfg(test)]

@@ -149,9 +149,16 @@ impl Moduli {
         };
         vectors.iter().enumerate().map(row).collect()
     }
+
+    /// The solution near expected moduli; `None` where there is none so near that a path goes on there.
+    pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
+        let found = self.newton(expected)?;
+        let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
+        let is_near = |(z, expected): (&f64, &f64)| (z - expected).abs() <= NEAR * size;
+        found.iter().zip(expected).all(is_near).then_some(found)
+    }
 }
 
-/// The length of a vector.
 pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
     if y == 0.0 { x.abs() } else { x.hypot(y) }
 }
@@ -203,14 +210,4 @@ fn expected(before: Option<&PathPoint>, now: &PathPoint, part: f64) -> Vec<f64> 
     let Some(before) = before else { return now.moduli.clone() };
     let share = (part - now.part) / (now.part - before.part);
     now.moduli.iter().zip(&before.moduli).map(|(now, before)| now + share * (now - before)).collect()
-}
-
-impl Moduli {
-    /// The solution near expected moduli; `None` where there is none so near that a path goes on there.
-    pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
-        let found = self.newton(expected)?;
-        let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
-        let is_near = |(z, expected): (&f64, &f64)| (z - expected).abs() <= NEAR * size;
-        found.iter().zip(expected).all(is_near).then_some(found)
-    }
 }

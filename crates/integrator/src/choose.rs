@@ -15,7 +15,7 @@ pub const AUTO: &str = "auto";
 
 /// A method for an equation, and the reason for it.
 #[derive(Debug, Clone)]
-pub struct Candidate {
+pub struct RankedMethod {
     /// The method.
     pub integrator: &'static IntegratorPlugin,
     /// The reason for it, for a person.
@@ -26,9 +26,9 @@ pub struct Candidate {
 #[derive(Debug, Clone)]
 pub struct Choice {
     /// The method to take.
-    pub first: Candidate,
+    pub first: RankedMethod,
     /// The methods that follow if one finds during the motion that it can't treat the equation.
-    pub others: Vec<Candidate>,
+    pub others: Vec<RankedMethod>,
     /// The method to continue with if an explicit one finds the equation stiff.
     pub stiff: Option<&'static IntegratorPlugin>,
 }
@@ -78,7 +78,7 @@ pub fn choose(name: &str, dependence: &Dependence, tolerance: f64) -> Result<Cho
     }
     let integrator = find(name)?;
     integrator.supports(dependence)?;
-    let first = Candidate { integrator, reason: text!("integrator-by-name") };
+    let first = RankedMethod { integrator, reason: text!("integrator-by-name") };
     Ok(Choice { first, others: Vec::new(), stiff: None })
 }
 
@@ -101,7 +101,7 @@ fn ranked(
             equation = dependence.describe(),
             reason = &suitability.reason
         );
-        Candidate { integrator, reason }
+        RankedMethod { integrator, reason }
     });
     let first = candidates.next().ok_or(IntegrationError::NoMethod(dependence))?;
     let stiff = methods.iter().map(|(plugin, _)| *plugin).find(|plugin| plugin.stiff);
@@ -119,7 +119,7 @@ impl Choice {
         let mut rest = self.others.iter();
         let mut candidate = &self.first;
         loop {
-            let Candidate { integrator, reason } = candidate;
+            let RankedMethod { integrator, reason } = candidate;
             match (to_tolerance(integrator, motion, request), self.stiff) {
                 (Ok(trajectory), _) => {
                     let reasons = std::iter::once(reason.clone()).chain(refusals);

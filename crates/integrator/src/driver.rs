@@ -6,8 +6,8 @@ use assur_words::text;
 
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
-    Attempt, Dense, EquationOfMotion, EventKind, FixedStep, IntegrationError, Integrator, MotionError, Node,
-    Pace, Request, Run, Scale, State, Step, Stepper, Trajectory, control,
+    Dense, EquationOfMotion, EventKind, FixedStep, IntegrationError, Integrator, MotionError, Node, Pace,
+    Request, Run, Scale, State, Step, Stepper, Trajectory, control,
 };
 
 mod events;
@@ -19,6 +19,12 @@ const NEAR_END: f64 = 0.95;
 
 /// A step aimed at a predicted crossing is lengthened by this factor, so that the crossing is inside the step.
 const OVERSHOOT: f64 = 1.02;
+
+/// Number of steps after which the report looks for stiffness.
+const MANY_STEPS: usize = 1000;
+
+/// At a fixed step, stability is checked once in this number of steps.
+const PERIOD: usize = 64;
 
 /// The integrator that advances by the steps of the method `S`.
 pub struct Steps<S>(PhantomData<fn() -> S>);
@@ -39,7 +45,9 @@ impl<S: Stepper> Integrator for Steps<S> {
         while !drive.run.finished {
             drive.advance()?;
         }
-        drive.run.equation.cost.stiffness = drive.reported_stiffness();
+        if drive.run.equation.cost.steps > MANY_STEPS {
+            drive.run.equation.cost.stiffness = drive.stiffness();
+        }
         drive.run.conclude()
     }
 }
@@ -136,7 +144,12 @@ impl<'a, S: Stepper> Drive<'a, S> {
         let step =
             Step { equation: &mut self.run.equation, from: self.run.node, length: plan.h, scale: self.scale };
         let attempt = self.stepper.attempt(step);
-        let (attempt, acceleration) = match attempt.and_then(|attempt| self.finish_if_good(attempt)) {
+        let finished = attempt.and_then(|attempt| {
+            let passed = attempt.error <= 1.0;
+            let end = passed.then(|| self.stepper.finish(&mut self.run.equation, &attempt.end));
+            Ok((attempt, end.transpose()?))
+        });
+        let (attempt, acceleration) = match finished {
             Ok((attempt, Some(acceleration))) => (attempt, acceleration),
             Ok((attempt, None)) => return self.reject(plan, attempt.error, None),
             Err(source) => return self.reject(plan, f64::INFINITY, Some(source)),
@@ -144,14 +157,6 @@ impl<'a, S: Stepper> Drive<'a, S> {
         let mut to = Node { state: attempt.end, acceleration };
         to.state.time = plan.time.unwrap_or(to.state.time);
         self.judge(plan, attempt.error, to)
-    }
-
-    fn finish_if_good(&mut self, attempt: Attempt) -> Result<(Attempt, Option<f64>), MotionError> {
-        if attempt.error <= 1.0 {
-            let acceleration = self.stepper.finish(&mut self.run.equation, &attempt.end)?;
-            return Ok((attempt, Some(acceleration)));
-        }
-        Ok((attempt, None))
     }
 
     /// A bound so near that uniformly accelerated motion meets it without a step of the method.
@@ -262,7 +267,9 @@ impl<'a, S: Stepper> Drive<'a, S> {
         self.scale.extend(&to.state);
         self.run.node = to;
         self.bends.swap(0, 1);
-        self.check_stability_at_times()?;
+        if self.run.equation.cost.steps.is_multiple_of(PERIOD) {
+            self.check_stability()?;
+        }
         self.check_creeping()?;
         self.run.check_way(self.run.node.state.coordinate)?;
         match (plan.time, plan.bound) {
@@ -290,15 +297,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         }
         self.after_rejection = false;
     }
-}
 
-/// Number of steps after which the report looks for stiffness.
-const MANY_STEPS: usize = 1000;
-
-/// At a fixed step, stability is checked once in this number of steps.
-const PERIOD: usize = 64;
-
-impl<S: Stepper> Drive<'_, S> {
     /// Step times eigenvalue, here.
     fn stiffness(&mut self) -> Option<f64> {
         if S::IMPLICIT || !self.step.is_finite() {
@@ -307,18 +306,9 @@ impl<S: Stepper> Drive<'_, S> {
         Some(self.run.equation.eigenvalue(&self.run.node.state).ok()? * self.step)
     }
 
-    /// Step times eigenvalue at the end of a long run.
-    pub(super) fn reported_stiffness(&mut self) -> Option<f64> {
-        if self.run.equation.cost.steps > MANY_STEPS { self.stiffness() } else { None }
-    }
-
     pub(super) fn too_many_steps(&mut self) -> IntegrationError {
         let stiffness = self.stiffness();
         self.run.too_many_steps(self.step, stiffness)
-    }
-
-    pub(super) fn check_stability_at_times(&mut self) -> Result<(), IntegrationError> {
-        if self.run.equation.cost.steps.is_multiple_of(PERIOD) { self.check_stability() } else { Ok(()) }
     }
 
     /// At a fixed step no error estimate would notice an unstable step.

@@ -40,7 +40,7 @@ mod stepper;
 assur_words::resources!();
 
 pub use assur_plugin::RegistryError;
-pub use choose::{AUTO, Candidate, Choice, Solution, choose, solve};
+pub use choose::{AUTO, Choice, RankedMethod, Solution, choose, solve};
 pub use control::{Control, Scale};
 pub use dense::{COEFFICIENTS, Dense};
 pub use driver::Steps;

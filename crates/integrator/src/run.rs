@@ -293,7 +293,6 @@ pub trait Curve {
 /// A part of the motion inside one smooth piece.
 #[derive(Debug, Clone)]
 pub(crate) struct Segment<C> {
-    /// State at its start.
     pub(crate) from: State,
     /// Time at its end, s.
     pub(crate) end: f64,

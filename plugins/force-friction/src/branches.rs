@@ -14,13 +14,11 @@ pub(crate) struct Branch {
     loads: Vec<Wrench<f64>>,
     /// Reactions without the forces and moments of friction.
     pub(crate) pairs: Vec<Wrench<f64>>,
-    /// The balancing load.
     pub(crate) balancing: f64,
     /// The moduli, block by block.
     pub(crate) moduli: Vec<f64>,
 }
 
-/// All solutions.
 #[derive(Debug)]
 pub(crate) struct Solutions {
     pub(crate) branches: Vec<Branch>,
@@ -156,12 +154,7 @@ impl Chain<'_> {
         let start = PathPoint { part: 0.0, moduli: ideal.moduli.step(&vec![0.0; ideal.moduli.count()]) };
         Ok(path(start, |part, expected| moduli(part).ok()??.moduli.near(expected)))
     }
-}
 
-/// Most steps of the iteration that are reported, and the relative change at which it stands still.
-const TOLD: (usize, f64) = (12, 1e-10);
-
-impl Chain<'_> {
     /// How the friction of each block is found, on the way to the solution that is taken.
     pub(crate) fn iterations(&self, loads: &[Wrench<f64>]) -> Result<Vec<FrictionIteration>, ForceError> {
         let found = self.solutions(loads, 1.0)?;
@@ -191,6 +184,9 @@ impl Chain<'_> {
         Ok(all)
     }
 }
+
+/// Most steps of the iteration that are reported, and the relative change at which it stands still.
+const TOLD: (usize, f64) = (12, 1e-10);
 
 /// The moduli by the textbook iteration, until they stand still.
 fn steps(moduli: &Moduli) -> Vec<Vec<f64>> {

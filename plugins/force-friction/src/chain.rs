@@ -40,7 +40,6 @@ pub(crate) struct Prepared {
     pub(crate) base: Response,
     /// The response to the friction of each modulus of size 1.
     pub(crate) each: Vec<Response>,
-    /// The equations of the moduli.
     pub(crate) moduli: Moduli,
 }
 

@@ -37,33 +37,24 @@ use layout::{Setting, Unknowns};
 
 assur_words::resources!();
 
-assur_force::inventory::submit! {
-    AnalyzerPlugin {
-        name: Form::Stable.name(),
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("force-longitudinal"),
-        source: text!("force-longitudinal.source"),
-        instance: &Longitudinal { form: Form::Stable },
-        further: &["Fb", "R1", "R3"],
-        gives_reactions: true,
-        treats_friction: false,
-        by_groups: false,
-        rank: 2,
-    }
-}
+assur_force::inventory::submit! { entry(&Longitudinal { form: Form::Stable }, text!("force-longitudinal"), 2) }
 
 assur_force::inventory::submit! {
+    entry(&Longitudinal { form: Form::Published }, text!("force-longitudinal-published"), 3)
+}
+
+const fn entry(instance: &'static Longitudinal, summary: Text, rank: u8) -> AnalyzerPlugin {
     AnalyzerPlugin {
-        name: Form::Published.name(),
+        name: instance.form.name(),
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("force-longitudinal-published"),
+        summary,
         source: text!("force-longitudinal.source"),
-        instance: &Longitudinal { form: Form::Published },
+        instance,
         further: &["Fb", "R1", "R3"],
         gives_reactions: true,
         treats_friction: false,
         by_groups: false,
-        rank: 3,
+        rank,
     }
 }
 

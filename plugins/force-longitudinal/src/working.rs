@@ -35,7 +35,6 @@ assur_working::inventory::submit! {
 /// |cos f1| at or below this leaves no digits of the pole that are worth writing.
 const PARALLEL: f64 = 1e-9;
 
-/// The three unknowns.
 struct Unknowns {
     fb: Expr,
     r1: Expr,
@@ -46,13 +45,11 @@ struct Unknowns {
 struct Acts {
     /// Name of the point of action.
     name: Symbol,
-    /// The point.
     at: [Expr; 2],
     force: [Expr; 2],
     moment: Expr,
 }
 
-/// The position in the axes of L.
 struct Axes {
     x: [Expr; 2],
     y: [Expr; 2],

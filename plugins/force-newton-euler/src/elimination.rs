@@ -84,7 +84,6 @@ fn eliminate(row: &SparseRow, pivot: &SparseRow, difference: &mut SparseRow) {
 /// leaves some 1e-15.
 const OPEN: f64 = 1e-12;
 
-/// The solution of least norm.
 #[derive(Debug)]
 pub(crate) struct LeastNorm {
     pub(crate) solution: Vec<f64>,

@@ -158,12 +158,6 @@ fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix3<f64>> {
     (Matrix3::identity() - matrix).try_inverse()
 }
 
-/// The tolerance of the error of order 3 at which the solution of order 5 has the requested accuracy (Hairer's code
-/// RADAU5).
-fn inner(scale: &Scale) -> Scale {
-    scale.with_tolerance(0.1 * scale.tolerance.powf(2.0 / 3.0))
-}
-
 impl Stepper for Collocation {
     const IMPLICIT: bool = true;
 
@@ -179,9 +173,10 @@ impl Stepper for Collocation {
     }
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
-        let Step { equation, from, length: h, scale } = step;
+        let Step { equation, from, length: h, mut scale } = step;
         self.h = h;
-        let scale = inner(&scale);
+        // The tolerance of the error of order 3 at which the solution of order 5 has the requested accuracy (Hairer's code RADAU5).
+        scale.tolerance = 0.1 * scale.tolerance.powf(2.0 / 3.0);
         let partials = self.partials_at(equation, &from)?;
         if self.solve(equation, &from, &partials, &scale)?.is_none() {
             self.passed = false;

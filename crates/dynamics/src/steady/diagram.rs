@@ -14,16 +14,16 @@
 
 use assur_words::text;
 
-use super::path::{Coefficients, Panel};
+use super::path::{Coefficients, PathPanel};
 use super::path::{RULE, S, Values};
 use super::regime::FlywheelByMethod;
-use super::solution::{Piece, extremes};
-use super::tuning::{Target, Tuned};
+use super::solution::{Stretch, extremes};
+use super::tuning::{Tuned, TuningTarget};
 
 /// The data of a cycle that the methods need: the work of all moments over the path, at the mean speed.
 #[derive(Debug, Clone)]
 pub(crate) struct WorkDiagram {
-    panels: Vec<Panel>,
+    panels: Vec<PathPanel>,
     /// Mean speed, at which moments that depend on the speed are evaluated, rad/s.
     pub(crate) speed: f64,
     /// Moment of the drive that makes the work of a cycle zero, N m.
@@ -38,15 +38,15 @@ pub(crate) struct WorkDiagram {
 
 impl WorkDiagram {
     /// Over the panels of a cycle of this length, at a mean speed.
-    pub(crate) fn new(panels: &[Panel], length: f64, speed: f64) -> Self {
-        let over = |panel: &Panel, field: &dyn Fn(&Coefficients) -> f64| {
+    pub(crate) fn new(panels: &[PathPanel], length: f64, speed: f64) -> Self {
+        let over = |panel: &PathPanel, field: &dyn Fn(&Coefficients) -> f64| {
             panel.h * RULE.integral(&panel.coefficients.values(field))
         };
         let total: f64 = panels.iter().map(|panel| over(panel, &|c| c.moment_at(speed))).sum();
         let inertia: f64 = panels.iter().map(|panel| over(panel, &|c| c.inertia)).sum();
         let mean_moment = -total / length;
         let mut level = 0.0;
-        let work_over = |panel: &Panel| {
+        let work_over = |panel: &PathPanel| {
             let moments = panel.coefficients.values(|c| c.moment_at(speed) + mean_moment);
             let work = RULE.integrals(&moments).map(|done| level + panel.h * done);
             level = work[S];
@@ -59,9 +59,9 @@ impl WorkDiagram {
 
     /// Least and greatest ΔA - k J.
     fn range(&self, k: f64) -> [f64; 2] {
-        let piece = |(panel, work): (&Panel, &Values)| {
+        let piece = |(panel, work): (&PathPanel, &Values)| {
             let inertia = panel.coefficients.values(|c| c.inertia);
-            Piece {
+            Stretch {
                 x: panel.x,
                 h: panel.h,
                 values: std::array::from_fn(|i| work[i] - k * inertia[i]),
@@ -70,7 +70,7 @@ impl WorkDiagram {
                     .values(|c| c.moment_at(self.speed) + self.mean_moment - k * c.slope),
             }
         };
-        let pieces: Vec<Piece> = self.panels.iter().zip(&self.work).map(piece).collect();
+        let pieces: Vec<Stretch> = self.panels.iter().zip(&self.work).map(piece).collect();
         extremes(&pieces).map_or([0.0; 2], |[least, greatest]| [least.value, greatest.value])
     }
 
@@ -85,7 +85,7 @@ impl WorkDiagram {
     pub(crate) fn flywheels(
         &self,
         Tuned { unknowns, range, .. }: &Tuned,
-        target: &Target,
+        target: &TuningTarget,
         constant_inertia: f64,
     ) -> Vec<FlywheelByMethod> {
         let (speed, exact) = (range.mean(), unknowns.flywheel);

@@ -48,7 +48,7 @@ impl NodalCoefficients {
 
 /// A part of the path on which the coefficients are one smooth formula, well resolved by one polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Panel {
+pub(crate) struct PathPanel {
     pub(crate) x: f64,
     pub(crate) h: f64,
     pub(crate) coefficients: NodalCoefficients,
@@ -56,13 +56,13 @@ pub(crate) struct Panel {
 
 /// Where the cycle begins, the direction of the motion (1 or -1), and the length of the cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Cycle {
+pub(crate) struct CyclePath {
     pub(crate) start: f64,
     pub(crate) sense: f64,
     pub(crate) length: f64,
 }
 
-impl Cycle {
+impl CyclePath {
     pub(crate) fn coordinate(&self, x: f64) -> f64 {
         self.start + self.sense * x
     }
@@ -86,7 +86,7 @@ impl Cycle {
 /// The machine, evaluated along the path.
 pub(crate) struct Path<'a> {
     motion: &'a mut dyn EquationOfMotion,
-    pub(crate) cycle: Cycle,
+    pub(crate) cycle: CyclePath,
     /// The moment of the loads depends on the speed.
     pub(crate) by_speed: bool,
     /// Number of evaluations of the machine.
@@ -100,7 +100,7 @@ impl std::fmt::Debug for Path<'_> {
 }
 
 impl<'a> Path<'a> {
-    pub(crate) fn new(motion: &'a mut dyn EquationOfMotion, cycle: Cycle) -> Self {
+    pub(crate) fn new(motion: &'a mut dyn EquationOfMotion, cycle: CyclePath) -> Self {
         let by_speed = motion.dependence().moment_on_speed;
         Self { motion, cycle, by_speed, evaluations: 0 }
     }
@@ -207,7 +207,7 @@ impl<'a> Path<'a> {
 
     /// Cuts the cycle into panels on which polynomials resolve the coefficients to `tolerance` (relative), at the
     /// speed `v`.
-    pub(crate) fn panels(&mut self, v: f64, tolerance: f64) -> Result<Vec<Panel>, DynamicsError> {
+    pub(crate) fn panels(&mut self, v: f64, tolerance: f64) -> Result<Vec<PathPanel>, DynamicsError> {
         let corners = self.corners(v)?;
         let mut panels = Vec::new();
         let mut scale = Coefficients::default();
@@ -230,7 +230,7 @@ impl<'a> Path<'a> {
         v: f64,
         tolerance: f64,
         scale: &mut Coefficients,
-        panels: &mut Vec<Panel>,
+        panels: &mut Vec<PathPanel>,
     ) -> Result<(), DynamicsError> {
         /// A panel is not cut below this part of the cycle: the coefficients are not smooth there, or noise.
         const LEAST: f64 = 1.0 / 16384.0;
@@ -248,7 +248,7 @@ impl<'a> Path<'a> {
         let good = miss(&|d| d.inertia).abs() <= tolerance * scale.inertia
             && miss(&|d| d.moment_at(v)).abs() <= tolerance * moment;
         if good || h < LEAST * self.cycle.length {
-            panels.push(Panel { x, h, coefficients });
+            panels.push(PathPanel { x, h, coefficients });
             return Ok(());
         }
         self.cut(x, 0.5 * h, v, tolerance, scale, panels)?;

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::path::Values;
 use super::solution::{CycleSolution, Extreme};
 use super::tuning::Tuned;
-use crate::drive::{InputDrive, Source};
+use crate::drive::{InputDrive, TorqueSource};
 
 /// The figures of a periodic regime. Speeds and coordinates have the signs of the coordinate; "least" and "greatest"
 /// speed are meant without the sign, so that a machine that runs clockwise is the mirror image of one that does not.
@@ -110,7 +110,7 @@ impl Regime {
                 excess_work,
                 dynamic_unevenness: Some(2.0 * range.unevenness() / angle).filter(|value| value.is_finite()),
                 required_power,
-                torque: if let Source::Constant(moment) = drive.source { Some(moment) } else { None },
+                torque: if let TorqueSource::Constant(moment) = drive.source { Some(moment) } else { None },
             },
             cycle_time,
             multiplier: solution.multiplier(),

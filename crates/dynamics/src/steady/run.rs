@@ -1,7 +1,7 @@
 //! One cycle from a given kinetic energy: collocation on each panel by Newton's method, with the derivatives of the
 //! energy with respect to its initial value, the drive and the flywheel (variational equation).
 
-use super::path::{Coefficients, NodalCoefficients, Panel, Path};
+use super::path::{Coefficients, NodalCoefficients, Path, PathPanel};
 use super::path::{RULE, S, Values};
 use super::segment::{Failure, Moment, Start, solve};
 use super::segment::{Segment, Setup};
@@ -30,7 +30,7 @@ struct Run<'r, 'a> {
 pub(crate) fn run_cycle(
     path: &mut Path<'_>,
     setup: Setup,
-    panels: &[Panel],
+    panels: &[PathPanel],
     energy: f64,
     guess: Option<&CycleSolution>,
 ) -> Result<CycleSolution, DynamicsError> {

@@ -77,10 +77,6 @@ impl Segment {
         RULE.interpolate(&self.coefficients.values(|node| node.inertia), theta)
     }
 
-    pub(crate) fn derivatives_at(&self, theta: f64) -> [f64; PARAMETERS] {
-        self.derivatives.map(|values| RULE.interpolate(&values, theta))
-    }
-
     /// T/J = v²/2 at the start and at the nodes.
     pub(crate) fn half_squares(&self, drive: &InputDrive) -> Values {
         std::array::from_fn(|i| self.energy[i] / (self.coefficients.nodes[i].inertia + drive.inertia))

@@ -3,7 +3,7 @@
 
 use assur_number::search::bisect;
 
-use super::path::{Cycle, RULE, S, Values};
+use super::path::{CyclePath, RULE, S, Values};
 use super::regime::{Iteration, RegimeState};
 use super::segment::{BY_DRIVE, BY_ENERGY, BY_FLYWHEEL, PARAMETERS, Segment, Setup};
 
@@ -21,7 +21,7 @@ pub(crate) enum Closing {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleSolution {
     pub(crate) setup: Setup,
-    pub(crate) cycle: Cycle,
+    pub(crate) cycle: CyclePath,
     /// T at the start and at the end.
     pub(crate) start: f64,
     pub(crate) end: f64,
@@ -70,13 +70,13 @@ impl CycleSolution {
     /// Least and greatest speed; `None` for a cycle without segments.
     pub(crate) fn speed_range(&self) -> Option<SpeedRange> {
         let drive = &self.setup.drive;
-        let piece = |segment: &Segment| Piece {
+        let piece = |segment: &Segment| Stretch {
             x: segment.x,
             h: segment.h,
             values: segment.half_squares(drive),
             slopes: segment.accelerations(drive),
         };
-        let pieces: Vec<Piece> = self.segments.iter().map(piece).collect();
+        let pieces: Vec<Stretch> = self.segments.iter().map(piece).collect();
         let [least, greatest] = extremes(&pieces)?;
         Some(SpeedRange { least: self.extreme_speed(least), greatest: self.extreme_speed(greatest) })
     }
@@ -87,7 +87,7 @@ impl CycleSolution {
         let inertia = segment.inertia_at(at.theta) + self.setup.drive.inertia;
         let [by_ratio, by_flywheel] = self.setup.inertia_by;
         let by_inertia = [0.0, by_ratio, by_flywheel];
-        let energies = segment.derivatives_at(at.theta);
+        let energies = segment.derivatives.map(|values| RULE.interpolate(&values, at.theta));
         // v²/2 = T/J
         let derivatives =
             std::array::from_fn(|p| (energies[p] - at.value * by_inertia[p]) / (inertia * value));
@@ -184,10 +184,9 @@ impl CycleSolution {
 
 /// The function on one panel.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Piece {
+pub(crate) struct Stretch {
     /// Path coordinate of its start.
     pub(crate) x: f64,
-    /// Its length.
     pub(crate) h: f64,
     /// Values at the start and at the nodes.
     pub(crate) values: Values,
@@ -208,7 +207,7 @@ pub(crate) struct Extreme {
 }
 
 /// Least and greatest value; ends of panels, where the derivative may jump, included. Of equal values the first.
-pub(crate) fn extremes(pieces: &[Piece]) -> Option<[Extreme; 2]> {
+pub(crate) fn extremes(pieces: &[Stretch]) -> Option<[Extreme; 2]> {
     let mut found: Option<[Extreme; 2]> = None;
     for (index, piece) in pieces.iter().enumerate() {
         let at =
@@ -243,7 +242,7 @@ fn note(found: &mut Option<[Extreme; 2]>, new: Extreme) {
     }
 }
 
-impl Piece {
+impl Stretch {
     /// Zero of the derivative between two parts of the panel; `sign`: sign of the derivative at the first.
     fn turning_point(&self, [low, high]: [f64; 2], sign: f64) -> f64 {
         let keeps_sign = |theta: f64| RULE.interpolate(&self.slopes, theta) * sign > 0.0;

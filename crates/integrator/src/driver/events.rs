@@ -117,15 +117,7 @@ impl<S: Stepper> Drive<'_, S> {
         }
         self.stick()
     }
-}
 
-/// A number below this part of the greatest is where it changes its sign: a step has landed there.
-const LANDED: f64 = 1e-7;
-
-/// Width of the part of a step to which a change of sign is found.
-const WIDTH: f64 = 1e-12;
-
-impl<S: Stepper> Drive<'_, S> {
     /// The bends at the present state, where there are any.
     pub(super) fn note_bends(&mut self) -> Result<(), IntegrationError> {
         if self.run.equation.depends_on_acceleration() {
@@ -165,3 +157,9 @@ impl<S: Stepper> Drive<'_, S> {
         Ok(after)
     }
 }
+
+/// A number below this part of the greatest is where it changes its sign: a step has landed there.
+const LANDED: f64 = 1e-7;
+
+/// Width of the part of a step to which a change of sign is found.
+const WIDTH: f64 = 1e-12;

@@ -5,7 +5,7 @@ use assur_integrator::{
 };
 use assur_words::{number, text};
 
-use super::panel::{Panel, Passage};
+use super::panel::{Passage, SpeedPanel};
 use crate::QUADRATURE;
 
 /// Least tolerance: the rounding errors of a fit.
@@ -31,7 +31,6 @@ pub(crate) struct March<'a> {
     failure: Option<MotionError>,
     /// Last panel that passed in this piece; 0 if there is none.
     before: f64,
-    /// Trials in this piece.
     trials: usize,
 }
 
@@ -143,7 +142,7 @@ impl March<'_> {
             return Err(self.given_up());
         }
         let along = self.direction() * length;
-        match Panel::fit(&mut self.run.equation, &node, along) {
+        match SpeedPanel::fit(&mut self.run.equation, &node, along) {
             Ok(panel) => {
                 self.failure = None;
                 self.judge(&panel, length, room)
@@ -157,7 +156,7 @@ impl March<'_> {
     }
 
     /// Advances through a panel, or prepares another trial.
-    fn judge(&mut self, panel: &Panel, length: f64, room: f64) -> Result<(), IntegrationError> {
+    fn judge(&mut self, panel: &SpeedPanel, length: f64, room: f64) -> Result<(), IntegrationError> {
         let error = self.error(panel);
         let factor = factor(error);
         if error <= 1.0 {
@@ -177,7 +176,7 @@ impl March<'_> {
     }
 
     /// The panel after one that passed.
-    fn plan(&mut self, panel: &Panel, length: f64, factor: f64) {
+    fn plan(&mut self, panel: &SpeedPanel, length: f64, factor: f64) {
         self.run.equation.cost.steps += 1;
         // Towards a speed at which the moment vanishes panels shrink as they did before.
         let shrinking = if self.before > 0.0 { (length / self.before).min(1.0) } else { 1.0 };
@@ -195,7 +194,7 @@ impl March<'_> {
     }
 
     /// Error of a panel divided by the allowed one: relative to the largest speed and the largest displacement.
-    fn error(&self, panel: &Panel) -> f64 {
+    fn error(&self, panel: &SpeedPanel) -> f64 {
         let tolerance = (0.25 * self.run.request.tolerance).max(ROUNDINGS);
         let [speed, way] = panel.error;
         let fastest = self.fastest.max(panel.last_speed().abs());
@@ -214,28 +213,9 @@ impl March<'_> {
         self.fastest = self.fastest.max(state.speed.abs());
         self.travel = self.travel.max((state.coordinate - self.run.request.initial.coordinate).abs());
     }
-}
 
-/// Factor of the length that makes the error of a fit the allowed one.
-fn factor(error: f64) -> f64 {
-    0.85 * (1.0 / error.max(1e-30)).powf(1.0 / 12.0)
-}
-
-/// What ends the motion through a panel.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Ending {
-    /// The end of the panel.
-    Panel,
-    /// The speed ahead that no panel passes.
-    Speed,
-    /// A coordinate, and whether it is the requested end.
-    Coordinate(f64, bool),
-    Time(f64),
-}
-
-impl March<'_> {
     /// Advances through a panel to its end, or to an earlier limit; the bound of the speed is `room` ahead.
-    pub(super) fn pass(&mut self, panel: &Panel, room: f64) -> Result<(), IntegrationError> {
+    pub(super) fn pass(&mut self, panel: &SpeedPanel, room: f64) -> Result<(), IntegrationError> {
         let from = self.run.node.state;
         let (mut end, mut ending) = self.speed_ahead(panel, room)?;
         let first = panel.first();
@@ -261,7 +241,7 @@ impl March<'_> {
         let to = State { time, coordinate: from.coordinate + place.way, speed: place.speed };
         self.run.record(Passage { panel: Box::new(*panel), ends: [first, end] }, time);
         match ending {
-            Ending::Panel => {
+            Ending::SpeedPanel => {
                 self.go_to(to);
                 self.run.node.acceleration = panel.last;
                 Ok(())
@@ -283,13 +263,13 @@ impl March<'_> {
     }
 
     /// The parameter at the end of the panel or at the bound in it; infinite where the moment vanishes before.
-    fn speed_ahead(&mut self, panel: &Panel, room: f64) -> Result<(f64, Ending), IntegrationError> {
+    fn speed_ahead(&mut self, panel: &SpeedPanel, room: f64) -> Result<(f64, Ending), IntegrationError> {
         if panel.length().abs() < room {
-            let end = if panel.pole().is_some() { f64::INFINITY } else { 1.0 };
-            return Ok((end, Ending::Panel));
+            let end = if panel.pole.is_some() { f64::INFINITY } else { 1.0 };
+            return Ok((end, Ending::SpeedPanel));
         }
         let speed = self.bound();
-        if panel.pole().is_none() {
+        if panel.pole.is_none() {
             return Ok((panel.parameter(speed, 0.0), Ending::Speed));
         }
         let at_bound = State { speed, ..self.run.node.state };
@@ -297,8 +277,8 @@ impl March<'_> {
         Ok((panel.parameter(speed, left), Ending::Speed))
     }
 
-    fn settles(&self, panel: &Panel) -> IntegrationError {
-        let at_rest = panel.pole().is_some_and(|pole| pole.speed == 0.0);
+    fn settles(&self, panel: &SpeedPanel) -> IntegrationError {
+        let at_rest = panel.pole.is_some_and(|pole| pole.speed == 0.0);
         self.run.not_reached(if at_rest {
             text!("integrator-creeps")
         } else {
@@ -331,4 +311,20 @@ impl March<'_> {
         let moving = self.run.enter(false)?;
         self.go_on(moving)
     }
+}
+
+/// Factor of the length that makes the error of a fit the allowed one.
+fn factor(error: f64) -> f64 {
+    0.85 * (1.0 / error.max(1e-30)).powf(1.0 / 12.0)
+}
+
+/// What ends the motion through a panel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Ending {
+    SpeedPanel,
+    /// The speed ahead that no panel passes.
+    Speed,
+    /// A coordinate, and whether it is the requested end.
+    Coordinate(f64, bool),
+    Time(f64),
 }
