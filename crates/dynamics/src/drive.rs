@@ -112,39 +112,27 @@ impl InputDrive {
 
 /// The equation of motion of a machine with its drive.
 #[derive(Debug, Clone)]
-pub struct Driven<M> {
-    machine: M,
-    drive: InputDrive,
+pub struct Driven<'a> {
+    /// The machine without its drive.
+    pub machine: Machine<'a>,
+    /// The drive.
+    pub drive: InputDrive,
     factor: f64,
 }
 
-impl<M: EquationOfMotion> Driven<M> {
+impl<'a> Driven<'a> {
     /// Puts a drive on the input link of a machine.
-    pub fn new(machine: M, drive: InputDrive) -> Self {
+    pub fn new(machine: Machine<'a>, drive: InputDrive) -> Self {
         Self { machine, drive, factor: 1.0 }
     }
 
-    /// The machine without its drive.
-    pub fn machine(&mut self) -> &mut M {
-        &mut self.machine
-    }
-
-    /// The drive.
-    pub fn drive(&self) -> &InputDrive {
-        &self.drive
-    }
-}
-
-impl<M> Driven<M> {
     /// Moment and inertia of the drive on the input at a state, by the formulas entered last.
     #[inline]
     fn present(&self, state: &State) -> [f64; 2] {
         let sense = self.drive.sense;
         [sense * self.drive.moment(self.factor, sense * state.speed).value, self.drive.inertia]
     }
-}
 
-impl Driven<Machine<'_>> {
     /// The coefficients without the dry friction of pairs.
     ///
     /// # Errors
@@ -163,7 +151,7 @@ impl Driven<Machine<'_>> {
     }
 }
 
-impl<M: EquationOfMotion> EquationOfMotion for Driven<M> {
+impl EquationOfMotion for Driven<'_> {
     fn dependence(&self) -> Dependence {
         let mut dependence = self.machine.dependence();
         dependence.moment_on_speed |= matches!(self.drive.source, TorqueSource::Motor { .. });

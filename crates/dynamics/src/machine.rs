@@ -99,6 +99,26 @@ impl<'a> Machine<'a> {
         friction.acceleration_at(&Configuration { linkage, loads, phase, position }, state, drive)
     }
 
+    /// The coefficients at a state with a drive on the input: its moment, N m (N), along the coordinate, and its moment of inertia,
+    /// kg m² (kg). Where the moment depends on the acceleration itself (dry friction through inertia loads) it is found here.
+    #[inline]
+    pub(crate) fn driven(
+        &mut self,
+        state: &State,
+        [moment, inertia]: [f64; 2],
+    ) -> Result<Reduced, MotionError> {
+        let mut reduced = self.ideal(state)?;
+        if let Some(friction) = &mut self.friction {
+            let Self { linkage, loads, position, phase, .. } = self;
+            let place = Configuration { linkage, loads, phase, position };
+            let own = friction.moment(&place, &load_state(state), &reduced, [moment, inertia])?;
+            reduced.moment += own;
+        }
+        reduced.inertia += inertia;
+        reduced.moment += moment;
+        Ok(reduced)
+    }
+
     /// Potential energy of weights and springs at a coordinate, and the sum of the sizes of its terms, J.
     ///
     /// # Errors
@@ -181,20 +201,6 @@ impl EquationOfMotion for Machine<'_> {
     /// Of the friction that was found last: at this state, under its drive.
     fn bends(&mut self, _: &State) -> Result<Vec<f64>, MotionError> {
         Ok(self.friction.as_ref().map_or_else(Vec::new, |friction| friction.pressing.clone()))
-    }
-
-    #[inline]
-    fn driven(&mut self, state: &State, [moment, inertia]: [f64; 2]) -> Result<Reduced, MotionError> {
-        let mut reduced = self.ideal(state)?;
-        if let Some(friction) = &mut self.friction {
-            let Self { linkage, loads, position, phase, .. } = self;
-            let place = Configuration { linkage, loads, phase, position };
-            let own = friction.moment(&place, &load_state(state), &reduced, [moment, inertia])?;
-            reduced.moment += own;
-        }
-        reduced.inertia += inertia;
-        reduced.moment += moment;
-        Ok(reduced)
     }
 }
 

@@ -136,7 +136,7 @@ fn solve(
 /// # Errors
 ///
 /// [`DynamicsError::SteadyOnly`], and what is wrong with the motor.
-pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Machine<'a>>, DynamicsError> {
+pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<'a>, DynamicsError> {
     Ok(Driven::new(Machine::new(linkage, loads), input_drive(&linkage.mechanism)?))
 }
 
@@ -222,7 +222,7 @@ fn is_conservative(mechanism: &Mechanism) -> bool {
 const ROUNDINGS: f64 = 8.0;
 
 fn balance(
-    motion: &mut Driven<Machine<'_>>,
+    motion: &mut Driven<'_>,
     trajectory: &Trajectory,
     conservative: bool,
 ) -> Result<EnergyBalance, DynamicsError> {
@@ -235,7 +235,7 @@ fn balance(
         let reduced = motion.ideal(&state).map_err(failed)?;
         found.kinetic.push(0.5 * reduced.inertia * speed * speed);
         found.by_speed = found.by_speed.max(0.5 * reduced.inertia * speed.abs() * fastest);
-        let [potential, terms] = motion.machine().potential_energy(coordinate).map_err(failed)?;
+        let [potential, terms] = motion.machine.potential_energy(coordinate).map_err(failed)?;
         let uncertain = (reduced.moment * coordinate).abs() + ROUNDINGS * terms;
         found.rounding = found.rounding.max(uncertain * f64::EPSILON);
         found.potential.push(potential);

@@ -13,7 +13,7 @@ use assur_mechanism::{
 use assur_words::{Text, text};
 
 use crate::breaks::Breaks;
-use crate::formula::{FormulaLaw, Unlocated};
+use crate::formula::FormulaLaw;
 use crate::grid::{Bodies, GRID, Span, rests};
 use crate::law::Curve;
 use crate::law::Law;
@@ -28,9 +28,6 @@ const BESIDE: f64 = 3.819_660_112_501_05e-4;
 
 /// At the ends of its range a mechanism just holds together: part of the whole that is left out there.
 const AT_ENDS: f64 = 1e-9;
-
-/// How often a formula may change in a cycle: what follows its changes takes time and memory with their number.
-const MOST_CHANGES: usize = 10_000;
 
 /// Of more cycles than these the cells in which a switch is looked for grow.
 const MOST_CYCLES: u32 = 100;
@@ -250,24 +247,13 @@ impl<'a> Compiler<'a> {
             self.needs_motion(text!("force-formula-of-motion"))?;
         }
         let steps = !self.is_given();
-        let place = |index: usize| {
-            let span = &formula.switches()[index].span;
-            (formula.text()[span.clone()].to_owned(), span.start + 1)
-        };
-        let unlocated = |Unlocated(index)| {
-            let (function, column) = place(index);
-            LoadFault::Unlocated { function, column }
-        };
-        let mut law = FormulaLaw::new(formula.clone(), factor, steps).map_err(unlocated)?;
+        let mut law = FormulaLaw::new(formula.clone(), factor, steps)?;
         let motion = |q: f64| LoadState::prescribed(self.mechanism, q);
-        if let Some(index) = law.changing_too_often(self.cycle(), MOST_CHANGES, motion) {
-            let (function, column) = place(index);
-            return Err(LoadFault::ChangesTooOften { function, column, most: MOST_CHANGES });
-        }
+        law.check_changes(self.cycle(), motion)?;
         if let (Some(axis), true) = (axis, used.place) {
             let at = at.ok_or(LoadFault::StrokeOfMoment)?;
             let scale = self.linkage.structure.scale;
-            let found = self.over_stroke(at, axis, |bodies, span| {
+            law = self.over_stroke(at, axis, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
                 let along = |span: Span| {
                     let mut bodies = Bodies::new(self.linkage, span);
@@ -279,19 +265,16 @@ impl<'a> Compiler<'a> {
                     };
                     law.clone().along(travel, &span, point)
                 };
+                // What does not repeat with the cycle changes along the positions.
+                if law.mixes_place() {
+                    return along(self.positions());
+                }
                 // Nothing is known of the switches in a cell.
-                let repeated = if law.mixes_place() {
-                    None
-                } else {
-                    Some(along(Span { cells: GRID, ..self.reach(span) })?)
-                };
-                match repeated {
-                    Some(found) if steps || found.is_ok() => Ok(found),
-                    // What does not repeat with the cycle changes along the positions.
-                    _ => along(self.positions()),
+                match along(Span { cells: GRID, ..self.reach(span) }) {
+                    Err(LoadFault::Unlocated { .. }) if !steps => along(self.positions()),
+                    found => found,
                 }
             })?;
-            law = found.map_err(unlocated)?;
         }
         Ok(Law::Formula(Box::new(law)))
     }

@@ -55,7 +55,6 @@ impl<S: Stepper> Integrator for Steps<S> {
 struct Drive<'a, S> {
     run: Run<'a, Dense>,
     stepper: S,
-    pace: Pace,
     /// The bounds of the present piece, narrowed by the end.
     bounds: Bounds,
     scale: Scale,
@@ -87,11 +86,9 @@ struct Plan {
 
 impl<'a, S: Stepper> Drive<'a, S> {
     fn new(motion: &'a mut dyn EquationOfMotion, request: &'a Request) -> Self {
-        let stepper = S::default();
         let run = Run::new(motion, request);
         Self {
-            pace: stepper.pace(),
-            stepper,
+            stepper: S::default(),
             bounds: Bounds::new(&run.piece, request, &run.node),
             scale: Scale::new(request.tolerance, &run.node.state),
             run,
@@ -117,7 +114,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
     fn start_steps(&mut self) -> Result<(), IntegrationError> {
         self.update_bounds();
         self.note_bends()?;
-        self.step = match self.pace {
+        self.step = match S::PACE {
             Pace::Unlimited => f64::INFINITY,
             Pace::Fixed => control::fixed_step(self.run.request, &self.run.node),
             Pace::Adaptive(control) => {
@@ -175,7 +172,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         if let Some((h, side)) = self.redo.take() {
             return Ok(Plan { h, time: None, bound: side, to_bend: side.is_none() });
         }
-        if let (Pace::Fixed, Some(FixedStep::Coordinate(_))) = (self.pace, self.run.request.fixed_step) {
+        if let (Pace::Fixed, Some(FixedStep::Coordinate(_))) = (S::PACE, self.run.request.fixed_step) {
             self.step = control::fixed_step(self.run.request, &self.run.node);
         }
         let mut plan = Plan { h: self.step, time: None, bound: None, to_bend: false };
@@ -206,14 +203,14 @@ impl<'a, S: Stepper> Drive<'a, S> {
     ) -> Result<(), IntegrationError> {
         self.run.equation.cost.rejected += 1;
         self.after_rejection = true;
-        let factor = match self.pace {
+        let factor = match S::PACE {
             Pace::Adaptive(control) => control.after_rejected(error),
             Pace::Fixed | Pace::Unlimited => 0.5,
         };
         self.step = plan.h * factor;
         let least = 4.0 * f64::EPSILON * self.run.node.state.time.abs().max(1e-12);
         // At a fixed step nothing is retried: the user has decided.
-        let retried = matches!(self.pace, Pace::Adaptive(_)) || source.is_none();
+        let retried = matches!(S::PACE, Pace::Adaptive(_)) || source.is_none();
         if retried && self.step > least { Ok(()) } else { Err(self.run.stuck(self.step, source)) }
     }
 
@@ -286,7 +283,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
     /// Next step from the error of this one. A step shortened for an event only shows that a longer one would be
     /// possible.
     fn propose(&mut self, plan: &Plan, error: f64) {
-        let Pace::Adaptive(control) = self.pace else { return };
+        let Pace::Adaptive(control) = S::PACE else { return };
         let factor = control.after_accepted(error, self.error_before);
         let factor = if self.after_rejection { factor.min(1.0) } else { factor };
         let next = plan.h * factor;
@@ -313,7 +310,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
 
     /// At a fixed step no error estimate would notice an unstable step.
     pub(super) fn check_stability(&mut self) -> Result<(), IntegrationError> {
-        if self.pace != Pace::Fixed {
+        if S::PACE != Pace::Fixed {
             return Ok(());
         }
         let at = self.run.node.state;

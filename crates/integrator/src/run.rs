@@ -15,7 +15,6 @@ pub(crate) const CREEPS: Text = text!("integrator-creeps");
 const MOST_EVENTS: usize = 1_000_000;
 
 /// The motion so far. `C` is how the method describes the motion inside a segment.
-#[derive(Debug)]
 pub struct Run<'a, C> {
     /// The equation of motion.
     pub equation: CountedEquation<'a>,

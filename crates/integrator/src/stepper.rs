@@ -36,7 +36,6 @@ pub enum Pace {
 }
 
 /// A step to be tried.
-#[derive(Debug)]
 pub struct Step<'a, 'm> {
     /// The equation, in the piece of the step.
     pub equation: &'a mut CountedEquation<'m>,
@@ -62,6 +61,9 @@ pub struct Attempt {
 /// The order of calls for a step: [`attempt`](Self::attempt); if its error passes, [`finish`](Self::finish);
 /// then, only where a sample or an event needs the inside of the step, [`dense`](Self::dense).
 pub trait Stepper: Default {
+    /// What sets the length of a step.
+    const PACE: Pace;
+
     /// A step is a parabola in time, and its dense output is exact at each instant.
     const PARABOLIC: bool = false;
 
@@ -71,9 +73,6 @@ pub trait Stepper: Default {
     /// Bound of step times eigenvalue beyond which the method is unstable where the equation is damped: checked at a
     /// fixed step.
     const STABLE: f64 = f64::INFINITY;
-
-    /// What sets the length of a step.
-    fn pace(&self) -> Pace;
 
     /// Tries a step.
     ///
@@ -105,12 +104,6 @@ pub struct CountedEquation<'a> {
     motion: &'a mut dyn EquationOfMotion,
     /// What the solution has cost so far.
     pub cost: SolutionCost,
-}
-
-impl std::fmt::Debug for CountedEquation<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("CountedEquation").field("cost", &self.cost).finish_non_exhaustive()
-    }
 }
 
 impl<'a> CountedEquation<'a> {

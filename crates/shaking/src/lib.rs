@@ -13,7 +13,6 @@ mod balance;
 mod cone;
 mod course;
 mod data;
-mod proof;
 mod samples;
 mod study;
 

@@ -21,7 +21,6 @@
 //! the crank change the balancing moment and the reaction at O only. The tests contain the equations as printed, for
 //! the press of L.
 
-mod deliver;
 mod drawing;
 mod forms;
 mod layout;
@@ -124,7 +123,7 @@ impl ForceAnalyzer for Longitudinal {
         out: &mut Reactions,
     ) -> Result<(), ForceError> {
         let (layout, setting, unknowns) = self.solved(linkage, position, loads)?;
-        deliver::store(&layout, &setting, &unknowns, &position.bodies, loads, out);
+        layout::store(&layout, &setting, &unknowns, &position.bodies, loads, out);
         Ok(())
     }
 

@@ -161,16 +161,14 @@ fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix3<f64>> {
 impl Stepper for Collocation {
     const IMPLICIT: bool = true;
 
-    fn pace(&self) -> Pace {
-        Pace::Adaptive(Control {
-            proportional: 0.25,
-            integral: 0.0,
-            safety: 0.85,
-            shrink: 0.2,
-            grow: 8.0,
-            order: 4.0,
-        })
-    }
+    const PACE: Pace = Pace::Adaptive(Control {
+        proportional: 0.25,
+        integral: 0.0,
+        safety: 0.85,
+        shrink: 0.2,
+        grow: 8.0,
+        order: 4.0,
+    });
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         let Step { equation, from, length: h, mut scale } = step;

@@ -93,12 +93,6 @@ pub(crate) struct Path<'a> {
     pub(crate) evaluations: usize,
 }
 
-impl std::fmt::Debug for Path<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Path").field("cycle", &self.cycle).finish_non_exhaustive()
-    }
-}
-
 impl<'a> Path<'a> {
     pub(crate) fn new(motion: &'a mut dyn EquationOfMotion, cycle: CyclePath) -> Self {
         let by_speed = motion.dependence().moment_on_speed;

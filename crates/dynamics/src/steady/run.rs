@@ -12,7 +12,6 @@ use crate::DynamicsError;
 const MOST_HALVINGS: usize = 12;
 
 /// A run along the path.
-#[derive(Debug)]
 struct Run<'r, 'a> {
     path: &'r mut Path<'a>,
     setup: Setup,

@@ -26,7 +26,6 @@ const SPEED: f64 = 1e-9;
 const MOMENT: f64 = 1e-8;
 
 /// Finds periodic cycles of one machine.
-#[derive(Debug)]
 pub(crate) struct Shooting<'a> {
     pub(crate) path: Path<'a>,
     pub(crate) panels: Vec<PathPanel>,

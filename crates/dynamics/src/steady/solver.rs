@@ -61,7 +61,6 @@ fn check_repeats(path: &mut Path<'_>, panels: &[PathPanel], speed: f64) -> Resul
 }
 
 /// Finds steady regimes of one machine over one cycle.
-#[derive(Debug)]
 pub struct RegimeSolver<'a> {
     shooting: Shooting<'a>,
     diagram: WorkDiagram,

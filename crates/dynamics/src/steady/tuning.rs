@@ -101,7 +101,6 @@ impl Unknowns {
 }
 
 /// The search for one machine and one request.
-#[derive(Debug)]
 pub(crate) struct Tuner<'s, 'a> {
     pub(crate) shooting: &'s mut Shooting<'a>,
     pub(crate) target: TuningTarget,

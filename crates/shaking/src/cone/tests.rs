@@ -4,7 +4,7 @@ use nalgebra::DVector;
 mod scaling;
 
 use super::least_maximum;
-use crate::proof::LinearForce;
+use crate::cone::LinearForce;
 
 /// The center of the smallest circle around points: a force is the way to a point.
 fn around(points: &[[f64; 2]]) -> (f64, f64) {
