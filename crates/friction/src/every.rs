@@ -141,6 +141,11 @@ impl Moduli {
             None if self.is_solved(&near) => near,
             None => return,
         };
+        self.keep(z, found);
+    }
+
+    /// Keeps a solution, if it is new.
+    fn keep(&self, z: Vec<f64>, found: &mut Solutions) {
         let size = self.size(&z);
         if found.points.iter().all(|known| distance(known, &z) > SAME * size) {
             found.points.push(z);
@@ -183,10 +188,7 @@ impl Moduli {
         for t in ends {
             let mut z = vec![0.0; self.count()];
             lines.iter().enumerate().for_each(|(i, at)| z[*at] = (point[i] + t * direction[i]).max(0.0));
-            let size = self.size(&z);
-            if found.points.iter().all(|known| distance(known, &z) > SAME * size) {
-                found.points.push(z);
-            }
+            self.keep(z, found);
         }
     }
 }

@@ -13,7 +13,7 @@ use assur_words::{Text, text};
 
 use crate::layout::{End, Layout};
 use crate::layout::{Setting, Unknowns};
-use crate::{Form, singular};
+use crate::{Longitudinal, singular};
 
 /// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves four significant digits at
 /// most.
@@ -69,7 +69,7 @@ impl Failure {
         match self {
             Self::Parallel(angle) => {
                 let lines = lines(linkage, layout);
-                ForceError::Parallel { coordinate, lines, angle, instead: Form::Stable.name() }
+                ForceError::Parallel { coordinate, lines, angle, instead: Longitudinal::Stable.name() }
             }
             Self::Singular(health) => singular(linkage, coordinate, health),
         }

@@ -109,8 +109,6 @@ pub(crate) struct Setting {
     pub(crate) line: [f64; 2],
     /// Whether the third link is a slider.
     pub(crate) slider: bool,
-    /// Force of the coupler's own loads, N.
-    pub(crate) own: [f64; 2],
     /// Force of the third link's loads on the coupler at B, N: of a slider along the guide, of a rocker across it.
     pub(crate) known: [f64; 2],
     /// F: the sum of both, N.
@@ -169,7 +167,6 @@ impl Setting {
             c,
             line,
             slider: matches!(layout.end, End::Guide(_)),
-            own: own.force(),
             known,
             force: plus(own.force(), known),
             moment_a: own.about(coupler.arm(layout.a.own)) + cross(minus(b, a), known),

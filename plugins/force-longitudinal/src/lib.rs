@@ -36,15 +36,15 @@ use layout::{Setting, Unknowns};
 
 assur_words::resources!();
 
-assur_force::inventory::submit! { entry(&Longitudinal { form: Form::Stable }, text!("force-longitudinal"), 2) }
+assur_force::inventory::submit! { entry(&Longitudinal::Stable, text!("force-longitudinal"), 2) }
 
 assur_force::inventory::submit! {
-    entry(&Longitudinal { form: Form::Published }, text!("force-longitudinal-published"), 3)
+    entry(&Longitudinal::Published, text!("force-longitudinal-published"), 3)
 }
 
 const fn entry(instance: &'static Longitudinal, summary: Text, rank: u8) -> AnalyzerPlugin {
     AnalyzerPlugin {
-        name: instance.form.name(),
+        name: instance.name(),
         crate_name: env!("CARGO_PKG_NAME"),
         summary,
         source: text!("force-longitudinal.source"),
@@ -57,32 +57,23 @@ const fn entry(instance: &'static Longitudinal, summary: Text, rank: u8) -> Anal
     }
 }
 
-/// How the three unknowns are found.
+/// The method, by how the three unknowns are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum Longitudinal {
     /// Moments about A, which is always finite.
     Stable,
     /// Moments about the pole P (L eqs. 5-11).
     Published,
 }
 
-impl Form {
+impl Longitudinal {
     const fn name(self) -> &'static str {
         match self {
             Self::Stable => "longitudinal",
             Self::Published => "longitudinal-published",
         }
     }
-}
 
-/// The method.
-#[derive(Debug, Clone, Copy)]
-pub struct Longitudinal {
-    /// Which of the two forms.
-    pub form: Form,
-}
-
-impl Longitudinal {
     /// Geometry, loads and unknowns at a position.
     fn solved(
         self,
@@ -91,13 +82,13 @@ impl Longitudinal {
         loads: &[Wrench<f64>],
     ) -> Result<(Layout, Setting, Unknowns), ForceError> {
         let layout = Layout::of(linkage)
-            .map_err(|reason| ForceError::Unsupported { analyzer: self.form.name(), reason })?;
+            .map_err(|reason| ForceError::Unsupported { analyzer: self.name(), reason })?;
         let setting = Setting::of(&layout, &position.bodies, loads);
-        let unknowns = match self.form {
-            Form::Stable => {
+        let unknowns = match self {
+            Self::Stable => {
                 forms::stable(&setting).map_err(|health| singular(linkage, position.coordinate, health))
             }
-            Form::Published => forms::published(&setting)
+            Self::Published => forms::published(&setting)
                 .map_err(|failure| failure.explain(linkage, &layout, position.coordinate)),
         }?;
         Ok((layout, setting, unknowns))
@@ -141,7 +132,7 @@ impl ForceAnalyzer for Longitudinal {
 
     fn condition(&self, linkage: &Linkage, position: &Position) -> f64 {
         let Ok(layout) = Layout::of(linkage) else { return f64::INFINITY };
-        if self.form == Form::Stable {
+        if *self == Self::Stable {
             return 1.0;
         }
         let setting = Setting::of(&layout, &position.bodies, &vec![Wrench::ZERO; position.bodies.len()]);
