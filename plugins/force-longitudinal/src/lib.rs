@@ -36,15 +36,20 @@ use layout::{Setting, Unknowns};
 
 assur_words::resources!();
 
-assur_force::inventory::submit! { entry(&Longitudinal::Stable, text!("force-longitudinal"), 2) }
+assur_force::inventory::submit! { entry(Longitudinal::Stable.name(), &Longitudinal::Stable, text!("force-longitudinal"), 2) }
 
 assur_force::inventory::submit! {
-    entry(&Longitudinal::Published, text!("force-longitudinal-published"), 3)
+    entry(Longitudinal::Published.name(), &Longitudinal::Published, text!("force-longitudinal-published"), 3)
 }
 
-const fn entry(instance: &'static Longitudinal, summary: Text, rank: u8) -> AnalyzerPlugin {
+const fn entry(
+    name: &'static str,
+    instance: &'static dyn ForceAnalyzer,
+    summary: Text,
+    rank: u8,
+) -> AnalyzerPlugin {
     AnalyzerPlugin {
-        name: instance.name(),
+        name,
         crate_name: env!("CARGO_PKG_NAME"),
         summary,
         source: text!("force-longitudinal.source"),
