@@ -191,8 +191,7 @@ pub(crate) fn is_usage(error: &DynamicsError) -> bool {
             | D::OverTime
             | D::SteadyOnly(_)
             | D::Rated(_)
-            | D::Lookup(_)
-            | D::Catalogue(_)
+            | D::Motor(_)
             | D::Integration(
                 IntegrationError::Request(_)
                     | IntegrationError::Unsupported { .. }

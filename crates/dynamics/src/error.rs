@@ -1,7 +1,7 @@
 //! Why there is no motion to report.
 
 use assur_integrator::{IntegrationError, MotionError};
-use assur_motor::{CatalogueError, LookupError, RatedDataError, SelectionError};
+use assur_motor::MotorError;
 use assur_words::{Describe, Text, name, number, quantity, text};
 
 /// What went wrong, where, and what to do.
@@ -100,16 +100,14 @@ pub enum DynamicsError {
     /// The integrator failed.
     Integration(IntegrationError),
     /// The motor's data define no characteristic.
-    Rated(RatedDataError),
-    /// No such motor.
-    Lookup(LookupError),
-    /// The catalogues can't be read.
-    Catalogue(CatalogueError),
+    Rated(MotorError),
+    /// No such motor, or no such catalogue.
+    Motor(MotorError),
     /// No motor can be chosen.
-    Selection(SelectionError),
+    Selection(MotorError),
 }
 
-assur_words::errors!(DynamicsError; Integration(IntegrationError), Rated(RatedDataError), Lookup(LookupError), Catalogue(CatalogueError), Selection(SelectionError));
+assur_words::errors!(DynamicsError; Integration(IntegrationError), Motor(MotorError));
 
 /// A number with so many decimals.
 fn rounded(value: f64, decimals: usize) -> Text {
@@ -185,9 +183,7 @@ impl Describe for DynamicsError {
             Self::NoLoad(work) => text!("dynamics-no-load", work = quantity(scientific(*work), "J")),
             Self::Integration(error) => error.describe(),
             Self::Rated(error) => text!("dynamics-rated", cause = error.describe()),
-            Self::Lookup(error) => error.describe(),
-            Self::Catalogue(error) => error.describe(),
-            Self::Selection(error) => error.describe(),
+            Self::Motor(error) | Self::Selection(error) => error.describe(),
         }
     }
 }
@@ -207,7 +203,7 @@ impl DynamicsError {
             | Self::NoMotor
             | Self::NoLoad(_)
             | Self::Rated(_)
-            | Self::Lookup(_)
+            | Self::Motor(_)
             | Self::Selection(_) => &["drive", "motor"],
             _ => &["motion"],
         }

@@ -1,8 +1,8 @@
 //! The motor of a scene: given by its data, looked up, or chosen (S stage 5); and how it works in a steady regime.
 
-use assur_mechanism::{Motor as Asked, Torque};
+use assur_mechanism::{MotorChoice, Torque};
 use assur_motor::{
-    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver, RatedData,
+    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver, RatedMotor,
     SelectionRequest, catalogues, check_breakdown, check_rms, check_rotor_inertia, check_starting,
     find_motor, list_motors, nearest, rms_torque, select,
 };
@@ -16,7 +16,7 @@ pub struct DriveMotor {
     /// Designation as the catalogue prints it; `None` for a motor given by its data.
     pub designation: Option<String>,
     /// The data of which the characteristic is computed.
-    pub rated: RatedData,
+    pub rated: RatedMotor,
     /// The mechanical characteristic.
     pub characteristic: Characteristic,
     /// Row of the catalogue, with mass and size.
@@ -44,12 +44,12 @@ impl DriveMotor {
         };
         let of_row = |row: &'static Motor| Self::new(row.rated_data(), *kind, Some(row));
         let motor = match motor {
-            Asked::Rated(rated) => {
+            MotorChoice::Rated(rated) => {
                 let inertia = rated.inertia.filter(|inertia| *inertia > 0.0);
-                Self::new(RatedData { inertia, ..*rated }, *kind, None)
+                Self::new(RatedMotor { inertia, ..*rated }, *kind, None)
             }
-            Asked::Designation(designation) => of_row(find_motor(catalogue.as_deref(), designation)?),
-            Asked::Auto => {
+            MotorChoice::Designation(designation) => of_row(find_motor(catalogue.as_deref(), designation)?),
+            MotorChoice::Auto => {
                 let [required_power, input_speed] = need()?;
                 let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
                 let request = SelectionRequest {
@@ -58,7 +58,8 @@ impl DriveMotor {
                     max_motor_speed: *max_speed,
                     characteristic: *kind,
                 };
-                let found = select(list_motors(&catalogues()?, &filter)?, &request)?;
+                let found = select(list_motors(&catalogues()?, &filter)?, &request)
+                    .map_err(DynamicsError::Selection)?;
                 let (runners_up, passed_over) = (found.runners_up, found.passed_over);
                 of_row(found.chosen.motor).map(|motor| Self { runners_up, passed_over, ..motor })
             }
@@ -68,11 +69,11 @@ impl DriveMotor {
 
     /// By its data, and its row of a catalogue.
     fn new(
-        rated: RatedData,
+        rated: RatedMotor,
         kind: CharacteristicKind,
         row: Option<&'static Motor>,
     ) -> Result<Self, DynamicsError> {
-        let characteristic = Characteristic::new(kind, &rated)?;
+        let characteristic = Characteristic::new(kind, &rated).map_err(DynamicsError::Rated)?;
         let designation = row.map(|row| row.designation.clone());
         let (runners_up, passed_over) = (Vec::new(), Vec::new());
         Ok(Self { designation, rated, characteristic, row, runners_up, passed_over })

@@ -7,8 +7,8 @@ use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Contact, Direction, Force, GROUND, InputPair, LinkId, Load, LoadId, LoadKind, Mechanism, Over, Place,
-    Range, Table, Value,
+    Contact, Direction, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism, Over,
+    Place, Range, Value,
 };
 use assur_words::{Text, text};
 
@@ -279,7 +279,7 @@ impl<'a> Compiler<'a> {
         Ok(Law::Formula(Box::new(law)))
     }
 
-    fn stroke(&self, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadFault> {
+    fn stroke(&self, at: Place, axis: f64, tables: [&LawTable; 2]) -> Result<Law, LoadFault> {
         let scale = self.linkage.structure.scale;
         let find = |bodies: &mut Bodies<'_>, span: &Span| {
             let spans = [span, &self.reach(span)];

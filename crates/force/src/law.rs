@@ -2,7 +2,7 @@
 
 use assur_formula::{Branches, Used};
 use assur_integrator::Piece;
-use assur_mechanism::{Shape, Table};
+use assur_mechanism::{LawTable, Shape};
 
 use crate::LoadState;
 use crate::breaks::{Breaks, cut};
@@ -160,7 +160,7 @@ struct Line {
 }
 
 impl Curve {
-    pub(crate) fn of(table: &Table) -> Self {
+    pub(crate) fn of(table: &LawTable) -> Self {
         let rows = &table.rows;
         let before = rows.first().map(|row| Line { argument: row[0], value: row[1], slope: 0.0 });
         let after = rows.iter().enumerate().map(|(index, &[argument, value])| {

@@ -3,7 +3,7 @@
 
 use assur_group::Body;
 use assur_kinematics::PositionError;
-use assur_mechanism::Table;
+use assur_mechanism::LawTable;
 use assur_number::search::{bisect, try_newton_root};
 
 use crate::LoadFault;
@@ -175,7 +175,7 @@ impl Stroke {
         body: &mut BodyAt<'_>,
         at: [f64; 2],
         angle: f64,
-        tables: [&Table; 2],
+        tables: [&LawTable; 2],
         [span, reach]: [&Span; 2],
         scale: f64,
     ) -> Result<Self, LoadFault> {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use assur_words::{Text, text};
 
-use crate::{RatedData, latin_designation};
+use crate::{RatedMotor, latin_designation};
 
 /// A three-phase asynchronous motor as its catalogue prints it, in SI units.
 ///
@@ -51,8 +51,8 @@ pub struct Motor {
 
 impl Motor {
     /// What the mechanical characteristic needs.
-    pub fn rated_data(&self) -> RatedData {
-        RatedData {
+    pub fn rated_data(&self) -> RatedMotor {
+        RatedMotor {
             power: self.rated_power,
             synchronous_speed: self.synchronous_speed,
             rated_speed: self.rated_speed,

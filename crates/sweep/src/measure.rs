@@ -5,7 +5,7 @@ use assur_dynamics::{Instant, Steady};
 use assur_geometry::{Courses, Extremes};
 use assur_mechanism::{Input, PairId};
 use assur_shaking::Size;
-use assur_words::{Describe, Text, text};
+use assur_words::{Describe, Text, list, name as words, text};
 
 use crate::SweepError;
 use crate::between::{acceleration, shaking, speed, stroke, time_ratio, transfer};
@@ -187,12 +187,14 @@ impl Measure {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Measure`] for an unknown name.
+    /// [`SweepError::Request`] for an unknown name.
     pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
         let known =
             |name: &str| name == "all" || name == "default" || MEASURES.iter().any(|m| m.name == name);
         if let Some(name) = names.iter().map(AsRef::as_ref).find(|name| !known(name)) {
-            return Err(SweepError::Measure(name.to_owned()));
+            let measures = list(MEASURES.iter().map(|measure| words(measure.name)));
+            let unknown = text!("sweep-no-measure", name = words(name.to_owned()), measures);
+            return Err(SweepError::Request(unknown));
         }
         let wanted = |measure: &&Self| {
             let mut names = names.iter().map(AsRef::as_ref);

@@ -1,8 +1,9 @@
 //! Loads, motion and drive as they are given.
 
-use assur_book::{Column, Document, Fact, Table as List, Unit, link_name, row};
+use assur_book::{Column, Document, Fact, Table, Unit, link_name, row};
 use assur_mechanism::{
-    Direction, Drive, Force, LinkId, LoadKind, Mechanism, Motion, Motor, Over, Solve, Table, Torque, Value,
+    Direction, Drive, Force, LawTable, LinkId, LoadKind, Mechanism, Motion, MotorChoice, Over, Solve, Torque,
+    Value,
 };
 use assur_words::{Text, joined, list, name, text, unit};
 
@@ -18,7 +19,7 @@ const NEWTON: &str = "N";
 pub fn loads_given(source: &Source<'_>, page: &mut Document) {
     let mechanism = source.mechanism;
     let heads = [text!("head-load"), text!("head-acts"), text!("head-value")].map(Column::of);
-    let mut rows = List::list(text!("report-given-loads"), heads);
+    let mut rows = Table::list(text!("report-given-loads"), heads);
     if let Some([x, y]) = mechanism.gravity {
         let size = Unit::of("m/s²", 1.0).show(x.hypot(y));
         rows.row(row![name("G"), text!("given-gravity"), joined(" = ", [name("g"), size])]);
@@ -114,7 +115,7 @@ fn law(mechanism: &Mechanism, value: &Value, of: &'static str) -> Text {
 }
 
 /// The rows of a table: argument, value; a constant is its value alone.
-fn pairs(table: &Table, by: Unit) -> Text {
+fn pairs(table: &LawTable, by: Unit) -> Text {
     if let [[_, value]] = table.rows[..] {
         return Unit::NONE.number(value);
     }
@@ -167,11 +168,11 @@ fn drive(drive: &Drive, moment: Unit) -> Vec<Fact> {
     facts
 }
 
-fn motor_given(motor: &Motor) -> Vec<Fact> {
+fn motor_given(motor: &MotorChoice) -> Vec<Fact> {
     match motor {
-        Motor::Auto => vec![Fact::text("given-motor", text!("given-chosen"))],
-        Motor::Designation(designation) => vec![Fact::text("given-motor", name(designation.clone()))],
-        Motor::Rated(rated) => {
+        MotorChoice::Auto => vec![Fact::text("given-motor", text!("given-chosen"))],
+        MotorChoice::Designation(designation) => vec![Fact::text("given-motor", name(designation.clone()))],
+        MotorChoice::Rated(rated) => {
             let breakdown = |ratio| Fact::number("fact-breakdown-ratio", ratio, Unit::NONE);
             let rotor = |inertia| Fact::number("fact-rotor", inertia, INERTIA);
             let some = [

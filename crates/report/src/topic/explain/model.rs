@@ -2,8 +2,8 @@
 
 use assur_book::{Unit, link_name};
 use assur_mechanism::{
-    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, Motor, Over, Surfaces,
-    Torque, Value,
+    Contact, Direction, Drive, Friction, LinkId, LoadKind, Mechanism, Middle, Motion, MotorChoice, Over,
+    Surfaces, Torque, Value,
 };
 use assur_structure::name_of;
 use assur_words::{Text, list as listed, number, quantity, text};
@@ -40,10 +40,10 @@ pub(super) fn used_drive(mechanism: &Mechanism) -> Option<&Drive> {
 }
 
 /// Whether a motor has a rotor with inertia; rated data may give none.
-pub(super) fn has_rotor(motor: &Motor) -> bool {
+pub(super) fn has_rotor(motor: &MotorChoice) -> bool {
     match motor {
-        Motor::Rated(rated) => rated.inertia.is_some_and(|inertia| inertia > 0.0),
-        Motor::Auto | Motor::Designation(_) => true,
+        MotorChoice::Rated(rated) => rated.inertia.is_some_and(|inertia| inertia > 0.0),
+        MotorChoice::Auto | MotorChoice::Designation(_) => true,
     }
 }
 

@@ -3,7 +3,9 @@
 use assur_analysis::Methods;
 use assur_analysis::plan::Plan;
 use assur_book::link_name;
-use assur_mechanism::{Balance, Characteristic, Drive, InputPair, Mechanism, Motion, Motor, Solve, Torque};
+use assur_mechanism::{
+    Balance, CharacteristicKind, Drive, InputPair, Mechanism, Motion, MotorChoice, Solve, Torque,
+};
 use assur_structure::Structure;
 use assur_words::{Text, joined, list, name, text};
 
@@ -95,7 +97,7 @@ fn drive(mechanism: &Mechanism) -> Stage {
 /// Which quantities of the drive are given and which are to be found.
 fn drive_reason(drive: &Drive) -> Text {
     let motor = matches!(drive.torque, Torque::Motor { .. });
-    let auto = matches!(drive.torque, Torque::Motor { motor: Motor::Auto, .. });
+    let auto = matches!(drive.torque, Torque::Motor { motor: MotorChoice::Auto, .. });
     let all = [
         (matches!(drive.torque, Torque::Balance), text!("explain-wanted-moment")),
         (auto, text!("explain-wanted-motor")),
@@ -114,12 +116,12 @@ fn drive_method(drive: &Drive) -> Text {
     let mut methods = Vec::new();
     match &drive.torque {
         Torque::Motor { motor, characteristic, .. } => {
-            if *motor == Motor::Auto {
+            if *motor == MotorChoice::Auto {
                 methods.push(text!("explain-least-motor"));
             }
             methods.push(match characteristic {
-                Characteristic::Kloss => text!("explain-kloss"),
-                Characteristic::Linear => text!("explain-linear"),
+                CharacteristicKind::Kloss => text!("explain-kloss"),
+                CharacteristicKind::Linear => text!("explain-linear"),
             });
         }
         Torque::Constant(_) | Torque::Balance => methods.push(text!("explain-constant-moment")),
