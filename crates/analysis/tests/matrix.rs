@@ -36,7 +36,7 @@ const LOADS: [&str; 11] = [
     "force by a formula",
 ];
 
-fn table(rows: &[[f64; 2]]) -> Table {
+fn table(rows: &[[f64; 2]]) -> LawTable {
     LawTable { rows: rows.to_vec(), shape: Shape::Linear }
 }
 

@@ -2,7 +2,6 @@
 
 use assur_group::plane::{minus, perp, plus, scaled, vector};
 use assur_group::{Body, Wrench};
-use assur_number::{Formula, Real};
 
 use crate::choice::{Choice, Live};
 use crate::loads::{Cause, Loads, Mass};
@@ -101,28 +100,25 @@ impl<T: LoadNumber> Sink<T> for Sizes<'_, T> {
     fn moment(&mut self, _: usize, _: &Body<T>, _: T) {}
 }
 
-/// The wrenches of all loads at some states.
-struct Evaluate<'a, T: LoadNumber, C> {
-    visit: Visit<'a, T, C>,
-    wrenches: &'a mut [Wrench<T>],
-}
-
-impl<T: LoadNumber, C: Choice> Formula for Evaluate<'_, T, C> {
-    type Value = ();
-
+impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
+    /// Writes the wrenches of all loads.
     #[inline(always)]
-    fn evaluate(self) {
-        let Self { visit, wrenches } = self;
-        let Visit { loads, states, bodies, .. } = visit;
-        wrenches.fill(Wrench::ZERO);
-        let (gravity, rates) = (vector(loads.gravity), Rates::of(states));
-        if !rates.rests || loads.has_weights() {
-            for mass in &loads.masses {
-                let Wrench { fx, fy, m } = mass.load(states, gravity, &rates, &bodies[mass.link]);
-                wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
-            }
-        }
-        visit.each(&mut Sum(wrenches));
+    fn wrenches(self, wrenches: &mut [Wrench<T>]) {
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let Self { loads, states, bodies, .. } = self;
+                wrenches.fill(Wrench::ZERO);
+                let (gravity, rates) = (vector(loads.gravity), Rates::of(states));
+                if !rates.rests || loads.has_weights() {
+                    for mass in &loads.masses {
+                        let Wrench { fx, fy, m } = mass.load(states, gravity, &rates, &bodies[mass.link]);
+                        wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
+                    }
+                }
+                self.each(&mut Sum(wrenches));
+            },
+        );
     }
 }
 
@@ -138,7 +134,7 @@ impl Loads {
         bodies: &[Body<T>],
         wrenches: &mut [Wrench<T>],
     ) {
-        T::evaluate(Evaluate { visit: Visit { loads: self, choice: &Live, states, bodies }, wrenches });
+        Visit { loads: self, choice: &Live, states, bodies }.wrenches(wrenches);
     }
 
     /// As [`evaluate`](Self::evaluate), by the formulas of one phase, continued smoothly beyond its bounds.
@@ -149,8 +145,7 @@ impl Loads {
         bodies: &[Body<f64>],
         wrenches: &mut [Wrench<f64>],
     ) {
-        let visit = Visit { loads: self, choice: phase, states: state, bodies };
-        f64::evaluate(Evaluate { visit, wrenches });
+        Visit { loads: self, choice: phase, states: state, bodies }.wrenches(wrenches);
     }
 
     /// All loads of a state as [`evaluate`](Self::evaluate) writes them.

@@ -2,7 +2,7 @@
 
 use assur_analysis::results::FrictionCycle;
 use assur_dynamics::{Instant, Steady};
-use assur_geometry::{Courses, Extremes};
+use assur_geometry::{Extremes, PartCourses};
 use assur_mechanism::{Input, PairId};
 use assur_shaking::Size;
 use assur_words::{Describe, Text, list, name as words, text};
@@ -94,7 +94,7 @@ pub(crate) struct Measured {
     /// Dry friction over the cycle.
     pub(crate) friction: Option<FrictionCycle>,
     /// The motion between positions; `None` where it was not asked for, or the cycle has a part without a solution.
-    pub(crate) courses: Option<Courses>,
+    pub(crate) courses: Option<PartCourses>,
     /// The speed of an input whose speed is prescribed and constant, rad/s or m/s.
     pub(crate) speed: Option<f64>,
     /// The shaking force; `None` where it was not asked for, or there is none.

@@ -1,9 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
 use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
-use assur_analysis::{GroupModes, Meeting, ModeCourse, PossibleInput, StructureStudy};
+use assur_analysis::{GroupModes, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::{CourseEnd, Unlisted};
+use assur_kinematics::{CourseEnd, ModeCourse, ModeMeeting, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -164,7 +164,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         kind = name(group.kind.clone()),
         links = named(&group.links)
     );
-    let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
+    let (Some(circuits), Some(branches)) = (group.courses.circuits, group.courses.branches) else {
         let unlisted = match group.unlisted {
             Some(Unlisted::At(place)) => {
                 text!("report-modes-together", group = named, coordinate = unit.show(place))
@@ -187,8 +187,8 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         text(text!("head-circuit")),
         text(text!("head-branch")),
     ];
-    page.table(Table::list(named, columns).rows(group.modes.iter().map(of)));
-    let counts = group.counts.iter().map(|count| {
+    page.table(Table::list(named, columns).rows(group.courses.modes.iter().map(of)));
+    let counts = group.courses.counts.iter().map(|count| {
         text!("report-modes-from", count = number(count.modes), coordinate = unit.show(count.from))
     });
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
@@ -196,12 +196,12 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     if let Some(way) = group.way {
         page.paragraph(text!("report-modes-present", mode = number(way)));
     }
-    let meeting = |meeting: &Meeting| {
+    let meeting = |meeting: &ModeMeeting| {
         let [one, other] = meeting.ways.map(number);
         text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
     };
-    if !group.meetings.is_empty() {
-        let meetings = joined("; ", group.meetings.iter().map(meeting));
+    if !group.courses.meetings.is_empty() {
+        let meetings = joined("; ", group.courses.meetings.iter().map(meeting));
         page.paragraph(text!("report-modes-meet", meetings = meetings));
     }
 }
