@@ -79,7 +79,7 @@ fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -
         return None;
     }
     let course = Course::of(positions, Some(edges), Column::COORDINATE, Column::BALANCING);
-    let jumps: Vec<f64> = course.steps().map(|step| step.at).collect();
+    let jumps: Vec<f64> = course.jumps().map(|jump| jump.at).collect();
     let ends = [0, input.positions].map(|index| input.coordinate(index));
     let [mean, rms] = calculation.means(ends, &jumps, |table, row| table.get(row, Column::BALANCING))?;
     // What is left of a mean of zero is rounding.

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use assur_analysis::results::{Owner, Quantity};
-use assur_book::{Column, Extreme, Table, catalogue, row};
+use assur_book::{Column, Node, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_report::text::Line;
 use assur_words::{self as words, Text, joined, list, name, quantity, text, unit};
@@ -155,8 +155,8 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
         let now = series.clean(state.position).map(|value| series.factor * value);
         let summary = series.course.summary();
         let (greatest, least) = (summary.map(|all| all.greatest), summary.map(|all| all.least));
-        let value = |extreme: Option<Extreme>| extreme.map(|extreme| shown(extreme.value));
-        let at = |extreme: Option<Extreme>| extreme.map(|extreme| words::number(extreme.number));
+        let value = |extreme: Option<Node>| extreme.map(|extreme| shown(extreme.value));
+        let at = |extreme: Option<Node>| extreme.map(|extreme| words::number(extreme.number));
         row![
             plots::numbered(number, series.of.clone()),
             unit(series.unit.clone()),
