@@ -1,6 +1,6 @@
 //! A quantity over its own coordinates.
 
-use assur_analysis::results::{Column, Edges, Table, Turn};
+use assur_analysis::results::{Column, Edges, Statistic, Table, Turn};
 
 /// A value this small compared with the greatest one of its course counts as zero.
 const ROUNDING: f64 = 1e-14;
@@ -36,35 +36,11 @@ pub struct Course {
 
 /// Both sides of a place at which a value jumps.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
+pub struct Jump {
     /// Coordinate, rad or m.
     pub at: f64,
     /// The values just before and just after it, SI.
     pub values: [f64; 2],
-}
-
-/// The value of greatest or least size, and the number of its position.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extreme {
-    /// The value with its sign.
-    pub value: f64,
-    /// Number of the position or sample; the first of equal ones.
-    pub number: usize,
-}
-
-/// The values at the positions in a few numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Summary {
-    /// The greatest value.
-    pub greatest: Extreme,
-    /// The least value.
-    pub least: Extreme,
-    /// The value of greatest modulus.
-    pub farthest: Extreme,
-    /// Mean over the positions.
-    pub mean: f64,
-    /// Root of the mean square over the positions.
-    pub rms: f64,
 }
 
 impl Course {
@@ -111,12 +87,12 @@ impl Course {
     }
 
     /// Both sides of the places at which the value jumps.
-    pub fn steps(&self) -> impl Iterator<Item = Step> {
+    pub fn jumps(&self) -> impl Iterator<Item = Jump> {
         let (pairs, least) = (self.line.windows(2), ZERO * self.size());
         let jumps = pairs.filter(move |two| {
             two[0][0].to_bits() == two[1][0].to_bits() && (two[0][1] - two[1][1]).abs() > least
         });
-        jumps.map(|two| Step { at: two[0][0], values: [two[0][1], two[1][1]] })
+        jumps.map(|two| Jump { at: two[0][0], values: [two[0][1], two[1][1]] })
     }
 
     /// Values with their places, in the order of their numbers, and the end of the cycle.
@@ -249,28 +225,14 @@ impl Course {
 
     /// The highest and the lowest point of the line, coordinate and value, the first of equal ones; `None` where nothing is drawn.
     pub fn highest_and_lowest(&self) -> Option<[[f64; 2]; 2]> {
-        let known = || self.line.iter().copied().filter(|at| !at[1].is_nan());
-        let highest = known().reduce(|best, next| if next[1] > best[1] { next } else { best })?;
-        let lowest = known().reduce(|best, next| if next[1] < best[1] { next } else { best })?;
-        Some([highest, lowest])
+        let known = self.line.iter().enumerate().filter(|(_, at)| !at[1].is_nan());
+        let found: Statistic = known.map(|(place, at)| (place, at[1])).collect();
+        Some([found.greatest()?, found.least()?].map(|extreme| self.line[extreme.number]))
     }
 
-    /// Extremes and means over the positions; `None` where no position has a value.
-    pub fn summary(&self) -> Option<Summary> {
-        let extreme = |better: &dyn Fn(f64, f64) -> bool| {
-            let take = |best: Node, next: &Node| if better(next.value, best.value) { *next } else { best };
-            let best = self.nodes.iter().skip(1).fold(*self.nodes.first()?, take);
-            Some(Extreme { value: best.value, number: best.number })
-        };
-        let count = self.nodes.len() as f64;
-        let sum = |of: fn(f64) -> f64| self.nodes.iter().map(|node| of(node.value)).sum::<f64>() / count;
-        Some(Summary {
-            greatest: extreme(&|next, best| next > best)?,
-            least: extreme(&|next, best| next < best)?,
-            farthest: extreme(&|next, best| next.abs() > best.abs())?,
-            mean: sum(|value| value),
-            rms: sum(|value| value * value).sqrt(),
-        })
+    /// Extremes and means over the positions.
+    pub fn statistic(&self) -> Statistic {
+        self.nodes.iter().map(|node| (node.number, node.value)).collect()
     }
 }
 

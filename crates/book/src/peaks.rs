@@ -8,8 +8,6 @@ use crate::Course;
 
 /// Extremes of a curve that are not farther from the greatest one than this part of it may be the greatest.
 const NEAR: f64 = 0.02;
-/// Relative difference below which two extremes are equal, and the first of them is reported.
-const TIE: f64 = 1e-9;
 
 /// The greatest values of a calculation, found between its positions too; `edges`: what lies between them.
 pub fn peaks(calculation: &Calculation, positions: &Table, edges: &Edges) -> Peaks {
@@ -62,9 +60,8 @@ fn farthest(
     let turns = course.turns();
     let most = turns.iter().fold(0.0_f64, |most, turn| most.max(turn.value.abs()));
     let near: Vec<Turn> = turns.into_iter().filter(|turn| turn.value.abs() >= (1.0 - NEAR) * most).collect();
-    let greater =
-        |best: Turn, next: Turn| if next.value.abs() > best.value.abs() * (1.0 + TIE) { next } else { best };
-    let found = calculation.refined(&near, read).into_iter().reduce(greater);
+    let found = calculation.refined(&near, read);
+    let found = Turn::statistic(&found).farthest().map(|best| found[best.number]);
     let first = || course.nodes().first().map(|node| Turn::at(node.at, node.value));
     found.or_else(first)
 }
@@ -79,7 +76,7 @@ fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -
         return None;
     }
     let course = Course::of(positions, Some(edges), Column::COORDINATE, Column::BALANCING);
-    let jumps: Vec<f64> = course.steps().map(|step| step.at).collect();
+    let jumps: Vec<f64> = course.jumps().map(|jump| jump.at).collect();
     let ends = [0, input.positions].map(|index| input.coordinate(index));
     let [mean, rms] = calculation.means(ends, &jumps, |table, row| table.get(row, Column::BALANCING))?;
     // What is left of a mean of zero is rounding.

@@ -58,7 +58,7 @@ pub(crate) fn steady_of(
 ) -> Result<Steady, DynamicsError> {
     let mut machine = Machine::new(linkage, loads);
     if machine.has_friction() {
-        return crate::friction_regime::regime(machine, mechanism, watcher);
+        return crate::friction::regime(machine, mechanism, watcher);
     }
     steady_motion(&mut machine, mechanism, watcher)
 }
@@ -146,7 +146,7 @@ pub(crate) fn chosen_motor(
 ) -> Result<DriveMotor, DynamicsError> {
     let (request, _) = cycle_request(mechanism)?;
     let mut machine = Machine::new(linkage, loads);
-    machine.assume(KnownMotion::Uniform(request.mean_speed));
+    machine.assume(Some(KnownMotion::Uniform(request.mean_speed)));
     let solver = RegimeSolver::new(&mut machine, request)?;
     drive_request(mechanism, &solver, None)?.1.ok_or(DynamicsError::NoMotor)
 }

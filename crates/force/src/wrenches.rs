@@ -24,18 +24,10 @@ impl<T: LoadNumber> Sink<T> for Sum<'_, T> {
     }
 }
 
-/// Passes on each load with its cause.
+/// Passes on each load with its cause and the arm of its force.
 struct Each<'a, T> {
     cause: Option<Cause>,
-    hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<T>),
-}
-
-impl<T: LoadNumber> Each<'_, T> {
-    fn give(&mut self, link: usize, wrench: Wrench<T>) {
-        if let Some(cause) = self.cause {
-            (self.hand_on)(cause, link, wrench);
-        }
-    }
+    hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<T>, Option<[T; 2]>),
 }
 
 impl<T: LoadNumber> Sink<T> for Each<'_, T> {
@@ -46,18 +38,21 @@ impl<T: LoadNumber> Sink<T> for Each<'_, T> {
     fn force(&mut self, link: usize, _body: &Body<T>, arm: [T; 2], force: [T; 2]) {
         let mut wrench = Wrench::ZERO;
         wrench.add_at(arm, force, T::ZERO);
-        self.give(link, wrench);
+        if let Some(cause) = self.cause {
+            (self.hand_on)(cause, link, wrench, Some(arm));
+        }
     }
 
     fn moment(&mut self, link: usize, _body: &Body<T>, moment: T) {
-        self.give(link, Wrench { m: moment, ..Wrench::ZERO });
+        if let Some(cause) = self.cause {
+            (self.hand_on)(cause, link, Wrench { m: moment, ..Wrench::ZERO }, None);
+        }
     }
 }
 
 /// Speed and acceleration of the input.
 struct Rates<T> {
     speed: T,
-    /// Speed squared.
     square: T,
     acceleration: T,
     /// The input is at rest, in all lanes, and stays there.
@@ -168,6 +163,16 @@ impl Loads {
         bodies: &[Body<T>],
         hand_on: &mut dyn FnMut(Cause, usize, Wrench<T>),
     ) {
+        self.each_at(states, bodies, &mut |cause, link, wrench, _| hand_on(cause, link, wrench));
+    }
+
+    /// As [`by_cause`](Self::by_cause), with the arm of each force but those of inertia.
+    pub(crate) fn each_at<T: LoadNumber>(
+        &self,
+        states: &T::States,
+        bodies: &[Body<T>],
+        hand_on: &mut dyn FnMut(Cause, usize, Wrench<T>, Option<[T; 2]>),
+    ) {
         let mut each = Each { cause: None, hand_on: &mut *hand_on };
         if self.has_weights() {
             for mass in self.masses.iter().filter(|mass| mass.m > 0.0) {
@@ -177,7 +182,9 @@ impl Loads {
             }
         }
         Visit { loads: self, choice: &Live, states, bodies }.each(&mut each);
-        self.inertia_of_each(states, bodies, |link, wrench| hand_on(Cause::Inertia(link), link, wrench));
+        self.inertia_of_each(states, bodies, |link, wrench| {
+            hand_on(Cause::Inertia(link), link, wrench, None);
+        });
     }
 
     /// Whether all loads of a state have finite values.

@@ -73,7 +73,7 @@ pub fn rad_per_s(rpm: f64) -> f64 {
 }
 
 /// Speed in 1/min of a speed in rad/s.
-pub fn rpm(rad_per_s: f64) -> f64 {
+pub const fn rpm(rad_per_s: f64) -> f64 {
     rad_per_s * 30.0 / PI
 }
 

@@ -135,7 +135,6 @@ impl<T: Number> Quick<'_, T> {
         Some(T::ZERO)
     }
 
-    /// The links of a stage.
     #[inline(always)]
     fn links(&self, stage: usize) -> &[usize] {
         let input = std::slice::from_ref(&self.linkage.mechanism.input.link);

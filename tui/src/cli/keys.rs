@@ -15,7 +15,6 @@ use super::style::Style;
 /// Columns of a page.
 const WIDTH: usize = 100;
 
-/// Arguments of `keys`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct KeysArgs {
     /// A key, a table, or a word of their descriptions; without it, all

@@ -13,7 +13,6 @@ use super::scene;
 use super::style::Style;
 use crate::files;
 
-/// Arguments of `set`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct SetArgs {
     /// Scene file
@@ -56,9 +55,9 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
     let text = replaced(&text, places.iter().map(|(place, toml)| (&place.span, toml.as_str())));
     let file = args.scene.display().to_string();
     let mechanism = assur_scene::read(&file, &text).map_err(|errors| scene::faults(&errors))?;
-    scene::doubt_of(&mechanism.notes, style)?;
-    output.write(&text, Status::Done)?;
-    Ok(Status::Done)
+    let doubts = mechanism.notes.iter().map(|doubt| text!("cli-note", note = doubt));
+    scene::doubted(doubts.collect(), style)?;
+    output.write(&text, Status::Done)
 }
 
 /// A value as TOML: a number alone as a number, everything else as a text.

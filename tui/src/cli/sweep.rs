@@ -41,7 +41,6 @@ fn columns() -> String {
             failed_positions."
 }
 
-/// Arguments of `sweep`.
 #[derive(Debug, Clone, Args)]
 #[command(after_help = columns())]
 pub(crate) struct SweepArgs {

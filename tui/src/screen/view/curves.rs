@@ -3,8 +3,8 @@
 
 use std::collections::BTreeSet;
 
-use assur_analysis::results::{Owner, Quantity};
-use assur_book::{Column, Extreme, Table, catalogue, row};
+use assur_analysis::results::{Extreme, Owner, Quantity};
+use assur_book::{Column, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_report::text::Line;
 use assur_words::{self as words, Text, joined, list, name, quantity, text, unit};
@@ -153,8 +153,8 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
             if value.abs() <= series.least() { 0.0 } else { value }
         };
         let now = series.clean(state.position).map(|value| series.factor * value);
-        let summary = series.course.summary();
-        let (greatest, least) = (summary.map(|all| all.greatest), summary.map(|all| all.least));
+        let all = series.course.statistic();
+        let (greatest, least) = (all.greatest(), all.least());
         let value = |extreme: Option<Extreme>| extreme.map(|extreme| shown(extreme.value));
         let at = |extreme: Option<Extreme>| extreme.map(|extreme| words::number(extreme.number));
         row![
@@ -165,8 +165,8 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
             at(greatest),
             value(least),
             at(least),
-            summary.map(|summary| shown(summary.mean)),
-            summary.map(|summary| shown(summary.rms)),
+            all.mean().map(shown),
+            all.rms().map(shown),
         ]
     };
     let rows = picked(state, scene).into_iter().enumerate().map(row);

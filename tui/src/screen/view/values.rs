@@ -89,11 +89,10 @@ fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
         list([text!(id, quantity = &series.head), unit(series.unit.clone())])
     };
     let of = |id: &'static str, symbol: &str| list([text!(id), unit(symbol.to_owned())]);
-    if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short))
-        && let Some(summary) = series.course.summary()
-    {
-        results.push((named("values-most", series), series.factor * summary.greatest.value));
-        results.push((named("values-least", series), series.factor * summary.least.value));
+    if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short)) {
+        let all = series.course.statistic();
+        results.extend(all.greatest().map(|most| (named("values-most", series), series.factor * most.value)));
+        results.extend(all.least().map(|least| (named("values-least", series), series.factor * least.value)));
     }
     let Some(found) = &scene.found else { return results };
     if let Some(series) = found.balancing() {
