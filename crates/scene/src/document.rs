@@ -204,7 +204,7 @@ fn standing(text: &str, span: &Range<usize>) -> Option<Text> {
     let line = before[before.rfind('\n').map_or(0, |end| end + 1)..].trim();
     let rest = text[before.len()..].lines().next().unwrap_or_default();
     let found = rest.split([',', ']', '}', '#', '"', '\'']).next().unwrap_or_default().trim();
-    let list = line.rfind(['[', '{']).filter(|&at| line[at..].starts_with('['));
+    let list = line.rfind(['[', '{']).filter(|&at| line[at..].starts_with('[') && !line[at..].contains(']'));
     let is_in_list = list.is_some_and(|at| line[..at].contains('='));
     let is_number = |word: &str| word.parse::<f64>().is_ok();
     let is_key = |text: &str| {
@@ -224,6 +224,10 @@ fn standing(text: &str, span: &Range<usize>) -> Option<Text> {
             let number = found.parse::<f64>().ok().filter(|_| DeValue::parse(found).is_err())?;
             Some(text!("scene-form-of-number", number = name(number.to_string())))
         };
+    }
+    // A fault within a header or a key is another one.
+    if rest.starts_with(|c: char| !c.is_whitespace() && !"]#".contains(c)) || line.ends_with('.') {
+        return None;
     }
     let is_open = line.matches('[').count() > line.matches(']').count();
     if is_open && line.starts_with('[') && is_key(line.trim_matches(['[', ']'])) {

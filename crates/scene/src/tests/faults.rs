@@ -129,6 +129,9 @@ fn a_fault_of_the_syntax_is_told_by_what_stands_there() {
                 ("[0, \"-400 mm\"]", "[0 1]", &[(5, 29)]),
                 ("[0, \"-400 mm\"]", "[0, one]", &[(5, 32)]),
                 ("[input]", "[input", &[(27, 7)]),
+                ("[link.rod]", "[link.crank]", &[(13, 7)]),
+                ("[link.rod]", "[link.\u{448}\u{430}\u{442}\u{443}\u{43d}]", &[(13, 7)]),
+                ("mass = \"3 kg\"", "a.b = 1\na.b = 2", &[(10, 3)]),
             ],
         ),
     );
