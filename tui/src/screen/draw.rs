@@ -86,11 +86,6 @@ pub(crate) fn put_lines<'a>(
     }
 }
 
-/// The first item of a list that is shown in this many rows, with the chosen item as the last at most.
-pub(crate) fn first_shown(chosen: usize, rows: usize) -> usize {
-    (chosen + 1).saturating_sub(rows)
-}
-
 /// A text in lines of at most this many columns, broken at spaces where possible.
 pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
     textwrap::wrap(text, Options::new(width).break_words(false)).into_iter().map(Into::into).collect()

@@ -30,9 +30,7 @@ const PATIENCE: Duration = Duration::from_millis(30);
 pub(crate) enum Event {
     /// A key, the mouse, the focus, an answer of the terminal, the end of input.
     Input(Input),
-    /// The terminal has changed its size.
     Resized,
-    /// The worker has a report.
     Work(Report),
     /// A signal asks for something.
     Effect(Effect),
@@ -56,7 +54,6 @@ struct Waiting {
 }
 
 impl Waiting {
-    /// Adds an event as the last one.
     fn push(&mut self, event: Event) {
         if event.is_typed() {
             if self.typed == MOST {
@@ -116,13 +113,11 @@ impl Inbox {
         })
     }
 
-    /// Adds an event.
     pub(crate) fn send(&self, event: Event) {
         self.waiting().push(event);
         self.came.notify_one();
     }
 
-    /// Adds inputs in their order.
     pub(crate) fn take(self: &Arc<Self>, inputs: impl Iterator<Item = Input>) {
         let mut waiting = self.waiting();
         let mut asked = 0;
@@ -156,12 +151,10 @@ impl Inbox {
         }
     }
 
-    /// The next event, if one waits.
     pub(crate) fn try_next(&self) -> Option<Event> {
         self.waiting().pop()
     }
 
-    /// Whether nothing waits.
     pub(crate) fn is_empty(&self) -> bool {
         self.waiting().events.is_empty()
     }

@@ -38,7 +38,6 @@ const PIECES: usize = 1;
 pub(crate) enum Input {
     /// A key, a pasted text, the mouse, the focus.
     Event(Event),
-    /// An answer to the question for pictures.
     Answer(Answer),
     /// Nothing more.
     End,
@@ -75,7 +74,6 @@ pub(crate) fn listen(tell: impl Fn(&mut dyn Iterator<Item = Input>) + Send + 'st
     Ok(())
 }
 
-/// Bytes that do not form a complete sequence yet.
 #[derive(Debug, Default)]
 pub(crate) struct Decoder {
     rest: Vec<u8>,
@@ -89,11 +87,9 @@ pub(crate) struct Decoder {
 
 /// What the bytes begin with.
 enum Head {
-    /// A sequence of this many bytes.
     Whole(usize),
     /// This many bytes that can't become a sequence.
     Broken(usize),
-    /// The beginning of a sequence.
     Open,
 }
 

@@ -56,7 +56,6 @@ fn page(text: &str) -> Result<[f64; 2], Told> {
     })
 }
 
-/// Why there is no picture.
 #[derive(Debug)]
 pub(crate) enum StillError {
     /// The request has no meaning for this scene.

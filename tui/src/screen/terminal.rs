@@ -69,10 +69,8 @@ impl Write for FrameBuffer {
     }
 }
 
-/// The terminal while the UI uses it.
 pub(crate) struct Screen {
     terminal: Terminal<CrosstermBackend<FrameBuffer>>,
-    /// The pictures that it shows.
     shown: Vec<(Figure, Rect)>,
 }
 
@@ -86,7 +84,6 @@ impl Screen {
         Ok(Self { terminal, shown: Vec::new() })
     }
 
-    /// Writes a sequence to the terminal.
     pub(crate) fn write(&mut self, text: &str) -> io::Result<()> {
         let out = self.terminal.backend_mut();
         out.write_all(text.as_bytes())?;

@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 
 use assur_analysis::results::Checks;
 use assur_analysis::{Coverage, Options};
-use assur_fixtures::SCENES;
 use assur_study::chart;
 use assur_study::stability::stability;
 use assur_words::{Describe, Text, number, text};
@@ -40,9 +39,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
         Job::Read(wanted) => {
             let scene = match wanted {
                 Wanted::Open(source) | Wanted::Compare(source) => Session::open(source.clone()),
-                Wanted::Preview(index) => {
-                    Session::open(Source::Shipped(SCENES.get(*index).map_or("", |(name, _)| name)))
-                }
+                Wanted::Preview(name) => Session::open(Source::Shipped(name)),
                 Wanted::Change(change) => change.session.changed(change.text.clone()),
             };
             let mut scene = scene.and_then(Scene::of).map(Box::new);

@@ -6,7 +6,8 @@
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
+use std::mem::{Discriminant, discriminant};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -19,38 +20,26 @@ use super::terminal::WORKER;
 use super::work;
 
 /// Jobs of one kind replace each other.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 enum Kind {
-    Open,
-    Compare,
-    Preview,
-    Change,
+    Read(Discriminant<Wanted>),
     /// The note of another file is another one.
     Note(PathBuf),
-    Results,
-    Difference,
-    Measurement,
+    Calculate(Purpose),
 }
 
 impl Kind {
     fn of(job: &Job) -> Self {
         match job {
-            Job::Read(Wanted::Open(_)) => Self::Open,
-            Job::Read(Wanted::Compare(_)) => Self::Compare,
-            Job::Read(Wanted::Preview(_)) => Self::Preview,
-            Job::Read(Wanted::Change(_)) => Self::Change,
+            Job::Read(wanted) => Self::Read(discriminant(wanted)),
             Job::Note { path, .. } => Self::Note(path.clone()),
-            Job::Calculate(request) => match request.purpose {
-                Purpose::Main => Self::Results,
-                Purpose::Difference => Self::Difference,
-                Purpose::Measurement => Self::Measurement,
-            },
+            Job::Calculate(request) => Self::Calculate(request.purpose),
         }
     }
 }
 
 /// The kinds of which a job runs, each with the job that follows it.
-type Busy = BTreeMap<Kind, Option<Job>>;
+type Busy = HashMap<Kind, Option<Job>>;
 
 /// The threads that work beside the screen.
 pub(crate) struct Workers {

@@ -4,8 +4,8 @@ use assur_words::{name, number, text};
 
 use super::{jobs, report, whatif};
 use crate::screen::state::{
-    Effect, FRAMES, Job, PACES, Pictures, Purpose, Role, Scene, Source, State, View, ViewPart, Wanted,
-    following, next_kind, round,
+    FRAMES, PACES, Pictures, Purpose, Role, Scene, Source, State, View, ViewPart, Wanted, following,
+    next_kind, round,
 };
 
 /// An eighth of the positions forward or back.
@@ -18,18 +18,33 @@ pub(super) fn jump(state: &mut State, sense: isize) {
 pub(super) fn choose(state: &mut State, view: View, by: isize) {
     let found = state.found();
     let of_scene = |count: fn(&Scene) -> usize| state.scene.as_ref().map_or(0, count);
-    let (count, chosen): (_, fn(&mut State) -> &mut usize) = match view {
-        View::Structure => (of_scene(|scene| scene.linkage.structure.groups.len()), |s| &mut s.chosen.group),
-        View::Forces => (found.map_or(0, |found| found.reactions.len()), |s| &mut s.chosen.reaction),
-        View::Motion => (found.map_or(0, |found| found.motion.len()), |s| &mut s.chosen.motion),
-        View::Checks => (found.map_or(0, |found| found.analysis.checks.len()), |s| &mut s.chosen.check),
-        View::Results => (found.map_or(0, |found| found.results.len()), |s| &mut s.chosen.result),
-        View::Table => (of_scene(Scene::column_count), |s| &mut s.chosen.column),
-        View::Values => (state.what_if.values.len(), |s| &mut s.what_if.chosen),
-        _ => (of_scene(|scene| scene.transfers.len()), |s| &mut s.chosen.transfer),
+    let count = match view {
+        View::Structure => of_scene(|scene| scene.linkage.structure.groups.len()),
+        View::Forces => found.map_or(0, |found| found.reactions.len()),
+        View::Motion => found.map_or(0, |found| found.motion.len()),
+        View::Checks => found.map_or(0, |found| found.analysis.checks.len()),
+        View::Results => found.map_or(0, |found| found.results.len()),
+        View::Table => of_scene(Scene::column_count),
+        View::Values => state.what_if.values.len(),
+        _ => of_scene(|scene| scene.transfers.len()),
     };
-    let chosen = chosen(state);
+    let chosen = chosen(state, view);
     *chosen = round(*chosen, by, count);
+}
+
+/// What is chosen in the list of a view.
+pub(super) fn chosen(state: &mut State, view: View) -> &mut usize {
+    let chosen = &mut state.chosen;
+    match view {
+        View::Structure => &mut chosen.group,
+        View::Forces => &mut chosen.reaction,
+        View::Motion => &mut chosen.motion,
+        View::Checks => &mut chosen.check,
+        View::Results => &mut chosen.result,
+        View::Table => &mut chosen.column,
+        View::Values => &mut state.what_if.chosen,
+        _ => &mut chosen.transfer,
+    }
 }
 
 /// The next quantity: of the chart, of whatever there is if one was picked, otherwise a point, link or slide.
@@ -153,7 +168,6 @@ pub(super) fn difference(state: &mut State) {
     }
 }
 
-/// The next theme.
 pub(super) fn theme(state: &mut State) {
     state.look.theme = next_kind(state.look.theme);
     state.say(Role::Plain, name(<&str>::from(state.look.theme)));
@@ -177,7 +191,6 @@ pub(super) fn pan(state: &mut State, axis: usize, sense: f64) {
     state.zoom.shift[axis] -= 0.125 * sense / state.zoom.factor;
 }
 
-/// Reads the scene again.
 pub(super) fn reload(state: &mut State) {
     let Some(scene) = &mut state.scene else { return };
     match &scene.session.source {
@@ -187,7 +200,8 @@ pub(super) fn reload(state: &mut State) {
             jobs::ask(state, Purpose::Main);
         }
         Source::File(_) => {
-            state.effects.push(Effect::Work(Job::Read(Wanted::Open(scene.session.source.clone()))));
+            let source = scene.session.source.clone();
+            jobs::read(state, Wanted::Open(source));
         }
         Source::Shipped(_) => state.say(Role::Plain, text!("say-no-file")),
     }

@@ -1,25 +1,30 @@
 //! What is looked for by its name: pairs, plans, quantities.
 
 use assur_mechanism::{LinkId, Named, PairId};
-use assur_words::Text;
+use assur_words::{Text, name};
 
+use super::act;
 use crate::screen::state::{State, View, ViewPart};
 
 /// A pair, and the link on which it acts.
 type PairOn = (Named<PairId>, Named<LinkId>);
 
+/// The first of so many items that fits, of those after the present one and then of those up to it.
+pub(super) fn next(now: usize, count: usize, fits: impl Fn(usize) -> bool) -> Option<usize> {
+    (1..=count).map(|step| (now + step) % count).find(|index| fits(*index))
+}
+
 /// Chooses the next reaction of a pair of this name, else one whose pair or link begins with it; false if there is
 /// none.
 pub(super) fn reaction(state: &mut State, wanted: &str) -> bool {
     let Some(found) = state.found() else { return false };
-    let count = found.reactions.len();
-    let next = |fits: &dyn Fn(&PairOn) -> bool| {
-        let mut after = (1..=count).map(|step| (state.chosen.reaction + step) % count);
-        after.find(|index| found.reactions[*index].of.as_ref().is_some_and(fits))
+    let all = &found.reactions;
+    let after = |fits: &dyn Fn(&PairOn) -> bool| {
+        next(state.chosen.reaction, all.len(), |index| all[index].of.as_ref().is_some_and(fits))
     };
     let begins = |name: &str| name.to_lowercase().starts_with(wanted);
-    let same = next(&|(pair, _)| pair.to_lowercase() == wanted);
-    let Some(index) = same.or_else(|| next(&|(pair, link)| begins(pair) || begins(link))) else {
+    let same = after(&|(pair, _)| pair.to_lowercase() == wanted);
+    let Some(index) = same.or_else(|| after(&|(pair, link)| begins(pair) || begins(link))) else {
         return false;
     };
     state.chosen.reaction = index;
@@ -67,21 +72,20 @@ pub(crate) fn pick_all<'a>(state: &mut State, names: impl Iterator<Item = &'a st
 /// The quantity of a name: the one with just this name, or else the next one in whose name it occurs.
 pub(super) fn column(state: &State, wanted: &str) -> Option<usize> {
     let scene = state.scene.as_ref()?;
-    let count = scene.column_count();
     let names = |column: usize| {
         let series = scene.column(column)?;
         let names = [state.told(&series.of), state.told(&series.head), series.short.clone()];
         Some(names.map(|name| name.to_lowercase()))
     };
-    let next = |fits: &dyn Fn(&String) -> bool| {
-        let mut all = (1..=count).map(|step| (state.chosen.column + step) % count);
-        all.find(|column| names(*column).is_some_and(|names| names.iter().any(fits)))
+    let after = |fits: &dyn Fn(&String) -> bool| {
+        let fits = |column| names(column).is_some_and(|names| names.iter().any(fits));
+        next(state.chosen.column, scene.column_count(), fits)
     };
-    next(&|name| name == wanted).or_else(|| next(&|name| name.contains(wanted)))
+    after(&|name| name == wanted).or_else(|| after(&|name| name.contains(wanted)))
 }
 
 /// The next row behind `now` in which a text occurs as a word of its own, written alike; else as a word; else anywhere.
-pub(super) fn next(rows: &[impl AsRef<str>], now: usize, wanted: &str) -> Option<usize> {
+fn next_row(rows: &[String], now: usize, wanted: &str) -> Option<usize> {
     let lower = wanted.to_lowercase();
     let is_word = |row: &str, wanted: &str| {
         let mut places = row.match_indices(wanted);
@@ -94,30 +98,25 @@ pub(super) fn next(rows: &[impl AsRef<str>], now: usize, wanted: &str) -> Option
         [&|row| is_word(row, wanted), &|row| is_word(&row.to_lowercase(), &lower), &|row| {
             row.to_lowercase().contains(&lower)
         }];
-    let after = || (1..=rows.len()).map(|step| (now + step) % rows.len());
-    fits.iter().find_map(|fits| after().find(|row| fits(rows[*row].as_ref())))
+    fits.iter().find_map(|fits| next(now, rows.len(), |row| fits(&rows[row])))
 }
 
-/// Chooses the next row of the list of the view in which a text occurs; false if there is none.
-pub(super) fn row(state: &mut State, wanted: &str) -> bool {
-    let Some((scene, found)) = state.scene.as_ref().zip(state.found()) else { return false };
-    let (rows, chosen): (Vec<Text>, fn(&mut State) -> &mut usize) = match state.view {
-        View::Results => {
-            (found.results.iter().map(|(_, fact)| fact.what()).collect(), |state| &mut state.chosen.result)
-        }
-        View::Checks => {
-            let checks = found.analysis.checks.iter();
-            (checks.map(|check| check.name.clone()).collect(), |state| &mut state.chosen.check)
-        }
-        _ => {
+/// Chooses the next row of the list of a view in which a text occurs; false if there is none.
+pub(super) fn row(state: &mut State, view: View, wanted: &str) -> bool {
+    let Some(scene) = &state.scene else { return false };
+    let rows: Vec<Text> = match (view, &scene.found) {
+        (View::Values, _) => state.what_if.values.iter().map(|value| name(value.key.clone())).collect(),
+        (View::Results, Some(found)) => found.results.iter().map(|(_, fact)| fact.what()).collect(),
+        (View::Checks, Some(found)) => found.analysis.checks.iter().map(|check| check.name.clone()).collect(),
+        (_, Some(_)) => {
             let name = |group| scene.linkage.structure.group_name(&scene.linkage.mechanism, group);
-            let groups = 0..scene.linkage.structure.groups.len();
-            (groups.map(name).collect(), |state| &mut state.chosen.group)
+            (0..scene.linkage.structure.groups.len()).map(name).collect()
         }
+        _ => return false,
     };
     let rows: Vec<String> = rows.into_iter().map(|row| state.told(row)).collect();
-    let now = *chosen(state);
-    let next = next(&rows, now, wanted);
-    *chosen(state) = next.unwrap_or(now);
+    let chosen = act::chosen(state, view);
+    let next = next_row(&rows, *chosen, wanted);
+    *chosen = next.unwrap_or(*chosen);
     next.is_some()
 }

@@ -1,11 +1,13 @@
-//! From a result to its place, and back.
+//! To the place of a result, to the extremes of a quantity, between the positions too, and back.
 
-use assur_analysis::results::{Column, Owner, Quantity};
+use assur_analysis::results::{Column, Owner, Quantity, Table, Turn};
+use assur_kinematics::continuous_angle;
 use assur_report::topic::About;
-use assur_words::text;
+use assur_words::{Text, number, quantity, text};
 
 use super::whatif;
-use crate::screen::state::{Role, State, View};
+use crate::number::{digits, number as plain};
+use crate::screen::state::{Role, Scene, Series, State, View, coordinate_unit, round};
 
 /// Goes to where a result that is asked for first occurs, in its view.
 pub(super) fn result(state: &mut State) {
@@ -32,7 +34,6 @@ pub(super) fn result(state: &mut State) {
     }
 }
 
-/// Shows a quantity in its view.
 fn to_quantity(state: &mut State, column: Column) {
     let Some(scene) = &state.scene else { return };
     let reaction = state.found().and_then(|found| {
@@ -44,8 +45,7 @@ fn to_quantity(state: &mut State, column: Column) {
         })
     });
     let transfer = scene.transfers.iter().position(|transfer| transfer.owner == column.owner);
-    let all = || (0..scene.column_count()).filter_map(|index| scene.column(index));
-    let short = all().find(|series| series.column == column).map(|series| series.short.clone());
+    let short = scene.columns().find(|series| series.column == column).map(|series| series.short.clone());
     match (column.quantity, column.owner, reaction, transfer) {
         (Quantity::Condition, Owner::Group(group), ..) => {
             (state.view, state.chosen.group) = (View::Structure, group);
@@ -76,4 +76,75 @@ pub(super) fn go_back(state: &mut State) {
         // Unsaved changes are warned of first.
         state.trail.push(stop);
     }
+}
+
+/// An extreme nearer to a position than this part of the way to the next one is in it.
+const AT_POSITION: f64 = 1e-6;
+
+/// Goes to the greatest value of the quantity that the view is about; of one whose sign is a sense to that of greatest modulus.
+pub(super) fn greatest(state: &mut State) {
+    let Some(series) = state.main_series() else { return state.say(Role::Plain, text!("say-no-extreme")) };
+    let is_sense = assur_book::catalogue::sign_is_sense(series.column);
+    let size = |turn: &Turn| if is_sense { turn.value.abs() } else { turn.value };
+    let turns = series.course.turns().into_iter();
+    let found = turns.reduce(|best, next| if size(&next) > size(&best) { next } else { best });
+    to_extreme(state, "say-extreme-greatest", found);
+}
+
+/// Goes on to the next extreme of the quantity that the view is about, after the last one the first.
+pub(super) fn next_extreme(state: &mut State) {
+    let Some((series, scene)) = state.main_series().zip(state.scene.as_ref()) else {
+        return state.say(Role::Plain, text!("say-no-extreme"));
+    };
+    let input = &scene.linkage.mechanism.input;
+    let sense = (input.coordinate(1) - input.coordinate(0)).signum();
+    let shown = state.extreme.filter(|shown| (shown.0, shown.1) == (series.column, state.position));
+    let from = shown.map_or_else(|| input.coordinate(state.position), |(_, _, at)| at);
+    let turns = series.course.turns();
+    let next = turns.iter().find(|turn| sense * (turn.at - from) > 0.0).or(turns.first()).copied();
+    to_extreme(state, "say-extreme-next", next);
+}
+
+/// Goes to the position nearest to a local extreme, and says where the extreme is and how great.
+fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
+    let Some((turn, (series, scene))) = turn.zip(state.main_series().zip(state.scene.as_ref())) else {
+        return state.say(Role::Plain, text!("say-no-extreme"));
+    };
+    let near = state.nearest(turn.at);
+    let found = refined(scene, series, turn);
+    let (input, unit) = (&scene.linkage.mechanism.input, &series.unit);
+    let [first, next] = [0, 1].map(|index| input.coordinate(index));
+    let part = (found.at - first) / (next - first);
+    let place = if (part - part.round()).abs() <= AT_POSITION {
+        text!("place-in", position = number(near))
+    } else {
+        let (own, factor) = coordinate_unit(&scene.linkage);
+        let (at, count) = (quantity(digits(factor * found.at, 6), own), state.positions());
+        // The position before it, and the one after it, which of the last one is the first.
+        let before = if input.coordinate(near) * (next - first).signum() > found.at * (next - first).signum()
+            || (near == 0 && part > 1.0)
+        {
+            round(near, -1, count)
+        } else {
+            near
+        };
+        text!("place-between", at = at, one = number(before), other = number(round(before, 1, count)))
+    };
+    let value = quantity(plain(series.factor * found.value), unit.clone());
+    let text = Text::message(told, vec![("quantity", series.of.clone()), ("value", value), ("place", place)]);
+    state.extreme = Some((series.column, near, turn.at));
+    state.go_to(near);
+    state.say(Role::Plain, text);
+}
+
+/// An extreme of a curve as the calculation finds it between the places that are drawn.
+fn refined(scene: &Scene, series: &Series, turn: Turn) -> Turn {
+    let Some(found) = &scene.found else { return turn };
+    let column = series.column;
+    let is_angle = column.quantity == Quantity::Transfer(0) && matches!(column.owner, Owner::Link(_));
+    let value = |table: &Table, row: usize| {
+        let value = table.get(row, column)?;
+        Some(if is_angle { continuous_angle(value, turn.value) } else { value })
+    };
+    found.plans.calculation().refined(&[turn], value).first().copied().unwrap_or(turn)
 }

@@ -3,10 +3,8 @@
 use assur_fixtures::SCENES;
 use assur_words::{self as words, Text, text};
 
-use super::{find, motors, picker, report, whatif, write};
-use crate::screen::state::{
-    Effect, Group, Job, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted,
-};
+use super::{find, jobs, motors, picker, report, whatif, write};
+use crate::screen::state::{Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, Wanted};
 use crate::screen::view::help::where_it_works;
 
 /// Names that differ in more letters than this from the typed text are not suggested.
@@ -44,11 +42,6 @@ fn takers(state: &State) -> Vec<(String, Vec<String>)> {
         ("value", state.what_if.values.iter().map(|value| value.key.clone()).collect()),
     ];
     others.map(|(word, values)| (word.to_owned(), values)).into_iter().chain(settings).collect()
-}
-
-/// The values that a word takes; `None` if there is no such word.
-fn values_of(state: &State, word: &str) -> Option<Vec<String>> {
-    takers(state).into_iter().find(|(known, _)| *known == word).map(|(_, values)| values)
 }
 
 /// Paths of scene files and folders that begin with what is typed of them; hidden ones are left out.
@@ -94,7 +87,6 @@ pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     all
 }
 
-/// Runs a line.
 pub(super) fn run(state: &mut State, line: &str) {
     if let Ok(position) = line.parse::<usize>() {
         return state.go_to(position);
@@ -138,7 +130,7 @@ fn compare(state: &mut State, file: &str) {
         "" => state.say(Role::Bad, text!("say-compare")),
         "off" => state.compared = None,
         _ if state.scene.is_none() => state.say(Role::Bad, text!("say-nothing-to-compare")),
-        _ => state.effects.push(Effect::Work(Job::Read(Wanted::Compare(source(file))))),
+        _ => jobs::read(state, Wanted::Compare(source(file))),
     }
 }
 
@@ -158,7 +150,8 @@ fn unknown(state: &mut State, name: &str) {
 }
 
 fn unknown_name(state: &mut State, word: &str, name: &str) {
-    let offer = suggestion(name, &values_of(state, word).unwrap_or_default());
+    let taker = takers(state).into_iter().find(|(known, _)| *known == word);
+    let offer = suggestion(name, &taker.map(|(_, values)| values).unwrap_or_default());
     state.say(Role::Bad, text!("say-no-such", words = words::name(format!("{word} {name}")), offer = offer));
 }
 
@@ -241,26 +234,24 @@ pub(crate) fn search(state: &mut State, text: &str) {
     if let Ok(position) = text.parse::<usize>() {
         return state.go_to(position);
     }
-    if state.values_open() {
-        return whatif::search(state, text);
-    }
     let wanted = text.to_lowercase();
-    let found = match state.view {
-        View::Forces => Some(find::reaction(state, &wanted)),
-        View::Plans => Some(find::plan(state, &wanted)),
-        View::Working | View::Accuracy => Some(report::find(state, &wanted)),
-        View::Results | View::Checks | View::Structure => Some(find::row(state, text)),
-        _ => None,
-    };
-    let not_found = || text!("say-not-found", text = words::name(text.to_owned()));
-    if let Some(found) = found {
-        if !found {
-            state.say(Role::Bad, not_found());
+    let found = match if state.values_open() { View::Values } else { state.view } {
+        View::Forces => find::reaction(state, &wanted),
+        View::Plans => find::plan(state, &wanted),
+        View::Working | View::Accuracy => report::find(state, &wanted),
+        view @ (View::Values | View::Results | View::Checks | View::Structure) => {
+            find::row(state, view, text)
         }
-        return;
+        _ => quantity_of(state, &wanted),
+    };
+    if !found {
+        state.say(Role::Bad, text!("say-not-found", text = words::name(text.to_owned())));
     }
-    let Some(column) = find::column(state, &wanted) else { return state.say(Role::Bad, not_found()) };
-    let Some(scene) = &state.scene else { return };
+}
+
+/// Chooses the next column and quantity of a name; false if there is none.
+fn quantity_of(state: &mut State, wanted: &str) -> bool {
+    let Some((column, scene)) = find::column(state, wanted).zip(state.scene.as_ref()) else { return false };
     let transfer = scene.transfers.iter().position(|transfer| transfer.orders.contains(&column));
     let short = scene.column(column).map(|series| series.short.clone());
     state.chosen.column = column;
@@ -268,4 +259,5 @@ pub(crate) fn search(state: &mut State, text: &str) {
     if state.view == View::Curves {
         state.picked = if transfer.is_some() { Vec::new() } else { short.into_iter().collect() };
     }
+    true
 }

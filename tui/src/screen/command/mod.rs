@@ -1,7 +1,6 @@
 //! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
-mod extreme;
 mod find;
 mod jobs;
 mod jump;
@@ -11,13 +10,12 @@ mod motors;
 mod picker;
 mod probe;
 mod report;
-mod reports;
 mod table;
 mod whatif;
 mod write;
 pub(crate) use find::pick_all;
+pub(crate) use jobs::take;
 pub(crate) use line::search;
-pub(crate) use reports::take;
 pub(crate) use table::COMMANDS;
 
 use assur_words::{number, text};
@@ -28,7 +26,7 @@ pub(crate) use whatif::toggle;
 pub(crate) use write::{PAGE, grant, picture};
 
 use super::state::{
-    Command, Entry, Group, Key, LONGEST, Prompt, PromptKind, Purpose, Role, State, Stop, View, round,
+    Command, Entry, Group, Key, LONGEST, PromptKind, Purpose, Role, State, Stop, View, round,
 };
 use super::view;
 
@@ -175,63 +173,42 @@ pub(crate) fn click(state: &mut State, mouse: MouseEvent) -> bool {
     }
 }
 
-/// Handles a key while the line is open.
 fn press_in_line(state: &mut State, key: Key) {
-    let Some(mut prompt) = state.prompt.take() else { return };
     state.message = None;
+    let Some(prompt) = &mut state.prompt else { return };
     match key.code {
         // Also where another key closes.
-        KeyCode::Esc => return,
+        KeyCode::Esc => state.prompt = None,
+        // As in other programs, deleting from an empty line closes it.
+        KeyCode::Backspace if prompt.text.is_empty() => state.prompt = None,
         KeyCode::Enter => {
-            match prompt.kind {
-                PromptKind::Command => line::run(state, prompt.text.trim()),
-                PromptKind::Search => line::search(state, prompt.text.trim()),
-            }
-            return;
-        }
-        KeyCode::Backspace => {
-            prompt.completing = None;
-            // As in other programs, deleting from an empty line closes it.
-            if prompt.text.pop().is_none() {
-                return;
+            let (kind, text) = (prompt.kind, prompt.text.trim().to_owned());
+            state.prompt = None;
+            match kind {
+                PromptKind::Command => line::run(state, &text),
+                PromptKind::Search => line::search(state, &text),
             }
         }
-        KeyCode::Char('u') if key.control => prompt.text.clear(),
-        KeyCode::Char(letter) if !key.control => {
-            prompt.completing = None;
-            prompt.text.push(letter);
-        }
-        KeyCode::Tab => complete(state, &mut prompt, 1),
-        KeyCode::BackTab => complete(state, &mut prompt, -1),
+        KeyCode::Tab => complete(state, 1),
+        KeyCode::BackTab => complete(state, -1),
+        _ if prompt.text.press(key) => prompt.completing = None,
         _ => {}
-    }
-    state.prompt = Some(prompt);
-}
-
-/// Inserts the first completion of the line that is open.
-fn complete_line(state: &mut State) {
-    if let Some(mut prompt) = state.prompt.take() {
-        complete(state, &mut prompt, 1);
-        state.prompt = Some(prompt);
     }
 }
 
 /// Inserts the next or previous completion of the typed text.
-fn complete(state: &State, prompt: &mut Prompt, by: isize) {
-    if prompt.kind == PromptKind::Search {
+fn complete(state: &mut State, by: isize) {
+    let Some(prompt) = state.prompt.as_ref().filter(|prompt| prompt.kind == PromptKind::Command) else {
         return;
-    }
-    let (shown, typed) = prompt
-        .completing
-        .take()
-        .map_or_else(|| (None, prompt.text.to_string()), |(shown, typed)| (Some(shown), typed));
+    };
+    let typed = prompt.completing.as_ref().map_or(&*prompt.text, |(_, typed)| typed).to_owned();
     let offers = line::completions(state, &typed);
-    let next = match shown {
-        Some(shown) => round(shown, by, offers.len()),
+    let next = match &prompt.completing {
+        Some((shown, _)) => round(*shown, by, offers.len()),
         None if by > 0 => 0,
         None => offers.len().saturating_sub(1),
     };
-    if let Some(offer) = offers.into_iter().nth(next) {
+    if let (Some(offer), Some(prompt)) = (offers.get(next), &mut state.prompt) {
         prompt.text = offer.as_str().into();
         prompt.completing = Some((next, typed));
     }

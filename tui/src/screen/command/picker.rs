@@ -4,15 +4,14 @@ use assur_fixtures::SCENES;
 use assur_words::{name, text};
 use crossterm::event::KeyCode;
 
-use super::{motors, whatif};
+use super::{jobs, motors, whatif};
 use crate::screen::state::{
-    Choice, Effect, Job, Key, Picker, PickerKind, PromptKind, Source, State, View, Wanted,
+    Choice, Key, Picker, PickerKind, PromptKind, Series, Source, State, View, Wanted,
 };
 
 /// Rows by which a page key moves.
 const PAGE: isize = 10;
 
-/// Opens the list of the shipped scenes.
 pub(crate) fn scenes(state: &mut State) {
     state.playing = false;
     let row = |(scene, _): &(&str, &str)| Choice { name: (*scene).to_owned(), text: format!("{scene}.toml") };
@@ -28,16 +27,14 @@ pub(super) fn pick(state: &mut State) {
         return motors::list(state);
     }
     let Some(scene) = &state.scene else { return };
-    let all = (1..scene.column_count()).filter_map(|index| scene.column(index));
-    let rows =
-        all.map(|series| Choice { name: series.short.clone(), text: state.told(series.title()) }).collect();
+    let row = |series: &Series| Choice { name: series.short.clone(), text: state.told(series.title()) };
+    let rows = scene.columns().skip(1).map(row).collect();
     let heading = text!("picker-quantities");
     let mut picker = Picker::new(PickerKind::Quantities, heading, rows);
     picker.filter.typing = true;
     state.picker = Some(picker);
 }
 
-/// A key while a list is open.
 pub(super) fn press(state: &mut State, key: Key) {
     let Some(picker) = &mut state.picker else { return };
     match key.code {
@@ -55,7 +52,7 @@ pub(super) fn press(state: &mut State, key: Key) {
         KeyCode::Tab if picker.kind == PickerKind::Scenes => {
             let typed = format!("open {}", &*picker.filter.text);
             state.open_prompt(PromptKind::Command, typed);
-            super::complete_line(state);
+            super::complete(state, 1);
         }
         KeyCode::Enter => take(state),
         _ => {
@@ -95,9 +92,9 @@ fn take(state: &mut State) {
 pub(super) fn preview(state: &mut State) {
     let picker = state.picker.as_ref().filter(|picker| picker.kind == PickerKind::Scenes);
     let Some(chosen) = picker.and_then(Picker::choice) else { return };
-    if let Some(index) = SCENES.iter().position(|(name, _)| *name == chosen.name)
-        && !state.previews.contains_key(&index)
+    if let Some((name, _)) = SCENES.iter().find(|(name, _)| *name == chosen.name)
+        && !state.previews.contains_key(name)
     {
-        state.effects.push(Effect::Work(Job::Read(Wanted::Preview(index))));
+        jobs::read(state, Wanted::Preview(name));
     }
 }

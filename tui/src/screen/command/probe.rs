@@ -19,7 +19,6 @@ pub(super) fn toggle(state: &mut State) {
     };
 }
 
-/// Moves the point along an axis of the drawing.
 pub(super) fn shift(state: &mut State, axis: usize, sense: f64) {
     let part = state.part_way();
     let (Some(scene), Some(probe)) = (&state.scene, &mut state.probe) else { return };
@@ -32,7 +31,6 @@ pub(super) fn shift(state: &mut State, axis: usize, sense: f64) {
     probe.put(&pose, place);
 }
 
-/// Sets the point on the next link.
 pub(super) fn link(state: &mut State) {
     let (Some(scene), Some(probe)) = (&state.scene, &mut state.probe) else { return };
     let moving = scene.linkage.mechanism.links.len() - 1;

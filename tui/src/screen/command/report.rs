@@ -2,9 +2,9 @@
 
 use assur_words::text;
 
-use super::{act, jobs};
+use super::{act, find, jobs};
 use crate::screen::state::{Purpose, Role, State, View, ViewPart};
-use crate::screen::view::report as view;
+use crate::screen::view::{report as view, room};
 
 /// Starts a measurement, or stops the one in progress.
 pub(super) fn measure(state: &mut State) {
@@ -47,13 +47,13 @@ pub(super) fn page(state: &mut State, sense: isize) {
 
 /// Scrolls to the next line that begins with a text, as a heading does, or if none does, that contains it; false if there is none.
 pub(super) fn find(state: &mut State, wanted: &str) -> bool {
-    let lines = view::lines(state, state.view, view::width(state));
+    let lines = view::lines(state, state.view, room(state).width);
     let now = *state.line();
     let line = |index: usize| lines[index].to_lowercase();
     let begins = |index: usize| line(index).trim_start_matches(['=', ' ']).starts_with(wanted);
     let is_heading = (0..lines.len()).any(begins);
-    let fits = |index: &usize| if is_heading { begins(*index) } else { line(*index).contains(wanted) };
-    let found = (1..=lines.len()).map(|step| (now + step) % lines.len()).find(fits);
+    let fits = |index| if is_heading { begins(index) } else { line(index).contains(wanted) };
+    let found = find::next(now, lines.len(), fits);
     if let Some(found) = found {
         *state.line() = found;
     }

@@ -1,6 +1,6 @@
 //! The table of commands, used for dispatch, hints, help screen, `:` line and configuration.
 
-use super::{act, extreme, jump, line, modes, picker, probe, report, whatif, write};
+use super::{act, jump, line, modes, picker, probe, report, whatif, write};
 use crate::screen::state::{Command, Effect, Group, Help, PromptKind, State, View, Zoom, next_kind};
 
 use Group::{Change, Choose, Look, Move, Program, Views};
@@ -44,8 +44,8 @@ pub(crate) const COMMANDS: &[Command] = &[
     command("do-play", Move, "Space", SCENE, |s| s.playing = !s.playing),
     command("do-faster", Move, ".", SCENE, |s| act::pace(s, 1)),
     command("do-slower", Move, ",", SCENE, |s| act::pace(s, -1)),
-    command("do-greatest", Move, "g", VALUED, extreme::greatest),
-    command("do-next-extreme", Move, "G", VALUED, extreme::next_extreme),
+    command("do-greatest", Move, "g", VALUED, jump::greatest),
+    command("do-next-extreme", Move, "G", VALUED, jump::next_extreme),
     command("do-next-row", Move, "Down j", &[Table], |s| act::row(s, 1)),
     command("do-previous-row", Move, "Up k", &[Table], |s| act::row(s, -1)),
     command("do-go-back", Move, "C-o", &[], jump::go_back),

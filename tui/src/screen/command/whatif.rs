@@ -8,8 +8,8 @@ use assur_words::{Text, name, text};
 use super::write::home;
 use super::{jobs, modes};
 use crate::screen::state::{
-    Assembled, Change, Compared, Effect, Job, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source,
-    State, Wanted,
+    Assembled, Change, Compared, Effect, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State,
+    Wanted,
 };
 
 /// Shows the list of values, or closes it.
@@ -17,7 +17,6 @@ pub(crate) fn toggle(state: &mut State) {
     (state.what_if.open, state.probe) = (!state.values_open(), None);
 }
 
-/// The next step size.
 pub(super) fn step(state: &mut State) {
     state.what_if.step = (state.what_if.step + 1) % STEPS.len();
 }
@@ -36,7 +35,7 @@ pub(super) fn shift(state: &mut State, sense: f64) {
 
 /// Changes a value, and reads the changed scene.
 pub(super) fn put(state: &mut State, index: usize, toml: String) {
-    if state.what_if.put(index, toml) {
+    if state.what_if.put([(index, toml)]) {
         ask(state);
     }
 }
@@ -61,7 +60,6 @@ pub(super) fn assemble_too(state: &mut State, points: &[Assembled]) {
     }
 }
 
-/// Undoes the last change.
 pub(super) fn undo(state: &mut State) {
     match state.what_if.done.pop() {
         Some(values) => {
@@ -91,7 +89,7 @@ fn ask(state: &mut State) {
         session: Arc::clone(&scene.session),
         text: what.changed_text(),
     };
-    state.effects.push(Effect::Work(Job::Read(Wanted::Change(change))));
+    jobs::read(state, Wanted::Change(change));
 }
 
 /// Takes a changed scene, or the reason why it can't be read; returns whether the frame may differ.
@@ -186,16 +184,6 @@ pub(super) fn set(state: &mut State, rest: &str) -> bool {
     true
 }
 
-/// The next value whose key contains the text.
-pub(super) fn search(state: &mut State, text: &str) {
-    let what = &mut state.what_if;
-    let keys: Vec<&str> = what.values.iter().map(|value| value.key.as_str()).collect();
-    match super::find::next(&keys, what.chosen, text) {
-        Some(index) => what.chosen = index,
-        None => state.say(Role::Bad, text!("say-not-found", text = name(text.to_owned()))),
-    }
-}
-
 /// Opens the `:` line with a name for the changed scene.
 pub(super) fn save(state: &mut State) {
     let Some(Scene { session, .. }) = &state.scene else { return };
@@ -231,7 +219,7 @@ pub(super) fn quit(state: &mut State) {
 /// Opens a scene, but first warns of unsaved changes of the open one.
 pub(super) fn open(state: &mut State, source: Source) {
     if may_drop(state) {
-        state.effects.push(Effect::Work(Job::Read(Wanted::Open(source))));
+        jobs::read(state, Wanted::Open(source));
     } else {
         let save = name(state.keys.first("save"));
         state.say(Role::Bad, text!("say-unsaved-open", save = save));

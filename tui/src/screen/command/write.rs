@@ -222,7 +222,7 @@ pub(crate) fn grant(state: &mut State, file: OutputFile) {
     match numbers.and_then(|()| files::write(&path, &file.content)) {
         Ok(()) => {
             if file.scene {
-                state.what_if.keep_saved();
+                state.what_if.saved.clone_from(&state.what_if.wanted);
             }
             let told = if file.numbers.is_some() { "say-written-both" } else { "say-written" };
             state.say(Role::Good, text!(told, file = name(path.display().to_string())));

@@ -2,19 +2,17 @@
 
 use std::sync::Arc;
 
-use assur_analysis::results::{Analysis, Checks, Column, Edges, Owner, Part, Quantity, Table};
+use assur_analysis::results::{Analysis, Checks, Edges, Quantity, Table};
 use assur_analysis::{AnalysisError, Options, Watch};
-use assur_book::{Course, Fact};
-use assur_mechanism::PointId;
+use assur_book::Fact;
 use assur_report::topic::{self, About};
 
-use super::gather::{Gather, RATES, Reaction};
+use super::gather::{Gather, Reaction};
 use super::plans::Planner;
 use super::series::Series;
 use crate::session::Session;
 use crate::verdict::Verdict;
 
-/// The results of one analysis, with its series.
 #[derive(Debug)]
 pub(crate) struct Found {
     /// Name of the force analyzer.
@@ -27,16 +25,11 @@ pub(crate) struct Found {
     pub(crate) results: Vec<(About, Fact)>,
     /// What there was just before the samples at which the motion comes to rest.
     pub(crate) stops: Table,
-    /// What is missing, or not proved.
     pub(crate) verdict: Verdict,
-    /// All its series over the positions.
     pub(crate) series: Vec<Series>,
     /// Reactions, and the balancing load as the last.
     pub(crate) reactions: Vec<Reaction>,
-    /// Plans of any position.
     pub(crate) plans: Planner,
-    /// Greatest velocity (m/s) and acceleration (m/s²) of a point; `None` if the positions have none.
-    pub(crate) fastest: Option<[f64; 2]>,
     /// Indices in `series` of the content of the motion view.
     pub(crate) motion: Vec<usize>,
 }
@@ -74,21 +67,8 @@ impl Found {
         let reactions = gather.reactions();
         gather.others();
         let series = gather.series;
-        let fastest = fastest(&analysis.positions);
         let verdict = Verdict::of(&analysis, plans.calculation(), None);
-        Ok(Self {
-            analyzer,
-            analysis,
-            edges,
-            results,
-            stops,
-            verdict,
-            series,
-            reactions,
-            plans,
-            fastest,
-            motion,
-        })
+        Ok(Self { analyzer, analysis, edges, results, stops, verdict, series, reactions, plans, motion })
     }
 
     /// Adds the checks, and the residuals as series.
@@ -106,36 +86,9 @@ impl Found {
         self.series = gather.series;
     }
 
-    /// Velocities (order 1) or accelerations (order 2) of the points in a position, by point.
-    pub(crate) fn rates(&self, position: usize, order: usize) -> Vec<(PointId, [f64; 2])> {
-        let table = &self.analysis.positions;
-        let (Some(row), Some(quantity)) = (table.row_of(position), RATES.get(order - 1)) else {
-            return Vec::new();
-        };
-        let rate = |owner| {
-            let Owner::Point(point) = owner else { return None };
-            let [x, y] = Column::vector(*quantity, owner).map(|column| table.get(row, column));
-            Some((point, [x?, y?]))
-        };
-        table.schema().owners(*quantity).into_iter().filter_map(rate).collect()
-    }
-
     /// The balancing load over the positions.
     pub(crate) fn balancing(&self) -> Option<&Series> {
         let balancing = self.reactions.iter().find(|reaction| reaction.of.is_none())?;
         self.series.get(*balancing.series.first()?)
     }
-}
-
-/// Greatest velocity and acceleration of a point.
-fn fastest(table: &Table) -> Option<[f64; 2]> {
-    let most = |quantity: Quantity| {
-        let points = table.schema().owners(quantity).into_iter();
-        let points = points.filter(|owner| matches!(owner, Owner::Point(_)));
-        let of = |owner| {
-            Course::of(table, None, Column::COORDINATE, Column::of(quantity, owner).part(Part::Modulus))
-        };
-        points.map(|owner| of(owner).size()).reduce(f64::max)
-    };
-    Some([most(RATES[0])?, most(RATES[1])?])
 }

@@ -10,9 +10,6 @@ use super::series::Series;
 /// A force this small compared with the greatest one of the mechanism counts as zero.
 const ROUNDING: f64 = 1e-13;
 
-/// First and second derivative by time.
-pub(super) const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
-
 /// The force that a pair exerts on one link, as indices of series.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Reaction {
@@ -64,18 +61,13 @@ impl Gather<'_> {
         all.into_iter().filter_map(|quantity| self.add(Column::of(quantity, Owner::Input))).collect()
     }
 
-    /// Every owner of these quantities but the input.
-    fn add_owned(&mut self, quantities: &[Quantity]) {
-        let schema = self.table.schema();
-        for quantity in quantities {
-            let owners = schema.owners(*quantity).into_iter().filter(|owner| *owner != Owner::Input);
-            owners.for_each(|owner| drop(self.add_all(Column::of(*quantity, owner))));
-        }
-    }
-
     /// Velocities and accelerations of points, links and slides.
     pub(super) fn rates(&mut self) {
-        self.add_owned(&RATES);
+        let schema = self.table.schema();
+        for quantity in [Quantity::Velocity, Quantity::Acceleration] {
+            let owners = schema.owners(quantity).into_iter().filter(|owner| *owner != Owner::Input);
+            owners.for_each(|owner| drop(self.add_all(Column::of(quantity, owner))));
+        }
     }
 
     /// Force and moment of every pair, then the balancing load.

@@ -48,13 +48,16 @@ pub(crate) struct OutputFile {
 /// Writes the explanatory note of a scene by force analyzer and integrator; an error is a text to show.
 pub(crate) type NoteWriter = fn(&Arc<Session>, Options) -> Result<String, Text>;
 
-/// A request to the worker.
 #[derive(Debug)]
 pub(crate) enum Job {
-    /// Read a scene.
     Read(Wanted),
     /// Write the note of a scene to a file.
-    Note { write: NoteWriter, session: Arc<Session>, options: Options, path: PathBuf },
+    Note {
+        write: NoteWriter,
+        session: Arc<Session>,
+        options: Options,
+        path: PathBuf,
+    },
     /// Calculate all results of the open scene, or measure the methods on it.
     Calculate(CalculationRequest),
 }
@@ -66,14 +69,14 @@ pub(crate) enum Wanted {
     Open(Source),
     /// For comparison with the open one.
     Compare(Source),
-    /// A shipped scene by its number, for its picture.
-    Preview(usize),
+    /// A shipped scene, for its picture.
+    Preview(&'static str),
     /// The open one with changed numbers.
     Change(Change),
 }
 
 /// The purpose of a calculation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Purpose {
     /// The results that are shown, with their checks.
     Main,
@@ -83,7 +86,6 @@ pub(crate) enum Purpose {
     Measurement,
 }
 
-/// A calculation of the open scene.
 #[derive(Debug, Clone)]
 pub(crate) struct CalculationRequest {
     /// Number of the request; a report to a request that is no longer in progress is dropped.
@@ -94,7 +96,6 @@ pub(crate) struct CalculationRequest {
     pub(crate) cancel: Cancel,
 }
 
-/// A calculation in progress.
 #[derive(Debug, Clone)]
 pub(crate) struct Running {
     /// Number of its request.
@@ -133,10 +134,8 @@ pub(crate) enum Report {
 /// What a calculation reports.
 #[derive(Debug)]
 pub(crate) enum Outcome {
-    /// Its progress.
     Count(Text),
     Found(Result<Box<Found>, Text>),
-    /// The checks of an analysis that was reported before.
     Checks(Checks),
     Measured(Result<Box<Measured>, Text>),
 }

@@ -12,7 +12,6 @@ use strum::VariantArray;
 use super::State;
 use super::kinds::View;
 
-/// Groups of the help screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Group {
     Move,
@@ -57,7 +56,6 @@ impl Command {
         self.views.is_empty() || self.views.contains(&view)
     }
 
-    /// What it does.
     pub(crate) fn help(&self, language: &Language) -> String {
         text!(self.text).render(language)
     }
@@ -67,7 +65,6 @@ impl Command {
         language.own(&format!("{}.{attribute}", self.text)).unwrap_or_default()
     }
 
-    /// The keys that it has by default.
     pub(crate) fn default_keys(&self) -> Vec<Key> {
         self.keys.split(' ').filter_map(Key::parse).collect()
     }
@@ -83,7 +80,6 @@ impl Keymap {
         Self(commands.iter().map(|command| (command.name, command.default_keys())).collect())
     }
 
-    /// Replaces the keys of a command.
     pub(crate) fn bind(&mut self, command: &'static str, keys: Vec<Key>) {
         self.0.insert(command, keys);
     }
@@ -118,7 +114,6 @@ impl Keymap {
     }
 }
 
-/// A key with its modifiers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Key {
     pub(crate) code: KeyCode,
@@ -162,13 +157,11 @@ impl Key {
         if self.control { format!("C-{name}") } else { name }
     }
 
-    /// The names of keys that are not characters.
     pub(crate) fn names() -> String {
         let names: Vec<&str> = NAMES.iter().map(|(_, name)| *name).collect();
         format!("{}, F1 ... F12", names.join(", "))
     }
 
-    /// The key of a name.
     pub(crate) fn parse(name: &str) -> Option<Self> {
         let (control, name) = match name.strip_prefix("C-") {
             Some(rest) if !rest.is_empty() => (true, rest),

@@ -1,22 +1,12 @@
 //! What can be shown and chosen.
 
 use assur_words::{Language, Text, text};
+use strum::{EnumString, IntoStaticStr, VariantArray};
 
-use super::entry::Entry;
+use super::picker::Entry;
 
-/// A view.
 #[derive(
-    Debug,
-    Clone,
-    Copy,
-    Default,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    strum::IntoStaticStr,
-    strum::EnumString,
-    strum::VariantArray,
+    Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, IntoStaticStr, EnumString, VariantArray,
 )]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum View {
@@ -107,41 +97,32 @@ impl View {
 }
 
 /// A part of a view that has several; its names are those of `--part`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum ViewPart {
     /// The numbers of the position, with a chart.
     Overview,
-    /// Reactions by cause.
     Causes,
-    /// Curves over the positions.
     Curves,
     /// The path of the tip of a reaction.
     Hodograph,
     /// The course of the motion over time, or of the regime over the cycle.
     Course,
-    /// The iteration towards the regime.
     Iteration,
     /// The flywheel in its two places, and other motors.
     Places,
-    /// The energy-mass diagram.
     EnergyMass,
     /// The shares of the reduced inertia.
     Inertia,
     /// The link of reduction with its force.
     Reduction,
-    /// Force polygons.
     Forces,
-    /// The plan of velocities.
     Velocities,
-    /// The plan of accelerations.
     Accelerations,
-    /// The construction step by step.
     Construction,
 }
 
-/// Which arrows the drawing has.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::VariantArray)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, VariantArray)]
 pub(crate) enum Arrows {
     None,
     #[default]
@@ -150,8 +131,7 @@ pub(crate) enum Arrows {
     Both,
 }
 
-/// Which paths of points the drawing has.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::VariantArray)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, VariantArray)]
 pub(crate) enum Traces {
     #[default]
     All,
@@ -168,7 +148,7 @@ pub(crate) fn following<T: Copy + PartialEq>(all: &[T], now: T) -> T {
 }
 
 /// The kind after the given one; the first one after the last.
-pub(crate) fn next_kind<T: Copy + PartialEq + strum::VariantArray>(now: T) -> T {
+pub(crate) fn next_kind<T: Copy + PartialEq + VariantArray>(now: T) -> T {
     following(T::VARIANTS, now)
 }
 

@@ -1,18 +1,18 @@
-//! How things are drawn, and what of it a user may set.
+//! How things are drawn, and what of it a user may set. Color is never the only sign: each role also has a modifier or a word.
 
 use std::ops::RangeInclusive;
 
+use assur_figure::Ink;
 use assur_figure::cells::Marker;
 use assur_words::{LANGUAGES, Text, list, name, number, text};
-use strum::VariantNames;
+use ratatui::style::{Color, Modifier, Style};
+use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 
 use super::kinds::View;
-use super::theme::Theme;
 
 /// The views that are shown beside the chosen one where there is room.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Panels {
-    /// Whether they are shown.
     pub(crate) shown: bool,
     /// The views, the most wanted first.
     pub(crate) views: Vec<View>,
@@ -24,7 +24,6 @@ impl Default for Panels {
     }
 }
 
-/// How things are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Look {
     /// Characters beyond ASCII are replaced.
@@ -35,7 +34,6 @@ pub(crate) struct Look {
     pub(crate) ratio: f64,
     /// Frames per second of the animation.
     pub(crate) fps: u8,
-    /// Whether the mouse is captured.
     pub(crate) mouse: bool,
     /// A language, or [`AUTO`].
     pub(crate) language: &'static str,
@@ -49,9 +47,7 @@ pub(crate) enum Pictures {
     /// Nobody has asked it.
     #[default]
     Unknown,
-    /// It was asked.
     Asked,
-    /// Not at all.
     None,
     /// By kitty's protocol.
     Kitty,
@@ -96,13 +92,10 @@ pub(crate) struct Setting {
 /// What a setting takes.
 #[derive(Debug)]
 pub(crate) enum Kind {
-    /// One of some words.
     Choice(&'static [&'static str]),
     /// `on` or `off`.
     Flag,
-    /// A whole number.
     Count(RangeInclusive<usize>),
-    /// A number.
     Number(RangeInclusive<f64>),
 }
 
@@ -175,4 +168,75 @@ impl Look {
         }
         self
     }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumString, VariantArray, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum Theme {
+    /// The 16 colors of the terminal, which follow its light or dark scheme.
+    Default,
+    /// No color at all.
+    Mono,
+    /// Okabe and Ito's palette, distinguished by most color-blind readers.
+    OkabeIto,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Role {
+    Plain,
+    Dim,
+    Header,
+    Tab,
+    Key,
+    Chosen,
+    Cursor,
+    Good,
+    Bad,
+    /// What has an ink of its own in a figure.
+    Drawn(Ink),
+}
+
+impl Theme {
+    /// The style of a role.
+    pub(crate) fn style(self, role: Role) -> Style {
+        let style = Style::new().add_modifier(modifier(role));
+        match self {
+            Self::Mono => style,
+            Self::Default => colors(role).map_or(style, |[color, _]| style.fg(color)),
+            Self::OkabeIto => colors(role).map_or(style, |[_, color]| style.fg(color)),
+        }
+    }
+}
+
+/// Colors of the links in turn; none is that of an arrow.
+const LINKS: [Color; 6] =
+    [Color::Blue, Color::Red, Color::Cyan, Color::LightBlue, Color::LightRed, Color::LightCyan];
+/// Colors of the links in Okabe and Ito's palette.
+const OKABE_ITO_LINKS: [Color; 4] =
+    [Color::Rgb(0, 114, 178), Color::Rgb(213, 94, 0), Color::Rgb(86, 180, 233), Color::Rgb(240, 228, 66)];
+
+fn modifier(role: Role) -> Modifier {
+    match role {
+        Role::Header | Role::Key | Role::Bad => Modifier::BOLD,
+        Role::Tab | Role::Cursor => Modifier::REVERSED,
+        Role::Chosen => Modifier::BOLD.union(Modifier::REVERSED),
+        _ => Modifier::empty(),
+    }
+}
+
+/// The color of a role among the 16 of the terminal, and in Okabe and Ito's palette.
+fn colors(role: Role) -> Option<[Color; 2]> {
+    Some(match role {
+        Role::Dim | Role::Drawn(Ink::Trace) => [Color::DarkGray, Color::Indexed(245)],
+        Role::Key | Role::Drawn(Ink::First) => [Color::Cyan, Color::Rgb(86, 180, 233)],
+        Role::Good | Role::Drawn(Ink::Velocity | Ink::Second) => [Color::Green, Color::Rgb(0, 158, 115)],
+        Role::Drawn(Ink::Acceleration | Ink::Third) => [Color::Magenta, Color::Rgb(204, 121, 167)],
+        Role::Bad => [Color::Red, Color::Rgb(213, 94, 0)],
+        Role::Chosen => [Color::Yellow, Color::Rgb(230, 159, 0)],
+        Role::Drawn(Ink::Link(number)) => {
+            let nth = number.saturating_sub(1);
+            [LINKS[nth % LINKS.len()], OKABE_ITO_LINKS[nth % OKABE_ITO_LINKS.len()]]
+        }
+        _ => return None,
+    })
 }

@@ -1,7 +1,6 @@
 //! Everything on which a frame depends. Commands change it, views read it; nothing here draws or knows a command by
 //! name.
 
-mod entry;
 mod found;
 mod gather;
 mod job;
@@ -15,8 +14,6 @@ mod probe;
 mod scene;
 mod series;
 mod shown;
-mod stop;
-mod theme;
 mod transfer;
 mod whatif;
 
@@ -32,7 +29,6 @@ use ratatui::layout::Rect;
 pub(crate) use crate::session::Source;
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
-pub(crate) use entry::{Entry, LONGEST};
 pub(crate) use found::Found;
 pub(crate) use gather::Reaction;
 pub(crate) use job::{
@@ -43,14 +39,13 @@ pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{
     Arrows, Chosen, Prompt, PromptKind, Traces, View, ViewPart, following, next_kind, round,
 };
-pub(crate) use look::{Kind, Look, Panels, Pictures, SETTINGS};
-pub(crate) use picker::{Choice, Help, Picker, PickerKind};
+pub(crate) use look::{Kind, Look, Panels, Pictures, Role, SETTINGS, Theme};
+pub(crate) use picker::{Choice, Entry, Help, LONGEST, Picker, PickerKind};
 pub(crate) use plans::Plans;
 pub(crate) use probe::Probe;
 pub(crate) use scene::{Compared, Scene};
 pub(crate) use series::Series;
-pub(crate) use stop::Stop;
-pub(crate) use theme::{Role, Theme};
+pub(crate) use shown::Stop;
 pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};
 
@@ -61,7 +56,6 @@ pub(crate) const PACES: [u8; 7] = [1, 2, 4, 8, 16, 32, 64];
 /// The pace at the start: every position once.
 const EVERY: usize = 4;
 
-/// The whole state.
 #[derive(Debug, Default)]
 pub(crate) struct State {
     /// All commands, in the order of the help screen.
@@ -71,10 +65,9 @@ pub(crate) struct State {
     pub(crate) what_if: WhatIf,
     /// Speed, accuracy and stability of the methods on the open scene.
     pub(crate) measured: Option<Box<Measured>>,
-    /// The list that is open to choose from.
     pub(crate) picker: Option<Picker>,
-    /// The shipped scenes that were read for their pictures, by number.
-    pub(crate) previews: BTreeMap<usize, Result<Box<Scene>, Text>>,
+    /// The shipped scenes that were read for their pictures, by name.
+    pub(crate) previews: BTreeMap<&'static str, Result<Box<Scene>, Text>>,
     pub(crate) view: View,
     /// The other views that are shown beside it where there is room.
     pub(crate) panels: Panels,
@@ -90,13 +83,11 @@ pub(crate) struct State {
     pub(crate) joined: Option<usize>,
     /// The position whose plan stays beside that of the present one.
     pub(crate) held: Option<usize>,
-    /// The point that is moved over the drawing.
     pub(crate) probe: Option<Probe>,
     /// Power (W) and greatest speed (rad/s) for which motors are listed; `None`: those of the scene.
     pub(crate) motor_limits: Option<[f64; 2]>,
     pub(crate) look: Look,
     pub(crate) zoom: Zoom,
-    /// How the terminal takes pictures.
     pub(crate) pictures: Pictures,
     /// The figures of the last frame that are shown as pictures, with their places.
     pub(crate) shown: RefCell<Vec<(Figure, Rect)>>,
@@ -114,9 +105,7 @@ pub(crate) struct State {
     pub(crate) extreme: Option<(Column, usize, f64)>,
     /// Requested force analyzer and integrator.
     pub(crate) options: Options,
-    /// A second scene for comparison.
     pub(crate) compared: Option<Compared>,
-    /// The calculations in progress.
     pub(crate) running: Vec<Running>,
     /// Number of the last requested calculation.
     pub(crate) asked: usize,
@@ -202,7 +191,6 @@ impl State {
         Some(View::Values).filter(|_| self.values_open()).or(probe)
     }
 
-    /// The command of a name.
     pub(crate) fn named(&self, name: &str) -> Option<&'static Command> {
         self.commands.iter().find(|command| command.name == name)
     }
@@ -221,7 +209,6 @@ impl State {
         self.inset().and_then(meant).or_else(|| meant(self.view))
     }
 
-    /// Whether the animation runs.
     pub(crate) fn animates(&self) -> bool {
         self.playing && self.focused && self.scene.is_some()
     }

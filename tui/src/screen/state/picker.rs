@@ -1,13 +1,78 @@
-//! What is searched by typing: the help, and a list to choose from (scenes, quantities, motors). What is typed narrows the
+//! A text that is typed, and what is searched by it: the help, and a list to choose from (scenes, quantities, motors). What is typed narrows the
 //! list, letters in order and not necessarily side by side.
+
+use std::fmt;
+use std::ops::Deref;
 
 use assur_words::Text;
 use crossterm::event::KeyCode;
 use frizbee::{CaseMatching, Config, Matcher};
 
-use super::entry::Entry;
 use super::keymap::Key;
 use super::kinds::round;
+
+/// Greatest length of a typed text, in bytes: a path or a formula is not longer, and a search for it takes no time that
+/// is felt.
+pub(crate) const LONGEST: usize = 1024;
+
+/// A text that is typed or pasted, of at most [`LONGEST`] bytes.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Entry {
+    text: String,
+    /// Whether something was left out.
+    cut: bool,
+}
+
+impl Entry {
+    /// Takes a key that writes or deletes; returns whether the text may have changed.
+    pub(crate) fn press(&mut self, key: Key) -> bool {
+        match key.code {
+            KeyCode::Backspace => {
+                self.cut = false;
+                return self.text.pop().is_some();
+            }
+            KeyCode::Char('u') if key.control => *self = Self::default(),
+            KeyCode::Char(letter) if !key.control => self.push_str(letter.encode_utf8(&mut [0; 4])),
+            _ => return false,
+        }
+        true
+    }
+
+    /// Adds as many letters as there is room for.
+    pub(crate) fn push_str(&mut self, text: &str) {
+        let room = LONGEST - self.text.len();
+        let taken = text.floor_char_boundary(room);
+        self.text.push_str(&text[..taken]);
+        self.cut |= taken < text.len();
+    }
+
+    /// Whether something was left out since the last letter was removed.
+    pub(crate) fn is_cut(&self) -> bool {
+        self.cut
+    }
+}
+
+impl From<&str> for Entry {
+    fn from(text: &str) -> Self {
+        let mut entry = Self::default();
+        entry.push_str(text);
+        entry
+    }
+}
+
+impl Deref for Entry {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.text
+    }
+}
+
+impl fmt::Display for Entry {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.text)
+    }
+}
 
 /// A text that is typed to search a list. Before the first letter, keys keep their meaning; `/` begins a search with any
 /// letter.
@@ -21,43 +86,25 @@ pub(crate) struct Filter {
 impl Filter {
     /// Takes a key; returns whether the text has changed.
     pub(crate) fn press(&mut self, key: Key) -> bool {
-        match key.code {
-            KeyCode::Backspace => return self.text.pop().is_some(),
-            KeyCode::Char('u') if key.control => {
-                self.text.clear();
-                return true;
-            }
-            KeyCode::Char('/') if !self.typing => self.typing = true,
-            KeyCode::Char(letter) if !key.control => {
-                self.typing = true;
-                self.text.push(letter);
-                return true;
-            }
-            _ => {}
-        }
-        false
+        let begins = !self.typing && matches!(key.code, KeyCode::Char(_)) && !key.control;
+        self.typing |= begins;
+        !(begins && key.code == KeyCode::Char('/')) && self.text.press(key)
     }
 }
 
-/// The help screen.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Help {
     pub(crate) scroll: usize,
     pub(crate) filter: Filter,
 }
 
-/// What a list is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PickerKind {
-    /// A shipped scene to be opened.
     Scenes,
-    /// Quantities for the chart.
     Quantities,
-    /// A motor for the drive of the open scene.
     Motors,
 }
 
-/// One row of the list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Choice {
     /// What is taken: the name of a scene, the short name of a quantity, the designation of a motor.
@@ -66,7 +113,6 @@ pub(crate) struct Choice {
     pub(crate) text: String,
 }
 
-/// The list while it is open.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Picker {
     pub(crate) kind: PickerKind,
@@ -81,7 +127,6 @@ pub(crate) struct Picker {
 }
 
 impl Picker {
-    /// A list that is just opened.
     pub(crate) fn new(kind: PickerKind, heading: Text, rows: Vec<Choice>) -> Self {
         Self { kind, heading, filter: Filter::default(), chosen: 0, rows, marked: Vec::new() }
     }
@@ -117,12 +162,10 @@ impl Picker {
         found
     }
 
-    /// The chosen row.
     pub(crate) fn choice(&self) -> Option<&Choice> {
         self.left().get(self.chosen).copied()
     }
 
-    /// Moves the choice by this many rows.
     pub(crate) fn step(&mut self, by: isize) {
         self.chosen = round(self.chosen, by, self.left().len());
     }

@@ -16,17 +16,14 @@ use super::transfer::{self, coordinate_unit};
 use crate::number::plain;
 use crate::session::Session;
 
-/// An open scene.
 #[derive(Debug)]
 pub(crate) struct Scene {
     pub(crate) session: Arc<Session>,
-    /// Its linkage.
     pub(crate) linkage: Arc<Linkage>,
     /// The solved positions, by number; `None` where there is no assembly.
     pub(crate) poses: Vec<Option<Position>>,
     /// The positions that can't be assembled, by number.
     pub(crate) broken: Vec<Option<Broken>>,
-    /// The whole cycle for drawings.
     pub(crate) outline: Outline,
     /// Every quantity over the positions.
     pub(crate) series: Vec<Series>,
@@ -64,13 +61,11 @@ impl Scene {
         let solved = (0..linkage.mechanism.input.positions).map(|index| solve(&linkage, index));
         let (poses, broken): (Vec<_>, Vec<Option<Broken>>) = solved.unzip();
         let outline = Outline::of(&linkage, broken.iter().flatten().map(|broken| &broken.pose));
-        let end = cycle_end(&linkage);
-        let (series, transfers) = transfer::series(&linkage, &poses, end.as_ref());
+        let (series, transfers) = transfer::series(&linkage).map_err(|error| session.fault(&error))?;
         let (found, other, fault) = (None, None, None);
         Ok(Self { session, linkage, poses, broken, outline, series, transfers, found, other, fault })
     }
 
-    /// Number of positions.
     pub(crate) fn positions(&self) -> usize {
         self.poses.len()
     }
@@ -118,6 +113,52 @@ impl Scene {
     pub(crate) fn first_position(&self) -> usize {
         self.poses.iter().position(Option::is_some).unwrap_or(0)
     }
+
+    /// What a quantity belongs to: its kind and its name.
+    pub(crate) fn owner(&self, owner: &Owner) -> (&'static str, &str) {
+        let mechanism = &self.linkage.mechanism;
+        match *owner {
+            Owner::Point(id) => ("point", &mechanism.points[id].name),
+            Owner::Link(id) => ("link", &mechanism.links[id].name),
+            Owner::Slide(id) => ("slide", &mechanism.slides[id].name),
+            _ => ("", ""),
+        }
+    }
+
+    /// All series: the transfer functions, then what the analysis found.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = &Series> {
+        self.series.iter().chain(self.found.iter().flat_map(|found| &found.series))
+    }
+
+    pub(crate) fn column_count(&self) -> usize {
+        self.columns().count()
+    }
+
+    /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
+    pub(crate) fn coordinate_at(&self, at: f64) -> f64 {
+        let [first, next] = [0, 1].map(|index| self.linkage.mechanism.input.coordinate(index));
+        coordinate_unit(&self.linkage).1 * (first + at * (next - first))
+    }
+
+    /// The coordinate of a position with its unit.
+    pub(crate) fn coordinate(&self, position: usize) -> Text {
+        let series = &self.series[0];
+        quantity(plain(series.at(position)), series.unit.clone())
+    }
+
+    /// `position 6, 45 deg`.
+    pub(crate) fn place(&self, position: usize) -> Text {
+        text!("position-at", position = number(position), at = self.coordinate(position))
+    }
+
+    /// The series of a short name.
+    pub(crate) fn named(&self, short: &str) -> Option<&Series> {
+        self.columns().find(|series| series.short == short)
+    }
+
+    pub(crate) fn column(&self, index: usize) -> Option<&Series> {
+        self.columns().nth(index)
+    }
 }
 
 /// Refuses a scene that is too large to be drawn.
@@ -134,15 +175,6 @@ fn refuse_large(session: &Session) -> Result<(), Text> {
         return Err(text!("say-too-many-positions", positions = positions, most = most, scene = scene()));
     }
     Ok(())
-}
-
-/// The mechanism at the end of its cycle; `None` where the positions are no cycle, or it can't be assembled there.
-fn cycle_end(linkage: &Linkage) -> Option<Position> {
-    let input = &linkage.mechanism.input;
-    let mut pose = linkage.position();
-    let solved = input.is_cycle()
-        && linkage.solve(input.coordinate(input.positions), Order::Second, &mut pose).is_ok();
-    solved.then_some(pose)
 }
 
 /// Solves a position: its pose, or what there is of it.
@@ -176,55 +208,6 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
     }
 }
 
-impl Scene {
-    /// What a quantity belongs to: its kind and its name.
-    pub(crate) fn owner(&self, owner: &Owner) -> (&'static str, &str) {
-        let mechanism = &self.linkage.mechanism;
-        match *owner {
-            Owner::Point(id) => ("point", &mechanism.points[id].name),
-            Owner::Link(id) => ("link", &mechanism.links[id].name),
-            Owner::Slide(id) => ("slide", &mechanism.slides[id].name),
-            _ => ("", ""),
-        }
-    }
-
-    /// How many series there are: the transfer functions, then what the analysis found.
-    pub(crate) fn column_count(&self) -> usize {
-        self.series.len() + self.found.as_ref().map_or(0, |found| found.series.len())
-    }
-
-    /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
-    pub(crate) fn coordinate_at(&self, at: f64) -> f64 {
-        let [first, next] = [0, 1].map(|index| self.linkage.mechanism.input.coordinate(index));
-        coordinate_unit(&self.linkage).1 * (first + at * (next - first))
-    }
-
-    /// The coordinate of a position with its unit.
-    pub(crate) fn coordinate(&self, position: usize) -> Text {
-        let series = &self.series[0];
-        quantity(plain(series.at(position)), series.unit.clone())
-    }
-
-    /// `position 6, 45 deg`.
-    pub(crate) fn place(&self, position: usize) -> Text {
-        text!("position-at", position = number(position), at = self.coordinate(position))
-    }
-
-    /// The series of a short name.
-    pub(crate) fn named(&self, short: &str) -> Option<&Series> {
-        (0..self.column_count()).filter_map(|index| self.column(index)).find(|series| series.short == short)
-    }
-
-    /// One of them.
-    pub(crate) fn column(&self, index: usize) -> Option<&Series> {
-        match index.checked_sub(self.series.len()) {
-            None => self.series.get(index),
-            Some(beyond) => self.found.as_ref()?.series.get(beyond),
-        }
-    }
-}
-
-/// The second scene.
 #[derive(Debug)]
 pub(crate) struct Compared {
     pub(crate) name: Text,

@@ -1,8 +1,8 @@
 //! Every quantity over the positions, in the unit that is shown.
 
 use assur_analysis::results::{Column, Owner, Schema};
+use assur_book::Course;
 use assur_book::catalogue::{self, Shown};
-use assur_book::{Course, Extreme, Summary};
 use assur_words::{Text, joined, list, quantity, unit};
 
 use crate::number::number;
@@ -69,19 +69,6 @@ impl Series {
     /// The greatest modulus of a value, in the unit that is shown.
     pub(crate) fn size(&self) -> f64 {
         self.factor * self.course.size()
-    }
-
-    /// Its extremes and means in the unit that is shown; `None` where no position has a value.
-    pub(crate) fn summary(&self) -> Option<Summary> {
-        let found = self.course.summary()?;
-        let shown = |extreme: Extreme| Extreme { value: self.factor * extreme.value, ..extreme };
-        Some(Summary {
-            greatest: shown(found.greatest),
-            least: shown(found.least),
-            farthest: shown(found.farthest),
-            mean: self.factor * found.mean,
-            rms: self.factor * found.rms,
-        })
     }
 
     /// What it is, and of what: `point D x PF1`.

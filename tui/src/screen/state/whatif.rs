@@ -29,13 +29,11 @@ pub(crate) struct Change {
     pub(crate) text: String,
 }
 
-/// The state of the changes.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Reading {
     /// They are shown.
     #[default]
     Done,
-    /// They are being read by the worker.
     Runs,
     /// They make no valid scene; the one before is shown.
     Refused,
@@ -52,7 +50,6 @@ pub(crate) struct Assembled {
 }
 
 impl Assembled {
-    /// Its name as a key of TOML.
     fn key(&self) -> String {
         let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if self.name.chars().all(is_bare) { self.name.clone() } else { quoted(&self.name) }
@@ -77,7 +74,7 @@ pub(crate) struct WhatIf {
     pub(crate) done: Vec<Vec<(usize, Option<String>)>>,
     pub(crate) reading: Reading,
     /// The changes that were last written to a file.
-    saved: Edits,
+    pub(crate) saved: Edits,
     /// The user has been warned of unsaved changes, and may leave.
     pub(crate) warned: bool,
     /// Number of the opened file to which this belongs.
@@ -147,19 +144,9 @@ impl WhatIf {
         last.or(self.wanted.keys().next()).copied()
     }
 
-    /// Whether there are unsaved changes.
-    pub(crate) fn unsaved(&self) -> bool {
-        !self.wanted.is_empty() && self.wanted != self.saved
-    }
-
     /// Whether the user may leave: nothing would be lost, or the warning was given.
     pub(crate) fn may_drop(&self) -> bool {
-        !self.unsaved() || self.warned
-    }
-
-    /// Notes that the requested changes were written to a file.
-    pub(crate) fn keep_saved(&mut self) {
-        self.saved.clone_from(&self.wanted);
+        self.wanted.is_empty() || self.wanted == self.saved || self.warned
     }
 
     /// Adds a table that stands in one line of the scene to the values, so that it can be replaced as a whole; its number.
@@ -183,13 +170,8 @@ impl WhatIf {
         replaced(&self.text, wanted.filter(|(span, _)| !within(span)))
     }
 
-    /// Changes a value; returns whether it differs from the one before.
-    pub(crate) fn put(&mut self, index: usize, toml: String) -> bool {
-        self.put_all([(index, toml)])
-    }
-
-    /// Changes several values in one step; returns whether any differs from the one before.
-    fn put_all(&mut self, all: impl IntoIterator<Item = (usize, String)>) -> bool {
+    /// Changes values in one step; returns whether any differs from the one before.
+    pub(crate) fn put(&mut self, all: impl IntoIterator<Item = (usize, String)>) -> bool {
         let mut done = Vec::new();
         for (index, toml) in all {
             let Some(value) = self.values.get(index) else { continue };
@@ -218,7 +200,7 @@ impl WhatIf {
         let places = points.iter().filter_map(|point| Some((self.found(point)?, point.place)));
         let places: Vec<_> =
             places.flat_map(|(at, place)| [0, 1].map(|k| (at + k, decimal(place[k]).to_string()))).collect();
-        self.put_all(places)
+        self.put(places)
     }
 
     /// Whether places in `[assembly]` are among what these edits change of the scene that is shown.

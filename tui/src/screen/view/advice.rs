@@ -8,7 +8,6 @@ use super::footer::calculating;
 use crate::screen::draw::{put, short, wrapped};
 use crate::screen::state::{Role, Scene, State, View};
 
-/// Draws the advice.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width.max(12)) - 4;
     for (row, line) in rows(&state.told(text(state, scene)), width).iter().enumerate() {
@@ -23,7 +22,6 @@ pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
     text.lines().flat_map(of_line).collect()
 }
 
-/// The advice as lines.
 pub(crate) fn text(state: &State, scene: &Scene) -> Text {
     if let Some(fault) = &scene.fault {
         return text!("no-analysis", reason = fault);
@@ -51,7 +49,6 @@ pub(crate) fn text(state: &State, scene: &Scene) -> Text {
     }
 }
 
-/// Why there is no motion.
 pub(super) fn not_found(reason: &Text, between: &'static str) -> Text {
     joined(between, [text!("no-motion-found"), reason.clone()])
 }

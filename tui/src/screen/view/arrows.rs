@@ -1,23 +1,30 @@
-//! Velocities and accelerations as arrows: per unit time if the positions move, else per unit speed of the coordinate.
+//! Velocities and accelerations as arrows, per unit time if the positions move, else per unit speed of the coordinate; and the
+//! contacts of a position: the point K, the normal force and the friction in it, and their sum.
 
-use assur_analysis::results::Owner;
-use assur_figure::{Ink, Item, Key, Sample, Stroke, round_length};
+use assur_analysis::results::{Column, Owner, Quantity};
+use assur_figure::{Ink, Item, Key, Sample, Sign, Stroke, round_length};
+use assur_force::{Acting, Cause};
+use assur_group::plane::{plus, scaled};
 use assur_kinematics::Position;
-use assur_mechanism::GROUND;
-use assur_words::{Text, quantity, text};
+use assur_mechanism::{GROUND, LoadId};
+use assur_words::{Text, joined, name, quantity, text};
 
 use crate::number::plain;
-use crate::screen::state::{Arrows, Scene, State};
+use crate::screen::state::{Arrows, Found, Scene, Series, State};
 
-/// Longest arrow, as part of the size of the drawing.
+/// Longest arrow of a motion, as part of the size of the drawing.
 const LONGEST: f64 = 0.3;
 /// Least part of the greater side of a drawing that counts as its smaller side.
 const FLAT: f64 = 0.5;
+/// Greatest force of a contact over the cycle, as part of the size of the drawing.
+const LONGEST_FORCE: f64 = 0.25;
 /// Longest arrow of the legend, as part of the longest one of the drawing.
 const TOLD: f64 = 0.5;
+/// First and second derivative by time.
+const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
 
 /// The orders of derivatives to draw.
-fn orders(state: &State) -> &'static [usize] {
+fn orders(state: &State) -> &'static [u8] {
     match state.arrows {
         Arrows::None => &[],
         Arrows::Velocity => &[1],
@@ -27,13 +34,27 @@ fn orders(state: &State) -> &'static [usize] {
 }
 
 /// Velocities are full arrows, accelerations dashed ones: distinguished without color.
-fn look_of(order: usize) -> (Stroke, Ink) {
+fn look_of(order: u8) -> (Stroke, Ink) {
     if order == 1 { (Stroke::Solid, Ink::Velocity) } else { (Stroke::Dashed, Ink::Acceleration) }
 }
 
-/// Whether the positions move.
-fn moves(scene: &Scene) -> Option<[f64; 2]> {
-    scene.found.as_ref().and_then(|found| found.fastest)
+fn is_of_point(series: &Series, quantity: Quantity) -> bool {
+    series.column.quantity == quantity && matches!(series.column.owner, Owner::Point(_))
+}
+
+/// The results, if the positions move.
+fn moving(scene: &Scene) -> Option<&Found> {
+    let moves = |found: &&Found| found.series.iter().any(|series| is_of_point(series, RATES[0]));
+    scene.found.as_deref().filter(moves)
+}
+
+/// What is drawn of an order of the points, in parts: v = PF1 w, a = PF2 w² + PF1 e; without a motion PF1, PF2.
+fn series_of(scene: &Scene, order: u8) -> impl Iterator<Item = &Series> {
+    let (all, quantity) = match moving(scene) {
+        Some(found) => (&found.series, RATES[usize::from(order) - 1]),
+        None => (&scene.series, Quantity::Transfer(order)),
+    };
+    all.iter().filter(move |series| is_of_point(series, quantity))
 }
 
 /// The arrows of all points that have them.
@@ -44,68 +65,56 @@ pub(super) fn items(state: &State, scene: &Scene, pose: &Position, position: usi
         let (stroke, ink) = look_of(order);
         for (point, vector) in vectors(scene, pose, position, order) {
             let from = scene.linkage.point_motion(point, pose).pf0;
-            let to = [0, 1].map(|axis| from[axis] + length * vector[axis]);
-            items.push(Item::Arrow { from, to, stroke, ink });
+            items.push(Item::Arrow { from, to: plus(from, scaled(length, vector)), stroke, ink });
         }
     }
     items
 }
 
-/// The vector of each point in a position: v = PF1 w, a = PF2 w² + PF1 e; without a motion PF1, PF2.
-fn vectors(scene: &Scene, pose: &Position, position: usize, order: usize) -> Vec<(usize, [f64; 2])> {
-    let mechanism = &scene.linkage.mechanism;
-    let moving = |id: &usize| mechanism.points[*id].places.iter().all(|place| place.link != GROUND);
-    if let Some(found) = scene.found.as_ref().filter(|found| found.fastest.is_some()) {
-        return found.rates(position, order).into_iter().filter(|(id, _)| moving(id)).collect();
+/// The vector of each point in a position.
+fn vectors(scene: &Scene, pose: &Position, position: usize, order: u8) -> Vec<(usize, [f64; 2])> {
+    let points = &scene.linkage.mechanism.points;
+    let free = |id: &usize| points[*id].places.iter().all(|place| place.link != GROUND);
+    let points = (0..points.len()).filter(free);
+    if moving(scene).is_some() {
+        let all: Vec<&Series> = series_of(scene, order).collect();
+        let of = |column| all.iter().find(|series| series.column == column)?.course.get(position);
+        let rate = |id| {
+            let [x, y] = Column::vector(RATES[usize::from(order) - 1], Owner::Point(id)).map(of);
+            x.zip(y).map(|(x, y)| (id, [x, y]))
+        };
+        return points.filter_map(rate).collect();
     }
-    let all = (0..mechanism.points.len()).filter(moving);
-    all.map(|id| {
-        let motion = scene.linkage.point_motion(id, pose);
-        (id, if order == 1 { motion.pf1 } else { motion.pf2 })
-    })
-    .collect()
+    let motion = |id| scene.linkage.point_motion(id, pose);
+    points.map(|id| (id, if order == 1 { motion(id).pf1 } else { motion(id).pf2 })).collect()
 }
 
 /// The greatest size of a vector over all positions.
-fn most(scene: &Scene, order: usize) -> f64 {
-    match moves(scene) {
-        Some(fastest) => fastest[order - 1],
-        None => scene
-            .transfers
-            .iter()
-            .filter(|transfer| matches!(transfer.owner, Owner::Point(_)))
-            .map(|transfer| scene.series[transfer.orders[order]].course.size())
-            .fold(0.0, f64::max),
-    }
+fn most(scene: &Scene, order: u8) -> f64 {
+    series_of(scene, order).map(|series| series.course.size()).fold(0.0, f64::max)
 }
 
 /// Length, m, of an arrow of size 1; equal in all positions, so that lengths can be compared.
-fn length(scene: &Scene, order: usize) -> Option<f64> {
+fn length(scene: &Scene, order: u8) -> Option<f64> {
     let [width, height] = scene.outline.bounds.size();
     let size = width.min(height).max(FLAT * width.max(height));
     let most = most(scene, order);
     (most > 0.0).then(|| LONGEST * size / most)
 }
 
-/// What the arrows of an order are, their unit, and how many of it the SI unit has.
-fn told(scene: &Scene, order: usize) -> (Text, String, f64) {
-    let what = match (moves(scene).is_some(), order) {
-        (true, 1) => return (text!("arrow-velocity"), "m/s".to_owned(), 1.0),
-        (true, _) => return (text!("arrow-acceleration"), "m/s2".to_owned(), 1.0),
-        (false, 1) => text!("arrow-first"),
-        (false, _) => text!("arrow-second"),
-    };
-    let mut points = scene.transfers.iter().filter(|transfer| matches!(transfer.owner, Owner::Point(_)));
-    let series = points.next().map(|transfer| &scene.series[transfer.orders[order]]);
-    series.map_or((what.clone(), String::new(), 1.0), |series| (what, series.unit.clone(), series.factor))
-}
-
 /// The arrows that are drawn: what they are, the size of a round one with its unit, its length, m, and its ink.
 pub(super) fn scales(state: &State, scene: &Scene) -> Vec<(Text, Text, f64, Ink)> {
-    let scale = |order: &usize| {
-        let (what, unit, factor) = told(scene, *order);
-        let round = round_length(TOLD * most(scene, *order) * factor) / factor;
-        Some((what, quantity(plain(round * factor), unit), round * length(scene, *order)?, look_of(*order).1))
+    let scale = |&order: &u8| {
+        let what = match (moving(scene).is_some(), order) {
+            (true, 1) => text!("arrow-velocity"),
+            (true, _) => text!("arrow-acceleration"),
+            (false, 1) => text!("arrow-first"),
+            (false, _) => text!("arrow-second"),
+        };
+        let Series { unit, factor, .. } = series_of(scene, order).next()?;
+        let round = round_length(TOLD * most(scene, order) * factor) / factor;
+        let size = quantity(plain(round * factor), unit.clone());
+        Some((what, size, round * length(scene, order)?, look_of(order).1))
     };
     orders(state).iter().filter_map(scale).collect()
 }
@@ -117,5 +126,80 @@ pub(super) fn legend(state: &State, scene: &Scene) -> Vec<Key> {
         sample: Sample::Arrow(length, stroke(ink), ink),
         text: text!("arrow-told", what = what, size = size),
     };
-    scales(state, scene).into_iter().map(key).collect()
+    scales(state, scene).into_iter().map(key).chain(legend_of_contacts(scene)).collect()
+}
+
+fn is_contact(scene: &Scene, load: LoadId) -> bool {
+    scene.linkage.mechanism.loads[load].kind.contact().is_some()
+}
+
+/// The contacts that act in a pose.
+fn acting(scene: &Scene, pose: &Position) -> Vec<Acting> {
+    let Some(found) = &scene.found else { return Vec::new() };
+    let calculation = found.plans.calculation();
+    let Some(loads) = calculation.loads.as_ref().filter(|_| calculation.positions_have_forces()) else {
+        return Vec::new();
+    };
+    let mut all = loads.acting(&calculation.state(pose.coordinate), &pose.bodies);
+    all.retain(|load| matches!(load.cause, Cause::Load(load) if is_contact(scene, load)));
+    all
+}
+
+/// K with its name, the normal force and the friction dashed, their sum full.
+pub(super) fn contacts(scene: &Scene, pose: &Position) -> Vec<Item> {
+    let Some(length) = length_of_force(scene) else { return Vec::new() };
+    let all = acting(scene, pose);
+    let several = all.len() > 1;
+    let mut items = Vec::new();
+    for (number, load) in all.iter().enumerate() {
+        let (Some(at), Some([normal, friction])) =
+            (load.at, load.parts(&scene.linkage.mechanism, &pose.bodies))
+        else {
+            continue;
+        };
+        let of = |symbol: Text| {
+            let number = several.then(|| name((number + 1).to_string()));
+            joined("", std::iter::once(symbol).chain(number))
+        };
+        let parts = [
+            (normal, name("Fc"), Stroke::Dashed),
+            (friction, text!("contact-friction"), Stroke::Dashed),
+            (load.wrench.force(), name("F"), Stroke::Solid),
+        ];
+        // Without friction the sum is the normal force.
+        let has_friction = friction[0].hypot(friction[1]) > 1e-12 * normal[0].hypot(normal[1]);
+        for (force, symbol, stroke) in parts.into_iter().take(if has_friction { 3 } else { 1 }) {
+            let to = plus(at, scaled(length, force));
+            items.push(Item::Arrow { from: at, to, stroke, ink: Ink::Second });
+            items.push(Item::name(to, of(symbol), Ink::Second));
+        }
+        items.push(Item::sign(at, Sign::Dot, Ink::Second));
+        items.push(Item::name(at, of(name("K")), Ink::Title));
+    }
+    items
+}
+
+/// Greatest force of a contact over the cycle, N.
+fn greatest_force(scene: &Scene) -> f64 {
+    let is_of_contact = |column: Column| match column.owner {
+        Owner::Load(load) => column.quantity == Quantity::Load && is_contact(scene, load),
+        _ => false,
+    };
+    let all = scene.found.iter().flat_map(|found| &found.series);
+    let of_contacts = all.filter(|series| is_of_contact(series.column));
+    of_contacts.map(|series| series.course.size()).fold(0.0, f64::max)
+}
+
+/// Length, m, of an arrow of 1 N; equal in all positions, so that lengths can be compared.
+fn length_of_force(scene: &Scene) -> Option<f64> {
+    let [width, height] = scene.outline.bounds.size();
+    let most = greatest_force(scene);
+    (most > 0.0).then(|| LONGEST_FORCE * width.max(height) / most)
+}
+
+/// What the arrows of contacts are, with the length of a round force.
+fn legend_of_contacts(scene: &Scene) -> Option<Key> {
+    let round = round_length(TOLD * greatest_force(scene));
+    let sample = Sample::Arrow(round * length_of_force(scene)?, Stroke::Solid, Ink::Second);
+    Some(Key { sample, text: text!("contact-forces", size = quantity(plain(round), "N")) })
 }

@@ -16,7 +16,6 @@ pub(crate) fn replace(buffer: &mut Buffer) {
     }
 }
 
-/// The ASCII equivalent of a character.
 pub(crate) fn nearest(c: char) -> char {
     match c {
         c if c.is_ascii() => c,

@@ -9,7 +9,7 @@ use assur_words::{Text, joined, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::plots::{self, Drawn, Vector};
+use super::plots::{self, Vector};
 use super::{page, plans};
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State};
@@ -26,7 +26,6 @@ struct CauseShare {
     scalar: Option<f64>,
 }
 
-/// Draws the pane.
 pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     let Some(reaction) = found.reactions.get(state.chosen.reaction) else { return };
@@ -47,7 +46,7 @@ pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buff
     let rows = Constraint::Length(short(lines.len() + 1).min(below.height));
     let [rows, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(below);
     page::draw(state, &lines, &|_| Role::Plain, rows, buffer);
-    let panels = figure_panels(state, scene, found, &parts);
+    let panels = panels(state, scene, found);
     paint(state, &Figure { panels, columns: 2, ..Figure::default() }, below, buffer);
 }
 
@@ -57,12 +56,8 @@ pub(super) fn panels(state: &State, scene: &Scene, found: &Found) -> Vec<Panel> 
     let plans = found.plans.at(state.position);
     let split = plans.sheet.as_ref().ok().and_then(|sheet| sheet.by_cause.as_ref());
     let parts = split.map(|split| parts(split, reaction)).unwrap_or_default();
-    figure_panels(state, scene, found, &parts)
-}
-
-fn figure_panels(state: &State, scene: &Scene, found: &Found, parts: &[CauseShare]) -> Vec<Panel> {
     let mut panels = curves(state, scene, found, &[usize::MAX]);
-    panels.extend(sum_of(parts));
+    panels.extend(sum_of(&parts));
     panels
 }
 
@@ -109,7 +104,6 @@ fn table(found: &Found, split: &Split, reaction: &Reaction, parts: &[CauseShare]
     Table::list(Text::default(), heads(text!("forces-cause"), last)).rows(all.map(cells))
 }
 
-/// The greatest number of a share.
 fn size(part: &CauseShare) -> f64 {
     part.force.map_or_else(|| part.scalar.map_or(0.0, f64::abs), |[x, y]| x.hypot(y))
 }
@@ -135,22 +129,10 @@ fn sum_of(parts: &[CauseShare]) -> Option<Panel> {
     for (number, part) in parts.iter().enumerate() {
         let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
         let to = [at[0] + x, at[1] + y];
-        vectors.push(Vector {
-            from: at,
-            to,
-            name: name((number + 1).to_string()),
-            ink: Ink::Second,
-            kind: Drawn::Arrow,
-        });
+        vectors.push(Vector::arrow(at, to, name((number + 1).to_string()), Ink::Second));
         at = to;
     }
-    vectors.push(Vector {
-        from: [0.0; 2],
-        to: at,
-        name: text!("forces-sum"),
-        ink: Ink::First,
-        kind: Drawn::Arrow,
-    });
+    vectors.push(Vector::arrow([0.0; 2], at, text!("forces-sum"), Ink::First));
     (vectors.len() > 1).then(|| plots::vectors(Text::default(), &vectors, ("N", "F"), None))
 }
 

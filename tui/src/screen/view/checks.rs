@@ -1,8 +1,11 @@
-//! The checks as the report tells them, of which one is chosen, and the residuals over the positions.
+//! Lists of which one row is chosen: the results that are asked for first; the checks as the report tells them, with the residuals
+//! over the positions.
 
 use assur_analysis::results::Quantity;
+use assur_book::{Cell, Column, Table};
 use assur_figure::{Figure, Ink, Stroke};
 use assur_report::topic;
+use assur_words::{Text, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
@@ -42,4 +45,18 @@ pub(crate) fn figure(state: &State, scene: &Scene) -> Figure {
         over_positions(state, scene, heading, &[(series, Stroke::Solid, Ink::First)], Vec::new())
     });
     Figure { panels: panels.collect(), columns: 1, ..Figure::default() }
+}
+
+/// Draws the results that are asked for first, of which one is chosen.
+pub(super) fn draw_results(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+    let Some(found) = &scene.found else { return };
+    let heads = [text!("fact-quantity"), text!("fact-value"), text!("fact-place")].map(Column::of);
+    let facts = found.results.iter().map(|(_, fact)| fact);
+    let rows = facts.map(|fact| [fact.what(), fact.with_unit(), fact.place()].map(Cell::Text));
+    let table = Table::list(Text::default(), heads).rows(rows);
+    let lines = page::told(state, area.width.saturating_sub(2), |page| {
+        page.table(table);
+        page.paragraph(text!("report-between"));
+    });
+    page::draw_chosen(state, &lines, (state.chosen.result, 1), &|_| Role::Plain, area, buffer);
 }

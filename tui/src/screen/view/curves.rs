@@ -1,6 +1,8 @@
 //! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked, those of one unit over each other,
 //! with their extremes and means.
 
+use std::collections::BTreeSet;
+
 use assur_analysis::results::{Owner, Quantity};
 use assur_book::{Column, Extreme, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
@@ -10,7 +12,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
-use super::plots::{self, over_positions};
+use super::plots::{self, STYLES, over_positions};
 use crate::number::number;
 use crate::screen::draw::{cut, paint, put, short};
 use crate::screen::state::{Compared, Found, Role, Scene, Series, State, coordinate_unit};
@@ -19,7 +21,6 @@ use crate::screen::state::{Compared, Found, Role, Scene, Series, State, coordina
 const SIGNS: [(Sign, &str); 3] =
     [(Sign::Cross, "curve-zero"), (Sign::Ring, "curve-extreme"), (Sign::Plus, "curve-inflection")];
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     if !state.picked.is_empty() {
         return draw_picked(state, scene, area, buffer);
@@ -35,7 +36,6 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     paint(state, &figure, charts, buffer);
 }
 
-/// The heading and the charts.
 fn parts(area: Rect) -> [Rect; 2] {
     Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area)
 }
@@ -129,15 +129,6 @@ pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) ->
     (0..scene.positions()).min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }
 
-/// Strokes and inks of several curves, told apart without color.
-const STYLES: [(Stroke, Ink); 6] = [
-    (Stroke::Solid, Ink::First),
-    (Stroke::Dotted, Ink::Third),
-    (Stroke::Chain, Ink::Second),
-    (Stroke::Dashed, Ink::Link(5)),
-    (Stroke::Solid, Ink::Link(2)),
-    (Stroke::Chain, Ink::Link(4)),
-];
 /// The heads of the table of extremes and means, behind the name and the unit.
 const HEADS: [&str; 7] =
     ["curve-now", "curve-greatest", "curve-at", "curve-least", "curve-at", "curve-mean", "curve-rms"];
@@ -147,7 +138,6 @@ fn picked<'a>(state: &State, scene: &'a Scene) -> Vec<&'a Series> {
     state.picked.iter().filter_map(|short| scene.named(short)).collect()
 }
 
-/// Draws the table of extremes and means, then the curves.
 fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let [table, charts] = parts_of_picked(state, scene, area);
     page::draw(state, &extremes(state, scene, area.width), &|_| Role::Plain, table, buffer);
@@ -158,9 +148,12 @@ fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
 fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let heads = std::iter::repeat_with(Text::default).take(2).chain(HEADS.map(|head| text!(head)));
     let row = |(number, series): (usize, &Series)| {
-        let shown = |value: f64| if value.abs() <= series.least() { 0.0 } else { value };
+        let shown = |value: f64| {
+            let value = series.factor * value;
+            if value.abs() <= series.least() { 0.0 } else { value }
+        };
         let now = series.clean(state.position).map(|value| series.factor * value);
-        let summary = series.summary();
+        let summary = series.course.summary();
         let (greatest, least) = (summary.map(|all| all.greatest), summary.map(|all| all.least));
         let value = |extreme: Option<Extreme>| extreme.map(|extreme| shown(extreme.value));
         let at = |extreme: Option<Extreme>| extreme.map(|extreme| words::number(extreme.number));
@@ -181,13 +174,11 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     page::told(state, width.saturating_sub(2), |page| page.table(table))
 }
 
-/// The table and the charts.
 fn parts_of_picked(state: &State, scene: &Scene, area: Rect) -> [Rect; 2] {
     let rows = short(extremes(state, scene, area.width).len());
     Layout::vertical([Constraint::Length(rows), Constraint::Min(0)]).areas(area)
 }
 
-/// The picked quantities together.
 fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
     let all: Vec<Series> = picked(state, scene).into_iter().map(in_radians).collect();
     together(state, scene, &all.iter().collect::<Vec<_>>())
@@ -198,16 +189,16 @@ const CONSTANT: f64 = 1e-9;
 
 /// A panel for each unit, with a ring at the greatest and the least value of each curve.
 pub(super) fn together(state: &State, scene: &Scene, all: &[&Series]) -> Figure {
-    let mut units: Vec<&str> = Vec::new();
-    for series in all {
-        let unit = without_radians(&series.unit);
-        if !units.contains(&unit) {
-            units.push(unit);
-        }
-    }
+    let units = different(all.iter().map(|series| without_radians(&series.unit)));
     let panels = units.into_iter().map(|unit| panel_of_unit(state, scene, all, unit)).collect();
     let legend = if all.len() > 1 { keys(state, all) } else { Vec::new() };
     Figure { panels, columns: 1, legend, ..Figure::default() }
+}
+
+/// Each of them once, in the order in which it comes first.
+fn different<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut seen = BTreeSet::new();
+    all.filter(|one| seen.insert(*one)).collect()
 }
 
 /// The angle of a link in radians, by which its derivatives are taken; other quantities as they are shown.
@@ -263,13 +254,8 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
         }
         names.push(plots::numbered(number, series.told()));
     }
-    let mut units: Vec<&str> = Vec::new();
-    for (series, ..) in curves.iter().filter(|(series, ..)| !series.unit.is_empty()) {
-        if !units.contains(&series.unit.as_str()) {
-            units.push(&series.unit);
-        }
-    }
-    let units = list(units.into_iter().map(|symbol| words::unit(symbol.to_owned())));
+    let units = curves.iter().map(|(series, ..)| series.unit.as_str()).filter(|unit| !unit.is_empty());
+    let units = list(different(units).into_iter().map(|symbol| words::unit(symbol.to_owned())));
     // The value at the cursor stands in the legend of several, else in the heading.
     let heading = match all {
         [alone] => [alone.told(), alone.show(state.position)],

@@ -32,7 +32,6 @@ const MOTOR: [&str; 9] = [
     "fact-rms-torque",
 ];
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
     let Some(dynamics) = &found.analysis.dynamics else { return };
@@ -127,7 +126,11 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
             let (panel, legend) = regime::shares(state, scene, found, dynamics);
             return Figure { title: text!("drive-title"), panels: vec![panel], columns, legend };
         }
-        ViewPart::Places => places::panels(scene, dynamics),
+        // The two drives stand beside each other.
+        ViewPart::Places => {
+            let (panels, legend) = (places::panels(scene, dynamics), places::legend(dynamics));
+            return Figure { title: text!("places-heading"), columns: panels.len().max(1), panels, legend };
+        }
         _ => {
             let moments = regime::moments(state, scene, found, &dynamics.regime);
             let section =
@@ -135,10 +138,5 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
             regime::characteristic(dynamics).into_iter().chain(section).chain([moments]).collect()
         }
     };
-    // The two drives stand beside each other.
-    if state.part(View::Drive) == ViewPart::Places {
-        let (columns, legend) = (panels.len().max(1), places::legend(dynamics));
-        return Figure { title: text!("places-heading"), panels, columns, legend };
-    }
     Figure { title: text!("drive-title"), panels, columns, legend: Vec::new() }
 }

@@ -13,7 +13,6 @@ use crate::screen::state::{Command, Key, PickerKind, PromptKind, Role, Running, 
 /// A command that applies in at most this many views belongs to them.
 const OWN: usize = 4;
 
-/// Draws the footer.
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     if let Some(prompt) = &state.prompt {

@@ -17,7 +17,6 @@ const BELOW: u16 = 9;
 /// Rows that a chart needs at least.
 const LEAST: u16 = 5;
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
     let theme = state.look.theme;
@@ -44,28 +43,28 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
 /// The chosen reaction: its modulus beside its hodograph, its projections, its hodograph, or its causes.
 pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
-    let (panels, columns) = match state.part(View::Forces) {
-        ViewPart::Causes => (causes::panels(state, scene, found), 2),
+    let part = state.part(View::Forces);
+    let panels = match part {
+        ViewPart::Causes => causes::panels(state, scene, found),
         // The curves of a second analyzer or scene need frames of their own.
         ViewPart::Curves if scene.other.is_none() && state.compared.is_none() => {
             let all = chosen(state, found).map_or(&[][..], |reaction| &reaction.series);
             let all: Vec<&Series> = all.iter().map(|index| &found.series[*index]).collect();
             return Figure { title: heading(state, scene, found), ..together(state, scene, &all) };
         }
-        ViewPart::Curves => (curves(state, scene, found, &[0, 1, 2]), 1),
+        ViewPart::Curves => curves(state, scene, found, &[0, 1, 2]),
         ViewPart::Hodograph => {
             let mut panels: Vec<Panel> = hodograph(state, found).into_iter().collect();
             let touching = |reaction| friction::panel(scene, found, state.position, reaction);
             panels.extend(chosen(state, found).and_then(touching));
-            let columns = panels.len().max(1);
-            (panels, columns)
+            panels
         }
-        _ => {
-            let mut panels = curves(state, scene, found, &[usize::MAX]);
-            panels.extend(hodograph(state, found));
-            let columns = panels.len().max(1);
-            (panels, columns)
-        }
+        _ => curves(state, scene, found, &[usize::MAX]).into_iter().chain(hodograph(state, found)).collect(),
+    };
+    let columns = match part {
+        ViewPart::Causes => 2,
+        ViewPart::Curves => 1,
+        _ => panels.len().max(1),
     };
     let name = chosen(state, found).map(|reaction| reaction.name.clone()).unwrap_or_default();
     Figure { title: list([name, heading(state, scene, found)]), panels, columns, legend: Vec::new() }
@@ -86,7 +85,6 @@ fn heading(state: &State, scene: &Scene, found: &Found) -> Text {
     }
 }
 
-/// The chosen reaction.
 fn chosen<'a>(state: &State, found: &'a Found) -> Option<&'a Reaction> {
     found.reactions.get(state.chosen.reaction)
 }

@@ -13,7 +13,6 @@ use crate::screen::state::{Role, Scene, State, View, coordinate_unit};
 /// Columns that the key of a changed value can spare.
 const KEY_ROOM: usize = 20;
 
-/// Draws the header.
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let style = state.look.theme.style(Role::Header);
     let Some(scene) = &state.scene else {

@@ -38,7 +38,6 @@ const GLOSSARY: [&str; 18] = [
 /// The pieces of one row: column, style and text of each.
 type Pieces = Vec<(u16, Role, String)>;
 
-/// Draws the help over the body.
 pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let Some(help) = &state.help else { return };
     let theme = state.look.theme;
@@ -65,26 +64,24 @@ pub(super) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
 fn rows(state: &State, help: &Help) -> Vec<Pieces> {
     let wanted = help.filter.text.to_lowercase();
     let mut rows = Vec::new();
+    let add_section = |rows: &mut Vec<Pieces>, title: Text, found: &mut dyn Iterator<Item = Pieces>| {
+        let mut found = found.peekable();
+        if found.peek().is_some() {
+            rows.push(vec![(0, Role::Header, state.told(title))]);
+            rows.extend(found);
+            rows.push(Vec::new());
+        }
+    };
     let languages = state.told(text!("help-language"));
     if languages.to_lowercase().contains(&wanted) {
         rows.push(vec![(0, Role::Plain, languages)]);
     }
     for (group, id) in Group::ALL {
         let of_group = state.commands.iter().filter(|command| command.group == group);
-        let commands: Vec<Pieces> = of_group.flat_map(|command| rows_of(state, command, &wanted)).collect();
-        if !commands.is_empty() {
-            rows.push(vec![(0, Role::Header, state.told(text!(id)))]);
-            rows.extend(commands);
-            rows.push(Vec::new());
-        }
+        add_section(&mut rows, text!(id), &mut of_group.flat_map(|command| rows_of(state, command, &wanted)));
     }
     let words_of = |word: &&'static str| rows_of_word(state, word, &wanted);
-    let glossary: Vec<Pieces> = GLOSSARY.iter().flat_map(words_of).collect();
-    if !glossary.is_empty() {
-        rows.push(vec![(0, Role::Header, state.told(text!("group-words")))]);
-        rows.extend(glossary);
-        rows.push(Vec::new());
-    }
+    add_section(&mut rows, text!("group-words"), &mut GLOSSARY.iter().flat_map(words_of));
     if rows.is_empty() && !wanted.is_empty() {
         let sought = name(help.filter.text.to_string());
         rows.push(vec![(0, Role::Bad, state.told(text!("say-not-found", text = sought)))]);

@@ -8,7 +8,7 @@ use assur_words::{Text, joined, name};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{arrows, contact, panel};
+use super::{arrows, panel};
 use crate::screen::draw::{cells, paint_zoomed};
 use crate::screen::state::{Probe, Scene, State, Traces, View};
 
@@ -19,7 +19,6 @@ const TRAIL: usize = 4;
 /// Most links of a legend.
 const MOST_LINKS: usize = 12;
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let [drawing, beside] = parts(area);
     let figure = figure(state, scene, &[]);
@@ -48,13 +47,15 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
     if let Some(compared) = &state.compared {
         items.extend(ghost(state, &compared.scene));
     }
-    let hidden = not_joined(state, scene);
+    // While the structure is put together, the links of the groups that are not joined yet.
+    let from = state.joined.filter(|_| state.view == View::Structure);
+    let hidden = from.map_or_else(Vec::new, |group| links_from(scene, group));
     let drawing = Drawing { hidden: &hidden, ..drawing(scene, marked) };
     match scene.pose(position, state.part_way()) {
         Some(pose) => {
             items.extend(drawing.items(&pose));
             items.extend(arrows::items(state, scene, &pose, position));
-            items.extend(contact::items(scene, &pose));
+            items.extend(arrows::contacts(scene, &pose));
             items.extend(state.probe.iter().flat_map(|probe| of_probe(scene, probe, &pose)));
         }
         None => items.extend(broken(scene, marked, position)),
@@ -65,7 +66,6 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
         title => joined(": ", [name(title.to_owned()), at]),
     };
     let mut legend = arrows::legend(state, scene);
-    legend.extend(contact::legend(scene));
     legend.extend(links(&drawing));
     Figure { title, legend, ..Figure::of(plane(scene, items)) }
 }
@@ -119,12 +119,6 @@ pub(crate) fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> 
     }
 }
 
-/// The links of the groups that are not joined yet, while the structure is put together.
-fn not_joined(state: &State, scene: &Scene) -> Vec<usize> {
-    let joined = state.joined.filter(|_| state.view == View::Structure);
-    joined.map_or_else(Vec::new, |joined| links_from(scene, joined))
-}
-
 /// A position that can't be assembled: what has a place, and the gap of the first group that has none.
 fn broken(scene: &Scene, marked: &[usize], position: usize) -> Vec<Item> {
     let drawing = drawing(scene, marked);
@@ -158,7 +152,6 @@ fn ghost(state: &State, scene: &Scene) -> Vec<Item> {
     drawing(scene, &[]).items(&pose).into_iter().filter_map(faint).collect()
 }
 
-/// The moved point with its path.
 fn of_probe(scene: &Scene, probe: &Probe, pose: &Position) -> [Item; 3] {
     let at = pose.bodies[probe.link].point(probe.at);
     [

@@ -5,7 +5,6 @@ mod arrows;
 mod ascii;
 mod causes;
 pub(crate) mod checks;
-mod contact;
 pub(crate) mod curves;
 mod drive;
 mod footer;
@@ -24,7 +23,6 @@ pub(crate) mod plots;
 mod reduction;
 mod regime;
 pub(crate) mod report;
-mod results;
 mod structure;
 mod table;
 pub(crate) mod values;
@@ -51,7 +49,6 @@ const MAIN: u16 = 80;
 /// Least height of a view beside it.
 const PANEL: u16 = 15;
 
-/// Draws the whole frame.
 pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     state.shown.borrow_mut().clear();
     let area = frame.area();
@@ -95,7 +92,6 @@ fn draw_body(state: &State, body: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Header, body, footer.
 fn parts(area: Rect) -> [Rect; 3] {
     Layout::vertical([Constraint::Length(2), Constraint::Min(0), Constraint::Length(2)]).areas(area)
 }
@@ -151,7 +147,6 @@ pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
     Some(figure).filter(|figure| !figure.panels.is_empty())
 }
 
-/// Draws a view in its own area.
 pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     let Some(scene) = &state.scene else { return };
     if !state.has(view) {
@@ -168,7 +163,7 @@ pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buff
         View::Accuracy | View::Working => report::draw(state, view, area, buffer),
         View::Structure => structure::draw(state, scene, area, buffer),
         View::Table => table::draw(state, scene, area, buffer),
-        View::Results => results::draw(state, scene, area, buffer),
+        View::Results => checks::draw_results(state, scene, area, buffer),
         View::Values | View::Probe => {}
     }
 }

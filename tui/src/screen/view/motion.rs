@@ -22,7 +22,6 @@ const NUMBERS: u16 = 30;
 /// Rows that the curves below the table of the iteration need.
 const ITERATION: u16 = 8;
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
     let (role, text) = heading(scene, found);

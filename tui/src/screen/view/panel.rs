@@ -46,7 +46,6 @@ pub(super) fn draw(
     put_lines(buffer, area, 1, state, &lines);
 }
 
-/// The legend of the arrows: what they are, then the length of a round value.
 fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(Role, String)> {
     let Some(panel) = figure.panels.first() else { return Vec::new() };
     let Some(width) = cell_width(panel, [drawing.width, drawing.height], cells(state, state.zoom)) else {

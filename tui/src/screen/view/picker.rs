@@ -1,14 +1,13 @@
 //! A list to choose from, over the body, with a picture of what is chosen beside it.
 
 use assur_figure::{Figure, Ink, Stroke};
-use assur_fixtures::SCENES;
 use assur_words::{Text, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Clear, Widget};
 
 use super::{mechanism, plots};
-use crate::screen::draw::{cut, first_shown, paint, put, put_lines, short};
+use crate::screen::draw::{cut, paint, put, put_lines, short};
 use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, State};
 
 /// Columns of the list of scenes.
@@ -16,7 +15,6 @@ const SCENE: u16 = 26;
 /// Columns of the list of quantities.
 const QUANTITY: u16 = 44;
 
-/// Draws an open list.
 pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     Clear.render(area, buffer);
     let [title, rest] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
@@ -33,7 +31,8 @@ pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buff
     let count = state.told(text!("picker-count", left = some, all = all));
     put(buffer, title, 1, 1, &format!("/{}  ({count})", picker.filter.text), theme.style(Role::Key));
     let height = usize::from(list.height);
-    let shown = left.iter().enumerate().skip(first_shown(picker.chosen, height)).take(height);
+    // The chosen row is the last at most.
+    let shown = left.iter().enumerate().skip((picker.chosen + 1).saturating_sub(height)).take(height);
     for (row, (index, choice)) in shown.enumerate() {
         let (sign, role) = if index == picker.chosen { ('>', Role::Cursor) } else { (' ', Role::Plain) };
         let mark = if picker.marked.contains(&choice.name) { '*' } else { ' ' };
@@ -47,11 +46,9 @@ pub(super) fn draw(state: &State, picker: &Picker, area: Rect, buffer: &mut Buff
     }
 }
 
-/// The mechanism of a shipped scene.
 fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
-    let index = SCENES.iter().position(|(name, _)| *name == choice.name);
-    match index.and_then(|index| state.previews.get(&index)) {
+    match state.previews.get(choice.name.as_str()) {
         Some(Ok(scene)) => {
             let [head, drawing] = Layout::vertical([Constraint::Length(2), Constraint::Min(0)]).areas(area);
             put(buffer, head, 1, 0, &scene.linkage.mechanism.title, theme.style(Role::Header));
@@ -69,14 +66,12 @@ fn preview(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The curve of a quantity.
 fn curve(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
     let Some(scene) = &state.scene else { return };
     let Some(series) = scene.named(&choice.name) else { return };
     paint(state, &figure(state, scene, series), area, buffer);
 }
 
-/// The picture of a quantity.
 pub(crate) fn figure(state: &State, scene: &Scene, series: &Series) -> Figure {
     let (curves, heading) =
         ([(series, Stroke::Solid, Ink::First)], [Text::default(), series.show(state.position)]);

@@ -7,6 +7,7 @@ use assur_motor::{FlywheelSize, Motor, RatedData, catalogues};
 use assur_report::topic::flywheel_shaft;
 use assur_words::{Text, joined, list, name, number, quantity, text};
 
+use super::plots;
 use crate::number::digits;
 use crate::screen::state::Scene;
 
@@ -25,21 +26,15 @@ const GEAR: [f64; 2] = [1.2, 2.0];
 
 /// A panel for each place of the flywheel, all to one scale.
 pub(super) fn panels(scene: &Scene, dynamics: &Dynamics) -> Vec<Panel> {
-    let places = dynamics.flywheel_places.iter();
-    let drawn: Vec<(Text, Vec<Item>)> = places.map(|wheel| drive(scene, dynamics, wheel)).collect();
-    let bounds = drawn.iter().map(|(_, items)| Bounds::around(items.iter().flat_map(Item::points)));
-    let size = bounds.clone().fold([0.0_f64; 2], |size, of| {
-        let own = of.size();
-        [size[0].max(own[0]), size[1].max(own[1])]
-    });
-    let centers: Vec<Point> = bounds.map(|of| of.center()).collect();
-    let panel = |((title, items), center): ((Text, Vec<Item>), Point)| {
-        let corner = |side: f64| [0, 1].map(|axis| center[axis] + 0.5 * side * size[axis]);
-        let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
+    let panel = |wheel: &FlywheelSize| {
+        let (title, items) = drive(scene, dynamics, wheel);
+        let bounds = Bounds::around(items.iter().flat_map(Item::points));
         let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
         Panel { title, frame, items }
     };
-    drawn.into_iter().zip(centers).map(panel).collect()
+    let mut panels: Vec<Panel> = dynamics.flywheel_places.iter().map(panel).collect();
+    plots::one_scale(&mut panels);
+    panels
 }
 
 /// The parts along the shaft from the motor to the crank, seen from the side.
@@ -63,13 +58,9 @@ impl Shaft {
             Item::line(closed, Stroke::Dashed, ink)
         });
         self.items.extend(told.map(|told| Item::name([0.5 * (from + to), high], told, Ink::Title)));
-        self.shaft(to);
-    }
-
-    /// The shaft from here to the next part.
-    fn shaft(&mut self, from: f64) {
-        self.at = from + self.apart;
-        self.items.push(Item::line([[from, 0.0], [self.at, 0.0]], Stroke::Solid, Ink::Text));
+        // The shaft to the next part.
+        self.at = to + self.apart;
+        self.items.push(Item::line([[to, 0.0], [self.at, 0.0]], Stroke::Solid, Ink::Text));
     }
 }
 

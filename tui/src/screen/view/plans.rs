@@ -30,7 +30,6 @@ const AROUND: f64 = 0.06;
 /// Name of the pole of a plan of velocities or accelerations.
 const POLE: &str = "p";
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
     let [list, drawing] = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(area);
@@ -98,7 +97,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
                 && let Shown::Plan(plan) = shown(state, found, plans)
             {
                 panels.insert(0, panel_of_plan(state.part(View::Plans), plan));
-                one_scale(&mut panels);
+                plots::one_scale(&mut panels);
                 (panels[0].title, panels[1].title) = (scene.place(*position), scene.place(state.position));
             }
             let legend = keys(state.part(View::Plans), plan);
@@ -133,21 +132,6 @@ fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
         Key { sample: Sample::Line(stroke, ink_of(part, item)), text: joined("  ", [what, size]) }
     };
     named.take(MOST).map(key).collect()
-}
-
-/// Gives all panels the bounds of the largest one, so that they have one scale.
-fn one_scale(panels: &mut [Panel]) {
-    let of =
-        |panel: &Panel| if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] };
-    let most =
-        panels.iter().map(of).fold([0.0_f64; 2], |most, size| [most[0].max(size[0]), most[1].max(size[1])]);
-    for panel in panels {
-        if let Frame::Plane { bounds, .. } = &mut panel.frame {
-            let center = bounds.center();
-            let corner = |side: f64| [0, 1].map(|axis| center[axis] + side * most[axis] / 2.0);
-            *bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
-        }
-    }
 }
 
 /// Whether forces are determined in this position.
@@ -197,7 +181,7 @@ pub(super) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
     let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
         let ink = ink_of(part, item);
         let name = if ink == Ink::Trace { Text::default() } else { name(label) };
-        Vector { from: item.start, to: item.end, name, ink, kind: Drawn::Arrow }
+        Vector::arrow(item.start, item.end, name, ink)
     });
     let (unit, symbol, pole) = match part {
         ViewPart::Velocities => (plan.unit.as_str(), "v", Some(POLE)),

@@ -11,8 +11,14 @@ use crate::screen::state::{Scene, Series, State, coordinate_unit};
 const MARKED: usize = 24;
 
 /// Strokes and inks of several curves, told apart without color.
-const STYLES: [(Stroke, Ink); 3] =
-    [(Stroke::Solid, Ink::First), (Stroke::Dotted, Ink::Third), (Stroke::Chain, Ink::Second)];
+pub(super) const STYLES: [(Stroke, Ink); 6] = [
+    (Stroke::Solid, Ink::First),
+    (Stroke::Dotted, Ink::Third),
+    (Stroke::Chain, Ink::Second),
+    (Stroke::Dashed, Ink::Link(5)),
+    (Stroke::Solid, Ink::Link(2)),
+    (Stroke::Chain, Ink::Link(4)),
+];
 
 /// The axis of the coordinate, from the first position to the end of the cycle or to the last position.
 pub(super) fn coordinate_axis(scene: &Scene) -> Axis {
@@ -112,6 +118,12 @@ pub(crate) struct Vector {
     pub(crate) kind: Drawn,
 }
 
+impl Vector {
+    pub(crate) fn arrow(from: Point, to: Point, name: Text, ink: Ink) -> Self {
+        Self { from, to, name, ink, kind: Drawn::Arrow }
+    }
+}
+
 /// How a vector is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Drawn {
@@ -154,5 +166,20 @@ fn arrow(vector: &Vector) -> Item {
         Drawn::Line => Item::line([from, to], Stroke::Solid, ink),
         Drawn::Arrow if vector.name.is_empty() => Item::line([from, to], Stroke::Dotted, ink),
         Drawn::Arrow => Item::Arrow { from, to, stroke: Stroke::Solid, ink },
+    }
+}
+
+/// Gives all panels the bounds of the largest one, so that they have one scale.
+pub(super) fn one_scale(panels: &mut [Panel]) {
+    let of =
+        |panel: &Panel| if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] };
+    let most =
+        panels.iter().map(of).fold([0.0_f64; 2], |most, size| [most[0].max(size[0]), most[1].max(size[1])]);
+    for panel in panels {
+        if let Frame::Plane { bounds, .. } = &mut panel.frame {
+            let center = bounds.center();
+            let corner = |side: f64| [0, 1].map(|axis| center[axis] + side * most[axis] / 2.0);
+            *bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
+        }
     }
 }

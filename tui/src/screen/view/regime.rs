@@ -130,11 +130,6 @@ pub(super) fn working_section(dynamics: &Dynamics) -> Option<Panel> {
     Some(panel)
 }
 
-/// `δ = 0.05`.
-fn unevenness(dynamics: &Dynamics) -> Text {
-    text!("regime-delta", delta = number(plain(dynamics.figures.unevenness)))
-}
-
 /// The working section as a thick line over the characteristic, with the lines of its least and its greatest speed, and the
 /// unevenness that belongs to it.
 fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
@@ -145,10 +140,10 @@ fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
         panel.items.push(Item::line([[end[0], low], [end[0], high]], Stroke::Dotted, Ink::Cursor));
         panel.items.push(Item::sign(*end, Sign::Ring, Ink::Text));
     }
-    panel.items.extend(section.first().map(|at| Item::name(*at, unevenness(dynamics), Ink::Title)));
+    let unevenness = text!("regime-delta", delta = number(plain(dynamics.figures.unevenness)));
+    panel.items.extend(section.first().map(|at| Item::name(*at, unevenness, Ink::Title)));
 }
 
-/// The energy-mass diagram with its two tangents.
 pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
     let x = Axis::around(text!("regime-links-inertia"), inertias(), 0.0);

@@ -9,7 +9,6 @@ use super::{drive, motion};
 use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Role, State, View};
 
-/// Draws the text of a view.
 pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
     let top = u16::from(view == View::Accuracy && state.measuring().is_some());
@@ -46,14 +45,9 @@ pub(crate) fn page(state: &State) -> usize {
     usize::from(super::room(state).height.saturating_sub(top))
 }
 
-/// Columns in which the text of the view is written.
-pub(crate) fn width(state: &State) -> u16 {
-    super::room(state).width
-}
-
 /// The first line of the last page.
 pub(crate) fn last_line(state: &State) -> usize {
-    lines(state, state.view, width(state)).len().saturating_sub(page(state))
+    lines(state, state.view, super::room(state).width).len().saturating_sub(page(state))
 }
 
 /// The text of a view in lines of a width.

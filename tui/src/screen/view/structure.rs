@@ -20,7 +20,6 @@ const DRAWING: u16 = 24;
 /// Digits of the least determinant.
 const LEAST: usize = 3;
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let [top, rest] = Layout::vertical([Constraint::Length(4), Constraint::Min(0)]).areas(area);
     let text = lines(state, scene, rest.width.saturating_sub(2)).len();
@@ -102,6 +101,10 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         lines.push((false, state.told(text!("structure-drawn", groups = with, key = next))));
     }
     let room = usize::from(width).saturating_sub(INDENT);
+    let indented = |text: Text, indent: usize| {
+        let rows = wrapped(&state.told(text), room).into_iter();
+        rows.map(move |line| (false, format!("{:indent$}{line}", "")))
+    };
     for (index, group) in linkage.structure.groups.iter().enumerate() {
         let chosen = index == state.chosen.group;
         let sign = if chosen { "> " } else { "  " };
@@ -109,20 +112,15 @@ fn lines(state: &State, scene: &Scene, width: u16) -> Vec<(bool, String)> {
         lines.push((chosen, cut(&format!("{sign}{named}"), width.into())));
         if let Some((health, at)) = scene.least_health(index) {
             let (least, at) = (number(digits(health, LEAST)), number(at));
-            let least = state.told(text!("structure-least", determinant = least, position = at));
-            lines.extend(
-                wrapped(&least, room).into_iter().map(|line| (false, format!("{:INDENT$}{line}", ""))),
-            );
+            lines.extend(indented(text!("structure-least", determinant = least, position = at), INDENT));
         }
         if chosen {
-            let rows = details(state, scene, group, index).into_iter();
-            let rows = rows.flat_map(|line| wrapped(&state.told(line), room));
-            lines.extend(rows.map(|line| (false, format!("{:INDENT$}{line}", ""))));
+            let details = details(state, scene, group, index).into_iter();
+            lines.extend(details.flat_map(|line| indented(line, INDENT)));
         }
     }
     for passive in passive(linkage) {
-        let told = state.told(topic::passive_part(&passive, linkage.angular()));
-        lines.extend(wrapped(&told, room).into_iter().map(|line| (false, format!("  {line}"))));
+        lines.extend(indented(topic::passive_part(&passive, linkage.angular()), 2));
     }
     lines
 }

@@ -16,7 +16,6 @@ const FIRST: u16 = 6;
 /// Least width of another one: a number with an exponent.
 const COLUMN: u16 = 12;
 
-/// Draws the view.
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     if area.height < 4 {
         return;

@@ -25,7 +25,6 @@ pub(crate) fn height(body: Rect) -> u16 {
     (body.height / 3).clamp(HEIGHT[0], HEIGHT[1]).min(body.height)
 }
 
-/// Draws the list, and beside it what has changed in the results.
 pub(crate) fn draw(state: &State, area: Rect, buffer: &mut Buffer) {
     let beside = if results(state).is_empty() { 0 } else { RESULTS.min(area.width / 2) };
     let [list, beside] = Layout::horizontal([Constraint::Min(0), Constraint::Length(beside)]).areas(area);
@@ -91,10 +90,10 @@ fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
     };
     let of = |id: &'static str, symbol: &str| list([text!(id), unit(symbol.to_owned())]);
     if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short))
-        && let Some(summary) = series.summary()
+        && let Some(summary) = series.course.summary()
     {
-        results.push((named("values-most", series), summary.greatest.value));
-        results.push((named("values-least", series), summary.least.value));
+        results.push((named("values-most", series), series.factor * summary.greatest.value));
+        results.push((named("values-least", series), series.factor * summary.least.value));
     }
     let Some(found) = &scene.found else { return results };
     if let Some(series) = found.balancing() {
@@ -128,7 +127,6 @@ fn results(state: &State) -> Vec<String> {
     results_of(state, scene).into_iter().filter_map(row).collect()
 }
 
-/// Draws them under a title.
 fn draw_results(state: &State, area: Rect, buffer: &mut Buffer) {
     if area.width == 0 {
         return;
