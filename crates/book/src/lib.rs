@@ -18,7 +18,7 @@ pub use document::{Block, Document, Term};
 pub use fact::link_name;
 pub use fact::{Fact, Value};
 pub use number::{Digits, Unit};
-pub use peaks::peaks;
+pub use peaks::{Range, peaks, range};
 pub use table::{Cell, Column, Group, Printed, Table};
 
 assur_words::resources!();

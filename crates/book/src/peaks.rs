@@ -2,6 +2,7 @@
 
 use assur_analysis::Calculation;
 use assur_analysis::results::{Column, Edges, Owner, Part, Peaks, Quantity, Schema, Table, Turn};
+use assur_kinematics::continuous_angle;
 use assur_mechanism::GROUND;
 
 use crate::Course;
@@ -59,14 +60,66 @@ fn farthest(
     course: &Course,
     read: &dyn Fn(&Table, usize) -> Option<f64>,
 ) -> Option<Turn> {
-    let turns = course.turns();
-    let most = turns.iter().fold(0.0_f64, |most, turn| most.max(turn.value.abs()));
-    let near: Vec<Turn> = turns.into_iter().filter(|turn| turn.value.abs() >= (1.0 - NEAR) * most).collect();
-    let greater =
-        |best: Turn, next: Turn| if next.value.abs() > best.value.abs() * (1.0 + TIE) { next } else { best };
+    most(calculation, course, read, f64::abs)
+}
+
+/// The value that is most by a measure; of a constant its first one.
+fn most(
+    calculation: &Calculation,
+    course: &Course,
+    read: &dyn Fn(&Table, usize) -> Option<f64>,
+    measure: fn(f64) -> f64,
+) -> Option<Turn> {
+    let (turns, size) = (course.turns(), course.size());
+    let most = turns.iter().map(|turn| measure(turn.value)).fold(f64::NEG_INFINITY, f64::max);
+    let least = most - NEAR * size.max(most.abs());
+    let near: Vec<Turn> = turns.into_iter().filter(|turn| measure(turn.value) >= least).collect();
+    let greater = |best: Turn, next: Turn| {
+        if measure(next.value) > measure(best.value) + TIE * best.value.abs() { next } else { best }
+    };
     let found = calculation.refined(&near, read).into_iter().reduce(greater);
     let first = || course.nodes().first().map(|node| Turn::at(node.at, node.value));
     found.or_else(first)
+}
+
+/// What a quantity reaches over the positions and between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The greatest value.
+    pub greatest: Turn,
+    /// The least value.
+    pub least: Turn,
+    /// Mean and root mean square over the coordinate; `None` where there is no value somewhere.
+    pub means: Option<[f64; 2]>,
+}
+
+/// What a quantity reaches, with its `course` over the positions; `None` where no position has a value.
+pub fn range(calculation: &Calculation, course: &Course, column: Column) -> Option<Range> {
+    let is_angle = matches!((column.quantity, column.owner), (Quantity::Transfer(0), Owner::Link(_)));
+    let read = |table: &Table, row: usize| {
+        let value = table.get(row, column)?;
+        if !is_angle {
+            return Some(value);
+        }
+        Some(continuous_angle(value, course.between(table.get(row, Column::COORDINATE)?)?))
+    };
+    let greatest = most(calculation, course, &read, |value| value)?;
+    let least = most(calculation, course, &read, |value| -value)?;
+    Some(Range { greatest, least, means: means(calculation, course, &read) })
+}
+
+/// Mean and root mean square over the cycle or the part of it that is calculated.
+fn means(
+    calculation: &Calculation,
+    course: &Course,
+    read: &dyn Fn(&Table, usize) -> Option<f64>,
+) -> Option<[f64; 2]> {
+    let input = &calculation.linkage.mechanism.input;
+    let last = if input.is_cycle() { input.positions } else { input.positions.saturating_sub(1) };
+    let jumps: Vec<f64> = course.steps().map(|step| step.at).collect();
+    let [mean, rms] = calculation.means([0, last].map(|index| input.coordinate(index)), &jumps, read)?;
+    // What is left of a mean of zero is rounding.
+    Some([if mean.abs() <= ROUNDING * rms { 0.0 } else { mean }, rms])
 }
 
 /// A mean below this part of the root mean square has no correct digit: some rounding units.
@@ -74,14 +127,9 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Mean and root mean square over the cycle; a part of a cycle has no mean of this kind.
 fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -> Option<[f64; 2]> {
-    let input = &calculation.linkage.mechanism.input;
-    if !input.is_cycle() {
+    if !calculation.linkage.mechanism.input.is_cycle() {
         return None;
     }
     let course = Course::of(positions, Some(edges), Column::COORDINATE, Column::BALANCING);
-    let jumps: Vec<f64> = course.steps().map(|step| step.at).collect();
-    let ends = [0, input.positions].map(|index| input.coordinate(index));
-    let [mean, rms] = calculation.means(ends, &jumps, |table, row| table.get(row, Column::BALANCING))?;
-    // What is left of a mean of zero is rounding.
-    Some([if mean.abs() <= ROUNDING * rms { 0.0 } else { mean }, rms])
+    means(calculation, &course, &|table, row| table.get(row, Column::BALANCING))
 }

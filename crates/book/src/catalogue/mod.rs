@@ -111,7 +111,7 @@ rows! {
     Q::FrictionMoment, _ => SENSE "quantity-friction-moment", "Mf", M::Moment,
         "friction.*.moment", "*_friction_moment";
     Q::FrictionForce, _ => SENSE "quantity-friction-force", "Ff", M::Force, "friction.*.force", "*_friction_force";
-    Q::FrictionPower, _ => PLAIN "quantity-friction-power", "Pf", M::Power, "friction.*.power", "*_friction_power";
+    Q::FrictionPower, _ => SENSE "quantity-friction-power", "Pf", M::Power, "friction.*.power", "*_friction_power";
     Q::IdealBalancing, _ => SENSE "quantity-ideal-balancing", "", M::Balancing,
         "balancing_without_friction", "balancing_without_friction";
     Q::Efficiency, _ => PLAIN "quantity-efficiency", "", M::Number, "efficiency", "efficiency";

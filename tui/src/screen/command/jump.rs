@@ -88,7 +88,7 @@ pub(super) fn greatest(state: &mut State) {
     let size = |turn: &Turn| if is_sense { turn.value.abs() } else { turn.value };
     let turns = series.course.turns().into_iter();
     let found = turns.reduce(|best, next| if size(&next) > size(&best) { next } else { best });
-    to_extreme(state, "say-extreme-greatest", found);
+    to_extreme(state, if is_sense { "say-extreme-farthest" } else { "say-extreme-greatest" }, found);
 }
 
 /// Goes on to the next extreme of the quantity that the view is about, after the last one the first.
@@ -115,7 +115,9 @@ fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
     let (input, unit) = (&scene.linkage.mechanism.input, &series.unit);
     let [first, next] = [0, 1].map(|index| input.coordinate(index));
     let part = (found.at - first) / (next - first);
-    let place = if (part - part.round()).abs() <= AT_POSITION {
+    // The end of a cycle is its first position only where the course closes there.
+    let is_end = part > (state.positions() as f64 - 0.5) && series.course.closes() == Some(false);
+    let place = if (part - part.round()).abs() <= AT_POSITION && !is_end {
         text!("place-in", position = number(near))
     } else {
         let (own, factor) = coordinate_unit(&scene.linkage);
