@@ -140,6 +140,11 @@ pub fn sign_is_sense(column: Column) -> bool {
     of(column).sense && column.part != Part::Modulus
 }
 
+/// Whether it is a plain number, of which a small one beside a great one is no rounding of zero: a condition number, a residual.
+pub fn is_ratio(column: Column) -> bool {
+    matches!(of(column).measure, M::Number)
+}
+
 /// The letter of the axis of a projection; empty for a whole quantity or a modulus.
 const fn axis(part: Part) -> &'static str {
     match part {

@@ -70,6 +70,7 @@ impl Found {
         gather.rates();
         let reactions = gather.reactions();
         gather.others();
+        gather.mark_rounding();
         let series = gather.series;
         let verdict = Verdict::of(&analysis, plans.calculation(), None);
         let ranges = RefCell::default();

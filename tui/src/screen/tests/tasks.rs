@@ -77,7 +77,7 @@ fn the_note_and_the_picture_are_written_by_one_key() {
 }
 
 /// Name and numbers of what `w` writes.
-fn written(state: &mut State) -> (String, String) {
+fn written(state: &mut crate::screen::State) -> (String, String) {
     let key = crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('w'));
     crate::screen::command::press(state, key);
     let Some(Effect::Write(file)) = state.effects.pop() else { panic!("no file") };
