@@ -1,5 +1,7 @@
 //! What the calculating crates and the plugins say has no English left in another language.
 
+use std::collections::BTreeSet;
+
 use assur_all as _;
 use assur_analysis::results::Analysis;
 use assur_analysis::{Calculation, Coverage, Options, unwatched};
@@ -7,7 +9,10 @@ use assur_force::{ForceError, LoadError, LoadFault};
 use assur_group::{BuildError, GroupError, RegistryError};
 use assur_integrator::{Dependence, FixedStep, IntegrationError, MotionError, Request, State, Until};
 use assur_kinematics::{CompileError, PositionError};
-use assur_motor::{LookupError, LookupHint, MotorWarning, RatedDataError, SelectionError};
+use assur_motor::{
+    Characteristic, CharacteristicKind, MotorWarning, RatedMotor, SelectionRequest, find_designation,
+    parse_table, select,
+};
 use assur_words::{Describe, LANGUAGES, Language, Text, name, text};
 
 /// Signs of formulas, which are the same in every language.
@@ -215,37 +220,46 @@ fn errors_of_groups_positions_and_loads() {
 
 #[test]
 fn errors_and_warnings_of_motors() {
-    let designation = || "4A100".to_owned();
-    let catalogue = || text!("motor-in-any-catalogue");
-    let not_found = |hint| LookupError::NotFound { designation: designation(), catalogue: catalogue(), hint };
-    let lookups = [
-        not_found(LookupHint::List),
-        not_found(LookupHint::Nearest(vec![designation()])),
-        not_found(LookupHint::OfPower { power: 1100.0, count: 36, candidates: vec![designation()] }),
-        LookupError::Ambiguous {
-            designation: designation(),
-            catalogue: catalogue(),
-            count: 2,
-            candidates: vec![designation()],
-        },
-        assur_motor::find_catalogue("Б").unwrap_err().into(),
+    let table = |rows: &str| {
+        let head =
+            "designation,poles,rated_power_kw,synchronous_speed_rpm,rated_speed_rpm,max_torque_ratio,source";
+        parse_table("4A", &format!("{head}\n{rows}"))
+    };
+    let rows =
+        table("4A100,4,1.1,1500,1410,2,p1\n4A100 K,4,1.1,1500,1410,,p1\n4A100 L,4,1.1,1500,1410,,p1\n")
+            .unwrap();
+    let mut all = Vec::new();
+    // Nothing alike, something alike, a power, several of one type.
+    for (rows, designation) in [(&rows[..], "7"), (&rows, "4A100M"), (&rows, "1.1 kW"), (&rows[1..], "4A100")]
+    {
+        let error = find_designation(rows, designation, &text!("motor-in-any-catalogue")).unwrap_err();
+        all.push(error.describe());
+    }
+    all.push(assur_motor::find_catalogue("Б").unwrap_err().describe());
+    let most = Some(100.0);
+    let requests = [
+        (&rows[..], -1.0, None),
+        (&[], 1.0, None),
+        (&rows[1..], 1.0, None),
+        (&rows, 1.0, most),
+        (&rows, 9e9, None),
     ];
-    let mut all: Vec<Text> = lookups.iter().map(Describe::describe).collect();
-    let selections = [
-        SelectionError::Request { what: text!("motor-select-power"), value: -1.0 },
-        SelectionError::NoMotors,
-        SelectionError::NoMaxTorqueRatio(3),
-        SelectionError::TooFast { limit: 1.0, slowest: 2.0, designation: designation() },
-        SelectionError::TooWeak { required: 2.0, largest: 1.0, designation: designation() },
-    ];
-    all.extend(selections.iter().map(Describe::describe));
+    for (rows, required_power, max_motor_speed) in requests {
+        let (input_speed, characteristic) = (1.0, CharacteristicKind::Kloss);
+        let request = SelectionRequest { required_power, input_speed, max_motor_speed, characteristic };
+        all.push(select(rows, &request).unwrap_err().describe());
+    }
+    let good = rows[0].rated_data();
     let data = [
-        RatedDataError::NotPositive { what: text!("motor-rated-inertia"), value: 0.0 },
-        RatedDataError::NoSlip { rated_speed: 2.0, synchronous_speed: 1.0 },
-        RatedDataError::MaxTorqueRatio(0.5),
-        RatedDataError::NoMaxTorqueRatio,
+        RatedMotor { inertia: Some(0.0), ..good },
+        RatedMotor { rated_speed: 200.0, ..good },
+        RatedMotor { max_torque_ratio: Some(0.5), ..good },
+        RatedMotor { max_torque_ratio: None, ..good },
     ];
-    all.extend(data.iter().map(Describe::describe));
+    let refused = |data| Characteristic::new(CharacteristicKind::Kloss, data).unwrap_err().describe();
+    all.extend(data.iter().map(refused));
+    let identities: BTreeSet<_> = all.iter().map(Text::identity).collect();
+    assert_eq!(identities.len(), 12, "{identities:?}");
     let warnings = [
         MotorWarning::BeyondBreakdown { speed: 1.0, torque: 2.0, breakdown_torque: 3.0 },
         MotorWarning::StartingTorque { available: 1.0, required: 2.0 },

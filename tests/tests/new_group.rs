@@ -5,8 +5,8 @@ use assur_all as _;
 use assur_check::checks;
 use assur_group::PairSort::Pin;
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
-    Number, Pattern, Ways, inventory, place_by_newton,
+    Assemblies, AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind,
+    GroupPlugin, Number, Pattern, inventory, place_by_newton,
 };
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
@@ -55,7 +55,7 @@ inventory::submit! {
         }),
         // Before the kind of the repository that has this pattern.
         rank: 5,
-        ways: Ways { most: 1, varies: false, words: TEST },
+        ways: Assemblies { most: 1, varies: false, words: TEST },
         iterates: true,
         singular: TEST,
         force_angle: ForceAngle::DEFAULT,

@@ -20,20 +20,10 @@ pub(crate) use write::{
 /// Why a file is not read or written.
 #[derive(Debug)]
 pub(crate) enum FileError {
-    /// A file can't be read.
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        problem: Text,
-    },
-    /// A file can't be written; the old content is untouched.
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        problem: Text,
-    },
+    /// A file can't be read, and why.
+    Read(PathBuf, Text),
+    /// A file can't be written, and why; the old content is untouched.
+    Write(PathBuf, Text),
     /// The reader of a pipe has closed it.
     Reader,
 }
@@ -42,8 +32,8 @@ impl Describe for FileError {
     fn describe(&self) -> Text {
         let file = |path: &Path| name(path.display().to_string());
         match self {
-            Self::Read { path, problem } => text!("cli-error-in", file = file(path), problem),
-            Self::Write { path, problem } => text!("file-not-written", file = file(path), problem),
+            Self::Read(path, problem) => text!("cli-error-in", file = file(path), problem),
+            Self::Write(path, problem) => text!("file-not-written", file = file(path), problem),
             Self::Reader => text!("file-reader-gone"),
         }
     }
@@ -53,12 +43,12 @@ errors!(FileError);
 
 impl FileError {
     pub(crate) fn read(path: &Path, problem: Text) -> Self {
-        Self::Read { path: path.to_owned(), problem }
+        Self::Read(path.to_owned(), problem)
     }
 
     /// A file that is refused.
     pub(crate) fn refused(path: &Path, problem: Text) -> Self {
-        Self::Write { path: path.to_owned(), problem }
+        Self::Write(path.to_owned(), problem)
     }
 
     /// A file that can't be written, as whoever tried it says.

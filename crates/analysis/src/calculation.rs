@@ -167,7 +167,7 @@ impl Calculation {
             _ if matches!(state.side, Side::Held { .. }) => None,
             InputMotion::Transient(_) => {
                 let motion = equation(&self.linkage, self.loads.as_ref()?).ok()?;
-                Some([motion.drive().torque(state), motion.drive().inertia])
+                Some([motion.drive.torque(state), motion.drive.inertia])
             }
             InputMotion::Steady(found) => {
                 let regime = &found.regime;

@@ -96,7 +96,7 @@ impl Calculation {
                 let accuracy =
                     [span(|at| at.coordinate), span(|at| at.time)].map(|span| self.tolerance() * span);
                 let machine = assur_dynamics::equation(&self.linkage, loads).ok()?;
-                let drive = *machine.drive();
+                let drive = machine.drive;
                 Some(Box::new(move |state: &LoadState| {
                     let load = input_load(&drive, state, drive.torque(state), f64::EPSILON);
                     InputLoad { accuracy, ..load }

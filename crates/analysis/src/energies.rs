@@ -84,7 +84,7 @@ impl Calculation {
         loads: &'a Loads,
         found: &Transient,
         samples: usize,
-    ) -> Option<(Driven<Machine<'a>>, Trajectory)> {
+    ) -> Option<(Driven<'a>, Trajectory)> {
         let mut motion = equation(&self.linkage, loads).ok()?;
         let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
         let until = if found.unrest.is_some() { Until::Turn } else { asked.until };
@@ -102,8 +102,8 @@ impl Calculation {
         let (mut motion, trajectory) = self.solved_again(loads, found, samples * parts)?;
         let mut at = |sample: &Sample, is_before: bool| {
             let Instant { state, friction, .. } = motion.instant(sample, is_before).ok()?;
-            let torque = motion.drive().torque(&state);
-            let bodies = motion.machine().bodies(state.coordinate).ok()?;
+            let torque = motion.drive.torque(&state);
+            let bodies = motion.machine.bodies(state.coordinate).ok()?;
             let links = energies_of_links(mechanism, &state, bodies);
             Some((Acting::of(loads, mechanism, &state, bodies, [torque, friction]), links))
         };

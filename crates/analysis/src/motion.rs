@@ -4,7 +4,9 @@ use assur_dynamics::{
     DynamicsError, Machine, Method, Steady, Transient, Watcher, equation, steady, transient,
 };
 use assur_force::{LoadState, Loads, Side};
-use assur_integrator::{AUTO, Candidate, Dependence, EquationOfMotion as _, IntegrationError, State, choose};
+use assur_integrator::{
+    AUTO, Dependence, EquationOfMotion as _, IntegrationError, RankedMethod, State, choose,
+};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Mechanism, Motion, Torque};
 use assur_words::{Describe, Text, joined, name, number, text};
@@ -162,7 +164,7 @@ fn equation_words(dependence: Dependence) -> Text {
 /// The integrator for such an equation, and the reason for it.
 fn integrator_words(dependence: Dependence, named: &str, tolerance: f64) -> Result<Text, IntegrationError> {
     let chosen = choose(named, &dependence, tolerance)?;
-    let Candidate { integrator, reason } = &chosen.first;
+    let RankedMethod { integrator, reason } = &chosen.first;
     let method = name(integrator.name);
     if named != AUTO {
         return Ok(text!(
@@ -189,8 +191,7 @@ pub(crate) fn is_usage(error: &DynamicsError) -> bool {
             | D::OverTime
             | D::SteadyOnly(_)
             | D::Rated(_)
-            | D::Lookup(_)
-            | D::Catalogue(_)
+            | D::Motor(_)
             | D::Integration(
                 IntegrationError::Request(_)
                     | IntegrationError::Unsupported { .. }

@@ -43,8 +43,8 @@ impl Calculation {
         let speed = beside(0.0, moving.speed.signum());
         let mut motion = equation(&self.linkage, loads).ok()?;
         let instant = motion.instant(&Sample { time, coordinate, speed, acceleration: 0.0 }, false).ok()?;
-        let torque = motion.drive().torque(&instant.state);
-        let bodies = motion.machine().bodies(coordinate).ok()?;
+        let torque = motion.drive.torque(&instant.state);
+        let bodies = motion.machine.bodies(coordinate).ok()?;
         let acting =
             Acting::of(loads, &self.linkage.mechanism, &instant.state, bodies, [torque, instant.friction]);
         Some((instant, acting))

@@ -8,8 +8,8 @@ use assur_force::Loads;
 use assur_formula::Formula;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Brake, Contact, Direction, Drive, FlywheelPlace, Force, GROUND, Load, LoadKind, Mechanism, Moment,
-    Motion, Over, Place, Sense, Shape, Solve, Spring, Table, Torque, Until, Value,
+    Brake, Contact, Direction, Drive, FlywheelPlace, Force, GROUND, LawTable, Load, LoadKind, Mechanism,
+    Moment, Motion, Over, Place, Sense, Shape, Solve, Spring, Torque, Until, Value,
 };
 
 /// Every so many combinations one runs.
@@ -36,8 +36,8 @@ const LOADS: [&str; 11] = [
     "force by a formula",
 ];
 
-fn table(rows: &[[f64; 2]]) -> Table {
-    Table { rows: rows.to_vec(), shape: Shape::Linear }
+fn table(rows: &[[f64; 2]]) -> LawTable {
+    LawTable { rows: rows.to_vec(), shape: Shape::Linear }
 }
 
 fn over(over: Over, rows: &[[f64; 2]]) -> Value {
@@ -108,7 +108,7 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
         "force against the motion" => force(Direction::AgainstMotion, Value::Constant(30.0)),
         "force over a stroke" => {
             let forward = table(&[[0.0, 100.0], [0.5, 100.0], [0.5, 200.0], [1.0, 150.0]]);
-            let value = Value::Stroke { axis: 0.3, forward, back: Table::constant(50.0) };
+            let value = Value::Stroke { axis: 0.3, forward, back: LawTable::constant(50.0) };
             force(Direction::Ground(3.0), value)
         }
         "moment over the speed" => moment(over(Over::Speed, &[[-10.0, 9.0], [0.0, 6.0], [30.0, 4.0]])),
@@ -143,7 +143,7 @@ fn add_load(mechanism: &mut Mechanism, kind: &str) {
 
 /// Turns the load round, which is the mistake that is planted.
 fn turn(mechanism: &mut Mechanism) {
-    let negate = |table: &mut Table| table.rows.iter_mut().for_each(|row| row[1] *= -1.0);
+    let negate = |table: &mut LawTable| table.rows.iter_mut().for_each(|row| row[1] *= -1.0);
     for value in
         mechanism.loads.iter_mut().filter_map(|load| assur_testkit::specimen::law_mut(&mut load.kind))
     {

@@ -36,31 +36,22 @@ pub struct Course {
 
 /// Both sides of a place at which a value jumps.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
+pub struct Jump {
     /// Coordinate, rad or m.
     pub at: f64,
     /// The values just before and just after it, SI.
     pub values: [f64; 2],
 }
 
-/// The value of greatest or least size, and the number of its position.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extreme {
-    /// The value with its sign.
-    pub value: f64,
-    /// Number of the position or sample; the first of equal ones.
-    pub number: usize,
-}
-
-/// The values at the positions in a few numbers.
+/// The values at the positions in a few numbers; of equal extremes the first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
     /// The greatest value.
-    pub greatest: Extreme,
+    pub greatest: Node,
     /// The least value.
-    pub least: Extreme,
+    pub least: Node,
     /// The value of greatest modulus.
-    pub farthest: Extreme,
+    pub farthest: Node,
     /// Mean over the positions.
     pub mean: f64,
     /// Root of the mean square over the positions.
@@ -111,12 +102,12 @@ impl Course {
     }
 
     /// Both sides of the places at which the value jumps.
-    pub fn steps(&self) -> impl Iterator<Item = Step> {
+    pub fn jumps(&self) -> impl Iterator<Item = Jump> {
         let (pairs, least) = (self.line.windows(2), ZERO * self.size());
         let jumps = pairs.filter(move |two| {
             two[0][0].to_bits() == two[1][0].to_bits() && (two[0][1] - two[1][1]).abs() > least
         });
-        jumps.map(|two| Step { at: two[0][0], values: [two[0][1], two[1][1]] })
+        jumps.map(|two| Jump { at: two[0][0], values: [two[0][1], two[1][1]] })
     }
 
     /// Values with their places, in the order of their numbers, and the end of the cycle.
@@ -259,8 +250,7 @@ impl Course {
     pub fn summary(&self) -> Option<Summary> {
         let extreme = |better: &dyn Fn(f64, f64) -> bool| {
             let take = |best: Node, next: &Node| if better(next.value, best.value) { *next } else { best };
-            let best = self.nodes.iter().skip(1).fold(*self.nodes.first()?, take);
-            Some(Extreme { value: best.value, number: best.number })
+            Some(self.nodes.iter().skip(1).fold(*self.nodes.first()?, take))
         };
         let count = self.nodes.len() as f64;
         let sum = |of: fn(f64) -> f64| self.nodes.iter().map(|node| of(node.value)).sum::<f64>() / count;

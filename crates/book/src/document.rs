@@ -1,10 +1,12 @@
 //! What a report, a note or a view says, whatever the form in which it is written.
 
+use assur_analysis::results::Column as Quantity;
 use assur_figure::Figure;
-use assur_words::Text;
+use assur_mechanism::{LinkId, Mechanism};
+use assur_words::{Text, joined, text, unit};
 
-use crate::Table;
-use crate::fact::{self, Fact};
+use crate::number::Unit;
+use crate::table::{Cell, Column, Table};
 
 /// Blocks one after another, of which each is a text, a table or a drawing.
 #[derive(Debug, Clone, Default)]
@@ -106,8 +108,127 @@ impl Block {
     pub fn as_table(&self) -> Option<Table> {
         match self {
             Self::Table(table) => Some(table.by_owner()),
-            Self::Facts { caption, facts } => Some(fact::table(caption.clone(), facts)),
+            Self::Facts { caption, facts } => Some(table_of(caption.clone(), facts)),
             _ => None,
         }
     }
+}
+
+/// One number: what it is, of whom, and where it occurs. Whatever shows it takes it from here.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fact {
+    /// Identity of the text that says what it is.
+    pub id: &'static str,
+    /// The values of this text: whose it is.
+    pub of: Vec<(&'static str, Text)>,
+    /// The value.
+    pub value: Value,
+    /// Its unit.
+    pub unit: Unit,
+    /// The coordinates at which it occurs, SI; none where it belongs to the whole motion.
+    pub at: Vec<f64>,
+    /// Their unit.
+    pub at_unit: Unit,
+    /// The quantity of the results whose value it is, if it is one.
+    pub column: Option<Quantity>,
+}
+
+/// The value of a fact.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number in SI.
+    Number(f64),
+    /// The least and the greatest number in SI.
+    Range([f64; 2]),
+    /// A text: a name, a count.
+    Text(Text),
+}
+
+impl Fact {
+    /// A fact that is a text.
+    pub fn text(id: &'static str, value: Text) -> Self {
+        let value = Value::Text(value);
+        Self {
+            id,
+            of: Vec::new(),
+            value,
+            unit: Unit::NONE,
+            at: Vec::new(),
+            at_unit: Unit::NONE,
+            column: None,
+        }
+    }
+
+    /// A number in SI.
+    pub fn number(id: &'static str, value: f64, unit: impl Into<Unit>) -> Self {
+        Self { value: Value::Number(value), unit: unit.into(), ..Self::text(id, Text::default()) }
+    }
+
+    /// A range in SI.
+    pub fn range(id: &'static str, value: [f64; 2], unit: impl Into<Unit>) -> Self {
+        Self { value: Value::Range(value), ..Self::number(id, 0.0, unit) }
+    }
+
+    /// Whose it is.
+    #[must_use]
+    pub fn of(mut self, value: &'static str, owner: Text) -> Self {
+        self.of.push((value, owner));
+        self
+    }
+
+    /// The coordinates at which it occurs, SI.
+    #[must_use]
+    pub fn at(self, at: &[f64], unit: impl Into<Unit>) -> Self {
+        Self { at: at.to_vec(), at_unit: unit.into(), ..self }
+    }
+
+    /// The quantity of the results whose value it is.
+    #[must_use]
+    pub fn about(self, column: Quantity) -> Self {
+        Self { column: Some(column), ..self }
+    }
+
+    /// What it is.
+    pub fn what(&self) -> Text {
+        Text::message(self.id, self.of.clone())
+    }
+
+    /// Its value without the unit.
+    pub fn value(&self) -> Text {
+        match &self.value {
+            Value::Number(value) => self.unit.number(*value),
+            Value::Range([least, most]) => {
+                text!("fact-range", least = self.unit.number(*least), most = self.unit.number(*most))
+            }
+            Value::Text(text) => text.clone(),
+        }
+    }
+
+    /// Its value with the unit.
+    pub fn with_unit(&self) -> Text {
+        if self.unit.name.is_empty() {
+            self.value()
+        } else {
+            joined(" ", [self.value(), unit(self.unit.name)])
+        }
+    }
+
+    /// Where it occurs; empty where it belongs to the whole motion.
+    pub fn place(&self) -> Text {
+        if self.at.is_empty() { Text::default() } else { self.at_unit.show_all(&self.at) }
+    }
+}
+
+/// Facts as a table: quantity, value, unit and place; what every row lacks is left out.
+fn table_of(caption: Text, facts: &[Fact]) -> Table {
+    let has_place = facts.iter().any(|fact| !fact.at.is_empty());
+    let heads = [text!("fact-quantity"), text!("fact-value"), text!("fact-unit"), text!("fact-place")];
+    let heads = heads.into_iter().take(if has_place { 4 } else { 3 });
+    let row = |fact: &Fact| [fact.what(), fact.value(), unit(fact.unit.name), fact.place()].map(Cell::Text);
+    Table::list(caption, heads.map(Column::of)).rows(facts.iter().map(row))
+}
+
+/// The name of a link.
+pub fn link_name(mechanism: &Mechanism, link: LinkId) -> Text {
+    mechanism.links.get(link).map_or_else(Text::default, |link| Text::from(&link.name))
 }

@@ -8,18 +8,15 @@
 pub mod catalogue;
 mod course;
 mod document;
-mod fact;
 mod number;
 mod peaks;
 mod table;
 
-pub use course::{Course, Extreme, Node, Step, Summary};
-pub use document::{Block, Document, Term};
-pub use fact::link_name;
-pub use fact::{Fact, Value};
+pub use course::{Course, Jump, Node, Summary};
+pub use document::{Block, Document, Fact, Term, Value, link_name};
 pub use number::{Digits, Unit};
 pub use peaks::{Range, peaks, range};
-pub use table::{Cell, Column, Group, Printed, Table};
+pub use table::{Cell, Column, Group, Listing, Printed, Table};
 
 assur_words::resources!();
 

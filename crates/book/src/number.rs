@@ -4,7 +4,7 @@ use assur_words::{Text, name, number, quantity};
 
 /// What stands for a value that is not determined. No text shows a number that is not finite: every number of it passes
 /// through [`digits`].
-const NONE: &str = "-";
+pub(crate) const NONE: &str = "-";
 
 /// Significant digits of the largest value of a column.
 const DIGITS: i32 = 6;
@@ -80,11 +80,6 @@ impl Digits {
             Self::Long => long(value),
         })
     }
-}
-
-/// What stands for a value that is not determined.
-pub(crate) fn dash() -> Text {
-    name(NONE)
 }
 
 /// Whether a number is rounding compared with the greatest of its kind.

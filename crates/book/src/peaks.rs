@@ -116,7 +116,7 @@ fn means(
 ) -> Option<[f64; 2]> {
     let input = &calculation.linkage.mechanism.input;
     let last = if input.is_cycle() { input.positions } else { input.positions.saturating_sub(1) };
-    let jumps: Vec<f64> = course.steps().map(|step| step.at).collect();
+    let jumps: Vec<f64> = course.jumps().map(|jump| jump.at).collect();
     let [mean, rms] = calculation.means([0, last].map(|index| input.coordinate(index)), &jumps, read)?;
     // What is left of a mean of zero is rounding.
     Some([if mean.abs() <= ROUNDING * rms { 0.0 } else { mean }, rms])

@@ -3,7 +3,7 @@
 use assur_mechanism::Name;
 use assur_words::{Text, count, joined, name};
 
-use crate::number::{Digits, Unit, dash};
+use crate::number::{Digits, NONE, Unit};
 
 /// A table.
 #[derive(Debug, Clone, Default)]
@@ -156,7 +156,7 @@ impl Column {
         let sizes = [self.greatest(), kind];
         let cell = |cell: &Cell| match cell {
             Cell::Number(value) => self.digits.write(value * self.unit.factor, sizes),
-            Cell::None => dash(),
+            Cell::None => name(NONE),
             Cell::Text(text) => text.clone(),
         };
         Printed { head, unit: self.unit.name, cells: self.cells.iter().map(cell).collect() }
@@ -184,7 +184,48 @@ impl Printed {
     }
 }
 
+/// A table with a row for each of some things, of which every column says what it shows.
+#[derive(Debug)]
+pub struct Listing<T> {
+    of: Vec<T>,
+    table: Table,
+}
+
+impl<T> Listing<T> {
+    /// Adds a column without a unit: texts, counts, ratios.
+    #[must_use]
+    pub fn column<C: Into<Cell>>(self, head: Text, value: impl Fn(&T) -> C) -> Self {
+        self.add(Column::of(head), value)
+    }
+
+    /// Adds a column of numbers in SI, of which each has its own digits.
+    #[must_use]
+    pub fn measured<C: Into<Cell>>(self, head: Text, unit: impl Into<Unit>, value: impl Fn(&T) -> C) -> Self {
+        self.add(Column::short(head, unit), value)
+    }
+
+    /// Adds a column; the first one tells one row from another.
+    #[must_use]
+    pub fn add<C: Into<Cell>>(mut self, column: Column, value: impl Fn(&T) -> C) -> Self {
+        let cells = self.of.iter().map(|one| value(one).into()).collect();
+        let keys = &mut self.table.keys;
+        let columns = if keys.is_empty() { keys } else { &mut self.table.groups[0].columns };
+        columns.push(Column { cells, ..column });
+        self
+    }
+
+    /// The table of these columns.
+    pub fn table(self) -> Table {
+        self.table
+    }
+}
+
 impl Table {
+    /// A table of these things, whose columns are added one after another.
+    pub fn each<T>(caption: Text, of: impl IntoIterator<Item = T>) -> Listing<T> {
+        Listing { of: of.into_iter().collect(), table: Self::list(caption, []) }
+    }
+
     /// A table whose rows follow; the first column tells one row from another.
     pub fn list(caption: Text, columns: impl IntoIterator<Item = Column>) -> Self {
         let mut columns = columns.into_iter();

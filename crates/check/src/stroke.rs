@@ -4,7 +4,7 @@ use assur_force::LoadState;
 use assur_formula::{Branches, Formula, Sign, Variables};
 use assur_group::Order;
 use assur_kinematics::Linkage;
-use assur_mechanism::{Over, Place, Range, Table, Value};
+use assur_mechanism::{LawTable, Over, Place, Range, Value};
 use assur_number::search::try_least;
 
 /// Least and greatest place of a point along an axis, m.
@@ -146,7 +146,7 @@ fn all_sides(formula: &Formula, at: &Variables) -> Vec<Branches> {
     all
 }
 
-fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
+fn on_stroke(axis: f64, [forward, back]: [&LawTable; 2], at: &At<'_>) -> [f64; 2] {
     let Some([low, high]) = at.extremes else { return [f64::NAN; 2] };
     let (s, c) = axis.sin_cos();
     let share = ((c * at.point[0] + s * at.point[1] - low) / (high - low)).clamp(0.0, 1.0);
@@ -166,7 +166,7 @@ fn on_stroke(axis: f64, [forward, back]: [&Table; 2], at: &At<'_>) -> [f64; 2] {
 
 /// Least and greatest value of a table within a tolerance of the argument. Near a row, the formulas of both sides count,
 /// continued by the tolerance: at a jump both values, at a steep line what it gains over the rounding of the argument.
-fn around(table: &Table, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2] {
+fn around(table: &LawTable, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2] {
     let first = table.rows.first().map_or(0.0, |row| row[0]);
     let place = |x: f64| period.map_or(x, |period| first + (x - first).rem_euclid(period));
     let apart = |row: f64| {

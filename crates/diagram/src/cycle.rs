@@ -7,7 +7,7 @@ use crate::plan::length;
 
 /// Size of one reaction over the cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Extreme {
+pub struct ReactionExtreme {
     /// Pin or slide.
     pub joint: Named<PairId>,
     /// The link that it acts on.
@@ -84,7 +84,7 @@ impl Sizes {
     ///
     /// Over a whole cycle of equal steps the mean of the squares is the arithmetic one; over a range it is by
     /// trapezoids.
-    pub fn extreme(&self, joint: Named<PairId>, on: Named<LinkId>, closed: bool) -> Option<Extreme> {
+    pub fn extreme(&self, joint: Named<PairId>, on: Named<LinkId>, closed: bool) -> Option<ReactionExtreme> {
         // A cycle often has two equal maxima; rounding must not decide between them.
         let (_, index, coordinate) = *self.records.first()?;
         let range = self.last[0] - self.first;
@@ -93,6 +93,6 @@ impl Sizes {
         } else {
             self.integral / range
         };
-        Some(Extreme { joint, on, greatest: self.greatest(), index, coordinate, rms: mean.sqrt() })
+        Some(ReactionExtreme { joint, on, greatest: self.greatest(), index, coordinate, rms: mean.sqrt() })
     }
 }

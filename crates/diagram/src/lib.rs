@@ -21,7 +21,7 @@ mod sign;
 
 pub use assur_force::VectorKind;
 pub use construction::{construction_picture, construction_plans};
-pub use cycle::{Extreme, Hodograph, Sizes};
+pub use cycle::{Hodograph, ReactionExtreme, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;
 pub use motion_plan::{acceleration_plan, velocity_plan};

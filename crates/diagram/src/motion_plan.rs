@@ -1,13 +1,12 @@
 //! The plans of velocities and of accelerations.
 
-use assur_force::LoadState;
+use assur_force::{LoadState, VectorKind};
 use assur_group::plane::{minus, perp, plus, scaled};
 use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{GROUND, LinkId, Place, PointId, Slide};
 use assur_words::{Text, joined, name, text};
 
 use crate::plan::{VectorPlan, length};
-use assur_force::VectorKind;
 
 /// The plan of velocities at a position: from the pole (the origin) to the image of each point, then the rotation of
 /// each link and each slide on a moving guide as separate vectors.
@@ -45,8 +44,8 @@ fn draw(linkage: &Linkage, position: &Position, state: Option<&LoadState>, order
     for link in 1..linkage.mechanism.links.len() {
         drawer.turn(link);
     }
-    for sliding in slidings(linkage, position) {
-        drawer.slide(&sliding);
+    for (id, slide) in linkage.mechanism.slides.iter().enumerate().filter(|(_, slide)| slide.on != GROUND) {
+        drawer.slide(id, slide);
     }
     let open = drawer.open;
     drawer.plan.finish(open)
@@ -144,33 +143,54 @@ impl Drawer<'_> {
         ]
     }
 
-    /// The motion of the guide's point under a sliding point, and the components of the slide.
-    fn slide(&mut self, at: &Sliding) {
-        let carrier = &self.position.bodies[at.carrier];
-        let motion = self.linkage.slide_motion(at.slide, self.position);
-        let (Rate { w, e }, Sliding { name, under, .. }) = (self.rate, at);
-        let on_guide = PointMotion { pf0: [0.0; 2], pf1: carrier.first(at.arm), pf2: carrier.second(at.arm) };
+    /// The name of a sliding point, and the letter of its image.
+    fn sliding_point(&self, slide: &Slide) -> (Text, String) {
+        let near = 1e-12 * self.linkage.structure.scale;
+        let named = self.linkage.mechanism.points.iter().find(|point| {
+            let mut places = point.places.iter().filter(|own| own.link == slide.link);
+            places.any(|own| length(minus(own.at, slide.point)) <= near)
+        });
+        match named {
+            Some(point) => (Text::from(&point.name), point.name.to_lowercase()),
+            None => (text!("plan-point-of", slide = &slide.name), slide.name.to_lowercase()),
+        }
+    }
+
+    /// The motion of the guide's point under a sliding point of a slide on a moving link, and the components of the slide.
+    fn slide(&mut self, id: usize, slide: &Slide) {
+        let (name, letter) = self.sliding_point(slide);
+        // `A on rocker`.
+        let under =
+            text!("plan-point-on", point = &name, link = &self.linkage.mechanism.links[slide.on].name);
+        let carrier = &self.position.bodies[slide.on];
+        let world = self.position.bodies[slide.link].point(slide.point);
+        let arm = minus(world, [carrier.x, carrier.y]);
+        let guide = carrier.turned([slide.angle.cos(), slide.angle.sin()]);
+        let motion = self.linkage.slide_motion(id, self.position);
+        let Rate { w, e } = self.rate;
+        let on_guide = PointMotion { pf0: [0.0; 2], pf1: carrier.first(arm), pf2: carrier.second(arm) };
         let transport = self.total(&on_guide);
-        let note = text!(self.either("plan-velocity-under", "plan-acceleration-under"), point = name);
-        let along = text!(self.either("plan-velocity-along", "plan-acceleration-along"), point = name);
+        let note = text!(self.either("plan-velocity-under", "plan-acceleration-under"), point = &name);
+        let along = text!(self.either("plan-velocity-along", "plan-acceleration-along"), point = &name);
         let of = |letter: &'static str| symbol(letter, [name.clone(), under.clone()]);
         let own = symbol(self.either("v", "a"), [under.clone()]);
         let mut parts = vec![(VectorKind::Absolute, own, transport, note)];
         if self.of_velocities {
-            let relative = scaled(w * motion.pf1, at.along);
+            let relative = scaled(w * motion.pf1, guide);
             parts.push((VectorKind::Relative, of("v"), relative, along));
         } else {
-            let coriolis = scaled(2.0 * (carrier.w1 * w) * (motion.pf1 * w), perp(at.along));
+            let coriolis = scaled(2.0 * (carrier.w1 * w) * (motion.pf1 * w), perp(guide));
             let note = text!("plan-coriolis-part");
             parts.push((VectorKind::Coriolis, of("ac"), coriolis, note));
-            let relative = scaled(motion.pf2 * w * w + motion.pf1 * e, at.along);
+            let relative = scaled(motion.pf2 * w * w + motion.pf1 * e, guide);
             parts.push((VectorKind::Relative, of("ar"), relative, along));
         }
-        let image = self.total(&self.linkage.place_motion(at.place, self.position));
+        let place = Place { link: slide.link, at: slide.point };
+        let image = self.total(&self.linkage.place_motion(place, self.position));
         self.plan.point(under.clone(), transport);
         let first = self.plan.items.len();
         self.parts([0.0; 2], parts, image, true);
-        self.plan.items[first].image.clone_from(&at.image);
+        self.plan.items[first].image = format!("{letter}'");
     }
 }
 
@@ -181,19 +201,19 @@ fn symbol<const N: usize>(letter: &'static str, points: [Text; N]) -> Text {
 
 /// Speed and acceleration of the coordinate; without a motion the speed is 1 and the acceleration 0.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Rate {
-    pub(crate) w: f64,
-    pub(crate) e: f64,
+struct Rate {
+    w: f64,
+    e: f64,
 }
 
 impl Rate {
-    pub(crate) fn of(state: Option<&LoadState>) -> Self {
+    fn of(state: Option<&LoadState>) -> Self {
         state.map_or(Self { w: 1.0, e: 0.0 }, |state| Self { w: state.speed, e: state.acceleration })
     }
 }
 
 /// Unit of derivatives: by time with a motion, else by the coordinate.
-pub(crate) fn unit(linkage: &Linkage, moves: bool, order: usize) -> &'static str {
+fn unit(linkage: &Linkage, moves: bool, order: usize) -> &'static str {
     match (moves, linkage.angular(), order) {
         (true, _, 1) => "m/s",
         (true, _, _) => "m/s^2",
@@ -214,7 +234,7 @@ fn rank(linkage: &Linkage, link: LinkId) -> usize {
 }
 
 /// The named points of a link. The first one, from which the others are found, is known before the link.
-pub(crate) fn points_of(linkage: &Linkage, link: LinkId) -> Vec<PointId> {
+fn points_of(linkage: &Linkage, link: LinkId) -> Vec<PointId> {
     let points = linkage.mechanism.points.iter().enumerate();
     let mut own: Vec<PointId> = points
         .filter(|(_, point)| point.places.iter().any(|place| place.link == link))
@@ -231,54 +251,6 @@ pub(crate) fn points_of(linkage: &Linkage, link: LinkId) -> Vec<PointId> {
 }
 
 /// Whether a point belongs to the ground.
-pub(crate) fn is_fixed(linkage: &Linkage, point: PointId) -> bool {
+fn is_fixed(linkage: &Linkage, point: PointId) -> bool {
     linkage.mechanism.points[point].places.iter().any(|place| place.link == GROUND)
-}
-
-/// A slide on a moving link: the sliding point, and the point of the guide under it.
-#[derive(Debug)]
-pub(crate) struct Sliding {
-    pub(crate) slide: usize,
-    pub(crate) carrier: LinkId,
-    /// Name of the sliding point.
-    pub(crate) name: Text,
-    /// `A on rocker`.
-    pub(crate) under: Text,
-    /// The image of the point of the guide: `a'`.
-    pub(crate) image: String,
-    /// The sliding point.
-    pub(crate) place: Place,
-    /// From the origin of the carrier to it, ground's frame, m.
-    pub(crate) arm: [f64; 2],
-    /// Direction of the guide, ground's frame.
-    pub(crate) along: [f64; 2],
-}
-
-pub(crate) fn slidings(linkage: &Linkage, position: &Position) -> Vec<Sliding> {
-    let slides = linkage.mechanism.slides.iter().enumerate().filter(|(_, slide)| slide.on != GROUND);
-    slides.map(|(id, slide)| sliding(linkage, position, id, slide)).collect()
-}
-
-fn sliding(linkage: &Linkage, position: &Position, id: usize, slide: &Slide) -> Sliding {
-    let mechanism = &linkage.mechanism;
-    let carrier = &position.bodies[slide.on];
-    let place = Place { link: slide.link, at: slide.point };
-    let world = position.bodies[slide.link].point(slide.point);
-    let near = 1e-12 * linkage.structure.scale;
-    let named = mechanism.points.iter().find(|point| {
-        point.places.iter().any(|own| own.link == slide.link && length(minus(own.at, slide.point)) <= near)
-    });
-    let letter = named.map_or(&slide.name, |point| &point.name).to_lowercase();
-    let point =
-        named.map_or_else(|| text!("plan-point-of", slide = &slide.name), |point| Text::from(&point.name));
-    Sliding {
-        slide: id,
-        carrier: slide.on,
-        under: text!("plan-point-on", point = &point, link = &mechanism.links[slide.on].name),
-        name: point,
-        image: format!("{letter}'"),
-        place,
-        arm: minus(world, [carrier.x, carrier.y]),
-        along: carrier.turned([slide.angle.cos(), slide.angle.sin()]),
-    }
 }

@@ -155,9 +155,12 @@ pub fn split(
     let mut causes: Vec<Cause> = list.iter().map(|load| load.cause.of_all()).collect();
     causes.sort_unstable();
     causes.dedup();
-    let solve = |told: Text, cause: Option<Cause>| {
+    let solve = |told: Text, cause: Option<Cause>| -> Result<Share, DiagramError> {
         let acting = list.iter().filter(|load| cause.is_none_or(|cause| cause == load.cause.of_all()));
-        share(linkage, position, analyzer, told, acting)
+        let (mut wrenches, mut out) =
+            (Acting::total(acting, linkage.structure.links), Reactions::new(linkage));
+        analyzer.solve(linkage, position, &mut wrenches, &mut out)?;
+        Ok(Share { cause: told, reactions: joint_forces(linkage, &out), balancing: out.balancing })
     };
     let mut whole = solve(text!("plan-all-causes"), None)?;
     let ideal = whole.clone();
@@ -183,18 +186,6 @@ impl Share {
         let (reactions, balancing) = (each.collect(), whole.balancing - ideal.balancing);
         Self { cause: text!("plan-cause-friction"), reactions, balancing }
     }
-}
-
-fn share<'a>(
-    linkage: &Linkage,
-    position: &Position,
-    analyzer: &dyn ForceAnalyzer,
-    cause: Text,
-    loads: impl Iterator<Item = &'a Acting>,
-) -> Result<Share, DiagramError> {
-    let (mut wrenches, mut out) = (Acting::total(loads, linkage.structure.links), Reactions::new(linkage));
-    analyzer.solve(linkage, position, &mut wrenches, &mut out)?;
-    Ok(Share { cause, reactions: joint_forces(linkage, &out), balancing: out.balancing })
 }
 
 fn residual(whole: &Share, shares: &[Share]) -> f64 {

@@ -8,7 +8,7 @@ use crate::Machine;
 
 /// Source of the driving torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Source {
+pub enum TorqueSource {
     /// Nothing but the loads of the scene.
     None,
     /// A constant moment, N m, positive along the motion (not along the coordinate).
@@ -28,7 +28,7 @@ pub enum Source {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InputDrive {
     /// The torque.
-    pub source: Source,
+    pub source: TorqueSource,
     /// Direction of the motion: 1 along growing coordinates, -1 along falling ones.
     pub sense: f64,
     /// Moment of inertia of flywheel and rotor, kg m².
@@ -55,12 +55,14 @@ pub(crate) struct Branch {
 
 impl InputDrive {
     /// No drive and no flywheel.
-    pub const NONE: Self = Self { source: Source::None, sense: 1.0, inertia: 0.0 };
+    pub const NONE: Self = Self { source: TorqueSource::None, sense: 1.0, inertia: 0.0 };
 
     /// The branch of the torque just above the speed `v`.
     pub(crate) fn branch(&self, v: f64) -> Branch {
         let everywhere = Branch { factor: 1.0, speed: [f64::NEG_INFINITY, f64::INFINITY] };
-        let Source::Motor { characteristic, ratio, efficiency } = &self.source else { return everywhere };
+        let TorqueSource::Motor { characteristic, ratio, efficiency } = &self.source else {
+            return everywhere;
+        };
         if *efficiency >= 1.0 {
             return everywhere;
         }
@@ -94,9 +96,9 @@ impl InputDrive {
     #[inline]
     pub(crate) fn moment(&self, factor: f64, v: f64) -> Moment {
         match &self.source {
-            Source::None => Moment::default(),
-            Source::Constant(value) => Moment { value: *value, by_speed: 0.0, by_parameter: 1.0 },
-            Source::Motor { characteristic, ratio, .. } => {
+            TorqueSource::None => Moment::default(),
+            TorqueSource::Constant(value) => Moment { value: *value, by_speed: 0.0, by_parameter: 1.0 },
+            TorqueSource::Motor { characteristic, ratio, .. } => {
                 let (torque, slope) = (characteristic.torque(ratio * v), characteristic.slope(ratio * v));
                 Moment {
                     value: ratio * factor * torque,
@@ -110,39 +112,27 @@ impl InputDrive {
 
 /// The equation of motion of a machine with its drive.
 #[derive(Debug, Clone)]
-pub struct Driven<M> {
-    machine: M,
-    drive: InputDrive,
+pub struct Driven<'a> {
+    /// The machine without its drive.
+    pub machine: Machine<'a>,
+    /// The drive.
+    pub drive: InputDrive,
     factor: f64,
 }
 
-impl<M: EquationOfMotion> Driven<M> {
+impl<'a> Driven<'a> {
     /// Puts a drive on the input link of a machine.
-    pub fn new(machine: M, drive: InputDrive) -> Self {
+    pub fn new(machine: Machine<'a>, drive: InputDrive) -> Self {
         Self { machine, drive, factor: 1.0 }
     }
 
-    /// The machine without its drive.
-    pub fn machine(&mut self) -> &mut M {
-        &mut self.machine
-    }
-
-    /// The drive.
-    pub fn drive(&self) -> &InputDrive {
-        &self.drive
-    }
-}
-
-impl<M> Driven<M> {
     /// Moment and inertia of the drive on the input at a state, by the formulas entered last.
     #[inline]
     fn present(&self, state: &State) -> [f64; 2] {
         let sense = self.drive.sense;
         [sense * self.drive.moment(self.factor, sense * state.speed).value, self.drive.inertia]
     }
-}
 
-impl Driven<Machine<'_>> {
     /// The coefficients without the dry friction of pairs.
     ///
     /// # Errors
@@ -161,10 +151,10 @@ impl Driven<Machine<'_>> {
     }
 }
 
-impl<M: EquationOfMotion> EquationOfMotion for Driven<M> {
+impl EquationOfMotion for Driven<'_> {
     fn dependence(&self) -> Dependence {
         let mut dependence = self.machine.dependence();
-        dependence.moment_on_speed |= matches!(self.drive.source, Source::Motor { .. });
+        dependence.moment_on_speed |= matches!(self.drive.source, TorqueSource::Motor { .. });
         dependence
     }
 

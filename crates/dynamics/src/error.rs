@@ -1,7 +1,7 @@
 //! Why there is no motion to report.
 
 use assur_integrator::{IntegrationError, MotionError};
-use assur_motor::{CatalogueError, LookupError, RatedDataError, SelectionError};
+use assur_motor::MotorError;
 use assur_words::{Describe, Text, name, number, quantity, text};
 
 /// What went wrong, where, and what to do.
@@ -100,30 +100,18 @@ pub enum DynamicsError {
     /// The integrator failed.
     Integration(IntegrationError),
     /// The motor's data define no characteristic.
-    Rated(RatedDataError),
-    /// No such motor.
-    Lookup(LookupError),
-    /// The catalogues can't be read.
-    Catalogue(CatalogueError),
+    Rated(MotorError),
+    /// No such motor, or no such catalogue.
+    Motor(MotorError),
     /// No motor can be chosen.
-    Selection(SelectionError),
+    Selection(MotorError),
 }
 
-assur_words::errors!(DynamicsError; Integration(IntegrationError), Rated(RatedDataError), Lookup(LookupError), Catalogue(CatalogueError), Selection(SelectionError));
+assur_words::errors!(DynamicsError; Integration(IntegrationError), Motor(MotorError));
 
-/// A number to a millionth.
-fn fine(value: f64) -> Text {
-    number(format_args!("{value:.6}"))
-}
-
-/// A number to a thousandth.
-fn thousandths(value: f64) -> Text {
-    number(format_args!("{value:.3}"))
-}
-
-/// A coordinate.
-fn place(value: f64) -> Text {
-    number(format_args!("{value:.9}"))
+/// A number with so many decimals.
+fn rounded(value: f64, decimals: usize) -> Text {
+    number(format_args!("{value:.decimals$}"))
 }
 
 /// A number that tells a size.
@@ -139,7 +127,7 @@ fn scientific(value: f64) -> String {
 /// Two values that should be one.
 fn not_repeating(what: &Text, coordinates: [f64; 2], values: [f64; 2]) -> Text {
     let [before, after] = values.map(|value| number(scientific(value)));
-    let [from, to] = coordinates.map(fine);
+    let [from, to] = coordinates.map(|coordinate| rounded(coordinate, 6));
     text!("dynamics-not-repeating", what, before, from, after, to)
 }
 
@@ -152,24 +140,24 @@ impl Describe for DynamicsError {
             Self::OverTime => text!("dynamics-over-time"),
             Self::SteadyOnly(key) => text!("dynamics-steady-only", key = name(*key)),
             Self::Equation { coordinate, source } => {
-                text!("dynamics-no-value", coordinate = place(*coordinate), cause = source.describe())
+                text!("dynamics-no-value", coordinate = rounded(*coordinate, 9), cause = source.describe())
             }
             Self::NoInertia { coordinate, inertia } => text!(
                 "dynamics-no-inertia",
                 inertia = number(format_args!("{inertia:e}")),
-                coordinate = place(*coordinate)
+                coordinate = rounded(*coordinate, 9)
             ),
-            Self::Stalled(coordinate) => text!("dynamics-stalled", coordinate = fine(*coordinate)),
-            Self::Held(coordinate) => text!("dynamics-held", coordinate = fine(*coordinate)),
-            Self::NotLinear(coordinate) => text!("dynamics-not-linear", coordinate = fine(*coordinate)),
-            Self::NoPath(coordinate) => text!("dynamics-no-path", coordinate = fine(*coordinate)),
+            Self::Stalled(coordinate) => text!("dynamics-stalled", coordinate = rounded(*coordinate, 6)),
+            Self::Held(coordinate) => text!("dynamics-held", coordinate = rounded(*coordinate, 6)),
+            Self::NotLinear(coordinate) => text!("dynamics-not-linear", coordinate = rounded(*coordinate, 6)),
+            Self::NoPath(coordinate) => text!("dynamics-no-path", coordinate = rounded(*coordinate, 6)),
             Self::NoRegime { work, energy } => text!(
                 "dynamics-no-regime",
                 work = quantity(scientific(*work), "J"),
                 energy = quantity(scientific(*energy), "J")
             ),
             Self::OtherSpeed { wanted, found } => {
-                text!("dynamics-other-speed", wanted = fine(*wanted), found = fine(*found))
+                text!("dynamics-other-speed", wanted = rounded(*wanted, 6), found = rounded(*found, 6))
             }
             Self::NotPeriodic { cycles, residual } => {
                 text!("dynamics-not-periodic", cycles = *cycles, residual = brief(*residual))
@@ -187,17 +175,15 @@ impl Describe for DynamicsError {
             ),
             Self::OffSection { speed, low, high } => text!(
                 "dynamics-off-section",
-                low = thousandths(*low),
-                high = thousandths(*high),
-                speed = thousandths(*speed)
+                low = rounded(*low, 3),
+                high = rounded(*high, 3),
+                speed = rounded(*speed, 3)
             ),
             Self::NoMotor => text!("dynamics-no-motor"),
             Self::NoLoad(work) => text!("dynamics-no-load", work = quantity(scientific(*work), "J")),
             Self::Integration(error) => error.describe(),
             Self::Rated(error) => text!("dynamics-rated", cause = error.describe()),
-            Self::Lookup(error) => error.describe(),
-            Self::Catalogue(error) => error.describe(),
-            Self::Selection(error) => error.describe(),
+            Self::Motor(error) | Self::Selection(error) => error.describe(),
         }
     }
 }
@@ -217,7 +203,7 @@ impl DynamicsError {
             | Self::NoMotor
             | Self::NoLoad(_)
             | Self::Rated(_)
-            | Self::Lookup(_)
+            | Self::Motor(_)
             | Self::Selection(_) => &["drive", "motor"],
             _ => &["motion"],
         }

@@ -1,5 +1,5 @@
 //! Dry friction of the pairs in an equation of motion: it depends on the acceleration through the inertia loads, and the
-//! acceleration on it, so that both are found together at every evaluation.
+//! acceleration on it, so that both are found together at every evaluation; and the steady regime with it.
 
 use std::sync::Arc;
 
@@ -8,11 +8,16 @@ use assur_force::{
     tolerance,
 };
 use assur_group::{Body, Wrench};
-use assur_integrator::{MotionError, Reduced};
+use assur_integrator::{EquationOfMotion as _, MotionError, Reduced, State};
 use assur_kinematics::{Linkage, Position};
+use assur_mechanism::Mechanism;
+use assur_number::search::try_bisect;
 use assur_words::{number, text};
 
-use crate::Regime;
+use crate::machine::Watcher;
+use crate::scene::{Steady, cycle_request, steady_motion};
+use crate::steady::CycleRequest;
+use crate::{Driven, DynamicsError, Machine, Regime};
 
 /// Accelerations whose difference is below this part of them are one.
 const SAME: f64 = 1e-9;
@@ -25,16 +30,16 @@ pub(crate) struct Friction {
     out: Reactions,
     wrenches: Vec<Wrench<f64>>,
     inertia: Vec<Wrench<f64>>,
-    /// The motion is known, and friction is that of its accelerations.
-    course: Option<KnownMotion>,
+    /// The motion is known, and friction is that of its accelerations; without one it is found with the acceleration.
+    pub(crate) course: Option<KnownMotion>,
     /// Where the friction of that motion bends, ascending, and the cycle of these places.
-    bends: (Vec<f64>, f64),
+    pub(crate) bends: (Vec<f64>, f64),
     /// The interval of the coordinate that was entered last.
     piece: [f64; 2],
     /// What was found last.
-    found: FrictionMoment,
-    /// The forces that pressed the faces of slides then.
-    pressing: Vec<f64>,
+    pub(crate) found: FrictionMoment,
+    /// The forces that pressed the faces of slides then, whose moduli gave their friction.
+    pub(crate) pressing: Vec<f64>,
 }
 
 /// A motion over the coordinate.
@@ -42,7 +47,6 @@ pub(crate) struct Friction {
 pub(crate) enum KnownMotion {
     /// At a constant speed.
     Uniform(f64),
-    /// A periodic regime.
     Regime(Arc<Regime>),
 }
 
@@ -99,30 +103,10 @@ impl Friction {
         })
     }
 
-    /// What was found last.
-    pub(crate) fn found(&self) -> FrictionMoment {
-        self.found
-    }
-
-    /// The forces whose moduli gave the friction of slides that was found last.
-    pub(crate) fn pressing(&self) -> &[f64] {
-        &self.pressing
-    }
-
     /// Takes the accelerations of a known motion from now on; without one those that it leaves possible.
     pub(crate) fn assume(&mut self, course: Option<KnownMotion>) {
         self.course = course;
         self.bends.0.clear();
-    }
-
-    /// Whether the acceleration is found with it.
-    pub(crate) fn is_free(&self) -> bool {
-        self.course.is_none()
-    }
-
-    /// Ends pieces at these coordinates of a cycle from now on.
-    pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
-        self.bends = (coordinates, cycle);
     }
 
     /// Takes the senses on the side of a state, and cuts a piece to the states in which they hold.
@@ -193,9 +177,9 @@ impl Friction {
         place.loads.inertia(&unit, &place.position.bodies, &mut self.inertia);
         let motion = FreeMotion { loads: &self.wrenches, inertia: &self.inertia, drive, drive_inertia };
         let method = self.method.ok_or_else(no_method)?;
-        let found = method.accelerations(place.linkage, place.position, &motion, &self.out);
-        let found = found.map_err(|error| MotionError::mechanism(&error))?;
-        Ok(found.ok_or_else(no_method)?.solutions)
+        let friction = method.friction(place.linkage, place.position, &self.out).ok_or_else(no_method)?;
+        let found = friction.accelerations(&motion).map_err(|error| MotionError::mechanism(&error))?;
+        Ok(found.solutions)
     }
 
     /// The acceleration that a motion takes: the only one; at rest, the only one that leads in the direction of the phase.
@@ -207,7 +191,7 @@ impl Friction {
         ideal: &Reduced,
         [drive, drive_inertia]: [f64; 2],
     ) -> Result<FrictionMoment, MotionError> {
-        let (sense, rests) = (place.phase.sense(), state.speed == 0.0);
+        let (sense, rests) = (place.phase.sense, state.speed == 0.0);
         if rests && all.iter().any(|one| one.balancing * sense > 0.0) {
             all.retain(|one| one.balancing * sense > 0.0);
         } else if rests {
@@ -263,4 +247,89 @@ fn no_method() -> MotionError {
 /// Virtual power of the friction of all bearings for dq = 1.
 fn power(bearings: &[Bearing], forces: &[f64], bodies: &[Body<f64>]) -> f64 {
     bearings.iter().zip(forces).map(|(bearing, force)| force * bearing.relative(bodies)).sum()
+}
+
+/// The steady regime of a machine with dry friction: friction is that of the speeds and accelerations of the regime before, until
+/// both agree.
+pub(crate) fn regime(
+    mut machine: Machine<'_>,
+    mechanism: &Mechanism,
+    mut watcher: Option<&mut Watcher<'_>>,
+) -> Result<Steady, DynamicsError> {
+    let (request, _) = cycle_request(mechanism)?;
+    let mut course = KnownMotion::Uniform(request.mean_speed);
+    let mut before = f64::INFINITY;
+    for _ in 0..MOST_ROUNDS {
+        machine.assume(Some(course.clone()));
+        let bends = bends(&mut machine, &request)?;
+        machine.bend_at(bends, request.length);
+        let found = steady_motion(&mut machine, mechanism, watcher.as_deref_mut())?;
+        let next = KnownMotion::Regime(Arc::new(found.regime.clone()));
+        let change = change(&course, &next, &request);
+        // It falls by the same factor from round to round, down to its rounding.
+        if change <= CONVERGED || change <= NEARLY && change > 0.5 * before {
+            machine.assume(None);
+            return check_friction(machine, &request, found);
+        }
+        (course, before) = (next, change);
+    }
+    Err(DynamicsError::NotPeriodic { cycles: MOST_ROUNDS, residual: before })
+}
+
+/// Rounds in which the friction of a regime has to agree with the regime.
+const MOST_ROUNDS: usize = 60;
+/// Relative change of the speed at which a round has converged, and at which its rounding may be all that is left.
+const CONVERGED: f64 = 1e-13;
+const NEARLY: f64 = 1e-9;
+/// Positions of a cycle at which regimes are compared.
+const PLACES: u32 = 360;
+
+fn places(request: &CycleRequest) -> impl Iterator<Item = f64> {
+    let (start, step) = (request.start, request.mean_speed.signum() * request.length / f64::from(PLACES));
+    (0..PLACES).map(move |place| start + step * f64::from(place))
+}
+
+/// The greatest change of the speed from one course to another, as part of the mean speed.
+fn change(before: &KnownMotion, after: &KnownMotion, request: &CycleRequest) -> f64 {
+    let off = |place: f64| ((after.at(place)[0] - before.at(place)[0]) / request.mean_speed).abs();
+    places(request).map(off).fold(0.0, f64::max)
+}
+
+/// Refuses a regime in which at some position another acceleration is possible, or none.
+fn check_friction(
+    machine: Machine<'_>,
+    request: &CycleRequest,
+    found: Steady,
+) -> Result<Steady, DynamicsError> {
+    let mut motion = Driven::new(machine, found.regime.drive());
+    for coordinate in places(request) {
+        let state = State { time: 0.0, coordinate, speed: found.regime.state(coordinate).speed };
+        let failed = |source| DynamicsError::Equation { coordinate, source };
+        motion.enter(&state).map_err(failed)?;
+        motion.reduced(&state).map_err(failed)?;
+    }
+    Ok(found)
+}
+
+/// The coordinates of a cycle at which another face is pressed: there the moment of friction bends.
+fn bends(machine: &mut Machine<'_>, request: &CycleRequest) -> Result<Vec<f64>, DynamicsError> {
+    let step = request.mean_speed.signum() * request.length / f64::from(PLACES);
+    let mut all = Vec::new();
+    for from in places(request) {
+        let state = |coordinate| State { time: 0.0, coordinate, speed: request.mean_speed };
+        let failed = |source| DynamicsError::Equation { coordinate: from, source };
+        machine.enter(&state(from + 0.5 * step)).map_err(failed)?;
+        let mut pressing = |coordinate: f64| {
+            machine.reduced(&state(coordinate)).map_err(failed)?;
+            machine.bends(&state(coordinate)).map_err(failed)
+        };
+        let [start, end] = [pressing(from)?, pressing(from + step)?];
+        for which in (0..start.len()).filter(|which| start[*which] * end[*which] < 0.0) {
+            let same =
+                |coordinate: f64| pressing(coordinate).map(|forces| forces[which] * start[which] > 0.0);
+            all.push(try_bisect(from, from + step, 0.0, same)?[1]);
+        }
+    }
+    all.sort_by(f64::total_cmp);
+    Ok(all)
 }

@@ -6,9 +6,9 @@ use assur_integrator::{EquationOfMotion, MotionError, Reduced, Sample, State};
 use assur_number::search::try_bisect;
 use serde::Serialize;
 
+use crate::Driven;
 use crate::friction::FrictionMoment;
 use crate::machine::load_state;
-use crate::{Driven, Machine};
 
 /// Speeds whose relative difference is below this are equal.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -34,7 +34,7 @@ pub struct Holding {
     pub bound: f64,
 }
 
-impl Driven<Machine<'_>> {
+impl Driven<'_> {
     /// Completes a sample of a motion with accelerations and loads. At a jump, the values just after it in the
     /// direction of motion are taken; for the last sample (`is_end`), those just before.
     ///
@@ -65,7 +65,7 @@ impl Driven<Machine<'_>> {
         let jump = down - up;
         let mut upper = if jump > 0.0 { down / jump } else { 0.5 };
         let mut friction = 0.0;
-        if self.machine().has_friction() && speed != 0.0 {
+        if self.machine.has_friction() && speed != 0.0 {
             (upper, friction) = self.held_with_friction(&at)?;
         }
         let [net_up, net_down] = [up, down].map(|acceleration| above.inertia * acceleration);
@@ -84,7 +84,7 @@ impl Driven<Machine<'_>> {
     ) -> Result<(Reduced, FrictionMoment), MotionError> {
         let speed = if of_speed == 0.0 { at.speed } else { beside(at.speed, of_speed) };
         self.enter_side(&assur_force::LoadState { side, ..load_state(&State { speed, ..*at }) });
-        Ok((self.reduced(at)?, self.machine().friction()))
+        Ok((self.reduced(at)?, self.machine.friction()))
     }
 
     /// The share of the formulas above a speed that holds it with dry friction, which is not linear in the loads, and the moment of
@@ -92,13 +92,13 @@ impl Driven<Machine<'_>> {
     fn held_with_friction(&mut self, at: &State) -> Result<(f64, f64), MotionError> {
         let state = |upper: f64| assur_force::LoadState { side: Side::Held { upper }, ..load_state(at) };
         let mut above = |upper: f64| -> Result<bool, MotionError> {
-            let drive = [self.drive().torque(&state(upper)), self.drive().inertia];
-            Ok(self.machine().acceleration_at(&state(upper), drive)?.is_some_and(|found| found < 0.0))
+            let drive = [self.drive.torque(&state(upper)), self.drive.inertia];
+            Ok(self.machine.acceleration_at(&state(upper), drive)?.is_some_and(|found| found < 0.0))
         };
         // More of the formulas above the speed slows down.
         let [lower, _] = try_bisect(0.0, 1.0, 0.0, |upper| above(upper).map(|slows| !slows))?;
         let ideal = self.ideal(at)?;
-        let others = self.machine().load_moment(&state(lower))? + self.drive().torque(&state(lower));
+        let others = self.machine.load_moment(&state(lower))? + self.drive.torque(&state(lower));
         Ok((lower, 0.5 * ideal.inertia_derivative * at.speed * at.speed - others))
     }
 }

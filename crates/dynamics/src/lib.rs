@@ -9,7 +9,6 @@
 mod drive;
 mod error;
 mod friction;
-mod friction_regime;
 mod instant;
 mod machine;
 mod motor;
@@ -21,15 +20,12 @@ mod transient;
 
 assur_words::resources!();
 
-pub use drive::{Driven, InputDrive, Source};
+pub use drive::{Driven, InputDrive, TorqueSource};
 pub use error::DynamicsError;
 pub use instant::{Holding, Instant};
-pub use machine::Machine;
-pub use machine::Watcher;
+pub use machine::{Machine, Watcher};
 pub use motor::{DriveMotor, SteadyMotor};
-pub use scene::section_margin;
-pub use scene::{Advice, advise};
-pub use scene::{Steady, steady};
+pub use scene::{Advice, Steady, advise, section_margin, steady};
 pub use steady::{
     CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeSolver,
     RegimeState, TorqueRequest, Trial,

@@ -32,31 +32,24 @@ impl<'a> Machine<'a> {
     }
 
     /// Takes the dry friction of a known motion from now on: the moment depends on the coordinate alone then, as far as friction
-    /// goes.
-    pub(crate) fn assume(&mut self, course: KnownMotion) {
+    /// goes. Without one friction is found with the acceleration.
+    pub(crate) fn assume(&mut self, course: Option<KnownMotion>) {
         if let Some(friction) = &mut self.friction {
-            friction.assume(Some(course));
+            friction.assume(course);
         }
     }
 
     /// The machine in a regime that was found, whose dry friction it takes.
     #[must_use]
     pub fn in_regime(mut self, regime: &Regime) -> Self {
-        self.assume(KnownMotion::Regime(Arc::new(regime.clone())));
+        self.assume(Some(KnownMotion::Regime(Arc::new(regime.clone()))));
         self
     }
 
     /// Ends pieces where the friction of a known motion bends, at these coordinates of a cycle.
     pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
         if let Some(friction) = &mut self.friction {
-            friction.bend_at(coordinates, cycle);
-        }
-    }
-
-    /// Finds friction with the acceleration again.
-    pub(crate) fn forget_course(&mut self) {
-        if let Some(friction) = &mut self.friction {
-            friction.assume(None);
+            friction.bends = (coordinates, cycle);
         }
     }
 
@@ -67,7 +60,7 @@ impl<'a> Machine<'a> {
 
     /// The dry friction at the state that was evaluated last.
     pub(crate) fn friction(&self) -> FrictionMoment {
-        self.friction.as_ref().map(Friction::found).unwrap_or_default()
+        self.friction.as_ref().map(|friction| friction.found).unwrap_or_default()
     }
 
     /// The coefficients without dry friction.
@@ -104,6 +97,26 @@ impl<'a> Machine<'a> {
         let Self { linkage, loads, position, phase, friction, .. } = self;
         let Some(friction) = friction else { return Ok(None) };
         friction.acceleration_at(&Configuration { linkage, loads, phase, position }, state, drive)
+    }
+
+    /// The coefficients at a state with a drive on the input: its moment, N m (N), along the coordinate, and its moment of inertia,
+    /// kg m² (kg). Where the moment depends on the acceleration itself (dry friction through inertia loads) it is found here.
+    #[inline]
+    pub(crate) fn driven(
+        &mut self,
+        state: &State,
+        [moment, inertia]: [f64; 2],
+    ) -> Result<Reduced, MotionError> {
+        let mut reduced = self.ideal(state)?;
+        if let Some(friction) = &mut self.friction {
+            let Self { linkage, loads, position, phase, .. } = self;
+            let place = Configuration { linkage, loads, phase, position };
+            let own = friction.moment(&place, &load_state(state), &reduced, [moment, inertia])?;
+            reduced.moment += own;
+        }
+        reduced.inertia += inertia;
+        reduced.moment += moment;
+        Ok(reduced)
     }
 
     /// Potential energy of weights and springs at a coordinate, and the sum of the sizes of its terms, J.
@@ -159,7 +172,6 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// The state as the loads see it.
 #[inline]
 pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_force::LoadState {
     assur_force::LoadState { time, coordinate, speed, ..assur_force::LoadState::default() }
@@ -168,7 +180,7 @@ pub(crate) fn load_state(&State { time, coordinate, speed }: &State) -> assur_fo
 impl EquationOfMotion for Machine<'_> {
     fn dependence(&self) -> Dependence {
         let Some(friction) = &self.friction else { return self.dependence };
-        let by_motion = friction.is_free();
+        let by_motion = friction.course.is_none();
         Dependence {
             moment_on_coordinate: true,
             moment_on_speed: self.dependence.moment_on_speed || by_motion,
@@ -188,21 +200,7 @@ impl EquationOfMotion for Machine<'_> {
 
     /// Of the friction that was found last: at this state, under its drive.
     fn bends(&mut self, _: &State) -> Result<Vec<f64>, MotionError> {
-        Ok(self.friction.as_ref().map_or_else(Vec::new, |friction| friction.pressing().to_vec()))
-    }
-
-    #[inline]
-    fn driven(&mut self, state: &State, [moment, inertia]: [f64; 2]) -> Result<Reduced, MotionError> {
-        let mut reduced = self.ideal(state)?;
-        if let Some(friction) = &mut self.friction {
-            let Self { linkage, loads, position, phase, .. } = self;
-            let place = Configuration { linkage, loads, phase, position };
-            let own = friction.moment(&place, &load_state(state), &reduced, [moment, inertia])?;
-            reduced.moment += own;
-        }
-        reduced.inertia += inertia;
-        reduced.moment += moment;
-        Ok(reduced)
+        Ok(self.friction.as_ref().map_or_else(Vec::new, |friction| friction.pressing.clone()))
     }
 }
 

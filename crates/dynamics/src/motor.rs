@@ -1,8 +1,8 @@
 //! The motor of a scene: given by its data, looked up, or chosen (S stage 5); and how it works in a steady regime.
 
-use assur_mechanism::{Motor as Asked, Torque};
+use assur_mechanism::{MotorChoice, Torque};
 use assur_motor::{
-    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver, RatedData,
+    Candidate, Characteristic, CharacteristicKind, Motor, MotorFilter, MotorWarning, PassedOver, RatedMotor,
     SelectionRequest, catalogues, check_breakdown, check_rms, check_rotor_inertia, check_starting,
     find_motor, list_motors, nearest, rms_torque, select,
 };
@@ -16,7 +16,7 @@ pub struct DriveMotor {
     /// Designation as the catalogue prints it; `None` for a motor given by its data.
     pub designation: Option<String>,
     /// The data of which the characteristic is computed.
-    pub rated: RatedData,
+    pub rated: RatedMotor,
     /// The mechanical characteristic.
     pub characteristic: Characteristic,
     /// Row of the catalogue, with mass and size.
@@ -54,24 +54,14 @@ impl DriveMotor {
         let Torque::Motor { motor, catalogue, max_speed, characteristic: kind } = torque else {
             return Ok(None);
         };
-        let (row, runners_up, passed_over) = match motor {
-            Asked::Rated(rated) => {
+        let of_row = |row: &'static Motor| Self::new(row.rated_data(), *kind, Some(row));
+        let motor = match motor {
+            MotorChoice::Rated(rated) => {
                 let inertia = rated.inertia.filter(|inertia| *inertia > 0.0);
-                let rated = RatedData { inertia, ..*rated };
-                let characteristic = Characteristic::new(*kind, &rated)?;
-                return Ok(Some(Self {
-                    designation: None,
-                    rated,
-                    characteristic,
-                    row: None,
-                    runners_up: Vec::new(),
-                    passed_over: Vec::new(),
-                }));
+                Self::new(RatedMotor { inertia, ..*rated }, *kind, None)
             }
-            Asked::Designation(designation) => {
-                (find_motor(catalogue.as_deref(), designation)?, Vec::new(), Vec::new())
-            }
-            Asked::Auto => {
+            MotorChoice::Designation(designation) => of_row(find_motor(catalogue.as_deref(), designation)?),
+            MotorChoice::Auto => {
                 let [required_power, input_speed] = need()?;
                 let filter = MotorFilter { catalogue: catalogue.clone(), ..MotorFilter::default() };
                 let request = SelectionRequest {
@@ -80,29 +70,32 @@ impl DriveMotor {
                     max_motor_speed: *max_speed,
                     characteristic: *kind,
                 };
-                let found = select(list_motors(&catalogues()?, &filter)?, &request)?;
-                (found.chosen.motor, found.runners_up, found.passed_over)
+                let found = select(list_motors(&catalogues()?, &filter)?, &request)
+                    .map_err(DynamicsError::Selection)?;
+                let (runners_up, passed_over) = (found.runners_up, found.passed_over);
+                of_row(found.chosen.motor).map(|motor| Self { runners_up, passed_over, ..motor })
             }
         };
-        Ok(Some(Self { passed_over, ..Self::of_row(row, *kind, runners_up)? }))
+        motor.map(Some)
     }
 
-    /// A row of a catalogue.
-    fn of_row(
-        row: &'static Motor,
+    /// By its data, and its row of a catalogue.
+    fn new(
+        rated: RatedMotor,
         kind: CharacteristicKind,
-        runners_up: Vec<Candidate<'static>>,
+        row: Option<&'static Motor>,
     ) -> Result<Self, DynamicsError> {
-        let rated = row.rated_data();
-        let characteristic = Characteristic::new(kind, &rated)?;
-        let designation = Some(row.designation.clone());
-        Ok(Self { designation, rated, characteristic, row: Some(row), runners_up, passed_over: Vec::new() })
+        let characteristic = Characteristic::new(kind, &rated).map_err(DynamicsError::Rated)?;
+        let designation = row.map(|row| row.designation.clone());
+        let (runners_up, passed_over) = (Vec::new(), Vec::new());
+        Ok(Self { designation, rated, characteristic, row, runners_up, passed_over })
     }
 
     /// The next of the other suitable motors in its place; `None` after the last one.
     pub(crate) fn next(&self) -> Option<Self> {
         let (next, others) = self.runners_up.split_first()?;
-        Self::of_row(next.motor, self.characteristic.kind(), others.to_vec()).ok()
+        let motor = Self::new(next.motor.rated_data(), self.characteristic.kind(), Some(next.motor)).ok()?;
+        Some(Self { runners_up: others.to_vec(), ..motor })
     }
 }
 
@@ -129,7 +122,7 @@ impl SteadyMotor {
     pub(crate) fn new(motor: DriveMotor, regime: &Regime, resistance: f64, efficiency: f64) -> Self {
         let (characteristic, ratio) = (motor.characteristic, regime.figures.ratio.unwrap_or(1.0));
         let speed = [ratio * regime.figures.speed_min.abs(), ratio * regime.figures.speed_max.abs()];
-        let of_nodes = regime.solution().weighted_speeds().into_iter();
+        let of_nodes = regime.solution.weighted_speeds().into_iter();
         let nodes: Vec<(f64, f64)> =
             of_nodes.map(|(v, time)| (characteristic.torque(ratio * v), time)).collect();
         let ends = speed.map(|speed| characteristic.torque(speed));

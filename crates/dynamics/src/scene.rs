@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use assur_force::Loads;
 use assur_integrator::EquationOfMotion;
 use assur_kinematics::Linkage;
-use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, Motor as Asked, Solve, Torque};
+use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, MotorChoice, Solve, Torque};
 use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, Refusal, flywheel_sizes};
 use assur_number::search;
 use assur_words::Describe;
@@ -58,7 +58,7 @@ pub(crate) fn steady_of(
 ) -> Result<Steady, DynamicsError> {
     let mut machine = Machine::new(linkage, loads);
     if machine.has_friction() {
-        return crate::friction_regime::regime(machine, mechanism, watcher);
+        return crate::friction::regime(machine, mechanism, watcher);
     }
     steady_motion(&mut machine, mechanism, watcher)
 }
@@ -146,7 +146,7 @@ pub(crate) fn chosen_motor(
 ) -> Result<DriveMotor, DynamicsError> {
     let (request, _) = cycle_request(mechanism)?;
     let mut machine = Machine::new(linkage, loads);
-    machine.assume(KnownMotion::Uniform(request.mean_speed));
+    machine.assume(Some(KnownMotion::Uniform(request.mean_speed)));
     let solver = RegimeSolver::new(&mut machine, request)?;
     drive_request(mechanism, &solver, None)?.1.ok_or(DynamicsError::NoMotor)
 }
@@ -286,20 +286,20 @@ pub struct Advice {
 /// [`DynamicsError`]: no steady motion with a motor in the scene, or no motor that fits.
 pub fn advise(linkage: &Linkage, loads: &Loads, most: usize) -> Result<(Vec<Advice>, usize), DynamicsError> {
     let mut mechanism = linkage.mechanism.clone();
-    set_motor(&mut mechanism, Asked::Auto, None);
+    set_motor(&mut mechanism, MotorChoice::Auto, None);
     let chosen = chosen_motor(linkage, loads, &mechanism)?;
     let others = chosen.runners_up.iter().map(|candidate| candidate.motor);
     let all: Vec<_> = chosen.row.into_iter().chain(others).collect();
     let advice = all.iter().take(most).map(|motor| {
         let (designation, catalogue) = (motor.designation.clone(), motor.catalogue.clone());
-        set_motor(&mut mechanism, Asked::Designation(designation), Some(catalogue));
+        set_motor(&mut mechanism, MotorChoice::Designation(designation), Some(catalogue));
         Advice { motor, found: steady_of(linkage, loads, &mechanism, None) }
     });
     Ok((advice.collect(), all.len()))
 }
 
 /// Sets the motor of a scene, whose flywheel is to be found for the greatest unevenness that it allows.
-fn set_motor(mechanism: &mut Mechanism, new: Asked, from: Option<String>) {
+fn set_motor(mechanism: &mut Mechanism, new: MotorChoice, from: Option<String>) {
     if let Some(Motion::Steady { unevenness, .. }) = &mut mechanism.motion {
         *unevenness = Some(Solve::Wanted);
     }

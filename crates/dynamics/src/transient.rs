@@ -12,7 +12,7 @@ use assur_mechanism::{
 use assur_motor::MotorWarning;
 use assur_words::{Describe, Text};
 
-use crate::drive::{Driven, InputDrive, Source};
+use crate::drive::{Driven, InputDrive, TorqueSource};
 use crate::instant::Instant;
 use crate::machine::{Watched, Watcher};
 use crate::motor::DriveMotor;
@@ -137,7 +137,7 @@ fn solve(
 /// # Errors
 ///
 /// [`DynamicsError::SteadyOnly`], and what is wrong with the motor.
-pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<Machine<'a>>, DynamicsError> {
+pub fn equation<'a>(linkage: &'a Linkage, loads: &'a Loads) -> Result<Driven<'a>, DynamicsError> {
     Ok(Driven::new(Machine::new(linkage, loads), input_drive(&linkage.mechanism)?))
 }
 
@@ -208,12 +208,12 @@ fn input_drive(mechanism: &Mechanism) -> Result<InputDrive, DynamicsError> {
     let rotor = motor.as_ref().map_or(0.0, DriveMotor::rotor);
     let (source, ratio) = match (&drive.torque, motor) {
         (Torque::Balance, _) => return Err(steady_only("`torque = \"balance\"`")),
-        (Torque::Constant(moment), _) => (Source::Constant(*moment), 1.0),
+        (Torque::Constant(moment), _) => (TorqueSource::Constant(*moment), 1.0),
         (Torque::Motor { .. }, Some(DriveMotor { characteristic, .. })) => {
             let ratio = given(drive.ratio, "`ratio = \"solve\"`")?;
-            (Source::Motor { characteristic, ratio, efficiency: drive.efficiency }, ratio)
+            (TorqueSource::Motor { characteristic, ratio, efficiency: drive.efficiency }, ratio)
         }
-        (Torque::None | Torque::Motor { .. }, _) => (Source::None, 1.0),
+        (Torque::None | Torque::Motor { .. }, _) => (TorqueSource::None, 1.0),
     };
     let inertia = match drive.flywheel_on {
         FlywheelPlace::Crank => flywheel + ratio * ratio * rotor,
@@ -233,7 +233,7 @@ fn is_conservative(mechanism: &Mechanism) -> bool {
 const ROUNDINGS: f64 = 8.0;
 
 fn balance(
-    motion: &mut Driven<Machine<'_>>,
+    motion: &mut Driven<'_>,
     trajectory: &Trajectory,
     conservative: bool,
 ) -> Result<EnergyBalance, DynamicsError> {
@@ -246,7 +246,7 @@ fn balance(
         let reduced = motion.ideal(&state).map_err(failed)?;
         found.kinetic.push(0.5 * reduced.inertia * speed * speed);
         found.by_speed = found.by_speed.max(0.5 * reduced.inertia * speed.abs() * fastest);
-        let [potential, terms] = motion.machine().potential_energy(coordinate).map_err(failed)?;
+        let [potential, terms] = motion.machine.potential_energy(coordinate).map_err(failed)?;
         let uncertain = (reduced.moment * coordinate).abs() + ROUNDINGS * terms;
         found.rounding = found.rounding.max(uncertain * f64::EPSILON);
         found.potential.push(potential);

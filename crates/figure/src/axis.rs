@@ -9,7 +9,7 @@ use crate::number::{round_up, stepped};
 
 /// How the numbers of an axis are spread, and where its ticks are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum AxisKind {
     /// Equal steps, ticks at round numbers.
     Linear,
     /// Equal steps, ticks at parts of a turn (0, 90, 180, 270, 360).
@@ -28,7 +28,7 @@ pub struct Axis {
     /// Its ends, the lower one first.
     pub range: [f64; 2],
     /// How its numbers are spread.
-    pub kind: Kind,
+    pub kind: AxisKind,
 }
 
 /// A range this small compared with its ends is one value.
@@ -59,12 +59,12 @@ impl Axis {
         } else {
             [(low + high).min(0.0), (low + high).max(0.0)]
         };
-        Self { label, range, kind: Kind::Linear }
+        Self { label, range, kind: AxisKind::Linear }
     }
 
     /// Place of a value on the axis: 0 at its lower end, 1 at its upper end.
     pub fn part(&self, value: f64) -> f64 {
-        let at = |x: f64| if self.kind == Kind::Logarithmic { x.log10() } else { x };
+        let at = |x: f64| if self.kind == AxisKind::Logarithmic { x.log10() } else { x };
         let [low, high] = self.range.map(at);
         (at(value) - low) / (high - low)
     }
@@ -72,7 +72,7 @@ impl Axis {
     /// The value at a place of the axis.
     pub fn value(&self, part: f64) -> f64 {
         let between = |[low, high]: [f64; 2]| low + part * (high - low);
-        if self.kind == Kind::Logarithmic {
+        if self.kind == AxisKind::Logarithmic {
             10.0_f64.powf(between(self.range.map(f64::log10)))
         } else {
             between(self.range)
@@ -82,7 +82,7 @@ impl Axis {
     /// At most this many round values within the range, with their texts.
     pub fn ticks(&self, most: usize) -> Vec<(f64, Text)> {
         let [low, high] =
-            if self.kind == Kind::Logarithmic { self.range.map(f64::log10) } else { self.range };
+            if self.kind == AxisKind::Logarithmic { self.range.map(f64::log10) } else { self.range };
         let span = high - low;
         if !(span.is_finite() && span > 0.0) {
             return Vec::new();
@@ -94,7 +94,7 @@ impl Axis {
         while count <= last {
             let at = count * step;
             ticks.push(match self.kind {
-                Kind::Logarithmic => (10.0_f64.powf(at), number(format_args!("1e{at}"))),
+                AxisKind::Logarithmic => (10.0_f64.powf(at), number(format_args!("1e{at}"))),
                 _ => (at, number(stepped(if at.abs() < SAME * step { 0.0 } else { at }, step))),
             });
             count += 1.0;
@@ -105,12 +105,12 @@ impl Axis {
     /// The least round step that is not below another one.
     fn step(&self, least: f64) -> f64 {
         match self.kind {
-            Kind::Logarithmic => least.ceil().max(1.0),
-            Kind::Whole if least < 1.0 => 1.0,
-            Kind::Degrees if (1.0..=180.0).contains(&least) => {
+            AxisKind::Logarithmic => least.ceil().max(1.0),
+            AxisKind::Whole if least < 1.0 => 1.0,
+            AxisKind::Degrees if (1.0..=180.0).contains(&least) => {
                 ANGLES.into_iter().find(|step| *step >= least).unwrap_or(180.0)
             }
-            Kind::Degrees if least > 180.0 => 360.0 * (least / 360.0).ceil(),
+            AxisKind::Degrees if least > 180.0 => 360.0 * (least / 360.0).ceil(),
             _ => round_up(least, &ROUND),
         }
     }

@@ -18,7 +18,7 @@ mod page;
 pub mod svg;
 mod trace;
 
-pub use axis::{Axis, Kind, extent};
+pub use axis::{Axis, AxisKind, extent};
 pub use bounds::{Bounds, Zoom};
 pub use model::{Cursor, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 pub use number::round_length;

@@ -1,18 +1,20 @@
-//! The items of a linkage in one position: links as bars and bodies, sliders on their guides, pins, ground, springs.
+//! The items of a linkage in one position: links as bars and bodies, sliders on their guides, pins, ground, springs, brakes.
+//!
+//! Block brakes act on a disc that turns about the ground: the disc, the shoe on it, the lever with its force (D fig. 3.19).
 
-mod brake;
 mod gap;
 #[cfg(test)]
 mod tests;
 
+use std::f64::consts::TAU;
+
 use assur_group::Body;
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::{GROUND, LinkId, PairId, Slide, Surfaces};
-use assur_words::name;
-
-pub use brake::brakes;
+use assur_mechanism::{Brake, GROUND, LinkId, Mechanism, PairId, Slide, Surfaces, Value};
+use assur_words::{joined, name, quantity};
 
 use crate::model::{Ink, Item, Point, Sign, Stroke};
+use crate::number::plain;
 
 /// A guide is longer than the stroke of its slider by this part, at each end.
 const BEYOND: f64 = 0.08;
@@ -144,9 +146,8 @@ impl Drawing<'_> {
         let slides = self.linkage.mechanism.slides.iter().zip(self.strokes);
         let ground = slides.filter(|(slide, _)| slide.on == GROUND);
         let ends = ground.filter_map(|(slide, stroke)| self.guide(slide, *stroke));
-        ends.map(|ends| ends.map(|at| bodies[GROUND].point(at)))
-            .map(|[from, to]| Item::Guide { from, to })
-            .collect()
+        let ends = ends.map(|ends| ends.map(|at| bodies[GROUND].point(at)));
+        ends.map(|ends| Item::Ground { ends, guides: true }).collect()
     }
 
     /// The arcs with their lines and the radii to their ends.
@@ -156,7 +157,7 @@ impl Drawing<'_> {
             let body = &bodies[arc.link];
             let points: Vec<Point> = arc.points().map(|at| body.point(at)).collect();
             let (center, ends) = (body.point(arc.center), [points[0], points[points.len() - 1]]);
-            items.push(Item::Surface { from: arc.line[0], to: arc.line[1] });
+            items.push(Item::Ground { ends: arc.line, guides: false });
             items.push(Item::line([ends[0], center, ends[1]], Stroke::Dashed, Ink::Trace));
             items.push(Item::line(points, Stroke::Thick, self.ink(arc.link)));
         }
@@ -196,7 +197,7 @@ impl Drawing<'_> {
             let place = mechanism.points[point].places.iter().find(|place| self.shows(place.link))?;
             let ([x, y], radius) = (bodies[place.link].point(place.at), friction.coefficient * radius);
             let points = (0..=ARC).map(|step| {
-                let (s, c) = (std::f64::consts::TAU * step as f64 / ARC as f64).sin_cos();
+                let (s, c) = (TAU * step as f64 / ARC as f64).sin_cos();
                 [x + radius * c, y + radius * s]
             });
             (radius > 0.0).then(|| Item::line(points.collect::<Vec<_>>(), Stroke::Solid, Ink::Trace))
@@ -264,4 +265,46 @@ fn half_hull(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
         chain.push(p);
     }
     chain
+}
+
+/// Height of the lever above the disc and length of the arrow of its force, as parts of the radius.
+const ABOVE: f64 = 0.25;
+const ARROW: f64 = 0.6;
+
+/// Everything that is drawn of the brakes; it does not move.
+pub fn brakes(mechanism: &Mechanism) -> Vec<Item> {
+    let brakes = mechanism.loads.iter().filter_map(|load| load.kind.brake());
+    brakes.filter_map(|brake| Some(drawn_brake(brake, disc_center(mechanism, brake)?))).flatten().collect()
+}
+
+/// The pin of the disc on the ground.
+fn disc_center(mechanism: &Mechanism, brake: &Brake) -> Option<Point> {
+    let mut pins = (0..mechanism.points.len()).filter(|id| mechanism.place_in(*id, brake.link).is_some());
+    pins.find_map(|id| mechanism.place_in(id, GROUND))
+}
+
+/// The shoe presses down on the top of the disc; the lever has its pin one radius to the left of it, and the force at the end of
+/// its ratio.
+fn drawn_brake(brake: &Brake, center: Point) -> Vec<Item> {
+    let radius = brake.radius;
+    let at = |x: f64, y: f64| [center[0] + x * radius, center[1] + y * radius];
+    let circle = (0..=ARC).map(|step| {
+        let (s, c) = (TAU * step as f64 / ARC as f64).sin_cos();
+        at(c, s)
+    });
+    let (height, end) = (1.0 + ABOVE, brake.lever.max(1.0) - 1.0);
+    let force = at(end, height + ARROW);
+    let told = match brake.force {
+        Value::Constant(size) => joined(" = ", [name("P"), quantity(plain(size), "N")]),
+        _ => name("P"),
+    };
+    vec![
+        Item::line(circle.collect::<Vec<_>>(), Stroke::Solid, Ink::Link(brake.link)),
+        Item::line([at(0.0, 1.0), at(0.0, height)], Stroke::Thick, Ink::Text),
+        Item::line([at(-1.0, height), at(end.max(0.0), height)], Stroke::Thick, Ink::Text),
+        Item::sign(at(-1.0, height), Sign::Bearing, Ink::Ground),
+        Item::sign(at(0.0, 1.0 + 0.3 * ABOVE), Sign::Block, Ink::Text),
+        Item::Arrow { from: force, to: at(end, height), stroke: Stroke::Solid, ink: Ink::Second },
+        Item::name(force, told, Ink::Second),
+    ]
 }

@@ -211,19 +211,12 @@ pub enum Item {
         /// What it stands for.
         ink: Ink,
     },
-    /// A guide of the ground along the path of a slider, hatched on its lower side (a vertical one: on its right side).
-    Guide {
-        /// One end of the path of the slider.
-        from: Point,
-        /// The other end.
-        to: Point,
-    },
-    /// A line of the ground on which something rolls or slides, hatched on its lower side (a vertical one: on its right side).
-    Surface {
-        /// One end.
-        from: Point,
-        /// The other end.
-        to: Point,
+    /// A line of the ground, hatched on its lower side (a vertical one: on its right side).
+    Ground {
+        /// The ends of the line, or of the path of a slider.
+        ends: [Point; 2],
+        /// Whether it guides a slider along its path; else something rolls or slides on the line itself.
+        guides: bool,
     },
     /// A spring, a damper, or both beside each other between two points.
     Spring {
@@ -289,11 +282,8 @@ impl Item {
                 let sides = ends.filter_map(|(from, to)| cut([*from, *to]));
                 sides.map(|side| Self::line(side, Stroke::Thick, ink)).collect()
             }
-            Self::Guide { from, to } => {
-                cut([from, to]).map(|[from, to]| Self::Guide { from, to }).into_iter().collect()
-            }
-            Self::Surface { from, to } => {
-                cut([from, to]).map(|[from, to]| Self::Surface { from, to }).into_iter().collect()
+            Self::Ground { ends, guides } => {
+                cut(ends).map(|ends| Self::Ground { ends, guides }).into_iter().collect()
             }
             whole => {
                 let inside = whole.points().iter().all(|at| bounds.holds(*at));
@@ -308,10 +298,8 @@ impl Item {
             Self::Line { points, .. } => points.clone(),
             Self::Area { outline, .. } => outline.clone(),
             Self::Sign { at, .. } | Self::Name { at, .. } => vec![*at],
-            Self::Arrow { from, to, .. }
-            | Self::Guide { from, to }
-            | Self::Surface { from, to }
-            | Self::Spring { from, to, .. } => vec![*from, *to],
+            Self::Ground { ends, .. } => ends.to_vec(),
+            Self::Arrow { from, to, .. } | Self::Spring { from, to, .. } => vec![*from, *to],
         }
     }
 }

@@ -10,8 +10,8 @@ pub(crate) use element::Element;
 
 use assur_words::{Language, Text};
 
-use crate::model::{Figure, Frame, Ink, Panel, Point, Sign, Stroke};
-use crate::trace::{Mark, block, shifted};
+use crate::model::{Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use crate::trace::{block, shifted};
 use element::{Outline, circle, polygon, polyline, text};
 use names::Names;
 
@@ -111,20 +111,25 @@ fn heading(panel: &Panel, room: Room, language: &Language) -> Vec<Element> {
 }
 
 /// The elements of marks: lines first, then signs, then names where they cover least.
-fn drawn(marks: &[Mark], room: Room, language: &Language) -> Vec<Element> {
+fn drawn(marks: &[Item], room: Room, language: &Language) -> Vec<Element> {
     let mut elements = Vec::new();
     let mut names = Names::new(room);
     for mark in marks {
-        if let Mark::Line { points, stroke, ink, closed } = mark {
-            names.avoid(points);
-            if let (true, [first, .., last]) = (closed, &**points) {
-                names.avoid(&[*last, *first]);
+        match mark {
+            Item::Line { points, stroke, ink } => {
+                names.avoid(points);
+                elements.extend(stroked(points, *stroke, *ink));
             }
-            elements.extend(stroked(points, *stroke, *ink, *closed));
+            Item::Area { outline, ink } => {
+                names.avoid(&[outline, &outline[..1.min(outline.len())]].concat());
+                elements
+                    .push(polygon(outline, Outline { ink: *ink, width: width::THICK, filled: Some(0.15) }));
+            }
+            _ => {}
         }
     }
     for mark in marks {
-        if let Mark::Sign { at, along, sign, ink } = mark {
+        if let Item::Sign { at, along, sign, ink } = mark {
             match sign {
                 Sign::Hatch => names.avoid(&[*at, shifted(*at, *along, 0.4 * EM)]),
                 Sign::Block => names.keep(*at, 0.5 * EM),
@@ -135,7 +140,7 @@ fn drawn(marks: &[Mark], room: Room, language: &Language) -> Vec<Element> {
         }
     }
     for mark in marks {
-        if let Mark::Name { at, text: name, ink, needed } = mark {
+        if let Item::Name { at, text: name, ink, needed } = mark {
             let name = name.render(language);
             let (at, seen) = names.place(*at, &name, *needed);
             let mut element = text(at, &name, *ink, "start");
@@ -148,10 +153,7 @@ fn drawn(marks: &[Mark], room: Room, language: &Language) -> Vec<Element> {
 }
 
 /// The elements of a line; it is interrupted where a point is not finite.
-fn stroked(points: &[Point], stroke: Stroke, ink: Ink, closed: bool) -> Vec<Element> {
-    if closed {
-        return vec![polygon(points, Outline { ink, width: width::THICK, filled: Some(0.15) })];
-    }
+fn stroked(points: &[Point], stroke: Stroke, ink: Ink) -> Vec<Element> {
     let pieces = points.split(|at| !(at[0].is_finite() && at[1].is_finite()));
     let drawn = |piece: &[Point]| match piece {
         // A point without neighbors is no line, but a value.

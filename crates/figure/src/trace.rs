@@ -1,8 +1,6 @@
-//! Items as lines, signs and names on paper, before a renderer draws them.
+//! Items on paper, as lines, areas, signs and names alone, before a renderer draws them.
 //!
 //! Lengths on paper have equal units in both directions: widths of a cell, or millimeters; y grows downwards.
-
-use assur_words::Text;
 
 use crate::model::{Ink, Item, Point, Sign, Stroke};
 
@@ -25,14 +23,6 @@ const MOST_STARS: usize = 24;
 /// Arrows shorter than this have a head without a direction, in text sizes.
 const SHORTEST: f64 = 0.5;
 
-/// A line, a sign or a name on paper.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Mark {
-    Line { points: Vec<Point>, stroke: Stroke, ink: Ink, closed: bool },
-    Sign { at: Point, along: Point, sign: Sign, ink: Ink },
-    Name { at: Point, text: Text, ink: Ink, needed: bool },
-}
-
 /// How a panel comes to paper.
 #[derive(Debug)]
 pub(crate) struct Paper<F> {
@@ -45,81 +35,69 @@ pub(crate) struct Paper<F> {
 }
 
 impl<F: Fn(Point) -> Point> Paper<F> {
-    /// The marks of an item; a sign or a name without a place is left out.
-    pub(crate) fn marks(&self, item: &Item) -> Vec<Mark> {
+    /// An item as lines, areas, signs and names; a sign or a name without a place is left out.
+    pub(crate) fn marks(&self, item: &Item) -> Vec<Item> {
         let mut marks = self.all_marks(item);
         marks.retain(|mark| match mark {
-            Mark::Sign { at, .. } | Mark::Name { at, .. } => at[0].is_finite() && at[1].is_finite(),
-            Mark::Line { .. } => true,
+            Item::Sign { at, .. } | Item::Name { at, .. } => at[0].is_finite() && at[1].is_finite(),
+            _ => true,
         });
         marks
     }
 
-    fn all_marks(&self, item: &Item) -> Vec<Mark> {
+    fn all_marks(&self, item: &Item) -> Vec<Item> {
         let place = &self.place;
+        let all = |points: &[Point]| points.iter().map(|at| place(*at)).collect::<Vec<_>>();
         match item {
-            Item::Line { points, stroke, ink } => {
-                let points = points.iter().map(|at| place(*at)).collect();
-                vec![Mark::Line { points, stroke: *stroke, ink: *ink, closed: false }]
-            }
-            Item::Area { outline, ink } => {
-                let points = outline.iter().map(|at| place(*at)).collect();
-                vec![Mark::Line { points, stroke: Stroke::Thick, ink: *ink, closed: true }]
-            }
+            Item::Line { points, stroke, ink } => vec![Item::line(all(points), *stroke, *ink)],
+            Item::Area { outline, ink } => vec![Item::Area { outline: all(outline), ink: *ink }],
             Item::Arrow { from, to, stroke, ink } => self.arrow(place(*from), place(*to), *stroke, *ink),
             // A slider stands between its path and the face of the guide.
-            Item::Guide { from, to } => self.hatched(place(*from), place(*to), BLOCK[1] * self.em + self.gap),
-            Item::Surface { from, to } => self.hatched(place(*from), place(*to), 0.0),
+            Item::Ground { ends, guides } => {
+                self.hatched(ends.map(place), if *guides { BLOCK[1] * self.em + self.gap } else { 0.0 })
+            }
             Item::Spring { from, to, elastic, damped } => {
                 self.suspension(place(*from), place(*to), *elastic, *damped)
             }
             Item::Sign { at, along, sign, ink } => {
                 let tip = place([at[0] + along[0], at[1] + along[1]]);
                 let at = place(*at);
-                vec![Mark::Sign { at, along: unit(at, tip).0, sign: *sign, ink: *ink }]
+                vec![Item::Sign { at, along: unit(at, tip).0, sign: *sign, ink: *ink }]
             }
             Item::Name { at, text, ink, needed } => {
-                vec![Mark::Name { at: place(*at), text: text.clone(), ink: *ink, needed: *needed }]
+                vec![Item::Name { at: place(*at), text: text.clone(), ink: *ink, needed: *needed }]
             }
         }
     }
 
-    fn arrow(&self, from: Point, to: Point, stroke: Stroke, ink: Ink) -> Vec<Mark> {
+    fn arrow(&self, from: Point, to: Point, stroke: Stroke, ink: Ink) -> Vec<Item> {
         let (along, length) = unit(from, to);
         // A short arrow keeps its head, without a direction, so that all frames of an animation have the same marks.
         let along = if length >= SHORTEST * self.em { along } else { [0.0; 2] };
-        vec![
-            Mark::Line { points: vec![from, to], stroke, ink, closed: false },
-            Mark::Sign { at: to, along, sign: Sign::Head, ink },
-        ]
+        vec![Item::line([from, to], stroke, ink), Item::Sign { at: to, along, sign: Sign::Head, ink }]
     }
 
     /// A line of the ground at a distance from two points, hatched on the side away from them.
-    fn hatched(&self, from: Point, to: Point, away: f64) -> Vec<Mark> {
+    fn hatched(&self, [from, to]: [Point; 2], away: f64) -> Vec<Item> {
         let (along, length) = unit(from, to);
         // The lower side; of a vertical guide the right one.
         let upright = along[0].abs() <= 1e-9;
         let side = if along[0] > 1e-9 || (upright && along[1] < 0.0) { 1.0 } else { -1.0 };
         let out = [-side * along[1], side * along[0]];
         let [from, to] = [from, to].map(|at| shifted(at, out, away));
-        let mut marks = vec![Mark::Line {
-            points: vec![from, to],
-            stroke: Stroke::Solid,
-            ink: Ink::Ground,
-            closed: false,
-        }];
+        let mut marks = vec![Item::line([from, to], Stroke::Solid, Ink::Ground)];
         let steps = (length / (HATCHING * self.em)).ceil().clamp(1.0, MOST_HATCHES);
         let mut step = 0.0;
         while step <= steps && length.is_finite() {
             let at = shifted(from, along, step / steps * length);
-            marks.push(Mark::Sign { at, along: out, sign: Sign::Hatch, ink: Ink::Ground });
+            marks.push(Item::Sign { at, along: out, sign: Sign::Hatch, ink: Ink::Ground });
             step += 1.0;
         }
         marks
     }
 
     /// A spring, a damper, or both beside each other.
-    fn suspension(&self, from: Point, to: Point, elastic: bool, damped: bool) -> Vec<Mark> {
+    fn suspension(&self, from: Point, to: Point, elastic: bool, damped: bool) -> Vec<Item> {
         let (along, _) = unit(from, to);
         let across = [along[1], -along[0]];
         let aside = if elastic && damped { BESIDE * self.em } else { 0.0 };
@@ -127,7 +105,7 @@ impl<F: Fn(Point) -> Point> Paper<F> {
         let mut marks = Vec::new();
         if elastic {
             let [from, to] = both(aside);
-            marks.push(line(self.spring(from, to)));
+            marks.push(line(&self.spring(from, to)));
         }
         if damped {
             let [from, to] = both(-aside);
@@ -135,7 +113,7 @@ impl<F: Fn(Point) -> Point> Paper<F> {
         }
         if aside > 0.0 {
             let ([a, b], [c, d]) = (both(aside), both(-aside));
-            marks.extend([line(vec![a, c]), line(vec![b, d])]);
+            marks.extend([line(&[a, c]), line(&[b, d])]);
         }
         marks
     }
@@ -155,23 +133,23 @@ impl<F: Fn(Point) -> Point> Paper<F> {
     }
 
     /// A cylinder, open towards the second end, with its piston.
-    fn damper(&self, from: Point, to: Point) -> Vec<Mark> {
+    fn damper(&self, from: Point, to: Point) -> Vec<Item> {
         let (along, length) = unit(from, to);
         let across = [along[1], -along[0]];
         let (half, [bottom, top]) = (COIL * self.em, [0.35, 0.65].map(|part| part * length));
         let at = |far: f64, side: f64| shifted(shifted(from, along, far), across, side * half);
         let middle = 0.5 * length;
         vec![
-            line(vec![from, at(bottom, 0.0)]),
-            line(vec![at(top, 1.0), at(bottom, 1.0), at(bottom, -1.0), at(top, -1.0)]),
-            line(vec![at(middle, 0.8), at(middle, -0.8)]),
-            line(vec![at(middle, 0.0), to]),
+            line(&[from, at(bottom, 0.0)]),
+            line(&[at(top, 1.0), at(bottom, 1.0), at(bottom, -1.0), at(top, -1.0)]),
+            line(&[at(middle, 0.8), at(middle, -0.8)]),
+            line(&[at(middle, 0.0), to]),
         ]
     }
 }
 
-fn line(points: Vec<Point>) -> Mark {
-    Mark::Line { points, stroke: Stroke::Solid, ink: Ink::Text, closed: false }
+fn line(points: &[Point]) -> Item {
+    Item::line(points, Stroke::Solid, Ink::Text)
 }
 
 /// Direction and distance from one point to another; to the right where they are one.

@@ -166,7 +166,7 @@ fn any_size_and_any_number_is_drawn_without_a_fault() {
             plane(vec![
                 Item::Arrow { from: [0.0; 2], to: [value, 1.0], stroke: Stroke::Dashed, ink: Ink::First },
                 Item::Spring { from: [value, 0.0], to: [1.0, value], elastic: true, damped: true },
-                Item::Guide { from: [0.0; 2], to: [value, value] },
+                Item::Ground { ends: [[0.0; 2], [value, value]], guides: true },
                 Item::sign([value, 0.0], Sign::Bearing, Ink::Ground),
                 Item::name([value, 0.0], name("name"), Ink::Title),
             ]),

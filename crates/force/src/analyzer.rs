@@ -63,44 +63,15 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         Ok(None)
     }
 
-    /// Where dry friction leaves no solution: the upper end of the interval from 0 of the factors k for which there is one with
-    /// all coefficients times k; `None` for a method that does not treat friction. Arguments as for [`solve`](Self::solve).
-    fn jamming_limit(
+    /// What the method finds of dry friction in the senses of `out` beyond the reactions; `None` for a method that does not treat
+    /// it, and where all pairs are ideal.
+    fn friction<'a>(
         &self,
-        _linkage: &Linkage,
-        _position: &Position,
-        _loads: &[Wrench<f64>],
-        _out: &Reactions,
-    ) -> Option<f64> {
+        _linkage: &'a Linkage,
+        _position: &'a Position,
+        _out: &'a Reactions,
+    ) -> Option<Box<dyn FrictionAnalysis + 'a>> {
         None
-    }
-
-    /// How friction is found at one position, in solving order; nothing for a method that does not treat it. Arguments as for
-    /// [`solve`](Self::solve).
-    fn iteration(
-        &self,
-        _linkage: &Linkage,
-        _position: &Position,
-        _loads: &[Wrench<f64>],
-        _out: &Reactions,
-    ) -> Vec<FrictionIteration> {
-        Vec::new()
-    }
-
-    /// The accelerations that are possible with dry friction in the senses of `out`; `None` for a method that does not find them.
-    /// `position` needs PF2.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`solve`](Self::solve), without [`ForceError::Jammed`]: where none is possible there is none among the solutions.
-    fn accelerations(
-        &self,
-        _linkage: &Linkage,
-        _position: &Position,
-        _motion: &FreeMotion<'_>,
-        _out: &Reactions,
-    ) -> Result<Option<Accelerations>, ForceError> {
-        Ok(None)
     }
 
     /// The factor by which the method magnifies rounding in this position beyond the groups themselves (1 /
@@ -108,6 +79,23 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
     fn condition(&self, _linkage: &Linkage, _position: &Position) -> f64 {
         1.0
     }
+}
+
+/// Dry friction at one position; `loads` as for [`ForceAnalyzer::solve`].
+pub trait FrictionAnalysis {
+    /// Where it leaves no solution: the upper end of the interval from 0 of the factors k for which there is one with all
+    /// coefficients times k.
+    fn jamming_limit(&self, loads: &[Wrench<f64>]) -> f64;
+
+    /// How it is found, in solving order.
+    fn iteration(&self, loads: &[Wrench<f64>]) -> Vec<FrictionIteration>;
+
+    /// The accelerations that are possible; the position needs PF2.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`ForceAnalyzer::solve`], without [`ForceError::Jammed`]: where none is possible there is none among the solutions.
+    fn accelerations(&self, motion: &FreeMotion<'_>) -> Result<Accelerations, ForceError>;
 }
 
 /// Why there are no reactions. Names the coordinate; the caller adds the number of the position.

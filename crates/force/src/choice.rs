@@ -12,9 +12,7 @@ use crate::state::{Selection, Side};
 
 /// The formulas of all loads on one side of a state, or in one smooth piece.
 pub(crate) trait Formulas {
-    /// The formula of the size of a load.
     fn size(&self, loads: &Loads, load: usize, law: &Law, state: &LoadState) -> Active;
-    /// The formula of the angle of a contact.
     fn angle(&self, loads: &Loads, load: usize, law: &Law, state: &LoadState) -> Active;
     fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &LoadState) -> bool;
     /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
@@ -198,56 +196,17 @@ impl Loads {
             Side::Prescribed => Selections::One(Selection { moves: speed != 0.0, closed: true, ..one(1.0) }),
         }
     }
-}
 
-/// Which formula of each load is in use: segments of tables, strokes and their direction, contacts, sides of the rests
-/// of loads against the motion. Created by [`Loads::phase`], set by [`Loads::enter`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct Phase {
-    pub(crate) loads: Vec<LoadPhase>,
-    pub(crate) sense: f64,
-}
-
-/// Which formulas of one load are in use.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct LoadPhase {
-    size: Active,
-    /// Of the angle of a contact.
-    angle: Active,
-    /// The interval of the coordinate in which the point or link does not reverse against whose motion it is.
-    stays: [f64; 2],
-    /// Whether a contact touches.
-    pub(crate) touches: bool,
-    /// Sign of the friction of a contact that is against its sliding.
-    friction_sense: f64,
-}
-
-impl Phase {
-    /// The sense of the motion along the coordinate, 1 or -1.
-    pub fn sense(&self) -> f64 {
-        self.sense
-    }
-}
-
-impl LoadPhase {
-    /// Not yet entered.
-    fn new() -> Self {
-        Self {
-            size: Active::only(),
-            angle: Active::only(),
-            stays: EVERYWHERE,
-            touches: true,
-            friction_sense: 0.0,
-        }
-    }
-}
-
-const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-
-impl Loads {
     /// A phase with room for all loads, not yet entered.
     pub fn phase(&self) -> Phase {
-        Phase { loads: vec![LoadPhase::new(); self.applied.len()], sense: self.sense }
+        let new = LoadPhase {
+            size: Active::only(),
+            angle: Active::only(),
+            stays: [f64::NEG_INFINITY, f64::INFINITY],
+            touches: true,
+            friction_sense: 0.0,
+        };
+        Phase { loads: vec![new; self.applied.len()], sense: self.sense }
     }
 
     /// Chooses the formulas of the side of `state` (if the motion is held, of the side above its speed), and returns
@@ -265,17 +224,35 @@ impl Loads {
         for (load, phase) in self.applied.iter().zip(&mut phase.loads) {
             phase.enter(self, load, state, &side, &mut bounds);
         }
-        if self.turns_with_speed() {
+        if self.applied.iter().any(Applied::turns_with_speed) {
             let side = if phase.sense < 0.0 { [f64::NEG_INFINITY, 0.0] } else { [0.0, f64::INFINITY] };
             cut(&mut bounds.speed, side);
         }
         bounds
     }
+}
 
-    /// Whether a load depends on the sign of the speed: a load against the motion, friction against the sliding, or a stroke.
-    pub fn turns_with_speed(&self) -> bool {
-        self.applied.iter().any(Applied::turns_with_speed)
-    }
+/// Which formula of each load is in use: segments of tables, strokes and their direction, contacts, sides of the rests
+/// of loads against the motion. Created by [`Loads::phase`], set by [`Loads::enter`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Phase {
+    pub(crate) loads: Vec<LoadPhase>,
+    /// The sense of the motion along the coordinate, 1 or -1.
+    pub sense: f64,
+}
+
+/// Which formulas of one load are in use.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LoadPhase {
+    size: Active,
+    /// Of the angle of a contact.
+    angle: Active,
+    /// The interval of the coordinate in which the point or link does not reverse against whose motion it is.
+    stays: [f64; 2],
+    /// Whether a contact touches.
+    pub(crate) touches: bool,
+    /// Sign of the friction of a contact that is against its sliding.
+    friction_sense: f64,
 }
 
 impl LoadPhase {

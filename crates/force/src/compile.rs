@@ -7,13 +7,13 @@ use assur_formula::Formula;
 use assur_group::Body;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Contact, Direction, Force, GROUND, InputPair, LinkId, Load, LoadId, LoadKind, Mechanism, Over, Place,
-    Range, Table, Value,
+    Contact, Direction, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism, Over,
+    Place, Range, Value,
 };
 use assur_words::{Text, text};
 
 use crate::breaks::Breaks;
-use crate::formula::{FormulaLaw, Unlocated};
+use crate::formula::FormulaLaw;
 use crate::grid::{Bodies, GRID, Span, rests};
 use crate::law::Curve;
 use crate::law::Law;
@@ -26,8 +26,8 @@ use crate::{Bearing, Block, Frictions, LoadError, LoadFault, LoadState, Loads, U
 /// grid.
 const BESIDE: f64 = 3.819_660_112_501_05e-4;
 
-/// How often a formula may change in a cycle: what follows its changes takes time and memory with their number.
-const MOST_CHANGES: usize = 10_000;
+/// At the ends of its range a mechanism just holds together: part of the whole that is left out there.
+const AT_ENDS: f64 = 1e-9;
 
 /// Of more cycles than these the cells in which a switch is looked for grow.
 const MOST_CYCLES: u32 = 100;
@@ -180,13 +180,11 @@ impl<'a> Compiler<'a> {
     /// Where the senses of friction are looked for: over the cycle, or where an input that can't turn fully may be. There the two
     /// ends of a turn don't join, so that the senses don't repeat with it.
     fn span_of_friction(&self) -> Span {
-        /// At its ends the mechanism just holds together: part of the whole that is left out there.
-        const BESIDE: f64 = 1e-9;
         let whole = self.linkage.range.filter(|range| !range.full && self.linkage.angular());
         if let Some(range) = whole {
             let length = range.high - range.low;
-            let from = range.low + BESIDE * length;
-            return Span { from, length: (1.0 - 2.0 * BESIDE) * length, periodic: false, cells: GRID };
+            let from = range.low + AT_ENDS * length;
+            return Span { from, length: (1.0 - 2.0 * AT_ENDS) * length, periodic: false, cells: GRID };
         }
         self.spans().first().map_or_else(|| self.positions(), |span| self.reach(span))
     }
@@ -249,24 +247,13 @@ impl<'a> Compiler<'a> {
             self.needs_motion(text!("force-formula-of-motion"))?;
         }
         let steps = !self.is_given();
-        let place = |index: usize| {
-            let span = &formula.switches()[index].span;
-            (formula.text()[span.clone()].to_owned(), span.start + 1)
-        };
-        let unlocated = |Unlocated(index)| {
-            let (function, column) = place(index);
-            LoadFault::Unlocated { function, column }
-        };
-        let mut law = FormulaLaw::new(formula.clone(), factor, steps).map_err(unlocated)?;
+        let mut law = FormulaLaw::new(formula.clone(), factor, steps)?;
         let motion = |q: f64| LoadState::prescribed(self.mechanism, q);
-        if let Some(index) = law.changing_too_often(self.cycle(), MOST_CHANGES, motion) {
-            let (function, column) = place(index);
-            return Err(LoadFault::ChangesTooOften { function, column, most: MOST_CHANGES });
-        }
+        law.check_changes(self.cycle(), motion)?;
         if let (Some(axis), true) = (axis, used.place) {
             let at = at.ok_or(LoadFault::StrokeOfMoment)?;
             let scale = self.linkage.structure.scale;
-            let found = self.over_stroke(at, axis, |bodies, span| {
+            law = self.over_stroke(at, axis, |bodies, span| {
                 let travel = Travel::find(&mut |q| bodies.at(q, at.link), at.at, axis, span, scale)?;
                 let along = |span: Span| {
                     let mut bodies = Bodies::new(self.linkage, span);
@@ -278,24 +265,21 @@ impl<'a> Compiler<'a> {
                     };
                     law.clone().along(travel, &span, point)
                 };
+                // What does not repeat with the cycle changes along the positions.
+                if law.mixes_place() {
+                    return along(self.positions());
+                }
                 // Nothing is known of the switches in a cell.
-                let repeated = if law.mixes_place() {
-                    None
-                } else {
-                    Some(along(Span { cells: GRID, ..self.reach(span) })?)
-                };
-                match repeated {
-                    Some(found) if steps || found.is_ok() => Ok(found),
-                    // What does not repeat with the cycle changes along the positions.
-                    _ => along(self.positions()),
+                match along(Span { cells: GRID, ..self.reach(span) }) {
+                    Err(LoadFault::Unlocated { .. }) if !steps => along(self.positions()),
+                    found => found,
                 }
             })?;
-            law = found.map_err(unlocated)?;
         }
         Ok(Law::Formula(Box::new(law)))
     }
 
-    fn stroke(&self, at: Place, axis: f64, tables: [&Table; 2]) -> Result<Law, LoadFault> {
+    fn stroke(&self, at: Place, axis: f64, tables: [&LawTable; 2]) -> Result<Law, LoadFault> {
         let scale = self.linkage.structure.scale;
         let find = |bodies: &mut Bodies<'_>, span: &Span| {
             let spans = [span, &self.reach(span)];
@@ -325,12 +309,10 @@ impl<'a> Compiler<'a> {
     /// Where the motion may be, of which the span of a stroke is a part: a range lists places, and a motion that an equation
     /// determines may leave it.
     fn reach(&self, span: &Span) -> Span {
-        /// At its ends the mechanism just holds together: part of the whole that is left out there.
-        const BESIDE: f64 = 1e-9;
         let stays = self.is_given();
         let whole = self.linkage.range.filter(|range| !(stays || span.periodic || range.full));
         let Some(whole) = whole else { return *span };
-        let beside = BESIDE * (whole.high - whole.low);
+        let beside = AT_ENDS * (whole.high - whole.low);
         let from = span.from.min(whole.low + beside);
         let length = (span.from + span.length).max(whole.high - beside) - from;
         if length.is_finite() { Span { from, length, cells: GRID, ..*span } } else { *span }

@@ -7,9 +7,7 @@ use assur_words::{Describe, Text, text};
 use serde::Serialize;
 
 use crate::LoadState;
-use crate::choice::Live;
 use crate::loads::{Cause, Loads};
-use crate::visit::{Sink, Visit};
 
 /// What a vector of a plan or a step of a construction represents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -161,47 +159,20 @@ impl Acting {
     }
 }
 
-/// Gathers the loads.
-#[derive(Default)]
-struct Gather {
-    cause: Option<Cause>,
-    list: Vec<Acting>,
-}
-
-impl Sink<f64> for Gather {
-    fn cause(&mut self, cause: Cause) {
-        self.cause = Some(cause);
-    }
-
-    fn force(&mut self, link: usize, body: &Body<f64>, arm: [f64; 2], force: [f64; 2]) {
-        let mut wrench = Wrench::ZERO;
-        wrench.add_at(arm, force, 0.0);
-        let at = Some(plus([body.x, body.y], arm));
-        self.list.extend(self.cause.map(|cause| Acting { cause, link, wrench, at }));
-    }
-
-    fn moment(&mut self, link: usize, _: &Body<f64>, moment: f64) {
-        let wrench = Wrench { m: moment, ..Wrench::ZERO };
-        self.list.extend(self.cause.map(|cause| Acting { cause, link, wrench, at: None }));
-    }
-}
-
 impl Loads {
     /// Each load of a state by itself: weights, the loads of the scene (a spring on both of its links), inertia loads.
     pub fn acting(&self, state: &LoadState, bodies: &[Body<f64>]) -> Vec<Acting> {
-        let mut all = Gather::default();
-        let heavy = self.masses.iter().filter(|mass| mass.m > 0.0 && self.has_weights());
-        for mass in heavy {
-            all.cause(Cause::Weight(mass.link));
-            let body = &bodies[mass.link];
-            all.force(mass.link, body, body.arm(mass.center), mass.weight(self.gravity));
-        }
-        Visit { loads: self, choice: &Live, states: state, bodies }.each(&mut all);
-        let Gather { mut list, .. } = all;
-        let center = |link| self.masses.iter().find(|mass| mass.link == link).map(|mass| mass.center);
-        self.inertia_of_each(state, bodies, |link, wrench| {
-            let at = center(link).filter(|_| wrench.force() != [0.0, 0.0]).map(|at| bodies[link].point(at));
-            list.push(Acting { cause: Cause::Inertia(link), link, wrench, at });
+        let mut list = Vec::new();
+        self.each_at(state, bodies, &mut |cause, link, wrench, arm| {
+            let arm = match cause {
+                Cause::Inertia(_) if wrench.force() != [0.0, 0.0] => {
+                    let mass = self.masses.iter().find(|mass| mass.link == link);
+                    mass.map(|mass| bodies[link].arm(mass.center))
+                }
+                _ => arm,
+            };
+            let at = arm.map(|arm| plus([bodies[link].x, bodies[link].y], arm));
+            list.push(Acting { cause, link, wrench, at });
         });
         list
     }

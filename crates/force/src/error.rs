@@ -88,24 +88,18 @@ impl Describe for LoadError {
 impl LoadError {
     /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
     pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
-        let (list, index, size) = place(&self.load, mechanism)?;
-        let is_of_size = !matches!(self.fault, LoadFault::NeedsMotion(_));
-        let size = is_of_size.then(|| size.to_owned());
-        Some([list.to_owned(), index.to_string()].into_iter().chain(size).collect())
+        let loads = &mechanism.loads;
+        let found = loads.iter().position(|load| Text::from(&load.name) == self.load)?;
+        let (list, number) = mechanism.place_of_load(found);
+        let varies = |value: &Value| !matches!(value, Value::Constant(_));
+        // The key that gives its size.
+        let size = match &loads[found].kind {
+            LoadKind::Force(_) | LoadKind::Moment(_) => "value",
+            LoadKind::Spring(_) => "damping",
+            LoadKind::Contact(found) if varies(&found.angle) && !varies(&found.force) => "angle",
+            LoadKind::Brake(_) | LoadKind::Contact(_) => "force",
+        };
+        let size = Some(size.to_owned()).filter(|_| !matches!(self.fault, LoadFault::NeedsMotion(_)));
+        Some([list.to_owned(), number.to_string()].into_iter().chain(size).collect())
     }
-}
-
-/// Where the scene has a load: its list, its number there, and the key that gives its size.
-fn place(name: &Text, mechanism: &Mechanism) -> Option<(&'static str, usize, &'static str)> {
-    let loads = &mechanism.loads;
-    let found = loads.iter().position(|load| Text::from(&load.name) == *name)?;
-    let (list, number) = mechanism.place_of_load(found);
-    let varies = |value: &Value| !matches!(value, Value::Constant(_));
-    let size = match &loads[found].kind {
-        LoadKind::Force(_) | LoadKind::Moment(_) => "value",
-        LoadKind::Spring(_) => "damping",
-        LoadKind::Contact(found) if varies(&found.angle) && !varies(&found.force) => "angle",
-        LoadKind::Brake(_) | LoadKind::Contact(_) => "force",
-    };
-    Some((list, number, size))
 }

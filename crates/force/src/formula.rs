@@ -4,11 +4,11 @@ use assur_formula::{Branches, Formula, Sign, Used, Variable, Variables};
 use assur_integrator::Piece;
 use assur_number::search::bisect;
 
-use crate::LoadState;
 use crate::breaks::{Breaks, cut};
 use crate::grid::Span;
 use crate::state::Selection;
 use crate::stroke::Travel;
+use crate::{LoadFault, LoadState};
 
 /// The greatest size of a load by formula in SI: that of a force or moment given as a number (docs/ranges.md). Beyond it the
 /// rounding of a force across a guide outweighs all others.
@@ -20,7 +20,6 @@ const REPEATS: f64 = 1e-9;
 /// Part of a cell between two places of an interval at which its sides are looked for.
 const BESIDE: f64 = 0.381_966_011_250_105;
 
-/// A formula, compiled.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FormulaLaw {
     formula: Formula,
@@ -42,13 +41,23 @@ struct Places {
     breaks: Breaks,
     /// The sides of those switches in each interval.
     sides: Vec<Branches>,
-    /// Which switches they are.
     switches: u32,
 }
 
-/// A switch whose changes can't be found in advance; its index.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Unlocated(pub(crate) usize);
+/// How often a formula may change in a cycle: what follows its changes takes time and memory with their number.
+const MOST_CHANGES: usize = 10_000;
+
+/// The function of a switch as it is written, and where it stands in the formula, from 1.
+fn place_of(formula: &Formula, switch: usize) -> (String, usize) {
+    let span = &formula.switches()[switch].span;
+    (formula.text()[span.clone()].to_owned(), span.start + 1)
+}
+
+/// The changes of a switch can't be found in advance.
+fn unlocated(formula: &Formula, switch: usize) -> LoadFault {
+    let (function, column) = place_of(formula, switch);
+    LoadFault::Unlocated { function, column }
+}
 
 /// The only variable on which a switch depends, if it is one of those that an integrator steps along.
 pub(crate) fn variable_of(used: Used) -> Option<Variable> {
@@ -63,14 +72,14 @@ pub(crate) fn variable_of(used: Used) -> Option<Variable> {
 
 impl FormulaLaw {
     /// A formula without places of points. `steps`: integrators must be able to step onto its switches.
-    pub(crate) fn new(formula: Formula, factor: f64, steps: bool) -> Result<Self, Unlocated> {
+    pub(crate) fn new(formula: Formula, factor: f64, steps: bool) -> Result<Self, LoadFault> {
         let mixed = |used: Used| {
             let moves = used.speed || used.time;
             moves && variable_of(used).is_none()
         };
         let found = formula.switches().iter().position(|switch| mixed(switch.used));
         if let Some(index) = found.filter(|_| steps) {
-            return Err(Unlocated(index));
+            return Err(unlocated(&formula, index));
         }
         let jumps = formula.jumps();
         Ok(Self { formula, factor, steps, jumps, travel: None, places: Places::default() })
@@ -93,16 +102,16 @@ impl FormulaLaw {
     }
 
     /// Takes the place of a point along the travel for `x`; `motion` gives the state and the point, m, at a coordinate.
-    pub(crate) fn along<E>(
+    pub(crate) fn along(
         mut self,
         travel: Travel,
         span: &Span,
-        mut motion: impl FnMut(f64) -> Result<(LoadState, [f64; 2]), E>,
-    ) -> Result<Result<Self, Unlocated>, E> {
+        mut motion: impl FnMut(f64) -> Result<(LoadState, [f64; 2]), LoadFault>,
+    ) -> Result<Self, LoadFault> {
         self.travel = Some(travel);
         let mut at = |q: f64| {
             let (LoadState { speed, time, .. }, point) = motion(q)?;
-            Ok::<_, E>(Variables { coordinate: q, speed, time, place: travel.part(point) })
+            Ok::<_, LoadFault>(Variables { coordinate: q, speed, time, place: travel.part(point) })
         };
         let mut points = Vec::new();
         for (index, used) in self.by_place() {
@@ -122,7 +131,7 @@ impl FormulaLaw {
             if span.periodic && used.coordinate {
                 let [first, last] = [at(span.at(0))?, before].map(|at| argument(&at));
                 if (first - last).abs() > REPEATS * first.abs().max(last.abs()).max(1.0) {
-                    return Ok(Err(Unlocated(index)));
+                    return Err(unlocated(&self.formula, index));
                 }
             }
         }
@@ -144,7 +153,7 @@ impl FormulaLaw {
             self.places.sides.push(sides);
         }
         self.places.breaks = breaks;
-        Ok(Ok(self))
+        Ok(self)
     }
 
     /// Variables on which it depends.
@@ -223,20 +232,18 @@ impl FormulaLaw {
         found
     }
 
-    /// The first switch by which the formula changes more than `most` times between two coordinates; `motion` gives the
-    /// state at a coordinate of a known motion. Those that depend on places of points are as few as the cells in which they
-    /// are looked for.
-    pub(crate) fn changing_too_often(
+    /// Refuses a formula that changes too often between two coordinates; `motion` gives the state at a coordinate of a known
+    /// motion. Switches that depend on places of points change as seldom as there are cells in which they are looked for.
+    pub(crate) fn check_changes(
         &self,
         range: [f64; 2],
-        most: usize,
         motion: impl Fn(f64) -> LoadState,
-    ) -> Option<usize> {
+    ) -> Result<(), LoadFault> {
         let at = |q: f64| {
             let LoadState { coordinate, speed, time, .. } = motion(q);
             Variables { coordinate, speed, time, place: f64::NAN }
         };
-        let mut left = most;
+        let mut left = MOST_CHANGES;
         let changes_with_coordinate = |used: Used| {
             let follows = used.coordinate || used.time && !self.steps;
             follows && !used.place && !(used == Used { speed: true, ..Used::default() })
@@ -249,12 +256,12 @@ impl FormulaLaw {
             .filter(|(_, switch)| changes_with_coordinate(switch.used))
         {
             let found = self.formula.changes_between(index, range, left, at);
-            left = match left.checked_sub(found) {
-                Some(left) => left,
-                None => return Some(index),
-            };
+            left = left.checked_sub(found).ok_or_else(|| {
+                let (function, column) = place_of(&self.formula, index);
+                LoadFault::ChangesTooOften { function, column, most: MOST_CHANGES }
+            })?;
         }
-        None
+        Ok(())
     }
 
     /// Its value on given sides; `point`: its place, m. Beyond [`MOST`] it is not a number, as where it divides by zero.

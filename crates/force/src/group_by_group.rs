@@ -30,6 +30,9 @@ impl Unsolved {
     }
 }
 
+/// The kernel of a group.
+type Kernel<T> = dyn AssurGroup<T>;
+
 /// The mechanism in one number type.
 struct GroupByGroup<'a, T, S> {
     linkage: &'a Linkage,
@@ -41,7 +44,7 @@ struct GroupByGroup<'a, T, S> {
 /// Finds the reactions of all groups, from the last to the first, then those of the input link, and the balancing load.
 ///
 /// `loads`: one wrench for each body about the origin of its frame; each group adds its reactions on the bodies that
-/// carry it. `solve` finds the reactions of one group from its kernel, as [`AssurGroup::reactions`] does.
+/// carry it. `solve` finds the reactions of one group from its kernel: [`AssurGroup::reactions`], or in another way.
 ///
 /// Where the balancing load acts elsewhere than on the input link, its size follows from linearity: the drive must be
 /// idle under all loads together, M(loads) + B M(unit load) = 0.
@@ -56,7 +59,7 @@ pub fn group_by_group<T: Number>(
     bodies: &[Body<T>],
     loads: &mut [Wrench<T>],
     out: &mut Reactions<T>,
-    solve: impl Fn(&dyn AssurGroup<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
+    solve: impl Fn(&Kernel<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
 ) -> Result<(), Unsolved> {
     let method = GroupByGroup { linkage, groups, bodies, solve };
     let drive = method.pass(&out.solved, loads, &mut out.pairs)?;
@@ -70,7 +73,7 @@ pub fn group_by_group<T: Number>(
 impl<T, S> GroupByGroup<'_, T, S>
 where
     T: Number,
-    S: Fn(&dyn AssurGroup<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
+    S: Fn(&Kernel<T>, &[Body<T>], &mut [Wrench<T>], &mut [Wrench<T>]) -> Result<(), GroupError>,
 {
     /// All reactions under these loads, and the load of the drive at the input: a moment (N m), or a force along the
     /// guide (N).

@@ -15,7 +15,7 @@ pub struct Joint {
     /// The links that it joins, in the order of the scene; of a slide, the sliding link first.
     pub links: Vec<LinkId>,
     /// For each of the links, its pairs: index, and 1 where the link is body `a` of the pair, else -1.
-    pairs: Vec<Vec<(usize, f64)>>,
+    pub pairs: Vec<Vec<(usize, f64)>>,
     /// Where its marks begin in [`Reactions::open`](crate::Reactions::open).
     marks: usize,
 }
@@ -83,12 +83,6 @@ impl Joint {
                 pairs.push((index, if pair.a == *link { 1.0 } else { -1.0 }));
             }
         }
-    }
-
-    /// The pairs of the link of this number among [`links`](Self::links): index, and 1 where the link is body `a` of the pair, else
-    /// -1.
-    pub fn pairs_of(&self, nth: usize) -> &[(usize, f64)] {
-        &self.pairs[nth]
     }
 
     /// Force on the link of this number among [`links`](Self::links), N, from the reactions in all pairs.

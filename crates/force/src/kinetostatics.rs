@@ -38,10 +38,7 @@ impl<'a> Kinetostatics<'a> {
         if at_change_point && self.linkage.structure.passive.is_empty() {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
-        self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
-        if let Some(friction) = &mut self.reactions.friction {
-            self.loads.senses(state, &position.bodies, &mut friction.senses);
-        }
+        self.load(state, position);
         let found = self.analyzer.solve(self.linkage, position, &mut self.wrenches, &mut self.reactions);
         if found.is_ok() && self.reactions.balancing.is_finite() {
             return found;
@@ -49,37 +46,32 @@ impl<'a> Kinetostatics<'a> {
         if at_change_point && matches!(found, Err(ForceError::Singular { .. })) {
             return Err(ForceError::ChangePoint(position.coordinate));
         }
-        self.explained(found, state, position)
-    }
-
-    /// Where dry friction leaves no solution at a state: see [`ForceAnalyzer::jamming_limit`].
-    pub fn jamming_limit(&mut self, state: &LoadState, position: &Position) -> Option<f64> {
-        self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
-        if let Some(friction) = &mut self.reactions.friction {
-            self.loads.senses(state, &position.bodies, &mut friction.senses);
-        }
-        self.analyzer.jamming_limit(self.linkage, position, &self.wrenches, &self.reactions)
-    }
-
-    /// How friction is found at a state: see [`ForceAnalyzer::iteration`].
-    pub fn iteration(&mut self, state: &LoadState, position: &Position) -> Vec<FrictionIteration> {
-        self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
-        if let Some(friction) = &mut self.reactions.friction {
-            self.loads.senses(state, &position.bodies, &mut friction.senses);
-        }
-        self.analyzer.iteration(self.linkage, position, &self.wrenches, &self.reactions)
-    }
-
-    /// Whatever a method says of loads without a value: the load is the reason.
-    #[cold]
-    fn explained(
-        &self,
-        found: Result<(), ForceError>,
-        state: &LoadState,
-        position: &Position,
-    ) -> Result<(), ForceError> {
+        // Whatever a method says of loads without a value: the load is the reason.
         self.loads.finite(&self.linkage.mechanism, state, &position.bodies)?;
         found
+    }
+
+    /// Evaluates the loads of a state, with the senses of friction.
+    #[inline]
+    fn load(&mut self, state: &LoadState, position: &Position) {
+        self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
+        if let Some(friction) = &mut self.reactions.friction {
+            self.loads.senses(state, &position.bodies, &mut friction.senses);
+        }
+    }
+
+    /// Where dry friction leaves no solution at a state: see [`FrictionAnalysis::jamming_limit`](crate::FrictionAnalysis).
+    pub fn jamming_limit(&mut self, state: &LoadState, position: &Position) -> Option<f64> {
+        self.load(state, position);
+        let friction = self.analyzer.friction(self.linkage, position, &self.reactions)?;
+        Some(friction.jamming_limit(&self.wrenches))
+    }
+
+    /// How friction is found at a state: see [`FrictionAnalysis::iteration`](crate::FrictionAnalysis).
+    pub fn iteration(&mut self, state: &LoadState, position: &Position) -> Vec<FrictionIteration> {
+        self.load(state, position);
+        let friction = self.analyzer.friction(self.linkage, position, &self.reactions);
+        friction.map_or_else(Vec::new, |friction| friction.iteration(&self.wrenches))
     }
 
     /// The balancing load at a change point, where the reactions are not determined but the powers of the loads are: by a

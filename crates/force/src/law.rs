@@ -2,7 +2,7 @@
 
 use assur_formula::{Branches, Used};
 use assur_integrator::Piece;
-use assur_mechanism::{Shape, Table};
+use assur_mechanism::{LawTable, Shape};
 
 use crate::LoadState;
 use crate::breaks::{Breaks, cut};
@@ -10,7 +10,6 @@ use crate::formula::FormulaLaw;
 use crate::state::Selection;
 use crate::stroke::{Segment, Stroke};
 
-/// The law of one load.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
     Constant(f64),
@@ -91,7 +90,13 @@ impl Law {
     pub(crate) fn at(&self, state: &LoadState, side: &Selection, period: Option<f64>) -> Active {
         match self {
             Self::Constant(_) => Active::only(),
-            Self::Coordinate(table, breaks) => on_coordinate(table, breaks, side.coordinate(state, period)),
+            Self::Coordinate(table, breaks) => {
+                let ahead = side.coordinate(state, period);
+                let interval = breaks.interval(ahead);
+                // Rounding of the shift must not put a repeated table before its first row.
+                let argument = (ahead - interval.shift).max(interval.start);
+                Active::segment(table.segment(argument), interval.shift)
+            }
             Self::Speed(table) => Active::segment(table.segment(side.speed(state)), 0.0),
             Self::Time(table) => Active::segment(table.segment(side.time(state)), 0.0),
             Self::Stroke(stroke) => {
@@ -137,14 +142,6 @@ impl Law {
     }
 }
 
-#[inline(always)]
-fn on_coordinate(table: &Curve, breaks: &Breaks, ahead: f64) -> Active {
-    let interval = breaks.interval(ahead);
-    // Rounding of the shift must not put a repeated table before its first row.
-    let argument = (ahead - interval.shift).max(interval.start);
-    Active::segment(table.segment(argument), interval.shift)
-}
-
 /// A table with a straight line for each of its segments: that before the first row, those between two rows, and that
 /// after the last.
 #[derive(Debug, Clone, PartialEq)]
@@ -163,7 +160,7 @@ struct Line {
 }
 
 impl Curve {
-    pub(crate) fn of(table: &Table) -> Self {
+    pub(crate) fn of(table: &LawTable) -> Self {
         let rows = &table.rows;
         let before = rows.first().map(|row| Line { argument: row[0], value: row[1], slope: 0.0 });
         let after = rows.iter().enumerate().map(|(index, &[argument, value])| {
@@ -179,7 +176,6 @@ impl Curve {
         Self { arguments: rows.iter().map(|row| row[0]).collect(), lines }
     }
 
-    /// Arguments of the rows.
     pub(crate) fn arguments(&self) -> &[f64] {
         &self.arguments
     }

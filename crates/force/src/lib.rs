@@ -34,14 +34,15 @@ mod wrenches;
 
 assur_words::resources!();
 
-pub use analyzer::{AnalyzerPlugin, ForceAnalyzer, ForceError, analyzers, applicable, choose, find};
+pub use analyzer::{
+    AnalyzerPlugin, ForceAnalyzer, ForceError, FrictionAnalysis, analyzers, applicable, choose, find,
+};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
 pub use balance::{IdleBalance, Reactions, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
-pub use construction::Acting;
-pub use construction::{Construction, ConstructionStep, Drawing, VectorKind};
+pub use construction::{Acting, Construction, ConstructionStep, Drawing, VectorKind};
 pub use error::{LoadError, LoadFault};
 pub use friction::{
     Accelerations, Bearing, Block, Doubt, FreeMotion, FrictionForces, FrictionIteration, FrictionSolution,

@@ -50,7 +50,6 @@ pub(crate) struct Mass {
 }
 
 impl Mass {
-    /// The links that have one.
     pub(crate) fn all(mechanism: &Mechanism) -> Vec<Self> {
         let mut ground_pins = vec![None; mechanism.links.len()];
         for point in &mechanism.points {
@@ -113,7 +112,6 @@ pub(crate) enum Along {
     AgainstMotion,
 }
 
-/// The shoe of a brake.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shoe {
     pub(crate) link: LinkId,
@@ -121,7 +119,6 @@ pub(crate) struct Shoe {
     pub(crate) radius: f64,
     /// Braking moment of a pressing force of 1 N, m.
     pub(crate) lever: f64,
-    /// Where the link rests.
     pub(crate) rests: Breaks,
 }
 

@@ -3,7 +3,7 @@
 use assur_group::plane::{dot, vector};
 use assur_group::{Body, Wrench};
 use assur_integrator::Reduced;
-use assur_number::{Formula, Real};
+use assur_number::Real;
 
 use crate::choice::{Choice, Live};
 use crate::loads::{Applied, Loads, Mass};
@@ -34,14 +34,14 @@ impl Loads {
     /// its derivative is exactly zero and is not computed.
     #[inline]
     pub fn reduced<T: LoadNumber>(&self, states: &T::States, bodies: &[Body<T>]) -> Reduced<T> {
-        T::evaluate(Visit { loads: self, choice: &Live, states, bodies })
+        Visit { loads: self, choice: &Live, states, bodies }.reduced()
     }
 
     /// Reduced inertia, its derivative and the reduced moment by the formulas of one phase, continued smoothly beyond
     /// its bounds. `bodies` need PF2 only where J depends on the coordinate.
     #[inline]
     pub fn reduced_in_phase(&self, phase: &Phase, state: &LoadState, bodies: &[Body<f64>]) -> Reduced {
-        f64::evaluate(Visit { loads: self, choice: phase, states: state, bodies })
+        Visit { loads: self, choice: phase, states: state, bodies }.reduced()
     }
 
     /// Potential energy of weights (zero at the origin of the ground) and springs, J. Other loads have none here.
@@ -70,24 +70,27 @@ impl Loads {
 }
 
 /// Reduction to the input link.
-impl<T: LoadNumber, C: Choice> Formula for Visit<'_, T, C> {
-    type Value = Reduced<T>;
-
+impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     #[inline(always)]
-    fn evaluate(self) -> Reduced<T> {
-        let Self { loads, states, bodies, .. } = self;
-        let (mut inertia, mut half, mut power) = (T::ZERO, T::ZERO, Power(T::ZERO));
-        for mass in &loads.masses {
-            let body = &bodies[mass.link];
-            let (own, slope) = mass.reduced(states, body, loads.inertia_constant);
-            inertia += own;
-            half += slope;
-            if loads.has_weights() {
-                power.force(mass.link, body, mass.arm(body), mass.weight(loads.gravity));
-            }
-        }
-        self.each(&mut power);
-        Reduced { inertia, inertia_derivative: half.twice(), moment: power.0 }
+    fn reduced(self) -> Reduced<T> {
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let Self { loads, states, bodies, .. } = self;
+                let (mut inertia, mut half, mut power) = (T::ZERO, T::ZERO, Power(T::ZERO));
+                for mass in &loads.masses {
+                    let body = &bodies[mass.link];
+                    let (own, slope) = mass.reduced(states, body, loads.inertia_constant);
+                    inertia += own;
+                    half += slope;
+                    if loads.has_weights() {
+                        power.force(mass.link, body, mass.arm(body), mass.weight(loads.gravity));
+                    }
+                }
+                self.each(&mut power);
+                Reduced { inertia, inertia_derivative: half.twice(), moment: power.0 }
+            },
+        )
     }
 }
 

@@ -3,7 +3,7 @@
 
 use assur_group::Body;
 use assur_kinematics::PositionError;
-use assur_mechanism::Table;
+use assur_mechanism::LawTable;
 use assur_number::search::{bisect, try_newton_root};
 
 use crate::LoadFault;
@@ -14,7 +14,6 @@ use crate::law::Curve;
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, PositionError> + 'a;
 
-/// A stroke, compiled.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Stroke {
     travel: Travel,
@@ -79,7 +78,7 @@ impl Travel {
 }
 
 /// The formula in use between two coordinates.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 struct Pieces {
     breaks: Breaks,
     chosen: Vec<Segment>,
@@ -90,7 +89,6 @@ struct Pieces {
 pub(crate) struct Segment {
     /// Whether the point returns, so that the table `back` applies.
     pub(crate) back: bool,
-    /// Segment of the table.
     pub(crate) segment: usize,
 }
 
@@ -177,7 +175,7 @@ impl Stroke {
         body: &mut BodyAt<'_>,
         at: [f64; 2],
         angle: f64,
-        tables: [&Table; 2],
+        tables: [&LawTable; 2],
         [span, reach]: [&Span; 2],
         scale: f64,
     ) -> Result<Self, LoadFault> {
@@ -188,9 +186,7 @@ impl Stroke {
         // A point that runs through infinity beyond the span has a stroke over it all the same.
         let beyond = if reach == span { None } else { along.reversals(reach).ok() };
         let (reversals, span) = beyond.map_or((within, span), |all| (all, reach));
-        let tables = tables.map(Curve::of);
-        let empty = || Pieces { breaks: Breaks::default(), chosen: Vec::new() };
-        let mut stroke = Self { travel, tables, senses: [empty(), empty()] };
+        let mut stroke = Self { travel, tables: tables.map(Curve::of), senses: Default::default() };
         let monotone = monotone_ends(&reversals, span);
         stroke.senses = [
             stroke.pieces(&mut along, &monotone, span, false)?,

@@ -2,7 +2,6 @@
 
 use assur_group::plane::{minus, perp, plus, scaled, vector};
 use assur_group::{Body, Wrench};
-use assur_number::{Formula, Real};
 
 use crate::choice::{Choice, Live};
 use crate::loads::{Cause, Loads, Mass};
@@ -25,18 +24,10 @@ impl<T: LoadNumber> Sink<T> for Sum<'_, T> {
     }
 }
 
-/// Passes on each load with its cause.
+/// Passes on each load with its cause and the arm of its force.
 struct Each<'a, T> {
     cause: Option<Cause>,
-    hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<T>),
-}
-
-impl<T: LoadNumber> Each<'_, T> {
-    fn give(&mut self, link: usize, wrench: Wrench<T>) {
-        if let Some(cause) = self.cause {
-            (self.hand_on)(cause, link, wrench);
-        }
-    }
+    hand_on: &'a mut dyn FnMut(Cause, usize, Wrench<T>, Option<[T; 2]>),
 }
 
 impl<T: LoadNumber> Sink<T> for Each<'_, T> {
@@ -47,18 +38,21 @@ impl<T: LoadNumber> Sink<T> for Each<'_, T> {
     fn force(&mut self, link: usize, _body: &Body<T>, arm: [T; 2], force: [T; 2]) {
         let mut wrench = Wrench::ZERO;
         wrench.add_at(arm, force, T::ZERO);
-        self.give(link, wrench);
+        if let Some(cause) = self.cause {
+            (self.hand_on)(cause, link, wrench, Some(arm));
+        }
     }
 
     fn moment(&mut self, link: usize, _body: &Body<T>, moment: T) {
-        self.give(link, Wrench { m: moment, ..Wrench::ZERO });
+        if let Some(cause) = self.cause {
+            (self.hand_on)(cause, link, Wrench { m: moment, ..Wrench::ZERO }, None);
+        }
     }
 }
 
 /// Speed and acceleration of the input.
 struct Rates<T> {
     speed: T,
-    /// Speed squared.
     square: T,
     acceleration: T,
     /// The input is at rest, in all lanes, and stays there.
@@ -106,30 +100,25 @@ impl<T: LoadNumber> Sink<T> for Sizes<'_, T> {
     fn moment(&mut self, _: usize, _: &Body<T>, _: T) {}
 }
 
-/// The wrenches of all loads at some states.
-struct Evaluate<'a, T: LoadNumber, C> {
-    loads: &'a Loads,
-    choice: &'a C,
-    states: &'a T::States,
-    bodies: &'a [Body<T>],
-    wrenches: &'a mut [Wrench<T>],
-}
-
-impl<T: LoadNumber, C: Choice> Formula for Evaluate<'_, T, C> {
-    type Value = ();
-
+impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
+    /// Writes the wrenches of all loads.
     #[inline(always)]
-    fn evaluate(self) {
-        let Self { loads, choice, states, bodies, wrenches } = self;
-        wrenches.fill(Wrench::ZERO);
-        let (gravity, rates) = (vector(loads.gravity), Rates::of(states));
-        if !rates.rests || loads.has_weights() {
-            for mass in &loads.masses {
-                let Wrench { fx, fy, m } = mass.load(states, gravity, &rates, &bodies[mass.link]);
-                wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
-            }
-        }
-        Visit { loads, choice, states, bodies }.each(&mut Sum(wrenches));
+    fn wrenches(self, wrenches: &mut [Wrench<T>]) {
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let Self { loads, states, bodies, .. } = self;
+                wrenches.fill(Wrench::ZERO);
+                let (gravity, rates) = (vector(loads.gravity), Rates::of(states));
+                if !rates.rests || loads.has_weights() {
+                    for mass in &loads.masses {
+                        let Wrench { fx, fy, m } = mass.load(states, gravity, &rates, &bodies[mass.link]);
+                        wrenches[mass.link].add_at([T::ZERO; 2], [fx, fy], m);
+                    }
+                }
+                self.each(&mut Sum(wrenches));
+            },
+        );
     }
 }
 
@@ -145,7 +134,7 @@ impl Loads {
         bodies: &[Body<T>],
         wrenches: &mut [Wrench<T>],
     ) {
-        T::evaluate(Evaluate { loads: self, choice: &Live, states, bodies, wrenches });
+        Visit { loads: self, choice: &Live, states, bodies }.wrenches(wrenches);
     }
 
     /// As [`evaluate`](Self::evaluate), by the formulas of one phase, continued smoothly beyond its bounds.
@@ -156,7 +145,7 @@ impl Loads {
         bodies: &[Body<f64>],
         wrenches: &mut [Wrench<f64>],
     ) {
-        f64::evaluate(Evaluate { loads: self, choice: phase, states: state, bodies, wrenches });
+        Visit { loads: self, choice: phase, states: state, bodies }.wrenches(wrenches);
     }
 
     /// All loads of a state as [`evaluate`](Self::evaluate) writes them.
@@ -174,6 +163,16 @@ impl Loads {
         bodies: &[Body<T>],
         hand_on: &mut dyn FnMut(Cause, usize, Wrench<T>),
     ) {
+        self.each_at(states, bodies, &mut |cause, link, wrench, _| hand_on(cause, link, wrench));
+    }
+
+    /// As [`by_cause`](Self::by_cause), with the arm of each force but those of inertia.
+    pub(crate) fn each_at<T: LoadNumber>(
+        &self,
+        states: &T::States,
+        bodies: &[Body<T>],
+        hand_on: &mut dyn FnMut(Cause, usize, Wrench<T>, Option<[T; 2]>),
+    ) {
         let mut each = Each { cause: None, hand_on: &mut *hand_on };
         if self.has_weights() {
             for mass in self.masses.iter().filter(|mass| mass.m > 0.0) {
@@ -183,7 +182,9 @@ impl Loads {
             }
         }
         Visit { loads: self, choice: &Live, states, bodies }.each(&mut each);
-        self.inertia_of_each(states, bodies, |link, wrench| hand_on(Cause::Inertia(link), link, wrench));
+        self.inertia_of_each(states, bodies, |link, wrench| {
+            hand_on(Cause::Inertia(link), link, wrench, None);
+        });
     }
 
     /// Whether all loads of a state have finite values.

@@ -3,6 +3,8 @@
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
+use assur_number::Real;
+
 use crate::program::{Function, Kind};
 
 /// A number or an interval of numbers.
@@ -51,11 +53,17 @@ pub enum Sign {
 impl Sign {
     /// The sign of a number; `None` of what is not one.
     pub fn of(value: f64) -> Option<Self> {
-        Some(match value.partial_cmp(&0.0)? {
+        value.partial_cmp(&0.0).map(Self::from)
+    }
+}
+
+impl From<Ordering> for Sign {
+    fn from(order: Ordering) -> Self {
+        match order {
             Ordering::Less => Self::Negative,
             Ordering::Equal => Self::Zero,
             Ordering::Greater => Self::Positive,
-        })
+        }
     }
 }
 
@@ -68,9 +76,21 @@ pub(crate) fn turn(angle: f64, x: f64, side: Sign) -> f64 {
     }
 }
 
-impl Number for f64 {
+/// A number of some precision, with the functions that not every [`Real`] has.
+pub(crate) trait Scalar: Real {
+    /// This number raised to a power.
+    fn power(self, exponent: Self) -> Self;
+    /// The value of a smooth function.
+    fn call(self, function: Function) -> Self;
+    /// The angle of a point; this is its ordinate.
+    fn angle(self, x: Self) -> Self;
+    /// The sign of this number less another one; `None` where one of them is not a number.
+    fn compared(self, other: Self) -> Option<Sign>;
+}
+
+impl<T: Scalar> Number for T {
     fn of(value: f64) -> Self {
-        value
+        Self::from_f64(value)
     }
     fn negate(self) -> Self {
         -self
@@ -84,6 +104,35 @@ impl Number for f64 {
     fn divide(self, other: Self) -> Self {
         self / other
     }
+    fn power(self, exponent: Self) -> Self {
+        Scalar::power(self, exponent)
+    }
+    fn call(self, function: Function) -> Self {
+        Scalar::call(self, function)
+    }
+    fn switch(self, kind: Kind, other: Self) -> Self {
+        // What is not a number stays so.
+        let not_a_number = Self::from_f64(f64::NAN);
+        match kind {
+            Kind::Angle => self.angle(other),
+            Kind::Abs => Real::abs(self),
+            Kind::Min | Kind::Max => match self.compared(other) {
+                None => not_a_number,
+                Some(Sign::Positive) if kind == Kind::Min => other,
+                Some(Sign::Negative) if kind == Kind::Max => other,
+                Some(_) => self,
+            },
+            Kind::Sign | Kind::Step => {
+                Sign::of(self.to_f64()).map_or(not_a_number, |side| self.on_side(kind, other, side))
+            }
+        }
+    }
+    fn continued(self, _: Self, x: Self, side: Sign) -> Self {
+        self + Self::from_f64(turn(self.to_f64(), x.to_f64(), side))
+    }
+}
+
+impl Scalar for f64 {
     fn power(self, exponent: Self) -> Self {
         self.powf(exponent)
     }
@@ -100,20 +149,11 @@ impl Number for f64 {
             Function::Ln => self.ln(),
         }
     }
-    fn switch(self, kind: Kind, other: Self) -> Self {
-        match kind {
-            Kind::Angle => self.atan2(other),
-            Kind::Abs => self.abs(),
-            // What is not a number stays so.
-            Kind::Min | Kind::Max if self.is_nan() || other.is_nan() => Self::NAN,
-            Kind::Min => self.min(other),
-            Kind::Max => self.max(other),
-            Kind::Sign | Kind::Step => {
-                Sign::of(self).map_or(Self::NAN, |side| self.on_side(kind, other, side))
-            }
-        }
+    fn angle(self, x: Self) -> Self {
+        self.atan2(x)
     }
-    fn continued(self, _: Self, x: Self, side: Sign) -> Self {
-        self + turn(self, x, side)
+    fn compared(self, other: Self) -> Option<Sign> {
+        // Not by the difference, which of two infinite numbers is none.
+        self.partial_cmp(&other).map(Sign::from)
     }
 }

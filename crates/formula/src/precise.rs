@@ -4,9 +4,8 @@ use std::f64::consts::LN_2;
 
 use assur_number::{Dd, Real};
 
-use crate::number::{Number, Sign, turn};
-use crate::program::{Function, Kind};
-use crate::slope::Signed;
+use crate::number::{Scalar, Sign};
+use crate::program::Function;
 
 /// ln 2 beyond its 16 digits.
 const LN_2_REST: f64 = 2.319_046_813_846_3e-17;
@@ -43,17 +42,6 @@ fn logarithm(x: Dd) -> Dd {
     if guess.hi.is_finite() { guess + x * exponential(-guess) - Dd::ONE } else { guess }
 }
 
-/// The angle of the point (x, y) by one step of Newton's method.
-fn angle(y: Dd, x: Dd) -> Dd {
-    let length = (x * x + y * y).sqrt();
-    let guess = Dd::from_f64(y.hi.atan2(x.hi));
-    if !(length.hi > 0.0 && length.hi.is_finite()) {
-        return guess;
-    }
-    let (s, c) = guess.sin_cos();
-    guess + (y * c - x * s) / length
-}
-
 /// A whole power by squaring.
 fn whole_power(mut base: Dd, exponent: f64) -> Dd {
     let (mut left, mut product) = (exponent.abs(), Dd::ONE);
@@ -67,28 +55,7 @@ fn whole_power(mut base: Dd, exponent: f64) -> Dd {
     if exponent < 0.0 { Dd::ONE / product } else { product }
 }
 
-impl Signed for Dd {
-    fn sign(self) -> Option<Sign> {
-        Sign::of(self.to_f64())
-    }
-}
-
-impl Number for Dd {
-    fn of(value: f64) -> Self {
-        Self::from_f64(value)
-    }
-    fn negate(self) -> Self {
-        -self
-    }
-    fn add(self, other: Self) -> Self {
-        self + other
-    }
-    fn multiply(self, other: Self) -> Self {
-        self * other
-    }
-    fn divide(self, other: Self) -> Self {
-        self / other
-    }
+impl Scalar for Dd {
     fn power(self, exponent: Self) -> Self {
         let is_whole = exponent.lo == 0.0 && exponent.hi.fract() == 0.0 && exponent.hi.abs() < 1024.0;
         if is_whole { whole_power(self, exponent.hi) } else { exponential(exponent * logarithm(self)) }
@@ -102,31 +69,25 @@ impl Number for Dd {
                 let (s, c) = self.sin_cos();
                 s / c
             }
-            Function::Asin => angle(self, across()),
-            Function::Acos => angle(across(), self),
-            Function::Atan => angle(self, Self::ONE),
-            Function::Sqrt => Real::sqrt(self),
+            Function::Asin => self.angle(across()),
+            Function::Acos => across().angle(self),
+            Function::Atan => self.angle(Self::ONE),
+            Function::Sqrt => self.sqrt(),
             Function::Exp => exponential(self),
             Function::Ln => logarithm(self),
         }
     }
-    fn switch(self, kind: Kind, other: Self) -> Self {
-        let not_a_number = Self::from_f64(f64::NAN);
-        match kind {
-            Kind::Angle => angle(self, other),
-            Kind::Abs => Real::abs(self),
-            Kind::Min | Kind::Max => match Signed::sign(self - other) {
-                None => not_a_number,
-                Some(Sign::Positive) if kind == Kind::Min => other,
-                Some(Sign::Negative) if kind == Kind::Max => other,
-                Some(_) => self,
-            },
-            Kind::Sign | Kind::Step => {
-                Signed::sign(self).map_or(not_a_number, |side| self.on_side(kind, other, side))
-            }
+    /// By one step of Newton's method.
+    fn angle(self, x: Self) -> Self {
+        let length = (x * x + self * self).sqrt();
+        let guess = Self::from_f64(self.hi.atan2(x.hi));
+        if !(length.hi > 0.0 && length.hi.is_finite()) {
+            return guess;
         }
+        let (s, c) = guess.sin_cos();
+        guess + (self * c - x * s) / length
     }
-    fn continued(self, _: Self, x: Self, side: Sign) -> Self {
-        self + Self::from_f64(turn(self.hi, x.hi, side))
+    fn compared(self, other: Self) -> Option<Sign> {
+        Sign::of((self - other).to_f64())
     }
 }

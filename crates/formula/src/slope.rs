@@ -1,7 +1,7 @@
 //! The derivative of a formula by a variable: forward differentiation along with the value (A. Griewank, A. Walther, Evaluating
 //! Derivatives, section 3.1).
 
-use crate::number::{Number, Sign};
+use crate::number::{Number, Scalar, Sign};
 use crate::program::{Function, Kind};
 
 /// A number whose sign can be determined, so that a constant is known to be one.
@@ -15,9 +15,9 @@ pub(crate) trait Signed: Number {
     }
 }
 
-impl Signed for f64 {
+impl<T: Scalar> Signed for T {
     fn sign(self) -> Option<Sign> {
-        Sign::of(self)
+        Sign::of(self.to_f64())
     }
 }
 

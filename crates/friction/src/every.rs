@@ -1,6 +1,6 @@
 //! All solutions of the equations in moduli.
 
-use crate::dense;
+use crate::matrix::solve;
 use crate::moduli::{Moduli, Width, length};
 use crate::quadrics::{self, Quadric};
 
@@ -96,7 +96,7 @@ impl Moduli {
         let constant = (0..lines.len()).map(|i| signs[i] * self.constants[lines[i]][0]).collect();
         let by_planes = planes.iter().map(|&p| (0..lines.len()).map(|i| signed(i, p)).collect());
         let rights: Vec<Vec<f64>> = std::iter::once(constant).chain(by_planes).collect();
-        let Some(solved) = dense::solve(matrix.clone(), rights.clone()) else {
+        let Some(solved) = solve(matrix.clone(), rights.clone()) else {
             self.singular(lines, planes, &matrix, &rights, found);
             return;
         };
@@ -141,6 +141,11 @@ impl Moduli {
             None if self.is_solved(&near) => near,
             None => return,
         };
+        self.keep(z, found);
+    }
+
+    /// Keeps a solution, if it is new.
+    fn keep(&self, z: Vec<f64>, found: &mut Solutions) {
         let size = self.size(&z);
         if found.points.iter().all(|known| distance(known, &z) > SAME * size) {
             found.points.push(z);
@@ -183,10 +188,7 @@ impl Moduli {
         for t in ends {
             let mut z = vec![0.0; self.count()];
             lines.iter().enumerate().for_each(|(i, at)| z[*at] = (point[i] + t * direction[i]).max(0.0));
-            let size = self.size(&z);
-            if found.points.iter().all(|known| distance(known, &z) > SAME * size) {
-                found.points.push(z);
-            }
+            self.keep(z, found);
         }
     }
 }

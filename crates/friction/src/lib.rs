@@ -16,18 +16,15 @@
 //!
 //! Nothing here knows of mechanisms; numbers may have any unit.
 
-mod dense;
 mod every;
+mod matrix;
 mod moduli;
-mod path;
 mod quadrics;
-mod radius;
 mod unique;
 
 pub use every::{Solutions, is_same};
-pub use moduli::{Moduli, Width};
-pub use path::{PathPoint, path};
-pub use radius::spectral_radius;
+pub use matrix::spectral_radius;
+pub use moduli::{Moduli, PathPoint, Width, path};
 pub use unique::{Sum, Unique};
 
 #[cfg(test)]

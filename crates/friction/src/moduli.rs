@@ -1,7 +1,6 @@
-//! The equations in moduli, and what is found of them by iteration.
+//! The equations in moduli, and what is found of them by iteration, and along a path: how a solution changes as friction grows.
 
-use crate::dense;
-use crate::radius::spectral_radius;
+use crate::matrix::{solve, spectral_radius};
 
 /// How many components a vector has whose modulus is an unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -136,7 +135,7 @@ impl Moduli {
     fn change(&self, z: &[f64]) -> Option<Vec<f64>> {
         let vectors: Vec<[f64; 2]> = (0..self.count()).map(|j| self.vector(j, z)).collect();
         let off = vectors.iter().zip(z).map(|(vector, z)| z - length(*vector)).collect();
-        dense::solve(self.derivative(&vectors), vec![off])?.pop()
+        solve(self.derivative(&vectors), vec![off])?.pop()
     }
 
     /// Derivative of z - |a + W z| by z, where the vectors are these.
@@ -150,9 +149,65 @@ impl Moduli {
         };
         vectors.iter().enumerate().map(row).collect()
     }
+
+    /// The solution near expected moduli; `None` where there is none so near that a path goes on there.
+    pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
+        let found = self.newton(expected)?;
+        let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
+        let is_near = |(z, expected): (&f64, &f64)| (z - expected).abs() <= NEAR * size;
+        found.iter().zip(expected).all(is_near).then_some(found)
+    }
 }
 
-/// The length of a vector.
 pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
     if y == 0.0 { x.abs() } else { x.hypot(y) }
+}
+
+/// A solution goes on a path where its moduli are as expected but for this part of them.
+const NEAR: f64 = 0.02;
+
+/// Shortest step along a path, as part of all friction: where it does not suffice the path ends.
+const SHORTEST: f64 = 1e-9;
+
+/// First step, and most steps of a path.
+const FIRST: f64 = 1.0 / 32.0;
+const MOST: usize = 2000;
+
+/// A point of a path: the part of all friction, and the moduli.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathPoint {
+    /// From 0 to 1.
+    pub part: f64,
+    /// The moduli of the solution.
+    pub moduli: Vec<f64>,
+}
+
+/// The moduli of a solution with all friction, to which a path leads from a point of it; `None` where it ends before. `solve` finds
+/// the moduli at a part near expected ones, as [`Moduli::near`] does.
+pub fn path(mut now: PathPoint, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>) -> Option<Vec<f64>> {
+    let mut before: Option<PathPoint> = None;
+    let mut step = FIRST;
+    for _ in 0..MOST {
+        if now.part >= 1.0 {
+            return Some(now.moduli);
+        }
+        let part = (now.part + step).min(1.0);
+        if let Some(moduli) = solve(part, &expected(before.as_ref(), &now, part)) {
+            before = Some(std::mem::replace(&mut now, PathPoint { part, moduli }));
+            step *= 1.5;
+        } else {
+            step *= 0.5;
+            if step < SHORTEST {
+                return None;
+            }
+        }
+    }
+    None
+}
+
+/// The moduli that a path will have, straight on.
+fn expected(before: Option<&PathPoint>, now: &PathPoint, part: f64) -> Vec<f64> {
+    let Some(before) = before else { return now.moduli.clone() };
+    let share = (part - now.part) / (now.part - before.part);
+    now.moduli.iter().zip(&before.moduli).map(|(now, before)| now + share * (now - before)).collect()
 }

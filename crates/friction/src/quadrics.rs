@@ -6,7 +6,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// One equation.
 #[derive(Debug, Clone)]
 pub(crate) struct Quadric {
     pub(crate) constant: [f64; 2],

@@ -39,7 +39,7 @@ pub struct Geometry {
 
 /// Some links, slides and points over the cycle.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Courses {
+pub struct PartCourses {
     /// The links.
     pub links: Vec<LinkCourse>,
     /// The slides.

@@ -18,6 +18,6 @@ assur_words::resources!();
 
 pub use course::Extremes;
 pub use course::Stroke;
-pub use data::{AtPosition, Courses, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
+pub use data::{AtPosition, ForceAngles, Geometry, LinkCourse, PartCourses, PointCourse, SlideCourse};
 pub use instant::{Center, CenterAt, Centers, Curvature, centers_of, instant_centers};
 pub use measure::{GeometryError, Overview, courses, distances, geometry, overview};

@@ -10,7 +10,9 @@ use assur_words::{Describe, Text, text};
 
 use crate::course::Cycle;
 use crate::course::{Extremes, Motion, Rest, VectorCourse};
-use crate::data::{AtPosition, Courses, Each, ForceAngles, Geometry, LinkCourse, PointCourse, SlideCourse};
+use crate::data::{
+    AtPosition, Each, ForceAngles, Geometry, LinkCourse, PartCourses, PointCourse, SlideCourse,
+};
 use crate::rigid::RigidParts;
 use crate::{Centers, Curvature, Stroke, centers_of};
 
@@ -136,10 +138,10 @@ pub fn courses(
     links: impl Iterator<Item = LinkId>,
     slides: impl Iterator<Item = SlideId>,
     points: impl Iterator<Item = PointId>,
-) -> Result<Courses, GeometryError> {
+) -> Result<PartCourses, GeometryError> {
     let cycle = Cycle::of(linkage)?;
     let parts = RigidParts::of(&cycle);
-    Ok(Courses {
+    Ok(PartCourses {
         links: links.map(|id| link(&cycle, id, &parts)).collect::<Result<_, _>>()?,
         slides: slides.map(|id| slide(&cycle, id)).collect::<Result<_, _>>()?,
         points: points.map(|id| point(&cycle, id)).collect::<Result<_, _>>()?,

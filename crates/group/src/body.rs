@@ -208,6 +208,15 @@ impl<T: Real> Wrench<T> {
     }
 }
 
+/// What the reactions of a group are calculated from and written to.
+#[derive(Debug)]
+pub struct Forces<'a, T> {
+    /// The load on each body, about the origin of its frame.
+    pub loads: &'a mut [Wrench<T>],
+    /// The reaction in each pair of the chain.
+    pub reactions: &'a mut [Wrench<T>],
+}
+
 /// A point of a link whose motion is known first: the motion of the link follows from it and from the link's direction.
 ///
 /// Most links have their origin there, which saves the arm.

@@ -1,8 +1,8 @@
 //! Kernels with closed forms. Quantities that several formulas need in one position are computed once.
 
-use assur_number::{Formula, Real};
+use assur_number::Real;
 
-use crate::{AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, Number, Order, Wrench};
+use crate::{AssurGroup, Body, BuildError, Forces, GroupError, GroupFrame, GroupKind, Number, Order, Wrench};
 
 /// A group with closed forms; [`Closed`] makes an [`AssurGroup`] of it.
 ///
@@ -18,13 +18,13 @@ pub trait ClosedForm<T: Real>: Sized + std::fmt::Debug + Send + Sync {
     /// The formulas with the lengths of one group.
     fn new(frame: &GroupFrame) -> Result<Self, BuildError>;
 
-    /// Places the links (PF0) in a way; returns the shared quantities and the health.
+    /// Places the links (PF0) in a way; returns the shared quantities.
     ///
     /// # Errors
     ///
     /// [`GroupError::NoAssembly`] if no real assembly exists (with lanes: in any lane); [`GroupError::Singular`] if the
     /// place is not determined.
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Self::Position, T), GroupError>;
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<Self::Position, GroupError>;
 
     /// The shared quantities of links that are already placed.
     fn read(&self, bodies: &[Body<T>]) -> Self::Position;
@@ -32,30 +32,22 @@ pub trait ClosedForm<T: Real>: Sized + std::fmt::Debug + Send + Sync {
     /// Dimensionless determinant of a position: 0 at a singular one, at most about 1 elsewhere.
     fn health(&self, position: &Self::Position) -> T;
 
-    /// Computes PF1 and, for [`Order::Second`], PF2 of the placed links.
+    /// Returns an error for a position in which derivatives and reactions are not determined.
     ///
     /// # Errors
     ///
-    /// [`GroupError::Singular`] where the derivatives are not determined.
-    fn differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        position: &Self::Position,
-        order: Order,
-    ) -> Result<(), GroupError>;
+    /// [`GroupError::Singular`] there.
+    #[inline(always)]
+    fn determined(&self, position: &Self::Position) -> Result<(), GroupError> {
+        GroupError::if_singular(self.health(position))
+    }
 
-    /// Computes the reactions in all pairs, with the conventions of [`AssurGroup::reactions`].
-    ///
-    /// # Errors
-    ///
-    /// [`GroupError::Singular`] where the reactions are not determined.
-    fn balance(
-        &self,
-        bodies: &[Body<T>],
-        position: &Self::Position,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError>;
+    /// Computes PF1 and, for [`Order::Second`], PF2 of the placed links; returns a number that is NaN where one of them is.
+    fn differentiate(&self, bodies: &mut [Body<T>], position: &Self::Position, order: Order) -> T;
+
+    /// Computes the reactions in all pairs, with the conventions of [`AssurGroup::reactions`]; returns a number that is NaN where
+    /// one of them is.
+    fn balance(&self, bodies: &[Body<T>], position: &Self::Position, forces: &mut Forces<'_, T>) -> T;
 
     /// Smallest determinant that is not rounding; see [`AssurGroup::resolution`].
     fn resolution(&self, _bodies: &[Body<T>]) -> f64 {
@@ -80,7 +72,24 @@ impl<K> Closed<K> {
     }
 }
 
-/// A kind of group with closed forms.
+impl<K> Closed<K> {
+    /// PF1 and PF2 where they are determined.
+    #[inline(always)]
+    fn differentiate<T: Real>(
+        &self,
+        bodies: &mut [Body<T>],
+        position: &K::Position,
+        order: Order,
+    ) -> Result<(), GroupError>
+    where
+        K: ClosedForm<T>,
+    {
+        self.form.determined(position)?;
+        GroupError::if_nan(self.form.differentiate(bodies, position, order))
+    }
+}
+
+/// A kind of group with closed forms; its formulas in one number type may stand for it.
 pub trait ClosedKind {
     /// Its formulas in one number type.
     type Form<T: Number>: ClosedForm<T> + 'static;
@@ -91,76 +100,6 @@ impl<K: ClosedKind> GroupKind for K {
 
     fn build<T: Number>(frame: &GroupFrame) -> Result<Self::Kernel<T>, BuildError> {
         Closed::new(frame)
-    }
-}
-
-/// Places and, by the order, derivatives of a group.
-struct Solve<'a, T, K> {
-    form: &'a K,
-    bodies: &'a mut [Body<T>],
-    way: usize,
-    order: Order,
-}
-
-impl<T: Real, K: ClosedForm<T>> Formula for Solve<'_, T, K> {
-    type Value = Result<T, GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Result<T, GroupError> {
-        let (position, health) = self.form.close(self.bodies, self.way)?;
-        if self.order > Order::Place {
-            self.form.differentiate(self.bodies, &position, self.order)?;
-        }
-        Ok(health)
-    }
-}
-
-/// Derivatives of a placed group.
-struct Derive<'a, T, K>(&'a K, &'a mut [Body<T>], Order);
-
-impl<T: Real, K: ClosedForm<T>> Formula for Derive<'_, T, K> {
-    type Value = Result<(), GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Result<(), GroupError> {
-        let position = self.0.read(self.1);
-        self.0.differentiate(self.1, &position, self.2)
-    }
-}
-
-/// Reactions of a placed group.
-struct Balance<'a, T, K> {
-    form: &'a K,
-    bodies: &'a [Body<T>],
-    loads: &'a mut [Wrench<T>],
-    reactions: &'a mut [Wrench<T>],
-}
-
-impl<T: Real, K: ClosedForm<T>> Formula for Balance<'_, T, K> {
-    type Value = Result<(), GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Result<(), GroupError> {
-        let position = self.form.read(self.bodies);
-        self.form.balance(self.bodies, &position, self.loads, self.reactions)
-    }
-}
-
-/// Reactions of a placed group under several sets of loads.
-struct BalanceEach<'a, T, K>(Balance<'a, T, K>, usize);
-
-impl<T: Real, K: ClosedForm<T>> Formula for BalanceEach<'_, T, K> {
-    type Value = Result<(), GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Result<(), GroupError> {
-        let Self(Balance { form, bodies, loads, reactions }, sets) = self;
-        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
-        let position = form.read(bodies);
-        for (loads, reactions) in loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs)) {
-            form.balance(bodies, &position, loads, reactions)?;
-        }
-        Ok(())
     }
 }
 
@@ -178,11 +117,26 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
     }
 
     fn derive(&self, bodies: &mut [Body<T>], order: Order) -> Result<(), GroupError> {
-        if order == Order::Place { Ok(()) } else { T::evaluate(Derive(&self.form, bodies, order)) }
+        if order == Order::Place {
+            return Ok(());
+        }
+        T::evaluate(
+            #[inline(always)]
+            move || self.differentiate(bodies, &self.form.read(bodies), order),
+        )
     }
 
     fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
-        T::evaluate(Solve { form: &self.form, bodies, way, order })
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let position = self.form.close(bodies, way)?;
+                if order > Order::Place {
+                    self.differentiate(bodies, &position, order)?;
+                }
+                Ok(self.form.health(&position))
+            },
+        )
     }
 
     fn health(&self, bodies: &[Body<T>]) -> f64 {
@@ -199,7 +153,14 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        T::evaluate(Balance { form: &self.form, bodies, loads, reactions })
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let position = self.form.read(bodies);
+                self.form.determined(&position)?;
+                GroupError::if_nan(self.form.balance(bodies, &position, &mut Forces { loads, reactions }))
+            },
+        )
     }
 
     fn reactions_under(
@@ -209,6 +170,20 @@ impl<T: Real, K: ClosedForm<T>> AssurGroup<T> for Closed<K> {
         reactions: &mut [Wrench<T>],
         sets: usize,
     ) -> Result<(), GroupError> {
-        T::evaluate(BalanceEach(Balance { form: &self.form, bodies, loads, reactions }, sets))
+        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
+        T::evaluate(
+            #[inline(always)]
+            move || {
+                let position = self.form.read(bodies);
+                self.form.determined(&position)?;
+                for (loads, reactions) in
+                    loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs))
+                {
+                    let forces = &mut Forces { loads, reactions };
+                    GroupError::if_nan(self.form.balance(bodies, &position, forces))?;
+                }
+                Ok(())
+            },
+        )
     }
 }

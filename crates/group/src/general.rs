@@ -43,11 +43,6 @@ pub(crate) fn guide<T: Real>(bodies: &[Body<T>], carrier: usize, angle: f64) -> 
     bodies[carrier].turned(direction(angle))
 }
 
-/// Arm from the origin of a body to a point given in the ground's frame.
-fn arm_to<T: Real>(body: &Body<T>, point: [T; 2]) -> [T; 2] {
-    [point[0] - body.x, point[1] - body.y]
-}
-
 /// Arms of the point of application of a pair, on `a` and on `b`. A slide acts at the point of `a`.
 fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
     match pair.geometry {
@@ -56,7 +51,7 @@ fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
         }
         PairGeometry::Slide { point, .. } => {
             let on_a = bodies[pair.a].arm(vector(point));
-            (on_a, arm_to(&bodies[pair.b], bodies[pair.a].point(vector(point))))
+            (on_a, minus(bodies[pair.a].point(vector(point)), bodies[pair.b].origin()))
         }
     }
 }
@@ -72,28 +67,29 @@ fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>; 2] {
     }
 }
 
+/// The two constraints of a pair: for each the coefficients in it of the velocities of `a` and of `b`, of the origin in units of
+/// the scale and of the rotation.
+pub fn constraints<T: Real>(pair: &Pair, bodies: &[Body<T>], scale: f64) -> [[[T; 3]; 2]; 2] {
+    let inverse_scale = T::ONE / T::from_f64(scale);
+    let (on_a, on_b) = arms(pair, bodies);
+    rows(pair, bodies).map(|direction| {
+        [(on_a, T::ONE), (on_b, -T::ONE)].map(|(arm, sign)| match direction {
+            Some([nx, ny]) => [sign * nx, sign * ny, sign * (ny * arm[0] - nx * arm[1]) * inverse_scale],
+            None => [T::ZERO, T::ZERO, sign],
+        })
+    })
+}
+
 /// Calls a function with each entry of J in units of the scale that may differ from 0: row, column, entry.
 pub(crate) fn entries<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], mut put: impl FnMut(usize, usize, T)) {
-    let inverse_scale = T::ONE / T::from_f64(frame.scale);
-    let mut row = 0;
-    for pair in frame.pairs() {
-        let (on_a, on_b) = arms(pair, bodies);
-        for direction in rows(pair, bodies) {
-            for (body, arm, sign) in [(pair.a, on_a, T::ONE), (pair.b, on_b, -T::ONE)] {
+    let is_zero = |entry: T| entry.abs().greatest() == 0.0;
+    for (k, pair) in frame.pairs().enumerate() {
+        for (row, sides) in constraints(pair, bodies, frame.scale).into_iter().enumerate() {
+            for (body, entries) in [pair.a, pair.b].into_iter().zip(sides) {
                 let Some(column) = frame.column(body) else { continue };
-                let Some([nx, ny]) = direction else {
-                    put(row, 3 * column + 2, sign);
-                    continue;
-                };
-                let turning = sign * (ny * arm[0] - nx * arm[1]) * inverse_scale;
-                let is_zero = |entry: T| entry.abs().greatest() == 0.0;
-                for (k, entry) in [sign * nx, sign * ny, turning].into_iter().enumerate() {
-                    if !is_zero(entry) {
-                        put(row, 3 * column + k, entry);
-                    }
-                }
+                let entries = entries.into_iter().enumerate().filter(|(_, entry)| !is_zero(*entry));
+                entries.for_each(|(i, entry)| put(2 * k + row, 3 * column + i, entry));
             }
-            row += 1;
         }
     }
 }

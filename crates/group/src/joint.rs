@@ -7,10 +7,20 @@ use assur_number::Real;
 use assur_words::text;
 
 use crate::plane::{cross, direction, minus, opposite, times, vector};
-use crate::{Body, BuildError, PairGeometry, SeenPair, Wrench};
+use crate::{Body, BuildError, Forces, PairGeometry, SeenPair, Wrench};
 
 /// The first of all bodies, [`Body::ground`]: it never moves.
 const GROUND: usize = 0;
+
+/// PF1 and PF2 of the point of a body that is at a place.
+#[inline(always)]
+pub fn motion_at<T: Real>(bodies: &[Body<T>], body: usize, place: [T; 2]) -> [[T; 2]; 2] {
+    if body == GROUND {
+        return [[T::ZERO; 2]; 2];
+    }
+    let body = &bodies[body];
+    body.motion(minus(place, body.origin()))
+}
 
 /// A pin between a link of the group and another body.
 #[derive(Debug, Clone, Copy)]
@@ -25,8 +35,6 @@ pub struct PinJoint<T> {
     pub at: [T; 2],
     /// Whether the scene names the other body first; the stored reaction then acts on that body.
     pub turned: bool,
-    /// Whether the other body is the ground.
-    is_fixed: bool,
 }
 
 impl<T: Real> PinJoint<T> {
@@ -40,7 +48,7 @@ impl<T: Real> PinJoint<T> {
         match pair.geometry {
             PairGeometry::Pin { at_a, at_b } => {
                 let (own, at) = (vector(at_a), vector(at_b));
-                Ok(Self { id: pair.id, body: pair.b, own, at, turned, is_fixed: pair.b == GROUND })
+                Ok(Self { id: pair.id, body: pair.b, own, at, turned })
             }
             PairGeometry::Slide { .. } => Err(BuildError::new(text!("group-slide-not-pin", pair = pair.id))),
         }
@@ -49,17 +57,13 @@ impl<T: Real> PinJoint<T> {
     /// Position of the pin as a point of the other body, m.
     #[inline(always)]
     pub fn place(&self, bodies: &[Body<T>]) -> [T; 2] {
-        if self.is_fixed { self.at } else { bodies[self.body].point(self.at) }
+        if self.body == GROUND { self.at } else { bodies[self.body].point(self.at) }
     }
 
     /// PF1 and PF2 of the pin at this position, as a point of the other body.
     #[inline(always)]
     pub fn motion(&self, bodies: &[Body<T>], place: [T; 2]) -> [[T; 2]; 2] {
-        if self.is_fixed {
-            return [[T::ZERO; 2]; 2];
-        }
-        let body = &bodies[self.body];
-        body.motion(minus(place, body.origin()))
+        motion_at(bodies, self.body, place)
     }
 
     /// Stores the force (N) that acts on the link of the group.
@@ -72,16 +76,10 @@ impl<T: Real> PinJoint<T> {
     /// Stores the force (N) that acts on the link of the group, and adds the opposite force to the load of the other
     /// body.
     #[inline(always)]
-    pub fn hand_on(
-        &self,
-        bodies: &[Body<T>],
-        force: [T; 2],
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) {
-        self.store(force, reactions);
-        let arm = if self.is_fixed { self.at } else { bodies[self.body].arm(self.at) };
-        loads[self.body].add_at(arm, opposite(force), T::ZERO);
+    pub fn hand_on(&self, bodies: &[Body<T>], force: [T; 2], forces: &mut Forces<'_, T>) {
+        self.store(force, forces.reactions);
+        let arm = if self.body == GROUND { self.at } else { bodies[self.body].arm(self.at) };
+        forces.loads[self.body].add_at(arm, opposite(force), T::ZERO);
     }
 }
 
@@ -110,8 +108,6 @@ pub struct SlideJoint<T> {
     pub turn: [T; 2],
     /// Whether the scene has the guide on the link of the group; the stored reaction then acts on the other body.
     pub turned: bool,
-    /// Whether the other body is the ground.
-    is_fixed: bool,
 }
 
 impl<T: Real> SlideJoint<T> {
@@ -139,7 +135,6 @@ impl<T: Real> SlideJoint<T> {
             tilt,
             turn: times(along, tilt),
             turned,
-            is_fixed: pair.b == GROUND,
         })
     }
 
@@ -152,17 +147,13 @@ impl<T: Real> SlideJoint<T> {
     /// A direction of the other body, given in its frame.
     #[inline(always)]
     pub fn carried(&self, bodies: &[Body<T>], direction: [T; 2]) -> [T; 2] {
-        if self.is_fixed { direction } else { bodies[self.body].turned(direction) }
+        if self.body == GROUND { direction } else { bodies[self.body].turned(direction) }
     }
 
     /// PF1 and PF2 of the point of the other body that is at a place.
     #[inline(always)]
     pub fn under(&self, bodies: &[Body<T>], place: [T; 2]) -> [[T; 2]; 2] {
-        if self.is_fixed {
-            return [[T::ZERO; 2]; 2];
-        }
-        let body = &bodies[self.body];
-        body.motion(minus(place, body.origin()))
+        motion_at(bodies, self.body, place)
     }
 
     /// Coordinates of a point of the link relative to `own`: along the line and to the left of it, m. The point is
@@ -200,17 +191,10 @@ impl<T: Real> SlideJoint<T> {
 
     /// Stores force and moment on the link of the group, and adds the opposite to the load of the other body.
     #[inline(always)]
-    pub fn hand_on(
-        &self,
-        bodies: &[Body<T>],
-        force: [T; 2],
-        moment: T,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) {
-        self.store(bodies, force, moment, reactions);
+    pub fn hand_on(&self, bodies: &[Body<T>], force: [T; 2], moment: T, forces: &mut Forces<'_, T>) {
+        self.store(bodies, force, moment, forces.reactions);
         let [other, link] = [&bodies[self.body], &bodies[self.link]];
         let arm = minus(link.point(self.own), other.origin());
-        loads[self.body].add_at(arm, opposite(force), -moment);
+        forces.loads[self.body].add_at(arm, opposite(force), -moment);
     }
 }

@@ -12,7 +12,7 @@ use crate::{AssurGroup, Body, BuildError, GroupFrame, Pattern};
 
 /// The assemblies of a kind: the ways in which its links can be put together.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Ways {
+pub struct Assemblies {
     /// The greatest number at one position, at least 1.
     pub most: usize,
     /// Whether, at a position, some of the ways may exist and others not; otherwise either all of them exist or none.
@@ -92,7 +92,7 @@ pub struct GroupPlugin {
     /// either sort. The kinds of this repository have 10, its last resort 200.
     pub rank: u8,
     /// Its assemblies.
-    pub ways: Ways,
+    pub ways: Assemblies,
     /// Whether the solution depends on the poses that the links have on entry, as with Newton's method; `false` for
     /// closed forms.
     pub iterates: bool,

@@ -46,7 +46,22 @@ impl<T: Real, const N: usize> Solver<T> for Lu<T, N> {
     }
 
     fn solve(&self, right: &[T; N]) -> [T; N] {
-        self.solve(right)
+        let mut x = [T::ZERO; N];
+        for i in 0..N {
+            let mut sum = right[self.order[i]];
+            for (j, &known) in x.iter().enumerate().take(i) {
+                sum -= self.factors[i][j] * known;
+            }
+            x[i] = sum;
+        }
+        for i in (0..N).rev() {
+            let mut sum = x[i];
+            for (&factor, &known) in self.factors[i].iter().zip(&x).skip(i + 1) {
+                sum -= factor * known;
+            }
+            x[i] = sum / self.factors[i][i];
+        }
+        x
     }
 
     fn health(&self) -> f64 {
@@ -132,24 +147,5 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
         let health = if greatest > 0.0 && greatest.is_finite() { least / greatest } else { 0.0 };
         Self { factors: matrix, order, health, is_positive }
-    }
-
-    pub(crate) fn solve(&self, right: &[T; N]) -> [T; N] {
-        let mut x = [T::ZERO; N];
-        for i in 0..N {
-            let mut sum = right[self.order[i]];
-            for (j, &known) in x.iter().enumerate().take(i) {
-                sum -= self.factors[i][j] * known;
-            }
-            x[i] = sum;
-        }
-        for i in (0..N).rev() {
-            let mut sum = x[i];
-            for (&factor, &known) in self.factors[i].iter().zip(&x).skip(i + 1) {
-                sum -= factor * known;
-            }
-            x[i] = sum / self.factors[i][i];
-        }
-        x
     }
 }

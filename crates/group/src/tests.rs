@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use crate::PairSort::{Any, Pin, Slide};
 use crate::plane::{cross, direction, dot, minus, mirrored, perp, times};
-use crate::solver::Lu;
+use crate::solver::{Lu, Solver as _};
 use crate::{
     Body, GroupError, GroupFrame, Order, Pair, PairGeometry, Pattern, PinJoint, RegistryError, SeenPair,
     SlideJoint, Wrench, derive_generally, groups, health_generally, place_by_newton, reactions_generally,

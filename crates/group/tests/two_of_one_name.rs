@@ -1,8 +1,8 @@
 //! The registry refuses two kinds of one name. A program of its own, because it spoils the registry.
 
 use assur_group::{
-    Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, Ways, groups, inventory,
-    plugin_for,
+    Assemblies, Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, groups,
+    inventory, plugin_for,
 };
 use assur_words::Text;
 
@@ -15,7 +15,7 @@ const fn entry(crate_name: &'static str) -> GroupPlugin {
         summary: TEST,
         pattern: Some(Pattern { links: 0, inner: &[], outer: &[] }),
         rank: 10,
-        ways: Ways { most: 1, varies: false, words: TEST },
+        ways: Assemblies { most: 1, varies: false, words: TEST },
         iterates: false,
         singular: TEST,
         force_angle: ForceAngle::DEFAULT,

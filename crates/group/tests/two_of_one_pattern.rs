@@ -1,7 +1,7 @@
 //! The registry refuses two kinds of one pattern. A program of its own, because it spoils the registry.
 
 use assur_group::{
-    Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, Ways, inventory,
+    Assemblies, Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Pattern, RegistryError, inventory,
     plugin_for,
 };
 use assur_words::Text;
@@ -15,7 +15,7 @@ const fn entry(name: &'static str) -> GroupPlugin {
         summary: TEST,
         pattern: Some(Pattern { links: 0, inner: &[], outer: &[] }),
         rank: 10,
-        ways: Ways { most: 1, varies: false, words: TEST },
+        ways: Assemblies { most: 1, varies: false, words: TEST },
         iterates: false,
         singular: TEST,
         force_angle: ForceAngle::DEFAULT,

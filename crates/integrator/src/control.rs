@@ -57,13 +57,6 @@ impl Scale {
         Self { tolerance, origin: state.coordinate, travel: 0.0, speed: state.speed.abs() }
     }
 
-    /// The scale of this motion with another tolerance, for a method whose estimate is of lower order than its
-    /// solution.
-    #[must_use]
-    pub fn with_tolerance(self, tolerance: f64) -> Self {
-        Self { tolerance, ..self }
-    }
-
     /// Updates the largest displacement and speed.
     #[inline]
     pub fn extend(&mut self, state: &State) {

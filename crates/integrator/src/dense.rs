@@ -29,42 +29,30 @@ fn nested(r: &[f64; COEFFICIENTS], theta: f64) -> f64 {
 }
 
 impl Dense {
-    /// Motion at constant speed from `from` for `step` seconds.
-    pub fn steady(from: &State, step: f64) -> Self {
-        let mut dense =
-            Self { time: from.time, step, coordinate: [0.0; COEFFICIENTS], speed: [0.0; COEFFICIENTS] };
-        dense.coordinate[0] = from.coordinate;
-        dense.coordinate[1] = from.speed * step;
-        dense.speed[0] = from.speed;
-        dense
-    }
-
     /// Uniformly accelerated motion (D 3.12, 3.13).
     pub fn parabola(from: &Node, step: f64) -> Self {
-        let mut dense = Self::steady(&from.state, step);
+        let State { time, coordinate, speed } = from.state;
         let half = 0.5 * from.acceleration * step * step;
+        let mut dense = Self { time, step, coordinate: [0.0; COEFFICIENTS], speed: [0.0; COEFFICIENTS] };
         // w0 h θ + a h²/2 θ² = θ (w0 h + a h²/2) - θ (1-θ) a h²/2
-        dense.coordinate[1] += half;
-        dense.coordinate[2] = -half;
-        dense.speed[1] = from.acceleration * step;
+        dense.coordinate[..3].copy_from_slice(&[coordinate, speed * step + half, -half]);
+        dense.speed[..2].copy_from_slice(&[speed, from.acceleration * step]);
         dense
     }
 
     /// Cubic polynomials through both ends of a step of `step` seconds, in value and slope.
     pub fn cubic(from: &Node, to: &Node, step: f64) -> Self {
-        let mut dense = Self::steady(&from.state, step);
         let slopes = [
             [step * from.state.speed, step * to.state.speed],
             [step * from.acceleration, step * to.acceleration],
         ];
-        dense.set_cubics(&from.state, &to.state, slopes);
-        dense
+        Self::with_slopes(&from.state, &to.state, step, slopes)
     }
 
-    /// Makes both polynomials cubics with these ends; `slopes` of coordinate and speed by θ at the ends.
-    pub fn set_cubics(&mut self, from: &State, to: &State, slopes: [[f64; 2]; 2]) {
-        set_cubic(&mut self.coordinate, [from.coordinate, to.coordinate], slopes[0]);
-        set_cubic(&mut self.speed, [from.speed, to.speed], slopes[1]);
+    /// Cubic polynomials with these ends; `slopes` of coordinate and speed by θ at the ends.
+    pub fn with_slopes(from: &State, to: &State, step: f64, slopes: [[f64; 2]; 2]) -> Self {
+        let coordinate = cubic([from.coordinate, to.coordinate], slopes[0]);
+        Self { time: from.time, step, coordinate, speed: cubic([from.speed, to.speed], slopes[1]) }
     }
 
     /// Hermite polynomials through both ends: degree 5 for the coordinate (value, speed, acceleration), 3 for the speed.
@@ -95,13 +83,11 @@ impl Curve for Dense {
     }
 }
 
-/// First four coefficients: values and slopes (by θ) at both ends.
-fn set_cubic(r: &mut [f64; COEFFICIENTS], [from, to]: [f64; 2], slopes: [f64; 2]) {
+/// The cubic with these values and slopes (by θ) at both ends: the first four coefficients.
+fn cubic([from, to]: [f64; 2], slopes: [f64; 2]) -> [f64; COEFFICIENTS] {
     let rise = to - from;
-    r[0] = from;
-    r[1] = rise;
-    r[2] = slopes[0] - rise;
-    r[3] = rise - slopes[1] - r[2];
+    let second = slopes[0] - rise;
+    [from, rise, second, rise - slopes[1] - second, 0.0, 0.0, 0.0, 0.0]
 }
 
 #[cfg(test)]

@@ -6,11 +6,10 @@ use assur_words::text;
 
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
-    Attempt, Dense, EquationOfMotion, EventKind, FixedStep, IntegrationError, Integrator, MotionError, Node,
-    Pace, Request, Run, Scale, State, Step, Stepper, Trajectory, control,
+    Dense, EquationOfMotion, EventKind, FixedStep, IntegrationError, Integrator, MotionError, Node, Pace,
+    Request, Run, Scale, State, Step, Stepper, Trajectory, control,
 };
 
-mod bends;
 mod events;
 mod sticking;
 
@@ -20,6 +19,12 @@ const NEAR_END: f64 = 0.95;
 
 /// A step aimed at a predicted crossing is lengthened by this factor, so that the crossing is inside the step.
 const OVERSHOOT: f64 = 1.02;
+
+/// Number of steps after which the report looks for stiffness.
+const MANY_STEPS: usize = 1000;
+
+/// At a fixed step, stability is checked once in this number of steps.
+const PERIOD: usize = 64;
 
 /// The integrator that advances by the steps of the method `S`.
 pub struct Steps<S>(PhantomData<fn() -> S>);
@@ -40,7 +45,9 @@ impl<S: Stepper> Integrator for Steps<S> {
         while !drive.run.finished {
             drive.advance()?;
         }
-        drive.run.statistics.stiffness = drive.reported_stiffness();
+        if drive.run.equation.cost.steps > MANY_STEPS {
+            drive.run.equation.cost.stiffness = drive.stiffness();
+        }
         drive.run.conclude()
     }
 }
@@ -48,7 +55,6 @@ impl<S: Stepper> Integrator for Steps<S> {
 struct Drive<'a, S> {
     run: Run<'a, Dense>,
     stepper: S,
-    pace: Pace,
     /// The bounds of the present piece, narrowed by the end.
     bounds: Bounds,
     scale: Scale,
@@ -80,11 +86,9 @@ struct Plan {
 
 impl<'a, S: Stepper> Drive<'a, S> {
     fn new(motion: &'a mut dyn EquationOfMotion, request: &'a Request) -> Self {
-        let stepper = S::default();
         let run = Run::new(motion, request);
         Self {
-            pace: stepper.pace(),
-            stepper,
+            stepper: S::default(),
             bounds: Bounds::new(&run.piece, request, &run.node),
             scale: Scale::new(request.tolerance, &run.node.state),
             run,
@@ -110,7 +114,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
     fn start_steps(&mut self) -> Result<(), IntegrationError> {
         self.update_bounds();
         self.note_bends()?;
-        self.step = match self.pace {
+        self.step = match S::PACE {
             Pace::Unlimited => f64::INFINITY,
             Pace::Fixed => control::fixed_step(self.run.request, &self.run.node),
             Pace::Adaptive(control) => {
@@ -137,7 +141,12 @@ impl<'a, S: Stepper> Drive<'a, S> {
         let step =
             Step { equation: &mut self.run.equation, from: self.run.node, length: plan.h, scale: self.scale };
         let attempt = self.stepper.attempt(step);
-        let (attempt, acceleration) = match attempt.and_then(|attempt| self.finish_if_good(attempt)) {
+        let finished = attempt.and_then(|attempt| {
+            let passed = attempt.error <= 1.0;
+            let end = passed.then(|| self.stepper.finish(&mut self.run.equation, &attempt.end));
+            Ok((attempt, end.transpose()?))
+        });
+        let (attempt, acceleration) = match finished {
             Ok((attempt, Some(acceleration))) => (attempt, acceleration),
             Ok((attempt, None)) => return self.reject(plan, attempt.error, None),
             Err(source) => return self.reject(plan, f64::INFINITY, Some(source)),
@@ -145,14 +154,6 @@ impl<'a, S: Stepper> Drive<'a, S> {
         let mut to = Node { state: attempt.end, acceleration };
         to.state.time = plan.time.unwrap_or(to.state.time);
         self.judge(plan, attempt.error, to)
-    }
-
-    fn finish_if_good(&mut self, attempt: Attempt) -> Result<(Attempt, Option<f64>), MotionError> {
-        if attempt.error <= 1.0 {
-            let acceleration = self.stepper.finish(&mut self.run.equation, &attempt.end)?;
-            return Ok((attempt, Some(acceleration)));
-        }
-        Ok((attempt, None))
     }
 
     /// A bound so near that uniformly accelerated motion meets it without a step of the method.
@@ -171,7 +172,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         if let Some((h, side)) = self.redo.take() {
             return Ok(Plan { h, time: None, bound: side, to_bend: side.is_none() });
         }
-        if let (Pace::Fixed, Some(FixedStep::Coordinate(_))) = (self.pace, self.run.request.fixed_step) {
+        if let (Pace::Fixed, Some(FixedStep::Coordinate(_))) = (S::PACE, self.run.request.fixed_step) {
             self.step = control::fixed_step(self.run.request, &self.run.node);
         }
         let mut plan = Plan { h: self.step, time: None, bound: None, to_bend: false };
@@ -200,16 +201,16 @@ impl<'a, S: Stepper> Drive<'a, S> {
         error: f64,
         source: Option<MotionError>,
     ) -> Result<(), IntegrationError> {
-        self.run.statistics.rejected += 1;
+        self.run.equation.cost.rejected += 1;
         self.after_rejection = true;
-        let factor = match self.pace {
+        let factor = match S::PACE {
             Pace::Adaptive(control) => control.after_rejected(error),
             Pace::Fixed | Pace::Unlimited => 0.5,
         };
         self.step = plan.h * factor;
         let least = 4.0 * f64::EPSILON * self.run.node.state.time.abs().max(1e-12);
         // At a fixed step nothing is retried: the user has decided.
-        let retried = matches!(self.pace, Pace::Adaptive(_)) || source.is_none();
+        let retried = matches!(S::PACE, Pace::Adaptive(_)) || source.is_none();
         if retried && self.step > least { Ok(()) } else { Err(self.run.stuck(self.step, source)) }
     }
 
@@ -223,7 +224,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
             let dense = self.dense(&to)?;
             if let Some((theta, side)) = self.bounds.first_exit(&dense) {
                 if theta < NEAR_END && !S::PARABOLIC {
-                    self.run.statistics.rejected += 1;
+                    self.run.equation.cost.rejected += 1;
                     self.redo = Some((theta * plan.h, Some(side)));
                     return Ok(());
                 }
@@ -258,12 +259,14 @@ impl<'a, S: Stepper> Drive<'a, S> {
             }
         }
         self.propose(&plan, error);
-        self.run.statistics.steps += 1;
+        self.run.equation.cost.steps += 1;
         self.stalls = 0;
         self.scale.extend(&to.state);
         self.run.node = to;
         self.bends.swap(0, 1);
-        self.check_stability_at_times()?;
+        if self.run.equation.cost.steps.is_multiple_of(PERIOD) {
+            self.check_stability()?;
+        }
         self.check_creeping()?;
         self.run.check_way(self.run.node.state.coordinate)?;
         match (plan.time, plan.bound) {
@@ -280,7 +283,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
     /// Next step from the error of this one. A step shortened for an event only shows that a longer one would be
     /// possible.
     fn propose(&mut self, plan: &Plan, error: f64) {
-        let Pace::Adaptive(control) = self.pace else { return };
+        let Pace::Adaptive(control) = S::PACE else { return };
         let factor = control.after_accepted(error, self.error_before);
         let factor = if self.after_rejection { factor.min(1.0) } else { factor };
         let next = plan.h * factor;
@@ -291,15 +294,7 @@ impl<'a, S: Stepper> Drive<'a, S> {
         }
         self.after_rejection = false;
     }
-}
 
-/// Number of steps after which the report looks for stiffness.
-const MANY_STEPS: usize = 1000;
-
-/// At a fixed step, stability is checked once in this number of steps.
-const PERIOD: usize = 64;
-
-impl<S: Stepper> Drive<'_, S> {
     /// Step times eigenvalue, here.
     fn stiffness(&mut self) -> Option<f64> {
         if S::IMPLICIT || !self.step.is_finite() {
@@ -308,23 +303,14 @@ impl<S: Stepper> Drive<'_, S> {
         Some(self.run.equation.eigenvalue(&self.run.node.state).ok()? * self.step)
     }
 
-    /// Step times eigenvalue at the end of a long run.
-    pub(super) fn reported_stiffness(&mut self) -> Option<f64> {
-        if self.run.statistics.steps > MANY_STEPS { self.stiffness() } else { None }
-    }
-
     pub(super) fn too_many_steps(&mut self) -> IntegrationError {
         let stiffness = self.stiffness();
         self.run.too_many_steps(self.step, stiffness)
     }
 
-    pub(super) fn check_stability_at_times(&mut self) -> Result<(), IntegrationError> {
-        if self.run.statistics.steps.is_multiple_of(PERIOD) { self.check_stability() } else { Ok(()) }
-    }
-
     /// At a fixed step no error estimate would notice an unstable step.
     pub(super) fn check_stability(&mut self) -> Result<(), IntegrationError> {
-        if self.pace != Pace::Fixed {
+        if S::PACE != Pace::Fixed {
             return Ok(());
         }
         let at = self.run.node.state;

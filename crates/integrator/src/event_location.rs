@@ -4,7 +4,6 @@ use assur_number::search::root;
 
 use crate::{Dense, Node, Piece, Request, State, Until};
 
-/// A side of the box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
     CoordinateLow,

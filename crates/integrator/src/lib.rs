@@ -24,12 +24,10 @@
 //! smoothly. So the methods are implemented here, with the published coefficients, and the tests check the order
 //! conditions.
 
-mod accuracy;
 mod choose;
 mod control;
 mod dense;
 mod driver;
-mod equation;
 mod error;
 mod event_location;
 mod motion;
@@ -37,23 +35,22 @@ mod piece_ahead;
 mod plugin;
 mod request;
 mod run;
-mod segment;
 mod stepper;
 
 assur_words::resources!();
 
 pub use assur_plugin::RegistryError;
-pub use choose::{AUTO, Candidate, Choice, Solution, choose, solve};
+pub use choose::{AUTO, Choice, RankedMethod, Solution, choose, solve};
 pub use control::{Control, Scale};
 pub use dense::{COEFFICIENTS, Dense};
 pub use driver::Steps;
-pub use equation::CountedEquation;
 pub use error::IntegrationError;
 pub use inventory;
 pub use motion::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State};
 pub use piece_ahead::enter;
 pub use plugin::{Cost, Integrator, IntegratorPlugin, Knob, Suitability, find, integrators};
 pub use request::{Event, EventKind, FixedStep, Request, Sample, SolutionCost, Trajectory, Until};
+pub use run::Curve;
 pub use run::Run;
-pub use segment::Curve;
+pub use stepper::CountedEquation;
 pub use stepper::{Attempt, Node, Pace, Step, Stepper};

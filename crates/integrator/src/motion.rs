@@ -177,20 +177,6 @@ pub trait EquationOfMotion {
     /// J, dJ/dq and Q at `state`.
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError>;
 
-    /// The coefficients at `state` with a drive on the input: its moment, N m (N), along the coordinate, and its moment of inertia,
-    /// kg m² (kg). An equation whose moment depends on the acceleration itself (dry friction through inertia loads) finds it here.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`reduced`](Self::reduced).
-    #[inline]
-    fn driven(&mut self, state: &State, [moment, inertia]: [f64; 2]) -> Result<Reduced, MotionError> {
-        let mut reduced = self.reduced(state)?;
-        reduced.inertia += inertia;
-        reduced.moment += moment;
-        Ok(reduced)
-    }
-
     /// Acceleration e at `state`, rad/s² (m/s²), computed from [`reduced`](Self::reduced).
     #[inline]
     fn acceleration(&mut self, state: &State) -> Result<f64, MotionError> {

@@ -1,11 +1,11 @@
-//! A solution in progress: what every method keeps from piece to piece, up to the end.
+//! A solution in progress: what every method keeps from piece to piece, up to the end, as segments that follow each other in time;
+//! and the equally spaced samples of it.
 
 use assur_words::{Text, text};
 
-use crate::segment::{Segment, instant, samples};
 use crate::{
-    CountedEquation, Curve, EquationOfMotion, Event, EventKind, IntegrationError, MotionError, Node, Piece,
-    Request, SolutionCost, State, Trajectory, Until, enter,
+    CountedEquation, EquationOfMotion, Event, EventKind, IntegrationError, MotionError, Node, Piece, Request,
+    Sample, State, Trajectory, Until, enter,
 };
 
 /// The reason where the speed only decays, so that the requested end is never reached.
@@ -15,7 +15,6 @@ pub(crate) const CREEPS: Text = text!("integrator-creeps");
 const MOST_EVENTS: usize = 1_000_000;
 
 /// The motion so far. `C` is how the method describes the motion inside a segment.
-#[derive(Debug)]
 pub struct Run<'a, C> {
     /// The equation of motion.
     pub equation: CountedEquation<'a>,
@@ -25,8 +24,6 @@ pub struct Run<'a, C> {
     pub node: Node,
     /// Present smooth piece.
     pub piece: Piece,
-    /// Cost so far; the counts of the equation are added at the end.
-    pub statistics: SolutionCost,
     /// The requested end is reached.
     pub finished: bool,
     first: Node,
@@ -47,7 +44,6 @@ impl<'a, C: Curve> Run<'a, C> {
             request,
             node,
             piece: Piece::UNBOUNDED,
-            statistics: SolutionCost::default(),
             finished: false,
             first: node,
             segments: Vec::with_capacity(64),
@@ -240,13 +236,13 @@ impl<'a, C: Curve> Run<'a, C> {
 
     /// All allowed steps are used.
     pub fn is_exhausted(&self) -> bool {
-        self.statistics.steps + self.statistics.rejected >= self.request.max_steps
+        self.equation.cost.steps + self.equation.cost.rejected >= self.request.max_steps
     }
 
     /// The error of a run that [is exhausted](Self::is_exhausted): with its last step, s, and for an explicit method with step
     /// times eigenvalue.
     pub fn too_many_steps(&self, step: f64, stiffness: Option<f64>) -> IntegrationError {
-        let steps = self.statistics.steps + self.statistics.rejected;
+        let steps = self.equation.cost.steps + self.equation.cost.rejected;
         IntegrationError::TooManySteps { at: self.node.state, steps, step, stiffness }
     }
 
@@ -282,7 +278,90 @@ impl<'a, C: Curve> Run<'a, C> {
     pub fn conclude(mut self) -> Result<Trajectory, IntegrationError> {
         let ends = [self.first, self.node];
         let samples = samples(&mut self.equation, &self.segments, self.request.samples, ends)?;
-        let statistics = self.equation.counted(self.statistics);
+        let statistics = self.equation.cost;
         Ok(Trajectory { samples, events: self.events, statistics, end: self.node.state })
     }
+}
+
+/// The motion inside one smooth piece of the equation, as a function of time.
+pub trait Curve {
+    /// State at a time of the segment that begins with the state `from`.
+    fn at(&self, from: &State, time: f64) -> State;
+}
+
+/// A part of the motion inside one smooth piece.
+#[derive(Debug, Clone)]
+pub(crate) struct Segment<C> {
+    pub(crate) from: State,
+    /// Time at its end, s.
+    pub(crate) end: f64,
+    /// The motion in it; `None` where the speed is held constant regardless of the equation.
+    pub(crate) curve: Option<C>,
+}
+
+impl<C: Curve> Segment<C> {
+    fn at(&self, time: f64) -> State {
+        match &self.curve {
+            Some(curve) => curve.at(&self.from, time),
+            None => self.from.coasting_until(time),
+        }
+    }
+
+    fn node(&self, equation: &mut CountedEquation<'_>, time: f64) -> Result<Node, IntegrationError> {
+        let state = self.at(time);
+        let acceleration = match self.curve {
+            Some(_) => {
+                equation.acceleration(&state).map_err(|source| IntegrationError::equation(&state, source))?
+            }
+            None => 0.0,
+        };
+        Ok(Node { state, acceleration })
+    }
+
+    /// Enters the smooth piece of the equation that holds the segment, by a state well inside.
+    fn enter(&self, equation: &mut CountedEquation<'_>) -> Result<(), IntegrationError> {
+        if self.curve.is_some() {
+            let middle = self.at(0.5 * (self.from.time + self.end));
+            equation.enter(&middle).map_err(|source| IntegrationError::equation(&middle, source))?;
+        }
+        Ok(())
+    }
+}
+
+/// The samples of a motion from `first` to `last`: `count` equally spaced ones after the first, the last at the end.
+///
+/// Segments that contain no sample may be missing.
+///
+/// # Errors
+///
+/// [`IntegrationError::Equation`] where the equation fails at a sample.
+pub(crate) fn samples<C: Curve>(
+    equation: &mut CountedEquation<'_>,
+    segments: &[Segment<C>],
+    count: usize,
+    [first, last]: [Node; 2],
+) -> Result<Vec<Sample>, IntegrationError> {
+    let mut samples = Vec::with_capacity(count + 1);
+    samples.push(Sample::from(first));
+    let (mut index, mut entered) = (0, None);
+    for k in 1..count {
+        let time = instant(first.state.time, last.state.time, k, count);
+        while index + 1 < segments.len() && segments[index].end <= time {
+            index += 1;
+        }
+        let Some(segment) = segments.get(index) else { break };
+        if entered != Some(index) {
+            segment.enter(equation)?;
+            entered = Some(index);
+        }
+        samples.push(Sample::from(segment.node(equation, time)?));
+    }
+    samples.resize(count, Sample::from(last));
+    samples.push(Sample::from(last));
+    Ok(samples)
+}
+
+/// Time of the sample `k` of `count`, s.
+pub(crate) fn instant(start: f64, end: f64, k: usize, count: usize) -> f64 {
+    start + (end - start) * (k as f64 / count as f64)
 }

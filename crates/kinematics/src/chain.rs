@@ -1,8 +1,9 @@
 //! The compiled chain: input link and groups as flat data.
 
+use assur_group::plane::{plus, scaled, vector};
 use assur_group::{Anchor, AssurGroup, Body, GroupError, Number, Order, kernel_of};
 use assur_mechanism::{InputPair, Mechanism};
-use assur_number::{Formula, Real};
+use assur_number::Real;
 use assur_structure::Structure;
 
 use crate::CompileError;
@@ -10,7 +11,7 @@ use crate::passive::hang::Hanging;
 
 /// The input link in one number type.
 #[derive(Debug, Clone, Copy)]
-pub enum Input<T> {
+pub enum ChainInput<T> {
     /// Pinned to the ground; the coordinate is its angle.
     Crank {
         /// Index of the link.
@@ -33,7 +34,7 @@ pub enum Input<T> {
     },
 }
 
-impl<T> Input<T> {
+impl<T> ChainInput<T> {
     /// Index of the input link.
     pub(crate) fn link(&self) -> usize {
         match self {
@@ -55,7 +56,7 @@ pub struct ChainError {
 #[derive(Debug)]
 pub struct Chain<T: Number> {
     /// The input link.
-    pub input: Input<T>,
+    pub input: ChainInput<T>,
     /// The groups in solving order.
     pub groups: Vec<Box<dyn AssurGroup<T>>>,
     /// Whether each group is solved; all are, unless [`limit_to`](Self::limit_to) leaves some out.
@@ -63,10 +64,6 @@ pub struct Chain<T: Number> {
     bodies: usize,
     /// Passive links, placed after the groups.
     hanging: Vec<Hanging<T>>,
-}
-
-fn vector<T: Real>(at: [f64; 2]) -> [T; 2] {
-    [T::from_f64(at[0]), T::from_f64(at[1])]
 }
 
 impl<T: Number> Chain<T> {
@@ -109,7 +106,25 @@ impl<T: Number> Chain<T> {
     /// Places the input link; its derivatives are exact.
     #[inline]
     pub fn set_input(&self, coordinate: T, bodies: &mut [Body<T>]) {
-        T::evaluate(SetInput { input: &self.input, coordinate, bodies });
+        T::evaluate(
+            #[inline(always)]
+            move || match self.input {
+                ChainInput::Crank { link, ground, own } => {
+                    let (s, c) = coordinate.sin_cos();
+                    let body = &mut bodies[link];
+                    // PF1 and PF2 of a body that turns about a fixed point with the coordinate as its angle.
+                    let arm = own.put(body, [c, s], ground);
+                    own.put_first(body, T::ONE, arm, [T::ZERO; 2]);
+                    own.put_second(body, T::ZERO, arm, [T::ZERO; 2]);
+                }
+                ChainInput::Slider { link, axis, along, origin } => {
+                    let body = &mut bodies[link];
+                    [body.c, body.s] = axis;
+                    [body.x, body.y] = plus(origin, scaled(coordinate, along));
+                    [body.x1, body.y1] = along;
+                }
+            },
+        );
     }
 
     /// Solves all needed groups of the chain at one coordinate, each group in the way given.
@@ -165,51 +180,19 @@ impl<T: Number> Chain<T> {
     }
 }
 
-/// The input link at a coordinate.
-struct SetInput<'a, T> {
-    input: &'a Input<T>,
-    coordinate: T,
-    bodies: &'a mut [Body<T>],
-}
-
-impl<T: Real> Formula for SetInput<'_, T> {
-    type Value = ();
-
-    #[inline(always)]
-    fn evaluate(self) {
-        let Self { input, coordinate, bodies } = self;
-        match *input {
-            Input::Crank { link, ground, own } => {
-                let (s, c) = coordinate.sin_cos();
-                let body = &mut bodies[link];
-                // PF1 and PF2 of a body that turns about a fixed point with the coordinate as its angle.
-                let arm = own.put(body, [c, s], ground);
-                own.put_first(body, T::ONE, arm, [T::ZERO; 2]);
-                own.put_second(body, T::ZERO, arm, [T::ZERO; 2]);
-            }
-            Input::Slider { link, axis, along, origin } => {
-                let body = &mut bodies[link];
-                (body.c, body.s) = (axis[0], axis[1]);
-                (body.x, body.y) = (origin[0] + along[0] * coordinate, origin[1] + along[1] * coordinate);
-                (body.x1, body.y1) = (along[0], along[1]);
-            }
-        }
-    }
-}
-
-fn input_of<T: Real>(mechanism: &Mechanism) -> Input<T> {
+fn input_of<T: Real>(mechanism: &Mechanism) -> ChainInput<T> {
     let link = mechanism.input.link;
     match mechanism.input.pair {
         InputPair::Pin(point) => {
             let at = |body| vector(mechanism.place_in(point, body).unwrap_or_default());
-            Input::Crank { link, ground: at(assur_mechanism::GROUND), own: Anchor::new(at(link)) }
+            ChainInput::Crank { link, ground: at(assur_mechanism::GROUND), own: Anchor::new(at(link)) }
         }
         InputPair::Slide(slide) => slider_of(mechanism, slide),
     }
 }
 
 /// A sliding input; the guide is on the ground or on the input link.
-fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> Input<T> {
+fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> ChainInput<T> {
     let found = &mechanism.slides[slide];
     let (point, through) = (vector::<T>(found.point), vector::<T>(found.through));
     let (s, c) = T::from_f64(found.angle).sin_cos();
@@ -224,5 +207,5 @@ fn slider_of<T: Real>(mechanism: &Mechanism, slide: usize) -> Input<T> {
     let along = if is_guide { body.turned([c, s]).map(|part| -part) } else { [c, s] };
     let arm = body.arm(own);
     body.hang_place(arm, at);
-    Input::Slider { link, axis: [tc, ts], along, origin: [body.x, body.y] }
+    ChainInput::Slider { link, axis: [tc, ts], along, origin: [body.x, body.y] }
 }

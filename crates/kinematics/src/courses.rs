@@ -65,33 +65,55 @@ pub enum CourseEnd {
 }
 
 /// A mode as far as it exists without a gap.
-#[derive(Debug, Clone, Copy)]
-pub struct Course {
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ModeCourse {
+    /// Its number.
+    pub way: usize,
     /// The first coordinate, rad or m.
     pub from: f64,
     /// The last one.
     pub to: f64,
-    /// How it begins and ends.
-    pub ends: [CourseEnd; 2],
+    /// How it begins.
+    pub begins: CourseEnd,
+    /// How it ends.
+    pub ends: CourseEnd,
     /// The circuit: what can be reached without taking the mechanism apart; from 0.
     pub circuit: usize,
     /// The branch: what can be reached without a singular position; from 0.
     pub branch: usize,
 }
 
-/// All modes of a group over a cycle; the number of a mode is its place in `courses`.
-#[derive(Debug, Clone, Default)]
-pub struct Courses {
-    /// Each mode; first those of the first position in their order.
-    pub courses: Vec<Course>,
-    /// How many modes there are from a coordinate on, rad or m.
-    pub counts: Vec<(f64, usize)>,
-    /// Where two modes meet and both go on: coordinate and numbers.
-    pub meetings: Vec<(f64, [usize; 2])>,
-    /// Number of circuits.
-    pub circuits: usize,
-    /// Number of branches.
-    pub branches: usize,
+/// A number of modes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CountFrom {
+    /// The first coordinate, rad or m.
+    pub from: f64,
+    /// The number.
+    pub modes: usize,
+}
+
+/// Where two modes meet and both go on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ModeMeeting {
+    /// The coordinate, rad or m.
+    pub at: f64,
+    /// The numbers of the modes.
+    pub ways: [usize; 2],
+}
+
+/// All modes of a group over a cycle.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct ModeCourses {
+    /// Number of circuits: what can't be reached without taking the mechanism apart; `None` where modes are not listed.
+    pub circuits: Option<usize>,
+    /// Number of branches: what can't be reached without a singular position.
+    pub branches: Option<usize>,
+    /// How many modes there are from a coordinate on.
+    pub counts: Vec<CountFrom>,
+    /// Each mode, by its number: first those of the first position in their order; one born later takes the next number.
+    pub modes: Vec<ModeCourse>,
+    /// Where two modes meet and both go on.
+    pub meetings: Vec<ModeMeeting>,
 }
 
 /// Why the modes of a group have no courses.
@@ -112,7 +134,7 @@ struct Walk<'a> {
     group: usize,
     /// Unit of the coordinate, negative where it falls.
     unit: f64,
-    found: Courses,
+    found: ModeCourses,
     now: (f64, Present),
     /// Whether a mode that is not far away began or ended alone, which only rounding can make.
     is_lost: bool,
@@ -125,7 +147,7 @@ impl Linkage {
     /// # Errors
     ///
     /// [`Unlisted`] where its kind can't list them, and where some can't be told apart.
-    pub fn courses(&self, group: usize) -> Result<Courses, Unlisted> {
+    pub fn courses(&self, group: usize) -> Result<ModeCourses, Unlisted> {
         let lists = !self.structure.groups[group].plugin.iterates || self.groups()[group].lists_modes();
         if lists { Walk::over(self, group) } else { Err(Unlisted::ByKind) }
     }
@@ -153,13 +175,19 @@ impl Linkage {
 }
 
 impl<'a> Walk<'a> {
-    fn over(linkage: &'a Linkage, group: usize) -> Result<Courses, Unlisted> {
+    fn over(linkage: &'a Linkage, group: usize) -> Result<ModeCourses, Unlisted> {
         let input = &linkage.mechanism.input;
         let last = input.coordinate(input.positions.saturating_sub(1));
         let length = if linkage.angular() { TAU * input.sign() } else { last - input.from };
         let unit = linkage.coordinate_unit().copysign(length);
-        let mut walk =
-            Self { linkage, group, unit, found: Courses::default(), now: (input.from, None), is_lost: false };
+        let mut walk = Self {
+            linkage,
+            group,
+            unit,
+            found: ModeCourses::default(),
+            now: (input.from, None),
+            is_lost: false,
+        };
         let first = walk.modes_at(input.from);
         walk.now.1 = first.map(|all| {
             all.into_iter().map(|mode| (walk.begin(input.from, CourseEnd::Cycle), mode)).collect()
@@ -168,7 +196,7 @@ impl<'a> Walk<'a> {
         let start = walk.now.1.clone().unwrap_or_default();
         for step in 1..=SAMPLES {
             walk.sample(input.from + length * f64::from(step) / f64::from(SAMPLES));
-            if walk.is_lost || walk.found.courses.len() > MOST_COURSES {
+            if walk.is_lost || walk.found.modes.len() > MOST_COURSES {
                 return Err(Unlisted::At(walk.now.0));
             }
         }
@@ -193,32 +221,31 @@ impl<'a> Walk<'a> {
 
     /// Begins a course at a coordinate; its number.
     fn begin(&mut self, from: f64, end: CourseEnd) -> usize {
-        let ends = [end, CourseEnd::Cycle];
-        self.found.courses.push(Course { from, to: from, ends, circuit: 0, branch: 0 });
-        self.found.courses.len() - 1
+        let (way, ends) = (self.found.modes.len(), CourseEnd::Cycle);
+        self.found.modes.push(ModeCourse { way, from, to: from, begins: end, ends, circuit: 0, branch: 0 });
+        way
     }
 
     /// Ends a course at the present coordinate.
     fn end(&mut self, number: usize, end: CourseEnd) {
-        let course = &mut self.found.courses[number];
-        (course.to, course.ends[1]) = (self.now.0, end);
+        let course = &mut self.found.modes[number];
+        (course.to, course.ends) = (self.now.0, end);
     }
 
     fn count(&mut self, from: f64) {
-        let count = self.now.1.as_ref().map_or(0, Vec::len);
-        if self.found.counts.last().is_none_or(|(_, last)| *last != count) {
-            self.found.counts.push((from, count));
+        let modes = self.now.1.as_ref().map_or(0, Vec::len);
+        if self.found.counts.last().is_none_or(|last| last.modes != modes) {
+            self.found.counts.push(CountFrom { from, modes });
         }
     }
 
     /// Goes on to a sample, or beside it where a group can turn freely there and has no mode.
     fn sample(&mut self, to: f64) {
-        let count = |modes: Option<&Vec<Mode<f64>>>| modes.map(Vec::len);
         let (next, present) = (self.modes_at(to), self.now.1.as_ref().map(Vec::len));
-        if present > Some(0) && count(next.as_ref()) == Some(0) {
+        if present > Some(0) && next.as_ref().is_some_and(Vec::is_empty) {
             let beside = to + SHORTEST_EQUAL * self.unit;
             let modes = self.modes_at(beside);
-            if count(modes.as_ref()) == present {
+            if modes.as_ref().map(Vec::len) == present {
                 return self.advance(beside, modes);
             }
         }
@@ -231,8 +258,7 @@ impl<'a> Walk<'a> {
             // An event reaches beyond it.
             return;
         }
-        let count = |modes: Option<usize>| modes.map_or(-1, |count| i64::try_from(count).unwrap_or(0));
-        let is_equal = count(self.now.1.as_ref().map(Vec::len)) == count(next.as_ref().map(Vec::len));
+        let is_equal = self.now.1.as_ref().map(Vec::len) == next.as_ref().map(Vec::len);
         // Modes that are about to vanish run faster the nearer they are to that: they don't meet yet.
         let is_meeting = is_equal && self.is_together(next.as_deref());
         let shortest = if is_meeting { SHORTEST_EQUAL } else { SHORTEST };
@@ -245,7 +271,7 @@ impl<'a> Walk<'a> {
         let mut behind = to;
         let numbers = match continued {
             Some(numbers) => numbers,
-            None if is_short || self.found.courses.len() > MOST_COURSES => {
+            None if is_short || self.found.modes.len() > MOST_COURSES => {
                 if !is_meeting {
                     behind = to + BEHIND * self.unit;
                     next = self.modes_at(behind);
@@ -323,41 +349,37 @@ fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
     })
 }
 
-impl Courses {
+impl ModeCourses {
     /// Numbers circuits and branches; `closed`: courses that go on in others at the end of the cycle.
     fn group(&mut self, closed: &[[usize; 2]]) {
-        let joined = |courses: &[Course], is_circuit: bool, met: &[(f64, [usize; 2])]| {
-            let mut of: Vec<usize> = (0..courses.len()).collect();
-            let mut join = |[a, b]: [usize; 2]| {
-                let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
-                of.iter_mut().filter(|one| **one == high).for_each(|one| *one = low);
-            };
-            // The end of a course that has met another one is not where its beginning can go without that meeting.
-            let has_met = |number: usize| met.iter().any(|(_, pair)| pair.contains(&number));
-            closed.iter().copied().filter(|[last, _]| is_circuit || !has_met(*last)).for_each(&mut join);
-            if is_circuit {
-                for (_, pair) in met {
-                    join(*pair);
-                }
-                for (number, course) in courses.iter().enumerate() {
-                    for end in course.ends {
-                        if let CourseEnd::With(other) = end {
-                            join([number, other]);
-                        }
-                    }
-                }
-            }
-            let mut all = of.clone();
-            all.sort_unstable();
-            all.dedup();
-            let numbers = of.iter().map(|one| all.binary_search(one).unwrap_or(0)).collect();
-            (numbers, all.len())
-        };
-        let [circuits, branches]: [(Vec<usize>, usize); 2] =
-            [true, false].map(|is_circuit| joined(&self.courses, is_circuit, &self.meetings));
-        (self.circuits, self.branches) = (circuits.1, branches.1);
-        for (number, course) in self.courses.iter_mut().enumerate() {
-            (course.circuit, course.branch) = (circuits.0[number], branches.0[number]);
+        let closed = || closed.iter().copied();
+        let ends = self.modes.iter().flat_map(|mode| [mode.begins, mode.ends].map(|end| (mode.way, end)));
+        let together = ends.filter_map(|(way, end)| match end {
+            CourseEnd::With(other) => Some([way, other]),
+            _ => None,
+        });
+        let met = self.meetings.iter().map(|meeting| meeting.ways);
+        let (circuits, circuit_count) = parts(self.modes.len(), closed().chain(met).chain(together));
+        // The end of a course that has met another one is not where its beginning can go without that meeting.
+        let has_met = |number: usize| self.meetings.iter().any(|one| one.ways.contains(&number));
+        let (branches, branch_count) = parts(self.modes.len(), closed().filter(|[last, _]| !has_met(*last)));
+        (self.circuits, self.branches) = (Some(circuit_count), Some(branch_count));
+        for (number, course) in self.modes.iter_mut().enumerate() {
+            (course.circuit, course.branch) = (circuits[number], branches[number]);
         }
     }
+}
+
+/// The number of the part of each of `count` elements of which some are joined, and the number of parts.
+fn parts(count: usize, joined: impl Iterator<Item = [usize; 2]>) -> (Vec<usize>, usize) {
+    let mut of: Vec<usize> = (0..count).collect();
+    for [a, b] in joined {
+        let (low, high) = (of[a].min(of[b]), of[a].max(of[b]));
+        of.iter_mut().filter(|one| **one == high).for_each(|one| *one = low);
+    }
+    let mut all = of.clone();
+    all.sort_unstable();
+    all.dedup();
+    let numbers = of.iter().map(|one| all.binary_search(one).unwrap_or(0)).collect();
+    (numbers, all.len())
 }

@@ -67,13 +67,6 @@ pub struct PositionError {
 const VAST: f64 = 10.0;
 
 impl PositionError {
-    fn unit_hint(&self) -> Text {
-        match self.source {
-            GroupError::NoAssembly { gap_m } if gap_m >= VAST => text!("kinematics-units"),
-            _ => Text::default(),
-        }
-    }
-
     /// A coordinate in the units of messages: degrees or millimeters.
     fn show(&self, coordinate: f64) -> Text {
         if self.angular {
@@ -110,11 +103,12 @@ impl Describe for PositionError {
             cause = self.source.describe()
         );
         let place = list([Text::clone(&self.group_name)].into_iter().chain(number).chain([at]));
-        let range = match self.range {
-            Some([low, high]) => {
-                text!("kinematics-range", low = self.show(low), high = self.show(high))
-            }
-            None => text!("kinematics-no-range", units = self.unit_hint()),
+        let range = if let Some([low, high]) = self.range {
+            text!("kinematics-range", low = self.show(low), high = self.show(high))
+        } else {
+            let is_vast = matches!(self.source, GroupError::NoAssembly { gap_m } if gap_m >= VAST);
+            let units = if is_vast { text!("kinematics-units") } else { Text::default() };
+            text!("kinematics-no-range", units)
         };
         let guide = self.by_default.as_ref().filter(|_| self.range.is_none());
         let guide = guide.map(|guide| text!("kinematics-through-origin", slide = &guide[0], on = &guide[1]));

@@ -17,7 +17,7 @@ use crate::poses::{Guesses, iterated};
 use crate::regular::turns_regularly;
 use crate::ways::{Transition, Ways};
 use crate::wide::{Extended, Wide};
-use crate::{Chain, ChainError, Range};
+use crate::{AssemblyRange, Chain, ChainError};
 
 /// Samples over one turn, or over the length of the range of a sliding input.
 const SAMPLES: usize = 720;
@@ -34,7 +34,7 @@ const MOST_TURNS: usize = 4;
 pub(crate) struct Followed {
     pub(crate) ways: Ways,
     /// `None`: not even the first position can be assembled.
-    pub(crate) range: Option<Range>,
+    pub(crate) range: Option<AssemblyRange>,
     /// Why the first position can't be assembled, if so.
     pub(crate) first_failure: Option<ChainError>,
     /// What ends the range, below and above.
@@ -46,7 +46,7 @@ pub(crate) struct Followed {
 
 impl Followed {
     /// Without an event: these ways hold wherever the mechanism can be assembled.
-    fn constant(ways: Ways, range: Option<Range>, first_failure: Option<ChainError>) -> Self {
+    fn constant(ways: Ways, range: Option<AssemblyRange>, first_failure: Option<ChainError>) -> Self {
         let interpolants = Interpolants::default();
         Self { ways, range, first_failure, ends: [None; 2], interpolants, guesses: None }
     }
@@ -74,7 +74,7 @@ pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chains: Chain
             Followed::constant(Ways::new(from, None, ways, Vec::new()), None, Some(failure))
         }
         Ok((first, _)) if turns_regularly(mechanism, structure, &chain.needed, &first) => {
-            let range = Range { low: from, high: from + TAU, full: true };
+            let range = AssemblyRange { low: from, high: from + TAU, full: true };
             Followed::constant(Ways::new(from, Some(TAU), first, Vec::new()), Some(range), None)
         }
         Ok(start) => by_samples(mechanism, structure, chains, (&extended, start)),
@@ -94,13 +94,11 @@ pub(crate) fn by_samples(
     let iterated = iterated(structure);
     let follower = Follower { chain, lane_chain, structure, dependence: &dependence, wide, iterated, unit };
     let mut path = Path { follower, from: mechanism.input.from, start };
-    let (ways, range, ends, guesses) =
+    let found =
         if mechanism.input.is_angle() { path.turn() } else { path.stroke(mechanism, structure.scale) };
-    let interpolants = Interpolants::of(structure, unit, &mut path.follower.wide, (&ways, guesses.as_ref()));
-    Followed { ways, range: Some(range), first_failure: None, ends, interpolants, guesses }
+    let assembled = (&found.ways, found.guesses.as_ref());
+    Followed { interpolants: Interpolants::of(structure, unit, &mut path.follower.wide, assembled), ..found }
 }
-
-type FollowedWays = (Ways, Range, [Option<ChainError>; 2], Option<Guesses>);
 
 /// Follows the branches that start at the first position.
 struct Path<'a> {
@@ -111,7 +109,7 @@ struct Path<'a> {
 
 impl Path<'_> {
     /// A pinned input: a full turn if possible, otherwise both directions up to the ends of the range.
-    fn turn(&mut self) -> FollowedWays {
+    fn turn(&mut self) -> Followed {
         let mut turns = 1;
         loop {
             let (length, samples) = (TAU * turns as f64, SAMPLES * turns);
@@ -125,13 +123,13 @@ impl Path<'_> {
             // is longer.
             let first = &self.start.0;
             if branch.last() == *first || turns == MOST_TURNS {
-                let range = Range { low: self.from, high: self.from + TAU, full: true };
+                let range = AssemblyRange { low: self.from, high: self.from + TAU, full: true };
                 let transitions = transitions(&branch, true);
                 let ways = Ways::new(self.from, Some(length), first.clone(), transitions);
                 let poses = self.follower.iterated.iter().map(|link| (link, branch.poses[*link].iter()));
                 let grid = (self.from, branch.step(), true);
                 let guesses = Guesses::new(grid, self.follower.structure.scale, poses);
-                return (ways, range, [None; 2], guesses);
+                return Followed { guesses, ..Followed::constant(ways, Some(range), None) };
             }
             turns *= 2;
         }
@@ -139,7 +137,7 @@ impl Path<'_> {
 
     /// A sliding input: the range of the scene, extended on both sides to find where the mechanism can no longer be
     /// assembled.
-    fn stroke(&mut self, mechanism: &Mechanism, scale: f64) -> FollowedWays {
+    fn stroke(&mut self, mechanism: &Mechanism, scale: f64) -> Followed {
         let last = mechanism.input.coordinate(mechanism.input.positions.saturating_sub(1));
         let length = 4.0 * scale.max((last - self.from).abs());
         let (forth, back) = (self.branch(length, 4 * SAMPLES), self.branch(-length, 4 * SAMPLES));
@@ -153,10 +151,11 @@ impl Path<'_> {
     }
 
     /// Joins two branches from one start into one interval, which repeats after `period` if it is shorter.
-    fn joined(&self, forth: &Branch, back: &Branch, period: Option<f64>) -> FollowedWays {
+    fn joined(&self, forth: &Branch, back: &Branch, period: Option<f64>) -> Followed {
         let mut all = transitions(back, false);
         all.extend(transitions(forth, true));
-        let range = Range { low: self.from + back.reached, high: self.from + forth.reached, full: false };
+        let range =
+            AssemblyRange { low: self.from + back.reached, high: self.from + forth.reached, full: false };
         let before = back.samples.saturating_sub(1);
         let poses = self.follower.iterated.iter().map(|link| {
             let [back, forth] = [back, forth].map(|branch| &branch.poses[*link]);
@@ -167,7 +166,8 @@ impl Path<'_> {
         let guesses = Guesses::new(grid, self.follower.structure.scale, poses);
         let period = period.filter(|period| range.high - range.low < *period);
         let ways = Ways::new(range.low, period, back.last(), all);
-        (ways, range, [back.failure, forth.failure], guesses)
+        let ends = [back.failure, forth.failure];
+        Followed { ends, guesses, ..Followed::constant(ways, Some(range), None) }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::branch::{Branch, Passage};
 use crate::dependence::Dependence;
 use crate::meeting::{Judge, Minimum};
 use crate::poses::Poses;
-use crate::samples::{Kernels, Samples, Scratch, pose_distance};
+use crate::samples::{Samples, Scratch, pose_distance};
 use crate::track::Tracker;
 use crate::wide::{Assembly, Wide};
 use crate::{Chain, ChainError};
@@ -102,10 +102,10 @@ impl Follower<'_> {
         let kernel = self.chain.groups[group].as_ref();
         let iterates = self.structure.groups[group].plugin.iterates;
         let lanes = (!iterates).then(|| self.lane_chain.groups[group].as_ref());
-        let kernels = Kernels { single: kernel, lanes };
         let (chain, dependence, scale) = (self.chain, self.dependence, self.structure.scale);
         let tracker = iterates.then_some(Tracker { chain, dependence, group, scale });
-        let mut samples = Samples::new((kernels, tracker), branch.way(group, branch.from), scratch, branch);
+        let mut samples =
+            Samples::new((kernel, lanes), (tracker, branch.way(group, branch.from)), scratch, branch);
         samples.place_from(0, branch);
         let mut sample = 0;
         loop {

@@ -6,7 +6,7 @@ use assur_number::search::bisect;
 use crate::branch::{Branch, Passage};
 use crate::follower::{Event, Follower};
 use crate::samples::pose_distance;
-use crate::wide::Assembly;
+use crate::track::placed_before;
 
 /// Poses on both sides of a coordinate that differ by less than this (parts of the scale, or rad) continue each
 /// other.
@@ -33,7 +33,7 @@ impl Follower<'_> {
         let (last, reached) = (branch.samples.checked_sub(1)?, branch.from + branch.reached);
         branch.failure.as_ref()?;
         let kernel = self.chain.groups[group].as_ref();
-        let error = |q: f64| match self.placed_before(group, q, branch) {
+        let error = |q: f64| match placed_before((self.chain, self.dependence), group, q, branch) {
             Ok(mut bodies) => kernel.place(&mut bodies, usize::from(way)).err(),
             // A group before it may not be found so near to its own end: that says nothing of this one.
             Err(_) => None,
@@ -101,18 +101,8 @@ impl Follower<'_> {
         q: f64,
         branch: &Branch,
     ) -> Result<Vec<Body<f64>>, GroupError> {
-        let mut bodies = self.placed_before(group, q, branch)?;
+        let mut bodies = placed_before((self.chain, self.dependence), group, q, branch)?;
         self.chain.groups[group].place(&mut bodies, usize::from(way))?;
-        Ok(bodies)
-    }
-
-    /// Places the groups that determine the motion of a group; returns all bodies.
-    fn placed_before(&self, group: usize, q: f64, branch: &Branch) -> Result<Vec<Body<f64>>, GroupError> {
-        let mut bodies = branch.bodies_near(q);
-        self.chain.set_input(q, &mut bodies);
-        for ancestor in self.dependence.ancestors(group, |_| false) {
-            self.chain.groups[ancestor].place(&mut bodies, usize::from(branch.way(ancestor, q)))?;
-        }
         Ok(bodies)
     }
 

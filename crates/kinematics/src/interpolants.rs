@@ -9,11 +9,11 @@ use crate::poses::Guesses;
 use crate::ways::Ways;
 use crate::wide::{Assembly, Wide};
 
-/// The interpolants, by group.
+/// The interpolants.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Interpolants {
     /// By group.
-    sorted: Vec<Interpolant>,
+    all: Vec<Interpolant>,
     /// The change points reduced to one period, in increasing order.
     centers: Vec<f64>,
     /// Length after which the motion repeats, for a pinned input.
@@ -36,7 +36,7 @@ impl Interpolants {
         wide.restart(Order::Second);
         let found = Assembled { ways, guesses };
         let turns = ways.period().map(|period| period / std::f64::consts::TAU);
-        let mut sorted: Vec<_> = ways
+        let mut all: Vec<_> = ways
             .change_points()
             .filter_map(|point| {
                 let (center, group) = (point.coordinate, point.group);
@@ -48,19 +48,19 @@ impl Interpolants {
                 Interpolant::sample(Site { center, group, links, turns }, unit, solve)
             })
             .collect();
-        sorted.sort_by_key(|interpolant| interpolant.group);
+        all.sort_by_key(|interpolant| interpolant.group);
         let period = ways.period();
         let mut centers: Vec<f64> =
             ways.change_points().map(|point| reduced(point.coordinate, period)).collect();
         centers.sort_by(f64::total_cmp);
         // Twice the greatest half-width: more than rounding of whole turns makes of the distance.
-        Self { sorted, centers, period, reach: 2.0 * Interpolation::GREATEST_HALF_WIDTH * unit }
+        Self { all, centers, period, reach: 2.0 * Interpolation::GREATEST_HALF_WIDTH * unit }
     }
 
     /// Whether the motion of a group is interpolated at a coordinate.
     #[inline]
     pub(crate) fn cover(&self, coordinate: f64) -> bool {
-        self.is_near(coordinate) && self.sorted.iter().any(|interpolant| interpolant.covers(coordinate))
+        self.is_near(coordinate) && self.all.iter().any(|interpolant| interpolant.covers(coordinate))
     }
 
     /// Whether a change point is so near that an interpolation may cover the coordinate; in a time that grows with the
@@ -77,25 +77,19 @@ impl Interpolants {
 
     /// The widest interpolation that covers a coordinate.
     pub(crate) fn widest(&self, coordinate: f64) -> Option<Interpolation> {
-        let found = self.sorted.iter().filter_map(|interpolant| interpolant.at(coordinate));
+        let found = self.all.iter().filter_map(|interpolant| interpolant.at(coordinate));
         found.max_by(|a, b| a.half_width.total_cmp(&b.half_width))
     }
 
     /// Sets the links of a group whose motion is interpolated at a coordinate, and returns its health.
     pub(crate) fn apply(&self, group: usize, coordinate: f64, bodies: &mut [Body<f64>]) -> Option<f64> {
-        let mut own = self.of_group(group).iter();
-        own.find(|interpolant| interpolant.covers(coordinate)).map(|found| found.apply(coordinate, bodies))
+        let mut own = self.all.iter().filter(|one| one.group == group);
+        own.find(|one| one.covers(coordinate)).map(|found| found.apply(coordinate, bodies))
     }
 
     /// Whether the motion of a group with this health is interpolated at a coordinate.
     pub(crate) fn cover_unhealthy(&self, coordinate: f64, health: &[f64], limit: f64) -> bool {
-        self.sorted.iter().any(|found| health[found.group].abs() < limit && found.covers(coordinate))
-    }
-
-    fn of_group(&self, group: usize) -> &[Interpolant] {
-        let first = self.sorted.partition_point(|interpolant| interpolant.group < group);
-        let count = self.sorted[first..].iter().take_while(|interpolant| interpolant.group == group).count();
-        &self.sorted[first..first + count]
+        self.all.iter().any(|found| health[found.group].abs() < limit && found.covers(coordinate))
     }
 }
 

@@ -40,8 +40,8 @@ mod wide;
 
 assur_words::resources!();
 
-pub use chain::{Chain, ChainError, Input};
-pub use courses::{Course, CourseEnd, Courses, Unlisted};
+pub use chain::{Chain, ChainError, ChainInput};
+pub use courses::{CountFrom, CourseEnd, ModeCourse, ModeCourses, ModeMeeting, Unlisted};
 pub use enclosures::Enclosures;
 pub use error::{CompileError, PositionError};
 pub use interpolant::Interpolation;
@@ -52,7 +52,7 @@ pub use motion::{PointMotion, ScalarMotion, continuous_angle, first_angle};
 pub use passive::{Closing, Length, Misfit, decompose};
 pub use poses::iterated;
 pub use rank::mobility_in;
-pub use ways::{Range, Transition, Ways};
+pub use ways::{AssemblyRange, Transition, Ways};
 
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,6 @@
 //! A mechanism compiled for many positions.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
@@ -14,8 +15,8 @@ use crate::interpolants::Interpolants;
 use crate::passive::{Misfit, decompose, misfits};
 use crate::poses::Guesses;
 use crate::start::refuse_without_start;
-use crate::ways::{END_ROUNDING, Transition, Ways};
-use crate::{Chain, ChainError, CompileError, PositionError, Range};
+use crate::ways::{END_ROUNDING, Transition, Ways, shifted};
+use crate::{AssemblyRange, Chain, ChainError, CompileError, PositionError};
 
 /// The way to a position from the nearest kept poses is divided into at most two to this power of steps.
 const MOST_HALVINGS: u32 = 8;
@@ -35,7 +36,7 @@ pub struct Linkage {
     /// The way of each group at every coordinate.
     pub ways: Ways,
     /// The range in which it can be assembled; `None` if it can't be assembled in the first position.
-    pub range: Option<Range>,
+    pub range: Option<AssemblyRange>,
     /// Why the first position can't be assembled, if so.
     first_failure: Option<ChainError>,
     /// What ends the range, below and above.
@@ -236,7 +237,9 @@ impl Linkage {
     #[inline]
     pub(crate) fn followed(&self, coordinate: f64) -> f64 {
         match self.range {
-            Some(range) if !range.full && self.angular() => range.within_turn(coordinate),
+            Some(AssemblyRange { low, high, full: false }) if self.angular() && high - low < TAU => {
+                shifted(coordinate, low, TAU)
+            }
             _ => coordinate,
         }
     }
@@ -266,7 +269,8 @@ impl Linkage {
     pub fn reaches(&self, coordinate: f64) -> bool {
         let rounding = END_ROUNDING * self.coordinate_unit();
         let followed = self.followed(coordinate);
-        let inside = |range: Range| followed >= range.low - rounding && followed <= range.high + rounding;
+        let inside =
+            |range: AssemblyRange| followed >= range.low - rounding && followed <= range.high + rounding;
         self.range.is_some_and(|range| range.full || inside(range))
     }
 

@@ -1,6 +1,6 @@
 //! Mobility by the rank of the constraints in one position.
 
-use assur_group::{Pair, PairGeometry};
+use assur_group::{Pair, constraints};
 use assur_mechanism::GROUND;
 use nalgebra::DMatrix;
 
@@ -48,9 +48,10 @@ impl Motions<'_> {
         // Rows of zeros make the matrix square; its decomposition then yields the whole null space.
         let mut matrix = DMatrix::zeros(columns.max(2 * pairs.len()), columns);
         for (k, pair) in pairs.iter().enumerate() {
-            for (i, [a, b]) in self.rows(pair).into_iter().flatten().enumerate() {
-                self.add(&mut matrix, 2 * k + i, (pair.a, a, 1.0), links);
-                self.add(&mut matrix, 2 * k + i, (pair.b, b, -1.0), links);
+            let rows = constraints(pair, &self.position.bodies, self.linkage.structure.scale);
+            for (i, [a, b]) in rows.into_iter().enumerate() {
+                self.add(&mut matrix, 2 * k + i, (pair.a, a), links);
+                self.add(&mut matrix, 2 * k + i, (pair.b, b), links);
             }
         }
         // Normalized, so that a motion with large velocities in these links has no greater weight than the links
@@ -97,48 +98,23 @@ impl Motions<'_> {
         self.count = null.len();
     }
 
-    /// The constraint equations of a pair: the coefficients of the velocities of its two bodies.
-    fn rows(&self, pair: &Pair) -> [Option<[[f64; 3]; 2]>; 2] {
-        let bodies = &self.position.bodies;
-        let arm = |body: usize, at: [f64; 2]| {
-            [at[0] - bodies[body].x, at[1] - bodies[body].y].map(|x| x / self.linkage.structure.scale)
-        };
-        let along = |[nx, ny]: [f64; 2], at: [f64; 2]| {
-            [pair.a, pair.b].map(|body| {
-                let arm = arm(body, at);
-                [nx, ny, ny * arm[0] - nx * arm[1]]
-            })
-        };
-        match pair.geometry {
-            PairGeometry::Pin { at_a, .. } => {
-                let at = bodies[pair.a].point(at_a);
-                [Some(along([1.0, 0.0], at)), Some(along([0.0, 1.0], at))]
-            }
-            PairGeometry::Slide { point, angle, .. } => {
-                let (s, c) = angle.sin_cos();
-                let [c, s] = bodies[pair.b].turned([c, s]);
-                [Some(along([-s, c], bodies[pair.a].point(point))), Some([[0.0, 0.0, 1.0]; 2])]
-            }
-        }
-    }
-
     /// Adds the coefficients of a body to a constraint: in its own columns if it is new, otherwise in those of the
     /// motions.
     fn add(
         &self,
         matrix: &mut DMatrix<f64>,
         row: usize,
-        (body, factors, sign): (usize, [f64; 3], f64),
+        (body, factors): (usize, [f64; 3]),
         links: &[usize],
     ) {
         if let Some(k) = links.iter().position(|link| *link == body) {
             for (i, factor) in factors.into_iter().enumerate() {
-                matrix[(row, self.count + 3 * k + i)] += sign * factor;
+                matrix[(row, self.count + 3 * k + i)] += factor;
             }
         } else if body != GROUND {
             for (k, velocity) in self.bodies[body].iter().enumerate() {
                 let rate: f64 = factors.iter().zip(velocity).map(|(factor, part)| factor * part).sum();
-                matrix[(row, k)] += sign * rate;
+                matrix[(row, k)] += rate;
             }
         }
     }

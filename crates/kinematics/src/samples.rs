@@ -25,16 +25,11 @@ pub(crate) struct Scratch {
     pub(crate) lanes: Vec<Body<Lanes>>,
 }
 
-/// The kernel of one group for one sample and, where its solution needs no starting pose, for eight.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Kernels<'a> {
-    pub(crate) single: &'a dyn AssurGroup<f64>,
-    pub(crate) lanes: Option<&'a dyn AssurGroup<Lanes>>,
-}
-
 /// One group, placed at successive samples in its present way.
 pub(crate) struct Samples<'a> {
-    kernels: Kernels<'a>,
+    kernel: &'a dyn AssurGroup<f64>,
+    /// The kernel for eight samples, where its solution needs no starting pose.
+    lanes: Option<&'a dyn AssurGroup<Lanes>>,
     /// Bodies of other groups that its outer pairs join.
     outer: Vec<usize>,
     scratch: &'a mut Scratch,
@@ -56,18 +51,18 @@ pub(crate) struct Samples<'a> {
 
 impl<'a> Samples<'a> {
     pub(crate) fn new(
-        (kernels, tracker): (Kernels<'a>, Option<Tracker<'a>>),
-        way: u8,
+        (kernel, lanes): (&'a dyn AssurGroup<f64>, Option<&'a dyn AssurGroup<Lanes>>),
+        (tracker, way): (Option<Tracker<'a>>, u8),
         scratch: &'a mut Scratch,
         branch: &Branch,
     ) -> Self {
-        let frame = kernels.single.frame();
+        let frame = kernel.frame();
         let ends = frame.outer.iter().flat_map(|pair| [pair.a, pair.b]);
         let outer = ends.filter(|end| *end != GROUND && !frame.links.contains(end)).collect();
         let storage = || Vec::with_capacity(branch.samples);
         let (health, moved) = (storage(), storage());
         let scale = frame.scale;
-        Self { kernels, outer, scratch, scale, way, health, moved, failure: None, tracker, torn: None }
+        Self { kernel, lanes, outer, scratch, scale, way, health, moved, failure: None, tracker, torn: None }
     }
 
     /// Places the group at all samples from one on, until it can't be assembled; earlier samples stay unchanged.
@@ -76,7 +71,7 @@ impl<'a> Samples<'a> {
         self.moved.truncate(first);
         self.failure = None;
         self.torn = None;
-        let links = &self.kernels.single.frame().links;
+        let links = &self.kernel.frame().links;
         for &link in links {
             branch.poses[link].truncate(first);
             branch.poses[link].reserve(branch.samples);
@@ -96,7 +91,7 @@ impl<'a> Samples<'a> {
 
     /// Places the group at the next eight samples; `false` where one of them has no solution.
     fn place_eight(&mut self, branch: &mut Branch) -> bool {
-        let Some(kernel) = self.kernels.lanes else { return false };
+        let Some(kernel) = self.lanes else { return false };
         let block = self.health.len() / Lanes::WIDTH;
         let bodies = &mut self.scratch.lanes;
         self.outer.iter().for_each(|&body| branch.poses[body].load(block, &mut bodies[body]));
@@ -114,8 +109,7 @@ impl<'a> Samples<'a> {
 
     /// Places the group at the next sample.
     fn place_next(&mut self, branch: &mut Branch) {
-        let Self { kernels, scratch, .. } = self;
-        let (kernel, bodies, sample) = (kernels.single, &mut scratch.bodies, self.health.len());
+        let (kernel, bodies, sample) = (self.kernel, &mut self.scratch.bodies, self.health.len());
         self.outer.iter().for_each(|&body| bodies[body] = branch.pose(body, sample));
         // A kind that iterates starts from the previous sample.
         let links = &kernel.frame().links;
@@ -175,7 +169,7 @@ impl<'a> Samples<'a> {
 
     /// Determinant below which, near a sample, nothing but rounding is left.
     pub(crate) fn resolution(&mut self, sample: usize, branch: &Branch) -> f64 {
-        let kernel = self.kernels.single;
+        let kernel = self.kernel;
         let links = self.outer.iter().chain(&kernel.frame().links);
         links.for_each(|&body| self.scratch.bodies[body] = branch.pose(body, sample));
         kernel.resolution(&self.scratch.bodies)

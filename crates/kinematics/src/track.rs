@@ -31,6 +31,21 @@ pub(crate) struct Tracker<'a> {
 /// Where a group can't be followed any further: the last coordinate at which it can be placed, and why.
 pub(crate) type Torn = (f64, GroupError);
 
+/// All bodies, with the groups placed that determine the motion of a group.
+pub(crate) fn placed_before(
+    (chain, dependence): (&Chain<f64>, &Dependence),
+    group: usize,
+    q: f64,
+    branch: &Branch,
+) -> Result<Vec<Body<f64>>, GroupError> {
+    let mut bodies = branch.bodies_near(q);
+    chain.set_input(q, &mut bodies);
+    for ancestor in dependence.ancestors(group, |_| false) {
+        chain.groups[ancestor].place(&mut bodies, usize::from(branch.way(ancestor, q)))?;
+    }
+    Ok(bodies)
+}
+
 impl Tracker<'_> {
     /// The poses of the links at the coordinate `to`, followed from their poses at `from`.
     pub(crate) fn follow(
@@ -79,11 +94,7 @@ impl Tracker<'_> {
         pose: &[Body<f64>],
         branch: &Branch,
     ) -> Result<Vec<Body<f64>>, GroupError> {
-        let mut bodies = branch.bodies_near(q);
-        self.chain.set_input(q, &mut bodies);
-        for ancestor in self.dependence.ancestors(self.group, |_| false) {
-            self.chain.groups[ancestor].place(&mut bodies, usize::from(branch.way(ancestor, q)))?;
-        }
+        let mut bodies = placed_before((self.chain, self.dependence), self.group, q, branch)?;
         let kernel = &self.chain.groups[self.group];
         let links = &kernel.frame().links;
         links.iter().zip(pose).for_each(|(&link, body)| bodies[link] = *body);

@@ -1,13 +1,11 @@
 //! The way of each group as a function of the coordinate.
 
-use std::f64::consts::TAU;
-
 /// Tolerance for rounding at an end of a range, in units of the coordinate.
 pub(crate) const END_ROUNDING: f64 = 1e-9;
 
 /// The range around the first position in which a mechanism can be assembled.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
+pub struct AssemblyRange {
     /// Least coordinate, rad or m.
     pub low: f64,
     /// Greatest coordinate, rad or m.
@@ -16,20 +14,9 @@ pub struct Range {
     pub full: bool,
 }
 
-impl Range {
-    /// An angle shifted by full turns into the turn that begins at the lower end; an angle that equals the lower end
-    /// except for rounding stays there.
-    pub(crate) fn within_turn(&self, angle: f64) -> f64 {
-        if self.high - self.low >= TAU {
-            return angle;
-        }
-        shifted(angle, self.low, TAU)
-    }
-}
-
 /// A coordinate shifted by whole periods into the one that begins at `low`; one that equals `low` except for rounding stays
 /// there.
-fn shifted(coordinate: f64, low: f64, period: f64) -> f64 {
+pub(crate) fn shifted(coordinate: f64, low: f64, period: f64) -> f64 {
     let passed = (coordinate - low).rem_euclid(period);
     low + if passed > period - END_ROUNDING { passed - period } else { passed }
 }

@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 use assur_group::PairSort::Pin;
 use assur_group::plane::{dot, minus, vector};
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind, GroupPlugin,
-    Number, Order, Pair, PairGeometry, Pattern, Ways, inventory,
+    Assemblies, AssurGroup, Body, BuildError, Builders, ForceAngle, GroupError, GroupFrame, GroupKind,
+    GroupPlugin, Number, Order, Pair, PairGeometry, Pattern, inventory,
 };
 use assur_kinematics::Linkage;
 use assur_number::Real;
@@ -134,7 +134,7 @@ inventory::submit! {
         summary: TEST,
         pattern: Some(Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] }),
         rank: 1,
-        ways: Ways { most: 3, varies: true, words: TEST },
+        ways: Assemblies { most: 3, varies: true, words: TEST },
         iterates: false,
         singular: TEST,
         force_angle: ForceAngle::DEFAULT,

@@ -36,19 +36,19 @@ pub enum Torque {
     /// An asynchronous motor.
     Motor {
         /// The motor.
-        motor: Motor,
+        motor: MotorChoice,
         /// Catalogue to choose from; `None`: all of them.
         catalogue: Option<String>,
         /// Greatest admissible speed of the motor, rad/s.
         max_speed: Option<f64>,
         /// Its mechanical characteristic.
-        characteristic: Characteristic,
+        characteristic: CharacteristicKind,
     },
 }
 
 /// An asynchronous motor.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Motor {
+pub enum MotorChoice {
     /// The smallest motor of the catalogue with sufficient power and admissible speed.
     Auto,
     /// A designation of a catalogue.
@@ -76,7 +76,7 @@ pub struct RatedMotor {
 
 /// Form of the mechanical characteristic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Characteristic {
+pub enum CharacteristicKind {
     /// Kloss's formula.
     Kloss,
     /// The straight line through synchronous speed and rated point.

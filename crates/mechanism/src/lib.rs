@@ -16,13 +16,13 @@ mod size;
 
 pub use alike::{appearance, likeness};
 pub use drive::{
-    Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, StepLength, Torque, Until,
-    passage,
+    CharacteristicKind, Drive, FlywheelPlace, Motion, MotorChoice, RatedMotor, Solve, StepLength, Torque,
+    Until, passage,
 };
 pub use friction::{Friction, Middle, Surfaces};
 pub use inertia::{Inertia, VaryingInertia};
 pub use load::{
-    Balance, Brake, Contact, Direction, Force, Load, LoadKind, Moment, Over, Shape, Spring, Table, Value,
+    Balance, Brake, Contact, Direction, Force, LawTable, Load, LoadKind, Moment, Over, Shape, Spring, Value,
 };
 pub use name::Name;
 pub use name::Named;

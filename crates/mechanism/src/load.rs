@@ -14,7 +14,7 @@ pub enum Value {
         /// The quantity.
         over: Over,
         /// The table.
-        table: Table,
+        table: LawTable,
         /// For a table over the coordinate: whether it repeats with the cycle, which is counted from its first row.
         repeat: bool,
     },
@@ -24,9 +24,9 @@ pub enum Value {
         axis: f64,
         /// Table over 0 to 1 (position between the extremes of the stroke) while the point moves in the direction of
         /// the axis.
-        forward: Table,
+        forward: LawTable,
         /// Table over 0 to 1 (position between the extremes of the stroke) while the point moves against the axis.
-        back: Table,
+        back: LawTable,
     },
     /// Given by a formula.
     Formula {
@@ -44,7 +44,7 @@ impl Value {
     /// The same law with another size: every value of it times a factor.
     #[must_use]
     pub fn scaled(mut self, scale: f64) -> Self {
-        let all = |table: &mut Table| table.rows.iter_mut().for_each(|row| row[1] *= scale);
+        let all = |table: &mut LawTable| table.rows.iter_mut().for_each(|row| row[1] *= scale);
         match &mut self {
             Self::Constant(value) => *value *= scale,
             Self::Table { table, .. } => all(table),
@@ -88,7 +88,7 @@ pub enum Over {
 
 /// Rows (argument, value), arguments not decreasing; two rows with one argument make a jump. Never empty.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Table {
+pub struct LawTable {
     /// The rows.
     pub rows: Vec<[f64; 2]>,
     /// How values between two rows are found.
@@ -104,7 +104,7 @@ pub enum Shape {
     Step,
 }
 
-impl Table {
+impl LawTable {
     /// A table with one constant value.
     pub fn constant(value: f64) -> Self {
         Self { rows: vec![[0.0, value]], shape: Shape::Linear }

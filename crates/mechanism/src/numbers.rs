@@ -2,7 +2,7 @@
 
 use crate::{
     Balance, Brake, Contact, Direction, Drive, Force, Friction, GROUND, Inertia, Input, Link, LinkId, Load,
-    LoadKind, Mechanism, Moment, Motion, Motor, Place, Point, Range, RatedMotor, Slide, Solve, Spring,
+    LoadKind, Mechanism, Moment, Motion, MotorChoice, Place, Point, Range, RatedMotor, Slide, Solve, Spring,
     Surfaces, Torque, Value,
 };
 
@@ -166,7 +166,7 @@ fn in_drive(drive: &mut Drive, visit: &mut impl FnMut(&mut f64)) {
         Torque::Motor { motor, catalogue: _, max_speed, characteristic: _ } => {
             max_speed.iter_mut().for_each(&mut *visit);
             // The rated speed must stay below the synchronous one.
-            if let Motor::Rated(RatedMotor { power, max_torque_ratio, inertia, .. }) = motor {
+            if let MotorChoice::Rated(RatedMotor { power, max_torque_ratio, inertia, .. }) = motor {
                 visit(power);
                 max_torque_ratio.iter_mut().chain(inertia).for_each(visit);
             }

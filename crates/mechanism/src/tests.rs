@@ -1,4 +1,4 @@
-use crate::{Shape, Table, passage};
+use crate::{LawTable, Shape, passage};
 
 /// Passages are the times at which a uniformly accelerated motion is at the coordinate with the speed of its direction.
 #[test]
@@ -27,7 +27,7 @@ fn a_passage_is_on_the_motion() {
 fn a_mirrored_table_is_the_function_of_the_opposite_argument() {
     let rows = vec![[-1.0, 4.0], [0.5, 1.0], [0.5, 7.0], [3.0, -2.0]];
     for shape in [Shape::Linear, Shape::Step] {
-        let table = Table { rows: rows.clone(), shape };
+        let table = LawTable { rows: rows.clone(), shape };
         for i in -40..40 {
             let x = 0.1 * f64::from(i) + 0.013;
             assert!((table.mirrored().at(-x) - table.at(x)).abs() < 1e-12, "{shape:?} {x}");

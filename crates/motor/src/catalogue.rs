@@ -2,11 +2,10 @@
 
 use assur_words::{Text, name, text};
 
+use crate::error::names;
 use crate::lookup::normalize_latin;
-use crate::{
-    CatalogueError, CatalogueTable, LookupError, Motor, find_designation, normalize_designation,
-    same_designation,
-};
+use crate::selection::keeps;
+use crate::{CatalogueTable, Motor, MotorError, find_designation, normalize_designation, same_designation};
 
 /// Registry entry of a catalogue; give it to `inventory::submit!`.
 #[derive(Debug, Clone)]
@@ -27,7 +26,7 @@ assur_plugin::registry!(CataloguePlugin, text!("motor-sort"), name);
 
 impl CataloguePlugin {
     /// All rows, in the order of the source; read once, then cached.
-    pub fn rows(&self) -> Result<&[Motor], CatalogueError> {
+    pub fn rows(&self) -> Result<&[Motor], MotorError> {
         self.table.rows(self.name)
     }
 
@@ -35,8 +34,8 @@ impl CataloguePlugin {
     ///
     /// # Errors
     ///
-    /// [`LookupError`] if the catalogue cannot be used, or the designation names no motor or several.
-    pub fn find(&self, designation: &str) -> Result<&Motor, LookupError> {
+    /// [`MotorError`] if the catalogue cannot be used, or the designation names no motor or several.
+    pub fn find(&self, designation: &str) -> Result<&Motor, MotorError> {
         find_designation(self.rows()?, designation, &text!("motor-in-catalogue", name = name(self.name)))
     }
 }
@@ -45,13 +44,13 @@ impl CataloguePlugin {
 ///
 /// # Errors
 ///
-/// [`CatalogueError::Registry`] if two have one name or there is none.
-pub fn catalogues() -> Result<Vec<&'static CataloguePlugin>, CatalogueError> {
+/// [`MotorError`] if two have one name or there is none.
+pub fn catalogues() -> Result<Vec<&'static CataloguePlugin>, MotorError> {
     Ok(assur_plugin::all()?)
 }
 
 /// The registered catalogue of that name, without regard to case, spaces and script.
-pub fn find_catalogue(name: &str) -> Result<&'static CataloguePlugin, CatalogueError> {
+pub fn find_catalogue(name: &str) -> Result<&'static CataloguePlugin, MotorError> {
     named(&catalogues()?, name)
 }
 
@@ -60,7 +59,7 @@ pub fn find_catalogue(name: &str) -> Result<&'static CataloguePlugin, CatalogueE
 /// # Errors
 ///
 /// Those of [`find_catalogue`] and [`find_designation`]; a designation that occurs in several catalogues is ambiguous.
-pub fn find_motor(catalogue: Option<&str>, designation: &str) -> Result<&'static Motor, LookupError> {
+pub fn find_motor(catalogue: Option<&str>, designation: &str) -> Result<&'static Motor, MotorError> {
     if let Some(name) = catalogue {
         return find_catalogue(name)?.find(designation);
     }
@@ -72,20 +71,15 @@ pub fn find_motor(catalogue: Option<&str>, designation: &str) -> Result<&'static
 }
 
 /// The catalogue of that name among these.
-pub(crate) fn named<'a>(
-    all: &[&'a CataloguePlugin],
-    name: &str,
-) -> Result<&'a CataloguePlugin, CatalogueError> {
+pub(crate) fn named<'a>(all: &[&'a CataloguePlugin], name: &str) -> Result<&'a CataloguePlugin, MotorError> {
     all.iter().find(|c| same_designation(c.name, name)).copied().ok_or_else(|| {
         let asked = name.to_uppercase();
         let mut known: Vec<String> = all.iter().map(|c| c.name.to_owned()).collect();
         known.sort_by_key(|k| strsim::osa_distance(&k.to_uppercase(), &asked));
-        CatalogueError::UnknownName { name: name.to_owned(), known }
+        let name = assur_words::name(name.to_owned());
+        MotorError(text!("motor-no-catalogue", name, known = names(&known)))
     })
 }
-
-/// Relative slack of a speed, so that the rounding of a unit conversion doesn't decide.
-const SLACK: f64 = 1e-9;
 
 /// Which motors to list; a field that is `None` admits all.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -109,7 +103,7 @@ impl MotorFilter {
     pub fn accepts(&self, motor: &Motor) -> bool {
         self.min_power.is_none_or(|least| motor.rated_power >= least)
             && self.max_power.is_none_or(|most| motor.rated_power <= most)
-            && self.max_speed.is_none_or(|most| motor.synchronous_speed <= most * (1.0 + SLACK))
+            && self.max_speed.is_none_or(|most| keeps(motor, most))
             && self.poles.is_none_or(|poles| motor.poles == poles)
             && self.designation.as_deref().is_none_or(|part| contains(&motor.designation, part))
     }
@@ -119,7 +113,7 @@ impl MotorFilter {
 pub fn list_motors(
     catalogues: &[&'static CataloguePlugin],
     filter: &MotorFilter,
-) -> Result<Vec<&'static Motor>, CatalogueError> {
+) -> Result<Vec<&'static Motor>, MotorError> {
     let wanted = match &filter.catalogue {
         Some(name) => &[named(catalogues, name)?][..],
         None => catalogues,

@@ -1,8 +1,8 @@
 //! The mechanical characteristic: torque of the motor as a function of its speed.
 
-use assur_words::{Describe, Text, number, text};
+use assur_words::{number, text};
 
-use crate::{CharacteristicKind, RatedData};
+use crate::{CharacteristicKind, MotorError, RatedMotor};
 
 /// Torque of an asynchronous motor, N·m, over its speed, rad/s. The motor drives towards positive speed.
 ///
@@ -20,50 +20,31 @@ pub struct Characteristic {
     pub rated_torque: f64,
     /// Breakdown torque, N·m; `None` for a straight line without this value in the catalogue.
     pub breakdown_torque: Option<f64>,
-    kloss: Option<Kloss>,
-}
-
-/// The constants of Kloss's formula.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Kloss {
-    breakdown_torque: f64,
-    critical_slip: f64,
-}
-
-impl Kloss {
-    /// Torque at the slip `s`.
-    fn torque(&self, s: f64) -> f64 {
-        let sk = self.critical_slip;
-        // Numerator and denominator are multiplied by s sk, so that nothing divides by zero at s = 0.
-        2.0 * self.breakdown_torque * sk * s / (s * s + sk * sk)
-    }
-
-    /// dM/dw = -dM/ds / ws, dM/ds = 2 Mmax sk (sk² - s²) / (s² + sk²)².
-    fn slope(&self, s: f64, synchronous_speed: f64) -> f64 {
-        let sk = self.critical_slip;
-        let d = s * s + sk * sk;
-        -2.0 * self.breakdown_torque * sk * ((sk - s) / d) * ((sk + s) / d) / synchronous_speed
-    }
+    /// Slip of the greatest torque; `None` for a straight line.
+    pub critical_slip: Option<f64>,
 }
 
 impl Characteristic {
     /// By which formula it goes.
     pub fn kind(&self) -> CharacteristicKind {
-        if self.kloss.is_some() { CharacteristicKind::Kloss } else { CharacteristicKind::Linear }
+        if self.critical_slip.is_some() { CharacteristicKind::Kloss } else { CharacteristicKind::Linear }
     }
 
     /// The characteristic of that kind through synchronous speed and the rated point.
-    pub fn new(kind: CharacteristicKind, rated: &RatedData) -> Result<Self, RatedDataError> {
+    ///
+    /// # Errors
+    ///
+    /// [`MotorError`] for data that can't be those of an asynchronous motor, or without the breakdown torque that Kloss's formula
+    /// needs.
+    pub fn new(kind: CharacteristicKind, rated: &RatedMotor) -> Result<Self, MotorError> {
         validate(rated)?;
         let torque = rated_torque(rated);
-        let kloss = |ratio: f64| Kloss {
-            breakdown_torque: ratio * torque,
-            // sk = sn (l + sqrt(l² - 1)): M(sn) = Mn solved for sk, the root above sn.
-            critical_slip: rated_slip(rated) * (ratio + ((ratio - 1.0) * (ratio + 1.0)).sqrt()),
-        };
-        let kloss = match kind {
+        // sk = sn (l + sqrt(l² - 1)): M(sn) = Mn solved for sk, the root above sn.
+        let critical_slip = |ratio: f64| rated_slip(rated) * (ratio + ((ratio - 1.0) * (ratio + 1.0)).sqrt());
+        let critical_slip = match kind {
             CharacteristicKind::Kloss => {
-                Some(rated.max_torque_ratio.map(kloss).ok_or(RatedDataError::NoMaxTorqueRatio)?)
+                let absent = || MotorError(text!("motor-no-torque-ratio"));
+                Some(rated.max_torque_ratio.map(critical_slip).ok_or_else(absent)?)
             }
             CharacteristicKind::Linear => None,
         };
@@ -72,25 +53,31 @@ impl Characteristic {
             rated_speed: rated.rated_speed,
             rated_torque: torque,
             breakdown_torque: rated.max_torque_ratio.map(|ratio| ratio * torque),
-            kloss,
+            critical_slip,
         })
     }
 
     /// Torque at the motor speed `speed` (rad/s), N·m. Above synchronous speed the motor brakes (M < 0);
     /// at reversed speed (`speed` < 0, s > 1) it still pulls forward, hence brakes, too.
     pub fn torque(&self, speed: f64) -> f64 {
-        match &self.kloss {
-            Some(kloss) => kloss.torque(self.slip(speed)),
-            None => self.line_slope() * (speed - self.synchronous_speed),
-        }
+        self.kloss(speed).map_or_else(
+            || self.line_slope() * (speed - self.synchronous_speed),
+            // Numerator and denominator are multiplied by s sk, so that nothing divides by zero at s = 0.
+            |[most, s, sk]| 2.0 * most * sk * s / (s * s + sk * sk),
+        )
     }
 
     /// dM/dw at the motor speed `speed` (rad/s), N·m·s. Negative where the motor runs stably.
     pub fn slope(&self, speed: f64) -> f64 {
-        match &self.kloss {
-            Some(kloss) => kloss.slope(self.slip(speed), self.synchronous_speed),
-            None => self.line_slope(),
-        }
+        let Some([most, s, sk]) = self.kloss(speed) else { return self.line_slope() };
+        // -dM/ds / ws, dM/ds = 2 Mmax sk (sk² - s²) / (s² + sk²)².
+        let d = s * s + sk * sk;
+        -2.0 * most * sk * ((sk - s) / d) * ((sk + s) / d) / self.synchronous_speed
+    }
+
+    /// Mmax, s and sk of Kloss's formula; `None` for a straight line.
+    fn kloss(&self, speed: f64) -> Option<[f64; 3]> {
+        Some([self.breakdown_torque?, self.slip(speed), self.critical_slip?])
     }
 
     fn line_slope(&self) -> f64 {
@@ -104,81 +91,31 @@ impl Characteristic {
 
     /// Stable name of its kind, as scenes write it: `kloss` or `linear`.
     pub fn name(&self) -> &'static str {
-        if self.kloss.is_some() { "kloss" } else { "linear" }
-    }
-
-    /// Slip of the greatest torque; `None` for a straight line.
-    pub fn critical_slip(&self) -> Option<f64> {
-        self.kloss.map(|kloss| kloss.critical_slip)
+        if self.critical_slip.is_some() { "kloss" } else { "linear" }
     }
 
     /// Speed of the greatest torque, rad/s; `None` for a straight line. Negative if the critical slip exceeds 1.
     pub fn breakdown_speed(&self) -> Option<f64> {
-        self.critical_slip().map(|sk| self.synchronous_speed * (1.0 - sk))
+        self.critical_slip.map(|sk| self.synchronous_speed * (1.0 - sk))
     }
 
     /// The section on which the motor drives and runs stably, rad/s: from the speed of its greatest torque (of a straight line:
     /// where the line reaches the breakdown torque, or without this value from the rated speed) to synchronous speed.
     pub fn stable_section(&self) -> [f64; 2] {
         let slip_of = |torque: f64| torque / self.rated_torque * self.slip(self.rated_speed);
-        let slip = self
-            .critical_slip()
-            .unwrap_or_else(|| slip_of(self.breakdown_torque.unwrap_or(self.rated_torque)));
+        let slip =
+            self.critical_slip.unwrap_or_else(|| slip_of(self.breakdown_torque.unwrap_or(self.rated_torque)));
         [self.synchronous_speed * (1.0 - slip), self.synchronous_speed]
     }
 
     /// Torque at rest, N·m; `None` for a straight line, which does not hold there.
     pub fn starting_torque(&self) -> Option<f64> {
-        self.kloss.map(|kloss| kloss.torque(1.0))
-    }
-}
-
-/// Why rated data cannot be those of an asynchronous motor.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum RatedDataError {
-    /// A value that must be finite and positive is not.
-    NotPositive {
-        /// Which value, in words with its unit.
-        what: Text,
-        /// The value.
-        value: f64,
-    },
-    /// An asynchronous motor runs below its synchronous speed.
-    NoSlip {
-        /// Rated speed, rad/s.
-        rated_speed: f64,
-        /// Synchronous speed, rad/s.
-        synchronous_speed: f64,
-    },
-    /// Kloss's formula has no solution (the value).
-    MaxTorqueRatio(f64),
-    /// Kloss's formula needs the breakdown torque.
-    NoMaxTorqueRatio,
-}
-
-assur_words::errors!(RatedDataError);
-
-impl Describe for RatedDataError {
-    fn describe(&self) -> Text {
-        match self {
-            Self::NotPositive { what, value } => {
-                text!("motor-rated-not-positive", what, value = number(value))
-            }
-            Self::NoSlip { rated_speed, synchronous_speed } => text!(
-                "motor-no-slip",
-                rated = number(rated_speed),
-                synchronous = number(synchronous_speed),
-                excess = number(rated_speed - synchronous_speed)
-            ),
-            Self::MaxTorqueRatio(ratio) => text!("motor-bad-torque-ratio", ratio = number(ratio)),
-            Self::NoMaxTorqueRatio => text!("motor-no-torque-ratio"),
-        }
+        self.critical_slip.map(|_| self.torque(0.0))
     }
 }
 
 /// Checks every value that is given.
-pub(crate) fn validate(rated: &RatedData) -> Result<(), RatedDataError> {
+pub(crate) fn validate(rated: &RatedMotor) -> Result<(), MotorError> {
     let named = [
         (text!("motor-rated-power"), rated.power),
         (text!("motor-rated-synchronous"), rated.synchronous_speed),
@@ -187,25 +124,29 @@ pub(crate) fn validate(rated: &RatedData) -> Result<(), RatedDataError> {
     ];
     for (what, value) in named {
         if !(value > 0.0 && value.is_finite()) {
-            return Err(RatedDataError::NotPositive { what, value });
+            return Err(MotorError(text!("motor-rated-not-positive", what, value = number(value))));
         }
     }
-    let RatedData { rated_speed, synchronous_speed, .. } = *rated;
+    let RatedMotor { rated_speed, synchronous_speed, .. } = *rated;
     if rated_speed >= synchronous_speed {
-        return Err(RatedDataError::NoSlip { rated_speed, synchronous_speed });
+        let [rated, synchronous, excess] =
+            [rated_speed, synchronous_speed, rated_speed - synchronous_speed].map(number);
+        return Err(MotorError(text!("motor-no-slip", rated, synchronous, excess)));
     }
     match rated.max_torque_ratio {
-        Some(value) if !(value > 1.0 && value.is_finite()) => Err(RatedDataError::MaxTorqueRatio(value)),
+        Some(value) if !(value > 1.0 && value.is_finite()) => {
+            Err(MotorError(text!("motor-bad-torque-ratio", ratio = number(value))))
+        }
         _ => Ok(()),
     }
 }
 
 /// Rated torque Mn = Pn / wn, N·m.
-pub(crate) fn rated_torque(rated: &RatedData) -> f64 {
+pub(crate) fn rated_torque(rated: &RatedMotor) -> f64 {
     rated.power / rated.rated_speed
 }
 
 /// Rated slip sn = (ws - wn) / ws.
-pub(crate) fn rated_slip(rated: &RatedData) -> f64 {
+pub(crate) fn rated_slip(rated: &RatedMotor) -> f64 {
     (rated.synchronous_speed - rated.rated_speed) / rated.synchronous_speed
 }

@@ -6,9 +6,9 @@
 //! the function that uses it.
 //!
 //! ```
-//! use assur_motor::{Characteristic, CharacteristicKind, RatedData, rad_per_s};
+//! use assur_motor::{Characteristic, CharacteristicKind, RatedMotor, rad_per_s};
 //!
-//! let rated = RatedData {
+//! let rated = RatedMotor {
 //!     power: 1100.0,
 //!     synchronous_speed: rad_per_s(1500.0),
 //!     rated_speed: rad_per_s(1410.0),
@@ -57,17 +57,17 @@ mod warning;
 
 assur_words::resources!();
 
-pub use assur_mechanism::{Characteristic as CharacteristicKind, RatedMotor as RatedData};
+pub use assur_mechanism::{CharacteristicKind, RatedMotor};
 pub use catalogue::{CataloguePlugin, MotorFilter, catalogues, find_catalogue, find_motor, list_motors};
-pub use characteristic::{Characteristic, RatedDataError};
-pub use error::{CatalogueError, LookupError, LookupHint, RowFault};
+pub use characteristic::Characteristic;
+pub use error::MotorError;
 pub use flywheel::{FlywheelSize, flywheel_sizes};
 pub use flywheel::{USUAL_SOURCE, USUAL_UNEVENNESS, UsualUnevenness};
 pub use lookup::find_designation;
 pub use lookup::{latin_designation, normalize_designation, same_designation};
 pub use motor::{Motor, flag_meaning, rad_per_s, rpm};
 pub use passed::{PassedOver, Refusal, nearest};
-pub use selection::{Candidate, Selection, SelectionError, SelectionRequest, select};
+pub use selection::{Candidate, Selection, SelectionRequest, select};
 pub use table::{CatalogueTable, parse_table};
 pub use warning::{
     MotorWarning, check_breakdown, check_rms, check_rotor_inertia, check_starting, rms_torque,

@@ -1,8 +1,9 @@
 //! Finding one motor among rows by what someone typed.
 
-use assur_words::Text;
+use assur_words::{Text, name, text};
 
-use crate::{LookupError, LookupHint, Motor};
+use crate::error::names;
+use crate::{Motor, MotorError};
 
 /// How many designations an error shows.
 const SHOWN: usize = 5;
@@ -19,8 +20,8 @@ const SUGGESTED: usize = 3;
 ///
 /// # Errors
 ///
-/// [`LookupError::NotFound`] with the nearest designations; [`LookupError::Ambiguous`] if several rows fit.
-pub fn find_designation<'a, I>(rows: I, designation: &str, place: &Text) -> Result<&'a Motor, LookupError>
+/// [`MotorError`] with the nearest designations if none fits, with the first of them if several do.
+pub fn find_designation<'a, I>(rows: I, designation: &str, place: &Text) -> Result<&'a Motor, MotorError>
 where
     I: IntoIterator<Item = &'a Motor> + Clone,
 {
@@ -34,26 +35,32 @@ where
             _ => return Err(ambiguous(&found, designation, place)),
         }
     }
-    Err(LookupError::NotFound {
-        designation: designation.to_owned(),
-        catalogue: place.clone(),
-        hint: hint(rows, designation),
-    })
+    let hint = hint(rows, designation);
+    let designation = name(designation.to_owned());
+    Err(MotorError(text!("motor-not-found", designation, catalogue = place, hint)))
 }
 
 /// What may have been meant: motors of a power that was given in place of a designation, else those named alike.
-fn hint<'a>(rows: impl IntoIterator<Item = &'a Motor> + Clone, designation: &str) -> LookupHint {
+fn hint<'a>(rows: impl IntoIterator<Item = &'a Motor> + Clone, designation: &str) -> Text {
     if let Some(power) = power(designation) {
         let found: Vec<&Motor> = rows.clone().into_iter().filter(|m| same_power(m, power)).collect();
         if !found.is_empty() {
-            let candidates = found.iter().take(SHOWN).map(|m| m.designation.clone()).collect();
-            return LookupHint::OfPower { power, count: found.len(), candidates };
+            // As the command line reads it, in every language; to a milliwatt, without the rounding of the units.
+            let power = name(((power * 1e3).round() / 1e6).to_string());
+            let shown: Vec<_> = found.iter().take(SHOWN).map(|m| m.designation.clone()).collect();
+            let (candidates, more) = (names(&shown), more(found.len()));
+            return text!("motor-hint-power", power, count = found.len(), candidates, more);
         }
     }
     match nearest(rows, designation) {
-        none if none.is_empty() => LookupHint::List,
-        alike => LookupHint::Nearest(alike),
+        none if none.is_empty() => text!("motor-hint-list"),
+        alike => text!("motor-hint-nearest", nearest = names(&alike)),
     }
+}
+
+/// What follows a list of so many of which not all are shown.
+fn more(count: usize) -> Text {
+    name(if count > SHOWN { ", ..." } else { "" })
 }
 
 /// The power that a text names, W.
@@ -80,18 +87,16 @@ fn is_leading_words(row: &str, asked: &str) -> bool {
     ends.into_iter().any(|end| same_designation(&row[..end], asked))
 }
 
-fn ambiguous(found: &[&Motor], designation: &str, place: &Text) -> LookupError {
+fn ambiguous(found: &[&Motor], designation: &str, place: &Text) -> MotorError {
     // Rows of several catalogues may share a designation: then only the catalogue tells them apart.
     let several_places = found.iter().any(|m| m.catalogue != found[0].catalogue);
     let show = |m: &&Motor| {
         if several_places { format!("{} ({})", m.designation, m.catalogue) } else { m.designation.clone() }
     };
-    LookupError::Ambiguous {
-        designation: designation.to_owned(),
-        catalogue: place.clone(),
-        count: found.len(),
-        candidates: found.iter().take(SHOWN).map(show).collect(),
-    }
+    let designation = name(designation.to_owned());
+    let (count, more) = (found.len(), more(found.len()));
+    let candidates = names(&found.iter().take(SHOWN).map(show).collect::<Vec<_>>());
+    MotorError(text!("motor-ambiguous", designation, count, catalogue = place, candidates, more))
 }
 
 /// The rows whose designations need the fewest edits to become the requested one.

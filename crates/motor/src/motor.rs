@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use assur_words::{Text, text};
 
-use crate::{RatedData, latin_designation};
+use crate::{RatedMotor, latin_designation};
 
 /// A three-phase asynchronous motor as its catalogue prints it, in SI units.
 ///
@@ -51,8 +51,8 @@ pub struct Motor {
 
 impl Motor {
     /// What the mechanical characteristic needs.
-    pub fn rated_data(&self) -> RatedData {
-        RatedData {
+    pub fn rated_data(&self) -> RatedMotor {
+        RatedMotor {
             power: self.rated_power,
             synchronous_speed: self.synchronous_speed,
             rated_speed: self.rated_speed,
@@ -73,7 +73,7 @@ pub fn rad_per_s(rpm: f64) -> f64 {
 }
 
 /// Speed in 1/min of a speed in rad/s.
-pub fn rpm(rad_per_s: f64) -> f64 {
+pub const fn rpm(rad_per_s: f64) -> f64 {
     rad_per_s * 30.0 / PI
 }
 

@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use assur_words::{Describe, Text, name, number, text};
+use assur_words::{name, number, text};
 
 use crate::motor::rpm;
-use crate::{CharacteristicKind, Motor, PassedOver, Refusal};
+use crate::{CharacteristicKind, Motor, MotorError, PassedOver, Refusal};
 
 /// Relative slack of comparisons with a rated value, so that the rounding of a unit conversion doesn't decide.
 const SLACK: f64 = 1e-9;
@@ -43,76 +43,16 @@ pub struct Selection<'a> {
     pub passed_over: Vec<PassedOver<'a>>,
 }
 
-/// Why no motor can be chosen.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum SelectionError {
-    /// The request cannot be answered.
-    Request {
-        /// Which value, in words with its unit.
-        what: Text,
-        /// The value.
-        value: f64,
-    },
-    /// There is nothing to choose from.
-    NoMotors,
-    /// No row has the data for the characteristic (how many rows there are).
-    NoMaxTorqueRatio(usize),
-    /// All are too fast.
-    TooFast {
-        /// The limit, rad/s.
-        limit: f64,
-        /// Lowest synchronous speed of all, rad/s.
-        slowest: f64,
-        /// The motor that has it.
-        designation: String,
-    },
-    /// All are too weak.
-    TooWeak {
-        /// Required power, W.
-        required: f64,
-        /// Highest rated power among the motors that fit otherwise, W.
-        largest: f64,
-        /// The motor that has it.
-        designation: String,
-    },
-}
-
-assur_words::errors!(SelectionError);
-
-impl Describe for SelectionError {
-    fn describe(&self) -> Text {
-        let tenths = |value: f64| number(format_args!("{value:.1}"));
-        match self {
-            Self::Request { what, value } => {
-                text!("motor-select-not-positive", what, value = number(value))
-            }
-            Self::NoMotors => text!("motor-select-no-motors"),
-            Self::NoMaxTorqueRatio(count) => text!("motor-select-no-ratio", count = *count),
-            Self::TooFast { limit, slowest, designation } => text!(
-                "motor-select-too-fast",
-                limit = tenths(rpm(*limit)),
-                designation = name(designation.clone()),
-                slowest = tenths(rpm(*slowest)),
-                excess = tenths(rpm(slowest - limit))
-            ),
-            Self::TooWeak { required, largest, designation } => text!(
-                "motor-select-too-weak",
-                required = tenths(*required),
-                designation = name(designation.clone()),
-                largest = tenths(*largest),
-                lack = tenths(required - largest)
-            ),
-        }
-    }
-}
-
 /// The smallest rated power that suffices among `motors`.
 ///
 /// Among equal powers the highest synchronous speed within the limit comes first: such a motor has the least
 /// torque, hence the least size, mass and price, and the limit is there to say how fast it may be. Then the
 /// least slip (less is lost in the rotor), then the designation.
-pub fn select<'a, I>(motors: I, request: &SelectionRequest) -> Result<Selection<'a>, SelectionError>
+///
+/// # Errors
+///
+/// [`MotorError`] for a request that can't be answered, or where no motor meets it: by how much the nearest one misses it.
+pub fn select<'a, I>(motors: I, request: &SelectionRequest) -> Result<Selection<'a>, MotorError>
 where
     I: IntoIterator<Item = &'a Motor>,
 {
@@ -140,15 +80,22 @@ pub(crate) fn better(a: &Motor, b: &Motor) -> Ordering {
         .then_with(|| a.catalogue.cmp(&b.catalogue))
 }
 
+/// Whether the synchronous speed of a motor is within a limit, rad/s.
+pub(crate) fn keeps(motor: &Motor, limit: f64) -> bool {
+    motor.synchronous_speed <= limit * (1.0 + SLACK)
+}
+
 impl SelectionRequest {
-    fn validate(&self) -> Result<(), SelectionError> {
+    fn validate(&self) -> Result<(), MotorError> {
         let named = [
             (text!("motor-select-power"), self.required_power),
             (text!("motor-select-speed"), self.input_speed.abs()),
             (text!("motor-select-limit"), self.max_motor_speed.unwrap_or(1.0)),
         ];
         let bad = named.into_iter().find(|(_, value)| !(*value > 0.0 && value.is_finite()));
-        bad.map_or(Ok(()), |(what, value)| Err(SelectionError::Request { what, value }))
+        bad.map_or(Ok(()), |(what, value)| {
+            Err(MotorError(text!("motor-select-not-positive", what, value = number(value))))
+        })
     }
 
     fn has_data(&self, motor: &Motor) -> bool {
@@ -156,7 +103,7 @@ impl SelectionRequest {
     }
 
     fn keeps_limit(&self, motor: &Motor) -> bool {
-        self.max_motor_speed.is_none_or(|limit| motor.synchronous_speed <= limit * (1.0 + SLACK))
+        self.max_motor_speed.is_none_or(|limit| keeps(motor, limit))
     }
 
     /// The first demand that a motor does not meet.
@@ -177,28 +124,37 @@ impl SelectionRequest {
     }
 
     /// Which of the demands no row meets, the most fundamental first.
-    fn why_none(&self, motors: &[&Motor]) -> SelectionError {
+    fn why_none(&self, motors: &[&Motor]) -> MotorError {
         if motors.is_empty() {
-            return SelectionError::NoMotors;
+            return MotorError(text!("motor-select-no-motors"));
         }
+        let tenths = |value: f64| number(format_args!("{value:.1}"));
+        let designation = |motor: &Motor| name(motor.designation.clone());
         let known: Vec<&Motor> = motors.iter().copied().filter(|m| self.has_data(m)).collect();
         let Some(slowest) = known.iter().min_by(|a, b| a.synchronous_speed.total_cmp(&b.synchronous_speed))
         else {
-            return SelectionError::NoMaxTorqueRatio(motors.len());
+            return MotorError(text!("motor-select-no-ratio", count = motors.len()));
         };
         let slow = known.iter().filter(|m| self.keeps_limit(m));
         let strongest = slow.max_by(|a, b| a.rated_power.total_cmp(&b.rated_power));
-        match (strongest, self.max_motor_speed) {
-            (None, limit) => SelectionError::TooFast {
-                limit: limit.unwrap_or(f64::INFINITY),
-                slowest: slowest.synchronous_speed,
-                designation: slowest.designation.clone(),
-            },
-            (Some(strongest), _) => SelectionError::TooWeak {
-                required: self.required_power,
-                largest: strongest.rated_power,
-                designation: strongest.designation.clone(),
-            },
-        }
+        MotorError(if let Some(strongest) = strongest {
+            let (required, largest) = (self.required_power, strongest.rated_power);
+            text!(
+                "motor-select-too-weak",
+                required = tenths(required),
+                designation = designation(strongest),
+                largest = tenths(largest),
+                lack = tenths(required - largest)
+            )
+        } else {
+            let limit = self.max_motor_speed.unwrap_or(f64::INFINITY);
+            text!(
+                "motor-select-too-fast",
+                limit = tenths(rpm(limit)),
+                designation = designation(slowest),
+                slowest = tenths(rpm(slowest.synchronous_speed)),
+                excess = tenths(rpm(slowest.synchronous_speed - limit))
+            )
+        })
     }
 }

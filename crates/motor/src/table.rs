@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
+use assur_words::{Text, name, number, text};
 use serde::Deserialize;
 
 use crate::lookup::normalize_latin;
 use crate::motor::rad_per_s;
-use crate::{CatalogueError, Motor, RowFault};
+use crate::{Motor, MotorError};
 
 /// Highest breakdown or starting torque ratio, or current ratio, that is accepted.
 const MOST_RATIO: f64 = 20.0;
@@ -16,7 +17,7 @@ const MOST_RATIO: f64 = 20.0;
 #[derive(Debug)]
 pub struct CatalogueTable {
     text: &'static str,
-    rows: OnceLock<Result<Vec<Motor>, CatalogueError>>,
+    rows: OnceLock<Result<Vec<Motor>, MotorError>>,
 }
 
 impl CatalogueTable {
@@ -26,7 +27,7 @@ impl CatalogueTable {
     }
 
     /// All rows, as those of the catalogue `name`, in the order of the table.
-    pub(crate) fn rows(&self, name: &str) -> Result<&[Motor], CatalogueError> {
+    pub(crate) fn rows(&self, name: &str) -> Result<&[Motor], MotorError> {
         let rows = self.rows.get_or_init(|| parse_table(name, self.text));
         rows.as_deref().map_err(Clone::clone)
     }
@@ -42,11 +43,12 @@ impl CatalogueTable {
 ///
 /// # Errors
 ///
-/// [`CatalogueError::Table`] for what is not such a table, [`CatalogueError::Row`] for an impossible value or a
-/// designation that occurs twice, [`CatalogueError::Empty`] without rows.
-pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, CatalogueError> {
-    let unreadable =
-        |e: csv::Error| CatalogueError::Table { catalogue: catalogue.into(), reason: e.to_string() };
+/// [`MotorError`] for what is not such a table, an impossible value, a designation that occurs twice, a table without rows.
+pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, MotorError> {
+    let own = |letters: &str| name(letters.to_owned());
+    let unreadable = |e: csv::Error| {
+        MotorError(text!("motor-table-unreadable", catalogue = own(catalogue), reason = own(&e.to_string())))
+    };
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let headers = reader.headers().map_err(unreadable)?.clone();
     let mut motors = Vec::new();
@@ -55,19 +57,17 @@ pub fn parse_table(catalogue: &str, text: &str) -> Result<Vec<Motor>, CatalogueE
         let record = record.map_err(unreadable)?;
         let row: MotorRow = record.deserialize(Some(&headers)).map_err(unreadable)?;
         let new = seen.insert(normalize_latin(&row.designation));
-        let fault = if new { row.fault() } else { Some(RowFault::Duplicate) };
-        if let Some(fault) = fault {
-            let line = record.position().map_or(0, csv::Position::line);
-            return Err(CatalogueError::Row {
-                catalogue: catalogue.into(),
-                line,
-                designation: row.designation,
-                fault,
-            });
+        if let Some(fault) = if new { row.fault() } else { Some(text!("motor-row-twice")) } {
+            let line = number(record.position().map_or(0, csv::Position::line));
+            let (catalogue, designation) = (own(catalogue), name(row.designation));
+            return Err(MotorError(text!("motor-bad-row", catalogue, line, designation, fault)));
         }
         motors.push(row.into_motor(catalogue));
     }
-    if motors.is_empty() { Err(CatalogueError::Empty(catalogue.into())) } else { Ok(motors) }
+    if motors.is_empty() {
+        return Err(MotorError(text!("motor-no-rows", catalogue = own(catalogue))));
+    }
+    Ok(motors)
 }
 
 /// One row, in the units of the table. Columns that a [`Motor`] does not hold are checked only.
@@ -102,20 +102,22 @@ struct MotorRow {
 
 impl MotorRow {
     /// The first impossible value, if any.
-    fn fault(&self) -> Option<RowFault> {
+    fn fault(&self) -> Option<Text> {
+        let poles = number(self.poles);
         if self.poles == 0 || !self.poles.is_multiple_of(2) {
-            return Some(RowFault::Poles(self.poles));
+            return Some(text!("motor-bad-poles", poles));
         }
         let rpm = self.synchronous_speed_rpm;
         let at = |hertz: f64| (rpm - 120.0 * hertz / f64::from(self.poles)).abs() <= 0.5;
         if !(at(50.0) || at(60.0)) {
-            return Some(RowFault::SynchronousSpeed { rpm, poles: self.poles });
+            return Some(text!("motor-bad-synchronous", rpm = number(rpm), poles));
         }
         self.ranges().into_iter().find_map(|(column, value, above, most)| {
             let value = value?;
             // Written so that NaN is a fault, too.
             let fits = value > above && value <= most && value.is_finite();
-            (!fits).then_some(RowFault::OutOfRange { column, value, above, most })
+            let [value, above, most] = [value, above, most].map(number);
+            (!fits).then(|| text!("motor-out-of-range", column = name(column), value, above, most))
         })
     }
 

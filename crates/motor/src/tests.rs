@@ -9,11 +9,11 @@ mod selection;
 mod table;
 mod warning;
 
-use crate::{Characteristic, CharacteristicKind, Motor, RatedData, parse_table, rad_per_s};
+use crate::{Characteristic, CharacteristicKind, Motor, RatedMotor, parse_table, rad_per_s};
 
 /// 1.1 kW, 1500 and 1410 rpm, breakdown torque 2.2.
-pub(crate) fn shaper_motor() -> RatedData {
-    RatedData {
+pub(crate) fn shaper_motor() -> RatedMotor {
+    RatedMotor {
         power: 1100.0,
         synchronous_speed: rad_per_s(1500.0),
         rated_speed: rad_per_s(1410.0),

@@ -88,7 +88,7 @@ pub fn check_breakdown(
     let speed = working_speeds.into_iter().max_by(|a, b| slip(a).total_cmp(&slip(b)))?;
     let breakdown_torque = characteristic.breakdown_torque?;
     let torque = characteristic.torque(speed);
-    let beyond = match characteristic.critical_slip() {
+    let beyond = match characteristic.critical_slip {
         Some(sk) => slip(&speed) > sk,
         None => torque.abs() > breakdown_torque,
     };

@@ -2,8 +2,9 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::real::evaluate_widest;
-use crate::{Formula, Real, sine};
+use pulp::Arch;
+
+use crate::{Real, sine};
 
 /// Eight numbers that are put through a formula together: a plain array that the compiler turns into vector
 /// instructions (one register of AVX-512, two of AVX).
@@ -127,7 +128,7 @@ impl Real for Lanes {
         if all_right { (sine, cosine) } else { self.sin_cos_one_by_one() }
     }
     #[inline(always)]
-    fn evaluate<F: Formula>(formula: F) -> F::Value {
-        evaluate_widest(formula)
+    fn evaluate<V>(formula: impl FnOnce() -> V) -> V {
+        Arch::new().dispatch(formula)
     }
 }

@@ -16,7 +16,7 @@ mod sine;
 pub use dd::Dd;
 pub use intervals::Intervals;
 pub use lanes::Lanes;
-pub use real::{Formula, Real};
+pub use real::Real;
 
 /// The greater of two numbers; NaN if one is, so that a number without a value is not hidden by others.
 pub fn greater(a: f64, b: f64) -> f64 {

@@ -7,16 +7,6 @@ use pulp::Arch;
 
 use crate::sine;
 
-/// A formula over numbers of one kind, for [`Real::evaluate`].
-pub trait Formula {
-    /// Its result.
-    type Value;
-
-    /// Evaluates it. An implementation must be `#[inline(always)]`, and so must be what it calls: the instructions of
-    /// the caller reach only as far as code is inlined.
-    fn evaluate(self) -> Self::Value;
-}
-
 /// `+=` and `-=` of a number by its sum and difference.
 macro_rules! assigning {
     ($number:ty) => {
@@ -93,10 +83,11 @@ pub trait Real:
     /// Sine and cosine of an angle, rad.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Evaluates a formula with the widest instructions that the machine has for this kind of number.
+    /// Evaluates a formula with the widest instructions that the machine has for this kind of number. The closure must be
+    /// `#[inline(always)]`, and so must be what it calls: the instructions of the caller reach only as far as code is inlined.
     #[inline(always)]
-    fn evaluate<F: Formula>(formula: F) -> F::Value {
-        formula.evaluate()
+    fn evaluate<V>(formula: impl FnOnce() -> V) -> V {
+        formula()
     }
 
     /// Half of this number.
@@ -164,8 +155,8 @@ macro_rules! primitive {
                 $sin_cos(self)
             }
             #[inline(always)]
-            fn evaluate<F: Formula>(formula: F) -> F::Value {
-                evaluate_widest(formula)
+            fn evaluate<V>(formula: impl FnOnce() -> V) -> V {
+                Arch::new().dispatch(formula)
             }
         }
     };
@@ -179,21 +170,4 @@ fn sin_cos(angle: f64) -> (f64, f64) {
     let (found, is_right) = sine::quick(angle);
     let [sine, cosine] = if is_right { found } else { sine::precise(angle) };
     (sine, cosine)
-}
-
-struct Widest<F>(F);
-
-impl<F: Formula> pulp::WithSimd for Widest<F> {
-    type Output = F::Value;
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) -> F::Value {
-        self.0.evaluate()
-    }
-}
-
-/// Evaluates a formula with the widest instructions that the machine has.
-#[inline(always)]
-pub(crate) fn evaluate_widest<F: Formula>(formula: F) -> F::Value {
-    Arch::new().dispatch(Widest(formula))
 }

@@ -153,26 +153,19 @@ pub struct File<W: Write + Send> {
 }
 
 impl<W: Write + Send> File<W> {
-    /// Begins a file with these columns; `data`: keys and values of its own.
-    pub fn new(columns: &[Column], data: Vec<(&str, String)>, out: W) -> Result<Self, ParquetError> {
-        Self::with_statistics(columns, data, out, EnabledStatistics::None)
-    }
-
-    /// Begins a file whose groups tell the extremes of their columns, so that readers leave groups out.
+    /// Begins a file with these columns; `data`: keys and values of its own; `searchable`: its groups tell the extremes of their
+    /// columns, so that readers leave groups out.
     ///
     /// # Errors
     ///
     /// [`ParquetError`] if the writer fails.
-    pub fn searchable(columns: &[Column], data: Vec<(&str, String)>, out: W) -> Result<Self, ParquetError> {
-        Self::with_statistics(columns, data, out, EnabledStatistics::Chunk)
-    }
-
-    fn with_statistics(
+    pub fn new(
         columns: &[Column],
         data: Vec<(&str, String)>,
+        searchable: bool,
         out: W,
-        statistics: EnabledStatistics,
     ) -> Result<Self, ParquetError> {
+        let statistics = if searchable { EnabledStatistics::Chunk } else { EnabledStatistics::None };
         let data = data.into_iter().map(|(key, value)| KeyValue::new(key.to_owned(), value));
         let data: Vec<KeyValue> = data.collect();
         let mut properties = WriterProperties::builder()

@@ -37,7 +37,7 @@ impl<W: Write + Send> Writer<W> {
             Column::of_numbers(name, schema.section_of(*source) != Section::ALWAYS)
         };
         let columns: Vec<Column> = std::iter::once(index).chain(names.zip(&sources).map(column)).collect();
-        Ok(Self { file: File::new(&columns, Vec::new(), out)?, columns, sources, rows: 0 })
+        Ok(Self { file: File::new(&columns, Vec::new(), false, out)?, columns, sources, rows: 0 })
     }
 
     /// Adds the rows of a table.

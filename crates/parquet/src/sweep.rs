@@ -29,7 +29,7 @@ pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
     for (index, column) in all.iter_mut().enumerate() {
         (0..rows.len()).for_each(|row| column.push(rows.cell(row, index)));
     }
-    let mut file = Written::searchable(&all, data, Vec::new())?;
+    let mut file = Written::new(&all, data, true, Vec::new())?;
     file.write_group(&mut all)?;
     file.finish()
 }
@@ -78,7 +78,7 @@ pub fn join(
     parts: impl IntoIterator<Item = std::io::Result<File>>,
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let mut file = Written::searchable(&columns(sweep.columns()), origin(sweep), out)?;
+    let mut file = Written::new(&columns(sweep.columns()), origin(sweep), true, out)?;
     for part in parts {
         file.append(&part?)?;
     }

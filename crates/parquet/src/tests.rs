@@ -47,7 +47,7 @@ fn run(threads: usize) -> Result<Rows, SweepError> {
     };
     let threads = NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN);
     sweep.run(&(0..sweep.points()), threads, |rows| rows, accept)?;
-    all.ok_or(SweepError::Nothing)
+    all.ok_or(SweepError::Request(assur_words::Text::default()))
 }
 
 #[test]

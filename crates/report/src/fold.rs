@@ -2,57 +2,49 @@
 
 use std::borrow::Cow;
 
-/// Signs of units and formulas, and letters that have an ASCII equivalent.
-const TWINS: &[(char, &str)] = &[
-    ('·', "*"),
-    ('×', "*"),
-    ('²', "^2"),
-    ('³', "^3"),
-    ('°', " deg"),
-    ('µ', "u"),
-    ('μ', "u"),
-    ('−', "-"),
-    ('–', "-"),
-    ('—', "-"),
-    ('≤', "<="),
-    ('│', "|"),
-    ('…', "..."),
-    ('“', "\""),
-    ('”', "\""),
-    ('„', "\""),
-    ('‘', "'"),
-    ('’', "'"),
-    ('«', "\""),
-    ('»', "\""),
-    ('ä', "ae"),
-    ('ö', "oe"),
-    ('ü', "ue"),
-    ('ß', "ss"),
-    ('é', "e"),
-    ('è', "e"),
-    ('à', "a"),
-    ('ω', "omega"),
-    ('φ', "phi"),
-    ('ψ', "psi"),
-    ('δ', "delta"),
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('ε', "epsilon"),
-    ('θ', "theta"),
-    ('π', "pi"),
-    ('σ', "sigma"),
-    ('і', "i"),
-    ('ї', "yi"),
-    ('є', "ye"),
-    ('ґ', "g"),
-    ('І', "I"),
-    ('Ї', "Yi"),
-    ('Є', "Ye"),
-    ('Ґ', "G"),
-    ('′', "'"),
-    ('″', "''"),
-];
+/// The ASCII spelling of signs of units and formulas, and of letters that have one.
+fn twin(c: char) -> Option<&'static str> {
+    Some(match c {
+        '·' | '×' => "*",
+        '²' => "^2",
+        '³' => "^3",
+        '°' => " deg",
+        'µ' | 'μ' => "u",
+        '−' | '–' | '—' => "-",
+        '≤' => "<=",
+        '│' => "|",
+        '…' => "...",
+        '“' | '”' | '„' | '«' | '»' => "\"",
+        '‘' | '’' | '′' => "'",
+        '″' => "''",
+        'ä' => "ae",
+        'ö' => "oe",
+        'ü' => "ue",
+        'ß' => "ss",
+        'é' | 'è' => "e",
+        'à' => "a",
+        'ω' => "omega",
+        'φ' => "phi",
+        'ψ' => "psi",
+        'δ' => "delta",
+        'α' => "alpha",
+        'β' => "beta",
+        'γ' => "gamma",
+        'ε' => "epsilon",
+        'θ' => "theta",
+        'π' => "pi",
+        'σ' => "sigma",
+        'і' => "i",
+        'ї' => "yi",
+        'є' => "ye",
+        'ґ' => "g",
+        'І' => "I",
+        'Ї' => "Yi",
+        'Є' => "Ye",
+        'Ґ' => "G",
+        _ => return None,
+    })
+}
 
 /// Latin for the Cyrillic letters from а to я, in their order.
 const CYRILLIC: [&str; 32] = [
@@ -70,7 +62,7 @@ pub fn to_ascii(text: &str) -> Cow<'_, str> {
     for c in text.chars() {
         if c.is_ascii() {
             folded.push(c);
-        } else if let Some((_, twin)) = TWINS.iter().find(|(sign, _)| *sign == c) {
+        } else if let Some(twin) = twin(c) {
             folded.push_str(twin);
         } else if let Some(latin) = cyrillic(c) {
             folded.push_str(&latin);

@@ -7,9 +7,8 @@ use assur_words::{Text, text};
 
 use crate::error::Fault;
 use crate::input::coordinate_of;
-use crate::limits;
+
 use crate::linkage::SceneLinks;
-use crate::reference::Table;
 use crate::text::shown;
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
@@ -31,14 +30,10 @@ impl Context<'_> {
         self.input.map(|input| coordinate_of(input.pair))
     }
 
-    /// The dimension for a rotating or for a sliding input.
-    pub(crate) fn by_input(&self, turns: Dimension, slides: Dimension) -> Option<Dimension> {
-        self.coordinate().map(|coordinate| if coordinate == Dimension::Angle { turns } else { slides })
-    }
-
     /// Dimension of the input speed.
     pub(crate) fn speed(&self) -> Option<Dimension> {
-        self.by_input(Dimension::AngularSpeed, Dimension::Speed)
+        let turns = |coordinate| coordinate == Dimension::Angle;
+        self.coordinate().map(|own| if turns(own) { Dimension::AngularSpeed } else { Dimension::Speed })
     }
 
     /// Whether the input is known to have no cycle.
@@ -61,8 +56,8 @@ impl Context<'_> {
 
 /// A sort of loads: a list of tables in the scene.
 pub(crate) struct Sort {
-    /// Its table in the reference.
-    pub(crate) table: &'static Table,
+    /// Its key in the scene.
+    pub(crate) list: &'static str,
     /// The name of one that has none of its own, by its number from 1 and the first link on which it acts.
     pub(crate) unnamed: fn(usize, &Name) -> Text,
     /// Reads one from its section.
@@ -77,9 +72,8 @@ impl Sort {
         context: &Context<'_>,
         names: &mut BTreeSet<String>,
     ) -> Vec<Load> {
-        let sections = root.get(self.table.name()).map(|entry| entry.sections(self.table));
         let mut loads = Vec::new();
-        for (index, section) in sections.iter().flatten().enumerate() {
+        for (index, section) in root.inners(self.list).iter().enumerate() {
             let kind = (self.one)(section, context);
             let on = kind.as_ref().and_then(|kind| kind.links().next()).unwrap_or(GROUND);
             let name = name(section, names, || (self.unnamed)(index + 1, &context.linkage.links[on].name));
@@ -91,15 +85,9 @@ impl Sort {
 
 /// The `name` of a load, or its default name.
 fn name(section: &Section<'_>, names: &mut BTreeSet<String>, default: impl FnOnce() -> Text) -> Name {
-    let entry = section.get("name");
-    let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
-    let name = given.map_or_else(|| default().into(), Name::from);
-    if let Some(entry) = &entry {
-        limits::check_name(entry, &entry.span, &name);
-    }
+    let (name, at) = section.name(default);
     if !names.insert(name.to_string()) {
-        let span = entry.map_or(section.span.clone(), |entry| entry.span);
-        let fault = Fault::new(span, text!("scene-two-loads", name = shown(&name)));
+        let fault = Fault::new(at, text!("scene-two-loads", name = shown(&name)));
         section.faults.push(fault.label(text!("scene-own-name")));
     }
     name

@@ -53,7 +53,7 @@ pub fn read<T>(
     known: &'static [&'static str],
     make: impl FnOnce(&Section<'_>) -> T,
 ) -> Result<T, SceneErrors> {
-    read_known(file_name, text, what, known.into(), make)
+    read_known(file_name, text, what, Known::Names(known), make)
 }
 
 /// Reads a TOML file whose keys stand in a table of the reference, or in a list.

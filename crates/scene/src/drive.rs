@@ -1,36 +1,35 @@
 //! `[drive]`: motor, reducer and flywheel.
 
-use assur_mechanism::{Characteristic, Drive, FlywheelPlace, Motion, Motor, RatedMotor, Solve, Torque};
+use assur_mechanism::{
+    CharacteristicKind, Drive, FlywheelPlace, Motion, MotorChoice, RatedMotor, Solve, Torque,
+};
 
-use assur_words::{Describe, name, text};
+use assur_words::{name, text};
 
 use crate::context::Context;
 use crate::error::Fault;
 use crate::loads::exclude;
-use crate::numbers::{Bound, in_quotes};
-use crate::reference;
-use crate::text::{brief, did_you_mean, nearest, shown, such_as};
+use crate::text::{brief, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
 /// Keys that have a meaning only with a motor.
 const OF_THE_MOTOR: [&str; 5] = ["catalogue", "max_motor_speed", "characteristic", "ratio", "efficiency"];
-const CHARACTERISTICS: &[(&str, Characteristic)] =
-    &[("kloss", Characteristic::Kloss), ("linear", Characteristic::Linear)];
+const CHARACTERISTICS: &[(&str, CharacteristicKind)] =
+    &[("kloss", CharacteristicKind::Kloss), ("linear", CharacteristicKind::Linear)];
 const PLACES: &[(&str, FlywheelPlace)] = &[("crank", FlywheelPlace::Crank), ("motor", FlywheelPlace::Motor)];
 
 /// Reads the drive; `motion` is the motion of the scene, if it could be read.
 pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) -> Option<Drive> {
-    let section =
-        root.get("drive").and_then(|entry| entry.section(text!("scene-the-drive"), &reference::DRIVE));
+    let section = root.inner("drive");
     check_unevenness(root, section.as_ref(), motion);
     let section = section?;
     check_motion(&section, motion, context);
     check_motor_keys(&section, context);
     let torque = torque(&section, context);
-    let ratio = solved(&section, "ratio", Dimension::Number, Bound::Positive).unwrap_or(Solve::Given(1.0));
-    let flywheel = solved(&section, "flywheel", Dimension::Inertia, Bound::NotNegative);
-    let efficiency = section.quantity_or("efficiency", Dimension::Number, Bound::Positive, 1.0);
+    let ratio = section.solved("ratio", None);
+    let flywheel = section.solved("flywheel", None);
+    let efficiency = section.number("efficiency").unwrap_or_default();
     if let Some(entry) = section.get("efficiency").filter(|_| efficiency > 1.0) {
         entry.fault(text!("scene-large-efficiency", got = brief(efficiency)), such_as("0.95"));
     }
@@ -38,7 +37,7 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
     let place = section.get("flywheel_on").and_then(|entry| entry.choice(PLACES));
     Some(Drive {
         torque: torque?,
-        ratio,
+        ratio: ratio?,
         efficiency,
         flywheel,
         flywheel_on: place.unwrap_or(FlywheelPlace::Crank),
@@ -110,20 +109,6 @@ fn check_unevenness(root: &Section<'_>, drive: Option<&Section<'_>>, motion: Opt
     }
 }
 
-/// A number, or "solve".
-fn solved(section: &Section<'_>, key: &str, dimension: Dimension, bound: Bound) -> Option<Solve> {
-    let entry = section.get(key)?;
-    if entry.value.as_str() == Some("solve") {
-        return Some(Solve::Wanted);
-    }
-    if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
-        let wanted = text!("scene-word-or", word = name("solve"), quantity = dimension.describe());
-        entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["solve"])));
-        return None;
-    }
-    entry.bounded(dimension, bound).map(Solve::Given)
-}
-
 fn torque(section: &Section<'_>, context: &Context<'_>) -> Option<Torque> {
     match (section.get("motor"), section.get("torque")) {
         (Some(_), Some(torque)) => {
@@ -131,7 +116,10 @@ fn torque(section: &Section<'_>, context: &Context<'_>) -> Option<Torque> {
             None
         }
         (Some(motor), None) => with_motor(section, &motor),
-        (None, Some(torque)) => constant(&torque, context),
+        (None, Some(_)) => match section.solved("torque", context.coordinate())? {
+            Solve::Wanted => Some(Torque::Balance),
+            Solve::Given(torque) => Some(Torque::Constant(torque)),
+        },
         (None, None) => {
             if section.get("flywheel").is_none() {
                 section.missing("motor", text!("scene-empty-drive"));
@@ -141,35 +129,19 @@ fn torque(section: &Section<'_>, context: &Context<'_>) -> Option<Torque> {
     }
 }
 
-fn constant(entry: &Entry<'_>, context: &Context<'_>) -> Option<Torque> {
-    let dimension = context.by_input(Dimension::Moment, Dimension::Force);
-    match entry.value.as_str() {
-        Some("balance") => Some(Torque::Balance),
-        Some(text) if text.starts_with(char::is_alphabetic) => {
-            let moment = dimension.unwrap_or(Dimension::Moment).with_units();
-            let wanted = text!("scene-word-or", word = name("balance"), quantity = moment);
-            entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["balance"])));
-            None
-        }
-        _ => entry.quantity(dimension).map(Torque::Constant),
-    }
-}
-
 fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
-    let motor = motor(entry);
+    let motor = motor(section, entry);
     let catalogue = section.get("catalogue").and_then(|entry| entry.text(text!("scene-name-of-catalogue")));
-    let max_speed = section
-        .get("max_motor_speed")
-        .and_then(|entry| entry.bounded(Dimension::AngularSpeed, Bound::Positive));
+    let max_speed = section.number("max_motor_speed");
     let given = section.get("characteristic").and_then(|entry| entry.choice(CHARACTERISTICS));
-    let mut characteristic = given.unwrap_or(Characteristic::Kloss);
-    if let Some(Motor::Rated(rated)) = motor {
+    let mut characteristic = given.unwrap_or(CharacteristicKind::Kloss);
+    if let Some(MotorChoice::Rated(rated)) = motor {
         refuse_with_rated(section);
         if rated.max_torque_ratio.is_none() {
-            if given == Some(Characteristic::Kloss) {
+            if given == Some(CharacteristicKind::Kloss) {
                 entry.fault(text!("scene-kloss-needs-ratio"), text!("scene-or-linear"));
             }
-            characteristic = Characteristic::Linear;
+            characteristic = CharacteristicKind::Linear;
         }
     }
     let catalogue = catalogue.map(str::to_owned);
@@ -184,42 +156,38 @@ fn refuse_with_rated(section: &Section<'_>) {
     }
 }
 
-fn motor(entry: &Entry<'_>) -> Option<Motor> {
+fn motor(drive: &Section<'_>, entry: &Entry<'_>) -> Option<MotorChoice> {
     if entry.value.is_table() {
-        return rated(entry).map(Motor::Rated);
+        return rated(&drive.inner("motor")?).map(MotorChoice::Rated);
     }
     match entry.text(text!("scene-designation"))? {
-        "auto" => Some(Motor::Auto),
-        designation => Some(Motor::Designation(designation.to_owned())),
+        "auto" => Some(MotorChoice::Auto),
+        designation => Some(MotorChoice::Designation(designation.to_owned())),
     }
 }
 
-fn rated(entry: &Entry<'_>) -> Option<RatedMotor> {
-    let section = entry.section(text!("scene-a-motor"), &reference::MOTOR)?;
-    let need = |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::Positive));
-    let power = need("power", Dimension::Power);
-    let synchronous = need("synchronous_speed", Dimension::AngularSpeed);
-    let rated = need("rated_speed", Dimension::AngularSpeed);
+fn rated(section: &Section<'_>) -> Option<RatedMotor> {
+    let power = section.number("power");
+    let synchronous = section.number("synchronous_speed");
+    let rated = section.number("rated_speed");
     if let (Some(synchronous), Some(rated), Some(entry)) = (synchronous, rated, section.get("rated_speed"))
         && rated >= synchronous
     {
         entry.fault(text!("scene-no-slip"), text!("scene-motor-slips"));
     }
-    let breakdown = section.get("max_torque_ratio").and_then(|entry| {
-        let value = entry.bounded(Dimension::Number, Bound::Any)?;
-        if value <= 1.0 {
-            let label = text!("scene-breakdown-by-rated");
-            entry.fault(text!("scene-small-torque-ratio", got = brief(value)), label);
-        }
-        Some(value)
-    });
-    let inertia =
-        section.get("inertia").and_then(|entry| entry.bounded(Dimension::Inertia, Bound::NotNegative));
+    let max_torque_ratio = section.number("max_torque_ratio");
+    if let Some((ratio, entry)) = max_torque_ratio.zip(section.get("max_torque_ratio"))
+        && ratio <= 1.0
+    {
+        let message = text!("scene-small-torque-ratio", got = brief(ratio));
+        entry.fault(message, text!("scene-breakdown-by-rated"));
+    }
+    let inertia = section.number("inertia");
     Some(RatedMotor {
         power: power?,
         synchronous_speed: synchronous?,
         rated_speed: rated?,
-        max_torque_ratio: breakdown,
+        max_torque_ratio,
         inertia,
     })
 }

@@ -12,7 +12,7 @@ use std::ops::Range;
 use assur_words::Text;
 use toml::de::DeTable;
 
-pub use key::Key;
+pub use key::KeyPath;
 pub use values::{SceneValue, bare};
 pub use values::{decimal, quoted, split};
 pub(crate) use values::{key_of, key_of_steps};
@@ -44,13 +44,13 @@ impl<'a> ParsedText<'a> {
     /// # Errors
     ///
     /// A message about the key, with the keys that exist instead.
-    pub fn find(&self, key: &Key) -> Result<Vec<TextPlace>, Text> {
+    pub fn find(&self, key: &KeyPath) -> Result<Vec<TextPlace>, Text> {
         find::find(self.table.get_ref(), &key.0)
     }
 
     /// A table that stands in one line (`{ ... }`), as a value that can be replaced as a whole; `None` where there is none of this key.
     pub fn table(&self, key: &str) -> Option<SceneValue> {
-        let found = find::table(self.table.get_ref(), &Key::parse(key).ok()?.0)?;
+        let found = find::table(self.table.get_ref(), &KeyPath::parse(key).ok()?.0)?;
         let written = self.text.get(found.clone()).filter(|text| text.starts_with('{'))?;
         Some(SceneValue::whole(key, found, written))
     }

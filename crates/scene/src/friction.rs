@@ -5,10 +5,8 @@ use assur_words::text;
 
 use crate::error::Fault;
 use crate::linkage::SceneLinks;
-use crate::numbers::Bound;
 use crate::reference;
 use crate::text::{row, shown, such_as};
-use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 use crate::wishes;
 
@@ -17,15 +15,14 @@ const LEAST_CONTACT: f64 = 1e-6;
 
 /// Reads all `[[friction]]`.
 pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Motion>) -> Vec<Friction> {
-    let Some(entry) = root.get("friction") else { return Vec::new() };
-    if let (Some(Motion::Transient { .. } | Motion::Steady { .. }), Some(balance)) =
-        (motion, root.get("balance"))
+    if let (Some(Motion::Transient { .. } | Motion::Steady { .. }), Some(balance), Some(_)) =
+        (motion, root.get("balance"), root.get("friction"))
     {
         let fault = Fault::new(balance.key.clone(), text!("scene-friction-in-free-motion"));
         balance.note(fault.label(text!("scene-friction-prescribed")));
     }
     let mut all: Vec<Friction> = Vec::new();
-    for section in entry.sections(&reference::FRICTION) {
+    for section in root.inners("friction") {
         let Some(friction) = one(&section, linkage) else { continue };
         if all.iter().any(|known| known.pair == friction.pair)
             && let Some(entry) = section.get("pair")
@@ -39,13 +36,11 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Mot
 
 fn one(section: &Section<'_>, linkage: &SceneLinks) -> Option<Friction> {
     let pair = section.need("pair").and_then(|entry| wishes::pair_id(&entry, linkage));
-    let coefficient = section.need("coefficient");
-    let coefficient = coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative));
+    let coefficient = section.number("coefficient");
     let surfaces = match pair? {
         PairId::Pin(point) => {
             refuse(section, "pin", "scene-friction-of-slides");
-            let radius = section.need("radius");
-            let radius = radius.and_then(|entry| entry.bounded(Dimension::Length, Bound::NotNegative));
+            let radius = section.number("radius");
             let links = || linkage.points[point].places.iter().map(|place| place.link);
             let owner = match section.get("owner") {
                 None => links().min(),
@@ -63,9 +58,9 @@ fn one(section: &Section<'_>, linkage: &SceneLinks) -> Option<Friction> {
 
 /// Notes keys that have no meaning for this sort of pair.
 fn refuse(section: &Section<'_>, sort: &str, message: &'static str) {
-    let own: Vec<_> = reference::FRICTION.names(Some(sort)).collect();
-    let others = reference::FRICTION.names(None).filter(|key| !own.contains(key));
-    for entry in others.filter_map(|key| section.get(key)) {
+    let all = &reference::table("[[friction]]").keys;
+    let others = all.iter().filter(|key| !key.sorts.is_empty() && key.sorts != sort);
+    for entry in others.filter_map(|key| section.get(key.name)) {
         entry.fault(text!(message, key = shown(&entry.name)), text!("scene-leave-it-out"));
     }
 }
@@ -83,15 +78,11 @@ fn owner(entry: &Entry<'_>, linkage: &SceneLinks, links: &[usize]) -> Option<usi
 }
 
 fn slide(section: &Section<'_>) -> Option<Surfaces> {
-    let middle = section.get("middle").map(|entry| {
-        (
-            entry.choice(&[("point", Middle::Point), ("through", Middle::Through)]).unwrap_or(Middle::Point),
-            entry,
-        )
-    });
-    let offset = section.get("offset");
-    let Some(length) = section.get("length") else {
-        for entry in middle.map(|(_, entry)| entry).into_iter().chain(offset) {
+    let given = section.get("middle");
+    let words = [("point", Middle::Point), ("through", Middle::Through)];
+    let middle = given.as_ref().map_or(Some(Middle::Point), |entry| entry.choice(&words));
+    let Some(entry) = section.get("length") else {
+        for entry in given.into_iter().chain(section.get("offset")) {
             entry.fault(
                 text!("scene-friction-without-length", key = shown(&entry.name)),
                 text!("scene-friction-add-length"),
@@ -99,15 +90,9 @@ fn slide(section: &Section<'_>) -> Option<Surfaces> {
         }
         return Some(Surfaces::Place);
     };
-    let contact = length.bounded(Dimension::Length, Bound::Positive);
-    if contact.is_some_and(|contact| contact < LEAST_CONTACT) {
-        length.problem(text!("scene-friction-short-contact", got = length.written()), such_as("\"90 mm\""));
+    let (length, offset) = (section.number("length"), section.number("offset"));
+    if length.is_some_and(|length| length < LEAST_CONTACT) {
+        entry.problem(text!("scene-friction-short-contact", got = entry.written()), such_as("\"90 mm\""));
     }
-    let length = contact;
-    let offset = match offset {
-        None => Some(0.0),
-        Some(entry) => entry.bounded(Dimension::Length, Bound::NotNegative),
-    };
-    let middle = middle.map_or(Middle::Point, |(middle, _)| middle);
-    Some(Surfaces::Faces { length: length?, middle, offset: offset? })
+    Some(Surfaces::Faces { length: length?, middle: middle?, offset: offset? })
 }

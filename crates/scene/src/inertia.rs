@@ -6,8 +6,6 @@ use assur_words::{Text, name, text};
 
 use crate::error::Fault;
 use crate::linkage::SceneLinks;
-use crate::numbers::Bound;
-use crate::reference;
 use crate::text::{brief, shown};
 use crate::units::Dimension;
 use crate::value::{formula_with_unit, within_text};
@@ -17,14 +15,13 @@ use crate::walk::Section;
 pub(crate) fn read(linkage: &SceneLinks, id: LinkId, section: &Section<'_>) -> Inertia {
     let Some(entry) = section.get("inertia") else { return Inertia::NONE };
     if !entry.value.is_table() {
-        let number = entry.bounded(Dimension::Inertia, Bound::NotNegative);
-        return number.unwrap_or_default().into();
+        return section.number("inertia").unwrap_or_default().into();
     }
-    formula(linkage, id, &entry).unwrap_or_default()
+    formula(linkage, id, section).unwrap_or_default()
 }
 
-fn formula(linkage: &SceneLinks, id: LinkId, entry: &crate::walk::Entry<'_>) -> Option<Inertia> {
-    let section = entry.section(text!("scene-a-formula"), &reference::INERTIA)?;
+fn formula(linkage: &SceneLinks, id: LinkId, link: &Section<'_>) -> Option<Inertia> {
+    let section = link.inner("inertia")?;
     if section.get("formula").is_none() {
         section.missing("formula", Text::default());
     }

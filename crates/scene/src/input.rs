@@ -9,7 +9,6 @@ use assur_words::{name, number, quantity, text};
 use crate::linkage::SceneLinks;
 use crate::links::on_ground;
 use crate::loads::exclude;
-use crate::numbers::Bound;
 use crate::reference;
 use crate::text::{rounded, row, shown};
 use crate::units::Dimension;
@@ -27,13 +26,13 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
         root.missing("input", text!("scene-add-input"));
         return None;
     };
-    let section = entry.section(text!("scene-the-input"), &reference::INPUT)?;
+    let section = entry.section(reference::table("[input]"))?;
     let link = section
         .need("link")
         .and_then(|entry| Some((linkage.moving(&entry, text!("scene-link-joined-to-ground"))?, entry)));
     let pair = link.as_ref().and_then(|(link, entry)| pair(linkage, *link, entry));
     let dimension = pair.map(coordinate_of);
-    let from = section.quantity_or("from", dimension, Bound::Any, 0.0);
+    let from = section.by_input("from", dimension).unwrap_or_default();
     let positions = section.get("positions").and_then(|entry| entry.count(1, MOST)).unwrap_or(12);
     let senses = [("ccw", Sense::Ccw), ("cw", Sense::Cw)];
     let sense = section.get("direction").and_then(|entry| entry.choice(&senses));
@@ -79,9 +78,7 @@ fn range(section: &Section<'_>, dimension: Option<Dimension>, from: f64, positio
         if let Some(cycle) = section.get("cycle") {
             cycle.fault(exclude(["cycle", "to"].map(name)), text!("scene-cycle-or-range"));
         }
-        let Some(to) = entry.quantity(dimension) else {
-            return Range::To(from);
-        };
+        let Some(to) = section.by_input("to", dimension) else { return Range::To(from) };
         if positions > 1 && dimension.is_some() && to.total_cmp(&from).is_eq() {
             entry.fault(
                 text!("scene-no-range", positions = number(positions)),
@@ -100,7 +97,7 @@ fn range(section: &Section<'_>, dimension: Option<Dimension>, from: f64, positio
     if section.get("cycle").is_none() && dimension == Some(Dimension::Length) {
         section.missing("to", text!("scene-why-to"));
     }
-    let cycle = section.quantity_or("cycle", dimension, Bound::Positive, TAU);
+    let cycle = section.by_input("cycle", dimension).unwrap_or(TAU);
     if let Some(entry) = section.get("cycle").filter(|_| dimension == Some(Dimension::Angle)) {
         let turns = cycle / TAU;
         if (turns - turns.round()).abs() > SAME_TURN {

@@ -4,31 +4,22 @@ use assur_mechanism::{Contact, LinkId, LoadKind, Place, PointId, Spring, Value};
 
 use assur_words::{name, text};
 
-use crate::context::{Context, Sort};
-use crate::linkage::{SceneLinks, pair};
-use crate::numbers::Bound;
-use crate::reference;
+use crate::context::Context;
+use crate::linkage::pair;
 use crate::text::{row, shown};
 use crate::units::Dimension;
 use crate::value;
 use crate::walk::{Entry, Section, quoted};
 
 /// Reads a `[[spring]]`.
-pub(crate) const SPRINGS: Sort = Sort {
-    table: &reference::SPRING,
-    unnamed: |number, _| text!("scene-unnamed-spring", number = number),
-    one: spring,
-};
-
-fn spring(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
-    let stiffness = section.quantity_or("stiffness", Dimension::Stiffness, Bound::NotNegative, 0.0);
-    let length = section.quantity_or("length", Dimension::Length, Bound::NotNegative, 0.0);
-    let damping = section.quantity_or("damping", Dimension::Damping, Bound::NotNegative, 0.0);
+pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+    let (stiffness, length) = (section.number("stiffness"), section.number("length"));
+    let damping = section.number("damping").unwrap_or_default();
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
         context.need_motion(&entry, quoted("damping"));
     }
     let ends = section.need("between").and_then(|entry| ends(&entry, context))?;
-    Some(Spring { ends, stiffness, length, damping }.into())
+    Some(Spring { ends, stiffness: stiffness?, length: length?, damping }.into())
 }
 
 fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
@@ -57,14 +48,8 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
         let id = linkage.point(entry)?;
         return linkage.points[id].places.first().map(|place| (id, *place));
     };
-    let Some(link) = linkage.links.iter().position(|known| known.name == link) else {
-        SceneLinks::unknown(entry, "link", link, linkage.links.iter().map(|known| known.name.as_str()));
-        return None;
-    };
-    let Some(id) = linkage.point_named(point) else {
-        SceneLinks::unknown(entry, "point", point, linkage.points.iter().map(|known| known.name.as_str()));
-        return None;
-    };
+    let link = linkage.link_named(entry, link)?;
+    let id = linkage.point_of(entry, point)?;
     let places = &linkage.points[id].places;
     let place = places.iter().find(|place| place.link == link);
     if place.is_none() {
@@ -79,20 +64,12 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 }
 
 /// Reads a `[[contact]]`.
-pub(crate) const CONTACTS: Sort = Sort {
-    table: &reference::CONTACT,
-    unnamed: |number, link| text!("scene-unnamed-contact", number = number, link = link),
-    one: contact,
-};
-
-fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let linkage = context.linkage;
-    let radius =
-        section.need("radius").and_then(|entry| entry.bounded(Dimension::Length, Bound::NotNegative));
-    let angle = match section.get("angle") {
-        None => Some(Value::Constant(0.0)),
-        Some(entry) if entry.value.is_table() => value::read(&entry, Dimension::Angle, false, context),
-        Some(entry) => entry.bounded(Dimension::Angle, Bound::Direction).map(Value::Constant),
+    let radius = section.number("radius");
+    let angle = match section.get("angle").filter(|entry| entry.value.is_table()) {
+        Some(entry) => value::read(&entry, Dimension::Angle, false, context),
+        None => section.number("angle").map(Value::Constant),
     };
     let (friction, against_sliding) = friction(section);
     if let Some(entry) =
@@ -102,7 +79,7 @@ fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     }
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
-    let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-arc-of-a-link")));
+    let link = linkage.link_of(section, text!("scene-arc-of-a-link"));
     let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
     let (center, radius, angle, force) = (center?, radius?, angle?, force?);
     Some(Contact { center, radius, angle, force, friction, against_sliding, during }.into())
@@ -111,16 +88,13 @@ fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
 /// The coefficient of friction, and whether its sign is found from the sliding: a number with its sign, or
 /// `{ against_sliding = 0.1 }`.
 fn friction(section: &Section<'_>) -> (f64, bool) {
-    let table = section.get("friction").filter(|entry| entry.value.is_table());
-    let Some(entry) = table else {
-        return (section.quantity_or("friction", Dimension::Number, Bound::Any, 0.0), false);
+    let against_sliding = section.get("friction").is_some_and(|entry| entry.value.is_table());
+    let coefficient = if against_sliding {
+        section.inner("friction").and_then(|friction| friction.number("against_sliding"))
+    } else {
+        section.number("friction")
     };
-    let Some(section) = entry.section(text!("scene-friction-against-sliding"), &reference::CONTACT_FRICTION)
-    else {
-        return (0.0, true);
-    };
-    let coefficient = section.need("against_sliding");
-    (coefficient.and_then(|entry| entry.bounded(Dimension::Number, Bound::NotNegative)).unwrap_or(0.0), true)
+    (coefficient.unwrap_or_default(), against_sliding)
 }
 
 fn interval(entry: &Entry<'_>, context: &Context<'_>) -> Option<[f64; 2]> {

@@ -36,10 +36,10 @@ use toml::de::{DeTable, DeValue};
 use context::Context;
 use error::{Fault, Faults};
 use linkage::SceneLinks;
-use walk::Section;
+use walk::{Known, Section};
 
 pub use error::{SceneError, SceneErrors};
-pub use units::{Dimension, LEAST, Unit, UnitError, quantity};
+pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
 pub use wishes::Note;
 
 assur_words::resources!();
@@ -73,7 +73,8 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
 ///
 /// Those of [`read`].
 pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
-    document::read_known(file_name, text, text!("scene-a-scene"), (&reference::SCENE).into(), scene)
+    let known = Known::Table(reference::table(""), None);
+    document::read_known(file_name, text, text!("scene-a-scene"), known, scene)
 }
 
 /// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an

@@ -3,23 +3,21 @@
 use std::ops::Range;
 
 use assur_mechanism::{LONGEST_NAME, MOST_LINKS, MOST_LOADS, MOST_PLACES, MOST_SLIDES};
-use assur_words::text;
+use assur_words::{Text, text};
 use toml::de::DeValue;
 
 use crate::error::Fault;
+use crate::loads::SORTS;
 use crate::text::shown;
 use crate::walk::{Entry, Section};
 
-/// The lists of loads.
-const LOADS: [&str; 5] = ["force", "moment", "brake", "spring", "contact"];
-
 /// Whether the scene has too many of anything; noted at the first that is too many.
 pub(crate) fn exceeded(root: &Section<'_>) -> bool {
-    let list = |key: &str| root.get(key).map_or_else(Vec::new, |entry| parts(entry.value));
+    let list = |key: &str| root.get(key).as_ref().map_or_else(Vec::new, parts);
     let links = list("link");
-    let tables = links.iter().flat_map(|link| parts(link.value)).chain(list("ground"));
-    let points = tables.filter(|table| table.name == "points").flat_map(|table| parts(table.value));
-    let loads = LOADS.iter().flat_map(|key| list(key));
+    let tables = links.iter().flat_map(parts).chain(list("ground"));
+    let points = tables.filter(|table| table.name == "points").flat_map(|table| parts(&table));
+    let loads = SORTS.iter().flat_map(|sort| list(sort.list));
     let too_many = [
         refuse(root, points.collect(), MOST_PLACES, "scene-many-points"),
         refuse(root, loads.collect(), MOST_LOADS, "scene-many-loads"),
@@ -31,7 +29,7 @@ pub(crate) fn exceeded(root: &Section<'_>) -> bool {
 
 /// How many loads the scene has.
 pub(crate) fn loads(root: &Section<'_>) -> usize {
-    LOADS.iter().filter_map(|key| root.get(key)).map(|entry| parts(entry.value).len()).sum()
+    SORTS.iter().filter_map(|sort| root.get(sort.list)).map(|entry| parts(&entry).len()).sum()
 }
 
 /// Notes a name or title that is too long; `span`: where it stands.
@@ -43,34 +41,21 @@ pub(crate) fn check_name(entry: &Entry<'_>, span: &Range<usize>, name: &str) {
     }
 }
 
-/// A part of a table or list.
-struct Element<'a> {
-    /// Empty in a list.
-    name: &'a str,
-    span: Range<usize>,
-    value: &'a DeValue<'a>,
-}
-
-fn parts<'a>(value: &'a DeValue<'a>) -> Vec<Element<'a>> {
-    match value {
-        DeValue::Table(table) => {
-            let all = table.iter();
-            all.map(|(key, value)| Element { name: key.get_ref(), span: key.span(), value: value.get_ref() })
-                .collect()
-        }
-        DeValue::Array(list) => {
-            list.iter().map(|item| Element { name: "", span: item.span(), value: item.get_ref() }).collect()
-        }
+/// The parts of a table or list.
+fn parts<'a>(of: &Entry<'a>) -> Vec<Entry<'a>> {
+    match of.value {
+        DeValue::Table(_) => of.named(Text::default(), Text::default()),
+        DeValue::Array(_) => of.list(Text::default()),
         _ => Vec::new(),
     }
 }
 
-fn refuse(root: &Section<'_>, mut all: Vec<Element<'_>>, most: usize, message: &'static str) -> bool {
+fn refuse(root: &Section<'_>, mut all: Vec<Entry<'_>>, most: usize, message: &'static str) -> bool {
     if all.len() <= most {
         return false;
     }
-    all.sort_unstable_by_key(|part| part.span.start);
+    all.sort_unstable_by_key(|part| part.key.start);
     let message = text!(message, most = most, count = all.len());
-    root.faults.push(Fault::new(all[most].span.clone(), message).label(text!("scene-one-too-many")));
+    root.faults.push(Fault::new(all[most].key.clone(), message).label(text!("scene-one-too-many")));
     true
 }

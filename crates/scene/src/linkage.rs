@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide};
+use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide, SlideId};
 
 use assur_words::{Text, name as words, text};
 
@@ -10,7 +10,7 @@ use crate::error::Fault;
 use crate::numbers::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
 use crate::units::Dimension;
-use crate::walk::Entry;
+use crate::walk::{Entry, Section};
 
 /// Links, points and slides of the scene.
 #[derive(Debug, Default)]
@@ -28,12 +28,13 @@ pub(crate) struct SceneLinks {
 impl SceneLinks {
     /// The link named by an entry.
     pub(crate) fn link(&self, entry: &Entry<'_>) -> Option<LinkId> {
-        let name = entry.text(text!("scene-name-of-a-link"))?;
+        self.link_named(entry, entry.text(text!("scene-name-of-a-link"))?)
+    }
+
+    /// The link of a name that an entry has.
+    pub(crate) fn link_named(&self, entry: &Entry<'_>, name: &str) -> Option<LinkId> {
         let found = self.links_by_name.get(name).copied();
-        if found.is_none() {
-            Self::unknown(entry, "link", name, self.links.iter().map(|link| link.name.as_str()));
-        }
-        found
+        Self::known(entry, ("link", name), found, self.links.iter().map(|link| link.name.as_str()))
     }
 
     /// Adds a link; of two with one name the first is found.
@@ -59,14 +60,27 @@ impl SceneLinks {
         Some(link)
     }
 
+    /// The moving link that a section needs.
+    pub(crate) fn link_of(&self, section: &Section<'_>, why: Text) -> Option<LinkId> {
+        section.need("link").and_then(|entry| self.moving(&entry, why))
+    }
+
     /// The point named by an entry.
     pub(crate) fn point(&self, entry: &Entry<'_>) -> Option<PointId> {
-        let name = entry.text(text!("scene-name-of-a-point"))?;
-        let found = self.point_named(name);
-        if found.is_none() {
-            Self::unknown(entry, "point", name, self.points.iter().map(|point| point.name.as_str()));
-        }
-        found
+        self.point_of(entry, entry.text(text!("scene-name-of-a-point"))?)
+    }
+
+    /// The point of a name that an entry has.
+    pub(crate) fn point_of(&self, entry: &Entry<'_>, name: &str) -> Option<PointId> {
+        let known = self.points.iter().map(|point| point.name.as_str());
+        Self::known(entry, ("point", name), self.point_named(name), known)
+    }
+
+    /// The slide named by an entry.
+    pub(crate) fn slide(&self, entry: &Entry<'_>) -> Option<SlideId> {
+        let name = entry.text(text!("scene-name-of-a-slide"))?;
+        let names = self.slides.iter().map(|slide| slide.name.as_str());
+        Self::known(entry, ("slide", name), names.clone().position(|slide| slide == name), names)
     }
 
     pub(crate) fn point_named(&self, name: &str) -> Option<PointId> {
@@ -83,13 +97,16 @@ impl SceneLinks {
         }
     }
 
-    /// Notes an unknown name, with the nearest known one.
-    pub(crate) fn unknown<'n>(
+    /// What was found of a name; where there is nothing, that is noted with the nearest known name.
+    pub(crate) fn known<'n, T>(
         entry: &Entry<'_>,
-        what: &'static str,
-        name: &str,
+        (what, name): (&'static str, &str),
+        found: Option<T>,
         known: impl Iterator<Item = &'n str> + Clone,
-    ) {
+    ) -> Option<T> {
+        if found.is_some() {
+            return found;
+        }
         // Made only while faults are kept: the search for the nearest name takes time.
         entry.faults.note(|| {
             let near = nearest(name, known.clone());
@@ -102,6 +119,7 @@ impl SceneLinks {
             let message = text!("scene-no-such-part", key = key, what = words(what), name = shown(name));
             Fault::new(entry.span.clone(), message).label(label)
         });
+        None
     }
 
     /// Names and coordinates of the points of a link.

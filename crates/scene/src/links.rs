@@ -9,10 +9,8 @@ use crate::error::Fault;
 use crate::inertia;
 use crate::limits;
 use crate::linkage::{SceneLinks, coordinates};
-use crate::numbers::Bound;
 use crate::reference;
 use crate::text::{is_unprintable, row, shown, such_as};
-use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
 /// Reads the ground and the links; returns the first point of each link as well.
@@ -20,9 +18,7 @@ pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<[f64; 2]>) {
     let mut linkage = SceneLinks::default();
     linkage.add_link(massless(Name::ground()));
     let mut firsts = vec![[0.0; 2]];
-    let ground =
-        root.get("ground").and_then(|entry| entry.section(text!("scene-the-ground"), &reference::GROUND));
-    if let Some(points) = ground.and_then(|ground| ground.get("points")) {
+    if let Some(points) = root.inner("ground").and_then(|ground| ground.get("points")) {
         firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
     }
     let entry = root.get("link");
@@ -77,7 +73,7 @@ fn add_link<'a>(
     }
     let id = linkage.add_link(massless(entry.name.as_str().into()));
     firsts.push([0.0; 2]);
-    let section = entry.section(text!("scene-a-link"), &reference::LINK)?;
+    let section = entry.section(reference::table("[link.NAME]"))?;
     if let Some(points) = section.need("points") {
         firsts[id] = add_points(linkage, &points, id);
     }
@@ -107,7 +103,7 @@ fn check_name(entry: &Entry<'_>, message: &'static str) {
 }
 
 fn add_mass(linkage: &mut SceneLinks, (id, first): (LinkId, [f64; 2]), section: &Section<'_>) {
-    let mass = section.quantity_or("mass", Dimension::Mass, Bound::NotNegative, 0.0);
+    let mass = section.number("mass").unwrap_or_default();
     let inertia = inertia::read(linkage, id, section);
     let center = match section.get("center") {
         Some(entry) => linkage.location(&entry, id),
@@ -131,7 +127,7 @@ fn default_center(section: &Section<'_>, first: [f64; 2], heavy: bool) -> Option
 
 /// Reads the slides into the linkage.
 pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) {
-    for section in root.get("slide").iter().flat_map(|entry| entry.sections(&reference::SLIDE)) {
+    for section in root.inners("slide") {
         if let Some(slide) = one(&section, linkage, firsts) {
             linkage.slides.push(slide);
         }
@@ -139,8 +135,7 @@ pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut SceneLinks, firsts: 
 }
 
 fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) -> Option<Slide> {
-    let angle = section.quantity_or("angle", Dimension::Angle, Bound::Direction, 0.0);
-    let tilt = section.quantity_or("tilt", Dimension::Angle, Bound::Direction, 0.0);
+    let [angle, tilt] = ["angle", "tilt"].map(|key| section.number(key).unwrap_or_default());
     let (link, on) = (section.need("link"), section.need("on"));
     let swap = || text!("scene-swap-slide");
     let link_id = link.as_ref().and_then(|entry| linkage.moving(entry, swap()));
@@ -155,21 +150,16 @@ fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) -> 
         entry.fault(message, text!("scene-another-link"));
     }
     let default = joined("/", [link, on].map(|link| Text::from(&linkage.links[link].name)));
-    let name = name(section, linkage, default.into());
+    let name = name(section, linkage, default);
     Some(Slide { name, link, on, point: point.unwrap_or_default(), through, angle, tilt })
 }
 
-fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Name) -> Name {
-    let given = section.get("name").and_then(|entry| Some((entry.text(text!("scene-a-name"))?, entry)));
-    let name = given.as_ref().map_or(default, |given| given.0.into());
-    if let Some((name, entry)) = &given {
-        limits::check_name(entry, &entry.span, name);
-    }
+fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Text) -> Name {
+    let (name, at) = section.name(|| default);
     let is_pin = linkage.point_named(&name).is_some_and(|point| linkage.points[point].is_pin());
     if !linkage.add_slide_name(&name) || is_pin {
-        let span = given.map_or(section.span.clone(), |(_, entry)| entry.span);
         let message = if is_pin { "scene-pin-and-slide" } else { "scene-two-slides" };
-        let fault = Fault::new(span, text!(message, name = shown(&name)));
+        let fault = Fault::new(at, text!(message, name = shown(&name)));
         section.faults.push(fault.label(text!("scene-own-name")));
     }
     name

@@ -6,10 +6,8 @@ use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment, Value};
 use assur_words::{Text, name, text};
 
 use crate::context::{Context, Sort};
-use crate::joints::{CONTACTS, SPRINGS};
+use crate::joints::{contact, spring};
 use crate::linkage::pair;
-use crate::numbers::Bound;
-use crate::reference;
 use crate::text::shown;
 use crate::units::Dimension;
 use crate::value;
@@ -36,15 +34,21 @@ pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
 /// Reads all loads: forces, moments, brakes, springs, contacts.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
     let mut names = BTreeSet::new();
-    let sorts = [&FORCES, &MOMENTS, &BRAKES, &SPRINGS, &CONTACTS];
-    sorts.into_iter().flat_map(|sort| sort.read(root, context, &mut names)).collect()
+    SORTS.iter().flat_map(|sort| sort.read(root, context, &mut names)).collect()
 }
 
-const FORCES: Sort = Sort {
-    table: &reference::FORCE,
-    unnamed: |number, link| text!("scene-unnamed-force", number = number, link = link),
-    one: force,
-};
+/// The sorts of loads, in the order of the mechanism.
+pub(crate) const SORTS: [Sort; 5] = [
+    Sort { list: "force", unnamed: |number, link| text!("scene-unnamed-force", number, link), one: force },
+    Sort { list: "moment", unnamed: |number, link| text!("scene-unnamed-moment", number, link), one: moment },
+    Sort { list: "brake", unnamed: |number, link| text!("scene-unnamed-brake", number, link), one: brake },
+    Sort { list: "spring", unnamed: |number, _| text!("scene-unnamed-spring", number), one: spring },
+    Sort {
+        list: "contact",
+        unnamed: |number, link| text!("scene-unnamed-contact", number, link),
+        one: contact,
+    },
+];
 
 fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let direction = direction(section, context);
@@ -55,8 +59,7 @@ fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     {
         entry.faults.mistake(entry.span.clone(), text!("scene-negative-against"));
     }
-    let weight = text!("scene-ground-carries");
-    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
+    let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
     Some(Force { at: at?, direction: direction?, value: value? }.into())
 }
@@ -73,44 +76,25 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
         return Some(Direction::AgainstMotion);
     }
     let in_link = frame.and_then(|entry| entry.choice(&[("ground", false), ("link", true)])).unwrap_or(false);
-    let Some(angle) = angle else {
+    if angle.is_none() {
         section.missing("angle", text!("scene-why-an-angle"));
-        return None;
-    };
-    let angle = angle.bounded(Dimension::Angle, Bound::Direction)?;
+    }
+    let angle = section.number("angle")?;
     Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 
-const MOMENTS: Sort = Sort {
-    table: &reference::MOMENT,
-    unnamed: |number, link| text!("scene-unnamed-moment", number = number, link = link),
-    one: moment,
-};
-
 fn moment(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
     let value = value::sized(section, "value", Dimension::Moment, false, context);
-    let weight = text!("scene-ground-carries");
-    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, weight));
+    let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     Some(Moment { link: link?, value: value? }.into())
 }
 
-const BRAKES: Sort = Sort {
-    table: &reference::BRAKE,
-    unnamed: |number, link| text!("scene-unnamed-brake", number = number, link = link),
-    one: brake,
-};
-
 fn brake(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
-    let bounded =
-        |key, dimension| section.need(key).and_then(|entry| entry.bounded(dimension, Bound::NotNegative));
-    let radius = bounded("radius", Dimension::Length);
-    let friction = bounded("friction", Dimension::Number);
-    let lever = section.quantity_or("lever", Dimension::Number, Bound::Positive, 1.0);
+    let [radius, friction, lever] = ["radius", "friction", "lever"].map(|key| section.number(key));
     if let Some(entry) = section.get("force") {
         context.need_motion(&entry, text!("scene-a-brake"));
     }
     let force = value::sized(section, "force", Dimension::Force, false, context);
-    let ground = text!("scene-ground-does-not-turn");
-    let link = section.need("link").and_then(|entry| context.linkage.moving(&entry, ground));
-    Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever }.into())
+    let link = context.linkage.link_of(section, text!("scene-ground-does-not-turn"));
+    Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever: lever? }.into())
 }

@@ -2,84 +2,64 @@
 
 use assur_mechanism::{MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Motion, Solve, StepLength, Until};
 
-use assur_words::{Describe, Text, name as words, number, text};
+use assur_words::{Text, name as words, number, text};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::numbers::{Bound, in_quotes};
-use crate::reference::MOTION;
-use crate::text::{brief, did_you_mean, nearest, shown, such_as};
-use crate::units::{Dimension, UnitError, is_bare, measures, quantity};
+use crate::numbers::Bound;
+use crate::reference::table;
+use crate::text::{brief, did_you_mean, shown, such_as};
+use crate::units::{Dimension, UnitFault, is_bare, measures, quantity};
 use crate::walk::{Entry, Section};
 
 /// Steps of a motion that a scene may allow: hours of work.
 const MOST_STEPS: usize = 1_000_000_000;
-const KINDS: &[(&str, Kind)] =
-    &[("prescribed", Kind::Prescribed), ("transient", Kind::Transient), ("steady", Kind::Steady)];
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    Prescribed,
-    Transient,
-    Steady,
-}
-
-impl Kind {
-    fn keys(self) -> Vec<&'static str> {
-        MOTION.names(Some(self.name())).collect()
-    }
-
-    fn name(self) -> &'static str {
-        KINDS.iter().find(|kind| kind.1 == self).map_or("", |kind| kind.0)
-    }
-}
+/// Reads a motion of one kind.
+type Read = fn(&Section<'_>, &Context<'_>) -> Option<Motion>;
+const KINDS: [(&str, Read); 3] = [("prescribed", prescribed), ("transient", transient), ("steady", steady)];
 
 /// Reads the motion.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
-    let section = root.get("motion")?.section(text!("scene-the-motion"), &MOTION)?;
-    let kind = match section.get("kind") {
-        Some(entry) => entry.choice(KINDS)?,
-        None => Kind::Prescribed,
+    let section = root.inner("motion")?;
+    let (kind, read) = match section.get("kind") {
+        Some(entry) => entry.choice(&KINDS.map(|kind| (kind.0, kind)))?,
+        None => KINDS[0],
     };
     refuse_other_kinds(&section, kind);
-    match kind {
-        Kind::Prescribed => prescribed(&section, context),
-        Kind::Transient => transient(&section, context),
-        Kind::Steady => steady(&section, context),
-    }
+    read(&section, context)
 }
 
 /// Notes a key that belongs to another kind of motion and would have no effect.
-fn refuse_other_kinds(section: &Section<'_>, kind: Kind) {
+fn refuse_other_kinds(section: &Section<'_>, kind: &'static str) {
+    let table = table("[motion]");
     for entry in section.entries() {
-        let name = entry.name.as_str();
-        if kind.keys().contains(&name) {
+        let Some(sorts) = table.sorts(&entry.name) else { continue };
+        if sorts.split(", ").any(|sort| sort == kind) {
             continue;
         }
-        let Some((owner, _)) = KINDS.iter().find(|other| other.1.keys().contains(&name)) else { continue };
-        let own = words(kind.name());
+        let owner = words(sorts.split(", ").next().unwrap_or(sorts));
         let message =
-            text!("scene-other-motion", key = shown(name), owner = words(*owner), kind = own.clone());
-        let keys = words(kind.keys().join(", "));
-        let help = text!("scene-motion-knows", kind = own, keys = keys);
+            text!("scene-other-motion", key = shown(&entry.name), owner = owner, kind = words(kind));
+        let keys = words(table.names(Some(kind)).collect::<Vec<_>>().join(", "));
+        let help = text!("scene-motion-knows", kind = words(kind), keys = keys);
         section.faults.push(Fault::new(entry.key, message).help(help));
     }
 }
 
 fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
-    let growth = context.by_input(Dimension::AngularAcceleration, Dimension::Acceleration);
-    let acceleration = section.quantity_or("acceleration", growth, Bound::Any, 0.0);
-    let speed = section.need("speed").and_then(|entry| entry.quantity(context.speed()))?;
-    let [speed, acceleration] = [speed, acceleration].map(|along| context.sign() * along);
+    let acceleration = section.by_input("acceleration", context.coordinate());
+    section.need("speed");
+    let speed = section.by_input("speed", context.coordinate());
+    let [speed, acceleration] = [speed?, acceleration?].map(|along| context.sign() * along);
     Some(Motion::Prescribed { speed, acceleration })
 }
 
 fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
-    let speed = section.quantity_or("speed", context.speed(), Bound::Any, 0.0);
+    let speed = section.by_input("speed", context.coordinate()).unwrap_or_default();
     let samples = samples(section, context).unwrap_or(100);
     let integrator =
         section.get("integrator").and_then(|entry| entry.text(text!("scene-name-of-integrator")));
-    let tolerance = section.quantity_or("tolerance", Dimension::Number, Bound::Positive, 1e-9);
+    let tolerance = section.number("tolerance").unwrap_or_default();
     if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {
         entry.fault(text!("scene-large-tolerance", got = brief(tolerance)), such_as("1e-9"));
     }
@@ -126,29 +106,22 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, wanted: &'static str) -
     };
     let way = context.coordinate().unwrap_or(Dimension::Angle);
     // A displacement out of range is still a displacement.
-    let found = quantity(text, way);
-    let is_way = matches!(found, Ok(_) | Err(UnitError::TooLarge { .. } | UnitError::TooSmall { .. }));
-    let is_way = is_way && !is_bare(text, way);
-    if is_way {
+    let fault = quantity(text, way).err().map(|error| error.fault);
+    if matches!(fault, None | Some(UnitFault::TooLarge | UnitFault::TooSmall)) && !is_bare(text, way) {
         return entry.bounded(way, Bound::Positive).map(Ok);
     }
     let wanted = text!(wanted, time = Dimension::Time.with_units(), travel = way.with_units());
-    match quantity(text, Dimension::Time) {
-        Err(UnitError::WrongDimension { unit, found, .. }) => {
-            entry.wants(wanted, measures(&unit, found), Text::default());
-            None
+    let fault = quantity(text, Dimension::Time).err();
+    let (got, label) = match fault.as_ref().map(|error| (&error.fault, &error.text)) {
+        Some((UnitFault::WrongDimension(found), unit)) => (measures(unit, *found), Text::default()),
+        Some((UnitFault::UnknownUnit(near), unit)) => {
+            (text!("scene-got-unknown-unit", unit = shown(unit)), did_you_mean(near.as_deref()))
         }
-        Err(UnitError::UnknownUnit { unit, near, .. }) => {
-            let got = text!("scene-got-unknown-unit", unit = shown(&unit));
-            entry.wants(wanted, got, did_you_mean(near.as_deref()));
-            None
-        }
-        Err(UnitError::NotANumber { .. }) => {
-            entry.wants(wanted, entry.written(), Text::default());
-            None
-        }
-        _ => entry.bounded(Dimension::Time, Bound::Positive).map(Err),
-    }
+        Some((UnitFault::NotANumber, _)) => (entry.written(), Text::default()),
+        _ => return entry.bounded(Dimension::Time, Bound::Positive).map(Err),
+    };
+    entry.wants(wanted, got, label);
+    None
 }
 
 fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
@@ -156,23 +129,12 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
         let fault = Fault::new(section.span.clone(), text!("scene-steady-without-cycle"));
         section.faults.push(fault.label(text!("scene-give-a-cycle")));
     }
-    let unevenness = section.get("unevenness").and_then(|entry| {
-        if entry.value.as_str() == Some("motor") {
-            return Some(Solve::Wanted);
-        }
-        if let Some(text) = entry.value.as_str().filter(|text| text.starts_with(char::is_alphabetic)) {
-            let quantity = Dimension::Number.describe();
-            let wanted = text!("scene-word-or", word = words("motor"), quantity = quantity);
-            entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, ["motor"])));
-            return None;
-        }
-        let value = entry.bounded(Dimension::Number, Bound::Positive)?;
-        if value >= 2.0 {
-            entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
-        }
-        Some(Solve::Given(value))
-    });
-    let entry = section.need("mean_speed")?;
-    let mean = entry.bounded(context.speed(), Bound::Positive)?;
+    let unevenness = section.solved("unevenness", None);
+    if let (Some(Solve::Given(value)), Some(entry)) = (unevenness, section.get("unevenness"))
+        && value >= 2.0
+    {
+        entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
+    }
+    let mean = section.by_input("mean_speed", context.coordinate())?;
     Some(Motion::Steady { mean_speed: context.sign() * mean, unevenness })
 }

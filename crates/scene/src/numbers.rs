@@ -6,8 +6,8 @@ use assur_words::{Describe, Text, joined, name, number, quantity as with_unit, t
 use toml::de::DeValue;
 
 use crate::text::{did_you_mean, shown, such_as};
-use crate::units::{Dimension, UnitError, is_bare, quantity, within};
-use crate::walk::{Entry, Section};
+use crate::units::{Dimension, UnitFault, is_bare, quantity, within};
+use crate::walk::Entry;
 
 /// The range of a number, besides being finite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,9 +91,9 @@ impl Entry<'_> {
             Ok(value) => return Some(value),
             Err(error) => error,
         };
-        let label = match &error {
-            UnitError::UnknownUnit { near: Some(near), .. } => did_you_mean(Some(near)),
-            UnitError::TooLarge { .. } | UnitError::TooSmall { .. } => text!("scene-no-digits"),
+        let label = match &error.fault {
+            UnitFault::UnknownUnit(Some(near)) => did_you_mean(Some(near)),
+            UnitFault::TooLarge | UnitFault::TooSmall => text!("scene-no-digits"),
             _ => example(wanted),
         };
         self.problem(error.describe(), label);
@@ -188,17 +188,4 @@ fn example(wanted: Dimension) -> Text {
 /// A text of the scene with the quotes of TOML.
 pub(crate) fn in_quotes(text: &str) -> Text {
     joined("", [name("\""), shown(text), name("\"")])
-}
-
-impl Section<'_> {
-    /// The quantity of a key, or `default` if the key is absent or wrong.
-    pub(crate) fn quantity_or(
-        &self,
-        key: &str,
-        wanted: impl Into<Option<Dimension>>,
-        bound: Bound,
-        default: f64,
-    ) -> f64 {
-        self.get(key).and_then(|entry| entry.bounded(wanted, bound)).unwrap_or(default)
-    }
 }

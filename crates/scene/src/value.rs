@@ -3,34 +3,33 @@
 use std::ops::Range;
 
 use assur_formula::{Formula, FormulaError};
-use assur_mechanism::{Over, Shape, Table, Value};
+use assur_mechanism::{LawTable, Over, Shape, Value};
 
 use assur_words::{Describe, Text, joined, number, text, unit};
 
 use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::{Bound, in_quotes};
-use crate::reference::VALUE;
+use crate::reference::table;
 use crate::text::{brief, shown, such_as};
 use crate::units::{Dimension, quantity, within};
-use crate::walk::{Entry, Section};
+use crate::walk::{Entry, Known, Section};
 
-const OVER: &[(&str, Kind)] = &[
-    ("angle", Kind::Plain(Over::Coordinate)),
-    ("time", Kind::Plain(Over::Time)),
-    ("speed", Kind::Plain(Over::Speed)),
-    ("stroke", Kind::Stroke),
+/// What a table is over, as the scene names it; `None`: the stroke of a point.
+type Argument = (&'static str, Option<Over>);
+const ARGUMENTS: [Argument; 4] = [
+    ("angle", Some(Over::Coordinate)),
+    ("time", Some(Over::Time)),
+    ("speed", Some(Over::Speed)),
+    ("stroke", None),
 ];
 const SHAPES: &[(&str, Shape)] = &[("linear", Shape::Linear), ("step", Shape::Step)];
 
+/// The table of the reference with the keys of a law.
+const LAW: &str = "value = { ... }";
+
 /// More rows than any measurement needs.
 const MOST_ROWS: usize = 100_000;
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    Plain(Over),
-    Stroke,
-}
 
 /// Reads a value of this dimension; `stroke`: whether the load has a point whose stroke a table can use.
 pub(crate) fn read(
@@ -43,32 +42,28 @@ pub(crate) fn read(
         return if refused_formula(entry) { None } else { entry.quantity(dimension).map(Value::Constant) };
     }
     if entry.named(text!("scene-a-table"), Text::default()).iter().any(|key| key.name == "formula") {
-        return formula(
-            &entry.section(text!("scene-a-formula"), (&VALUE, "formula"))?,
-            dimension,
-            stroke,
-            context,
-        );
+        return formula(&of_sort(entry, "scene-a-formula", "formula")?, dimension, stroke, context);
     }
-    let kind = kind(entry)?;
-    let what = match kind {
-        Kind::Plain(Over::Coordinate) => "scene-table-over-angle",
-        Kind::Plain(_) => "scene-table-over-time-or-speed",
-        Kind::Stroke => "scene-table-over-stroke",
+    let (sort, over) = argument(entry)?;
+    let what = match over {
+        Some(Over::Coordinate) => "scene-table-over-angle",
+        Some(_) => "scene-table-over-time-or-speed",
+        None => "scene-table-over-stroke",
     };
-    let over = OVER.iter().find(|over| over.1 == kind).map_or("", |over| over.0);
-    let section = entry.section(text!(what), (&VALUE, over))?;
+    let section = of_sort(entry, what, sort)?;
     let shape = section.get("shape").and_then(|shape| shape.choice(SHAPES)).unwrap_or(Shape::Linear);
-    match kind {
-        Kind::Plain(over) => plain(&section, over, shape, dimension, context),
-        Kind::Stroke => {
-            let over = section.get("over")?;
-            if !stroke {
-                over.fault(text!("scene-stroke-of-a-force"), text!("scene-other-arguments"));
-            }
-            strokes(&section, shape, dimension)
-        }
+    if let Some(over) = over {
+        return plain(&section, over, shape, dimension, context);
     }
+    if let Some(over) = section.get("over").filter(|_| !stroke) {
+        over.fault(text!("scene-stroke-of-a-force"), text!("scene-other-arguments"));
+    }
+    strokes(&section, shape, dimension)
+}
+
+/// A law of one sort; `what`: the identity of its kind with an article.
+fn of_sort<'a>(entry: &Entry<'a>, what: &'static str, sort: &'static str) -> Option<Section<'a>> {
+    entry.section_as(text!(what), Known::Table(table(LAW), Some(sort)))
 }
 
 /// Refuses a formula that stands where a number with a unit is read: says where it belongs.
@@ -92,7 +87,7 @@ pub(crate) fn sized(
 ) -> Option<Value> {
     let value = section.need(key).and_then(|entry| read(&entry, dimension, stroke, context))?;
     let Some(scale) = section.get("scale") else { return Some(value) };
-    let value = value.scaled(scale.bounded(Dimension::Number, Bound::Any)?);
+    let value = value.scaled(section.number("scale")?);
     if let Some(size) = value.sizes().find(|size| within(*size, "", dimension).is_err()) {
         let message = text!("scene-scale-out-of-range", size = brief(size));
         scale.fault(message, text!("scene-right-unit-and-factor"));
@@ -102,13 +97,13 @@ pub(crate) fn sized(
 }
 
 /// The argument of the table; if `over` is missing, the keys are checked against those of all tables.
-fn kind(entry: &Entry<'_>) -> Option<Kind> {
+fn argument(entry: &Entry<'_>) -> Option<Argument> {
     let mut over =
         entry.named(text!("scene-a-table"), Text::default()).into_iter().filter(|key| key.name == "over");
     if let Some(over) = over.next() {
-        return over.choice(OVER);
+        return over.choice(&ARGUMENTS.map(|argument| (argument.0, argument)));
     }
-    let section = entry.section(text!("scene-table-of-a-load"), &VALUE)?;
+    let section = entry.section(table(LAW))?;
     section.missing("over", text!("scene-all-arguments"));
     None
 }
@@ -137,10 +132,7 @@ fn formula(
         }
         _ => {}
     }
-    let axis = match axis {
-        Some(axis) => Some(axis.bounded(Dimension::Angle, Bound::Direction)?),
-        None => None,
-    };
+    let axis = if axis.is_some() { Some(section.number("axis")?) } else { None };
     Some(Value::Formula { formula, factor, axis })
 }
 
@@ -205,7 +197,7 @@ fn plain(
     }
     let repeat = over == Over::Coordinate && given.unwrap_or(!context.has_no_cycle());
     let entry = section.need("table")?;
-    let mut table = Table { rows: rows(&entry, argument, dimension)?, shape };
+    let mut table = LawTable { rows: rows(&entry, argument, dimension)?, shape };
     if over == Over::Speed && context.sign() < 0.0 {
         table = table.mirrored();
     }
@@ -216,7 +208,7 @@ fn plain(
 }
 
 /// Rows of a repeating table beyond the cycle would never be reached.
-fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
+fn check_span(entry: &Entry<'_>, table: &LawTable, context: &Context<'_>) {
     let (Some(first), Some(last)) = (table.rows.first(), table.rows.last()) else {
         return;
     };
@@ -240,9 +232,10 @@ fn check_span(entry: &Entry<'_>, table: &Table, context: &Context<'_>) {
 }
 
 fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<Value> {
-    let axis = section.need("axis").and_then(|axis| axis.bounded(Dimension::Angle, Bound::Direction));
+    section.need("axis");
+    let axis = section.number("axis");
     let side = |key: &str| match section.get(key) {
-        None => Some(Table::constant(0.0)),
+        None => Some(LawTable::constant(0.0)),
         Some(entry) => one_way(&entry, shape, dimension),
     };
     if section.get("forward").is_none() && section.get("back").is_none() {
@@ -253,9 +246,9 @@ fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<
 }
 
 /// One direction of a stroke: a number, or rows over 0 to 1.
-fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Table> {
+fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<LawTable> {
     if !entry.value.is_array() {
-        return entry.quantity(dimension).map(Table::constant);
+        return entry.quantity(dimension).map(LawTable::constant);
     }
     let rows = rows(entry, Dimension::Number, dimension)?;
     let ends = [rows.first(), rows.last()];
@@ -263,7 +256,7 @@ fn one_way(entry: &Entry<'_>, shape: Shape, dimension: Dimension) -> Option<Tabl
         entry.problem(text!("scene-row-outside-stroke", at = brief(*at)), Text::default());
         return None;
     }
-    Some(Table { rows, shape })
+    Some(LawTable { rows, shape })
 }
 
 /// Reads rows [argument, value] with arguments that do not decrease.

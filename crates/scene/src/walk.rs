@@ -6,13 +6,17 @@
 
 use std::ops::Range;
 
+use assur_mechanism::{Name, Solve};
 use assur_words::{Text, joined, name, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{Fault, Faults};
-use crate::reference::Table;
+use crate::limits;
+use crate::numbers::in_quotes;
+use crate::reference::{KeyDefault, KeyTable, SceneKey, ValueKind, table};
 use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
+use crate::units::Dimension;
 
 /// A table of the file with a known set of keys.
 #[derive(Debug, Clone)]
@@ -32,7 +36,7 @@ pub(crate) enum Known {
     /// Those of a file that is no scene.
     Names(&'static [&'static str]),
     /// Those of a table of the reference, of one of its sorts where the second is given.
-    Table(&'static Table, Option<&'static str>),
+    Table(&'static KeyTable, Option<&'static str>),
 }
 
 impl Known {
@@ -54,27 +58,9 @@ impl Known {
             None if !elsewhere.is_empty() => {
                 text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
             }
-            None if Table::is_of_the_file(word) => text!("scene-key-at-top"),
+            None if KeyTable::is_of_the_file(word) => text!("scene-key-at-top"),
             near => did_you_mean(near),
         }
-    }
-}
-
-impl From<&'static Table> for Known {
-    fn from(table: &'static Table) -> Self {
-        Self::Table(table, None)
-    }
-}
-
-impl From<(&'static Table, &'static str)> for Known {
-    fn from((table, sort): (&'static Table, &'static str)) -> Self {
-        Self::Table(table, Some(sort))
-    }
-}
-
-impl From<&'static [&'static str]> for Known {
-    fn from(names: &'static [&'static str]) -> Self {
-        Self::Names(names)
     }
 }
 
@@ -126,6 +112,79 @@ impl<'a> Section<'a> {
     pub fn get(&self, key: &str) -> Option<Entry<'a>> {
         let (name, value) = self.table.get_key_value(key)?;
         Some(Entry::new(name.get_ref().to_string(), name.span(), value, self.faults))
+    }
+
+    /// What the reference says of a key.
+    fn known(&self, key: &str) -> Option<&'static SceneKey> {
+        let Known::Table(table, _) = self.known else { return None };
+        table.key(key)
+    }
+
+    /// The table that is the value of a key.
+    fn table_of(&self, key: &str) -> Option<&'static KeyTable> {
+        let header =
+            |kind: &ValueKind| if let ValueKind::Table(header) = kind { Some(*header) } else { None };
+        self.known(key)?.kinds.iter().find_map(header).map(table)
+    }
+
+    /// The table of a key, if it is present.
+    pub(crate) fn inner(&self, key: &str) -> Option<Self> {
+        self.get(key)?.section(self.table_of(key)?)
+    }
+
+    /// The list of tables of a key, `[[key]]`.
+    pub(crate) fn inners(&self, key: &str) -> Vec<Self> {
+        let Some((entry, table)) = self.get(key).zip(self.table_of(key)) else { return Vec::new() };
+        if entry.value.is_table() {
+            entry.wrong(text!("scene-list-of-tables"), text!("scene-write-list", key = shown(key)));
+            return Vec::new();
+        }
+        entry.list(text!("scene-list-of-tables")).iter().filter_map(|item| item.section(table)).collect()
+    }
+
+    /// The number of a key, a quantity and within limits as the reference says; where it is left out, its default. `None` if it is
+    /// wrong, or if there is none.
+    pub(crate) fn number(&self, key: &str) -> Option<f64> {
+        self.by_input(key, None)
+    }
+
+    /// The number of a key whose quantity depends on what the input coordinate is; where that is not known, any unit is right.
+    pub(crate) fn by_input(&self, key: &str, coordinate: Option<Dimension>) -> Option<f64> {
+        let known = self.known(key)?;
+        let entry = if known.default == KeyDefault::Needed { self.need(key) } else { self.get(key) };
+        match (entry, known.default) {
+            (Some(entry), _) => entry.bounded(known.dimension(coordinate), known.limits),
+            (None, KeyDefault::Is(default)) => default.parse().ok(),
+            (None, _) => None,
+        }
+    }
+
+    /// The number of a key, or its word: then it is to be found. `None` as of [`by_input`](Self::by_input).
+    pub(crate) fn solved(&self, key: &str, coordinate: Option<Dimension>) -> Option<Solve> {
+        if let (Some(entry), Some(known)) = (self.get(key), self.known(key)) {
+            let (text, word) = (entry.value.as_str().unwrap_or_default(), known.words().next()?);
+            if text == word {
+                return Some(Solve::Wanted);
+            }
+            if text.starts_with(char::is_alphabetic) {
+                let quantity = known.dimension(coordinate.or(Some(Dimension::Angle)))?.with_units();
+                let wanted = text!("scene-word-or", word = name(word), quantity = quantity);
+                entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, [word])));
+                return None;
+            }
+        }
+        self.by_input(key, coordinate).map(Solve::Given)
+    }
+
+    /// Its key `name`, or else the default name; and where a fault of the name is noted.
+    pub(crate) fn name(&self, default: impl FnOnce() -> Text) -> (Name, Range<usize>) {
+        let entry = self.get("name");
+        let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
+        let name = given.map_or_else(|| default().into(), Name::from);
+        if let Some(entry) = &entry {
+            limits::check_name(entry, &entry.span, &name);
+        }
+        (name, entry.map_or(self.span.clone(), |entry| entry.span))
     }
 
     /// The value of a required key; a missing one is noted as a fault.
@@ -217,28 +276,22 @@ impl<'a> Entry<'a> {
         Vec::new()
     }
 
-    /// A table with these keys.
-    pub(crate) fn section(&self, what: Text, known: impl Into<Known>) -> Option<Section<'a>> {
+    /// A table of the reference.
+    pub(crate) fn section(&self, table: &'static KeyTable) -> Option<Section<'a>> {
+        self.section_as(text!(table.what), Known::Table(table, None))
+    }
+
+    /// A table with these keys; `what`: its kind with an article.
+    pub(crate) fn section_as(&self, what: Text, known: Known) -> Option<Section<'a>> {
         let DeValue::Table(table) = self.value else {
             let hint = text!("scene-write-once", key = shown(&self.name));
             let hint = if self.value.is_array() { hint } else { Text::default() };
             self.wrong(text!("scene-one-table"), hint);
             return None;
         };
-        let (span, known) = (self.span.clone(), known.into());
-        let section = Section { table, what, span, known, faults: self.faults };
+        let section = Section { table, what, span: self.span.clone(), known, faults: self.faults };
         section.refuse_unknown();
         Some(section)
-    }
-
-    /// A list of tables, `[[name]]`, each with these keys.
-    pub(crate) fn sections(&self, table: &'static Table) -> Vec<Section<'a>> {
-        if self.value.is_table() {
-            self.wrong(text!("scene-list-of-tables"), text!("scene-write-list", key = shown(&self.name)));
-            return Vec::new();
-        }
-        let items = self.list(text!("scene-list-of-tables"));
-        items.iter().filter_map(|item| item.section(text!(table.what), table)).collect()
     }
 
     /// The elements of a list; messages name each by the list.

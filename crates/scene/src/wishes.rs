@@ -1,12 +1,10 @@
 //! `[assembly]`, `[balance]`, `[output]`: the wanted assembly, balancing load and results.
 
-use assur_mechanism::{Balance, LinkId, Output, PairId, PointId, SlideId};
+use assur_mechanism::{Balance, Output, PairId, PointId};
 
 use assur_words::{name, text};
 
 use crate::linkage::{SceneLinks, pair};
-use crate::numbers::Bound;
-use crate::reference;
 use crate::text::{row, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
@@ -24,23 +22,18 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId
 }
 
 fn hinted(hint: &Entry<'_>, linkage: &SceneLinks) -> Option<PointId> {
-    let id = linkage.point_named(&hint.name);
-    if id.is_none() {
-        let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
-        let names = linkage.points.iter().map(|point| point.name.as_str());
-        SceneLinks::unknown(&at_key, "point", &hint.name, names);
-    }
-    id
+    let at_key = Entry { name: "assembly".to_owned(), span: hint.key.clone(), ..hint.clone() };
+    linkage.point_of(&at_key, &hint.name)
 }
 
 /// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
 pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balance> {
-    let section = root.get("balance")?.section(text!("scene-the-balance"), &reference::BALANCE)?;
-    let link = section.need("link").and_then(|entry| linkage.moving(&entry, text!("scene-ground-carries")));
+    let section = root.inner("balance")?;
+    let link = linkage.link_of(&section, text!("scene-ground-carries"));
     match (section.get("at"), section.get("angle")) {
         (None, None) => Some(Balance::Moment(link?)),
-        (Some(at), Some(angle)) => {
-            let (at, angle) = (linkage.place(&at, link?), angle.bounded(Dimension::Angle, Bound::Direction));
+        (Some(at), Some(_)) => {
+            let (at, angle) = (linkage.place(&at, link?), section.number("angle"));
             Some(Balance::Force { at: at?, angle: angle? })
         }
         (at, _) => {
@@ -53,11 +46,11 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balanc
 
 /// Reads `[output]`: the wanted results.
 pub(crate) fn output(root: &Section<'_>, linkage: &SceneLinks) -> Option<Output> {
-    let section = root.get("output")?.section(text!("scene-the-output"), &reference::OUTPUT)?;
+    let section = root.inner("output")?;
     Some(Output {
         points: each(&section, "points", |entry| linkage.point(entry)),
-        links: each(&section, "links", |entry| link(entry, linkage)),
-        slides: each(&section, "slides", |entry| slide(entry, linkage)),
+        links: each(&section, "links", |entry| linkage.moving(entry, text!("scene-ground-does-not-move"))),
+        slides: each(&section, "slides", |entry| linkage.slide(entry)),
         reactions: each(&section, "reactions", |entry| pair_id(entry, linkage)),
     })
 }
@@ -65,19 +58,6 @@ pub(crate) fn output(root: &Section<'_>, linkage: &SceneLinks) -> Option<Output>
 fn each<T>(section: &Section<'_>, key: &str, read: impl Fn(&Entry<'_>) -> Option<T>) -> Vec<T> {
     let items = section.get(key).map(|entry| entry.list(text!("scene-list-of-names"))).unwrap_or_default();
     items.iter().filter_map(read).collect()
-}
-
-fn link(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<LinkId> {
-    linkage.moving(entry, text!("scene-ground-does-not-move"))
-}
-
-fn slide(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<SlideId> {
-    let name = entry.text(text!("scene-name-of-a-slide"))?;
-    let found = linkage.slides.iter().position(|slide| slide.name == name);
-    if found.is_none() {
-        SceneLinks::unknown(entry, "slide", name, linkage.slides.iter().map(|slide| slide.name.as_str()));
-    }
-    found
 }
 
 /// The pin or slide named by an entry.
@@ -96,8 +76,7 @@ pub(crate) fn pair_id(entry: &Entry<'_>, linkage: &SceneLinks) -> Option<PairId>
         }
         None => {
             let slides = linkage.slides.iter().map(|slide| slide.name.as_str());
-            SceneLinks::unknown(entry, "pair", name, pins.chain(slides));
-            None
+            SceneLinks::known(entry, ("pair", name), None, pins.chain(slides))
         }
     }
 }
@@ -126,11 +105,7 @@ pub struct Note {
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {
     let mut note = Note { author: None, group: None, variant: None, language: "en", positions: Vec::new() };
-    let Some(section) =
-        root.get("note").and_then(|entry| entry.section(text!("scene-the-note"), &reference::NOTE))
-    else {
-        return note;
-    };
+    let Some(section) = root.inner("note") else { return note };
     let line = |key: &str| section.get(key).and_then(|entry| entry.line());
     (note.author, note.group, note.variant) = (line("author"), line("group"), line("variant"));
     if let Some(language) = section.get("language").and_then(|entry| entry.choice(&LANGUAGES)) {

@@ -3,10 +3,10 @@
 use assur_kinematics::PositionError;
 use nalgebra::{DMatrix, DVector};
 
+use crate::cone::LinearForce;
 use crate::cone::least_maximum;
 use crate::course::{ROUNDING, ShakingCourse};
 use crate::data::Proof;
-use crate::proof::LinearForce;
 use crate::samples::Sample;
 
 /// Part of the greatest singular value below which counterweights on several links replace each other; the smallest of

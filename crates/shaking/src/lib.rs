@@ -13,9 +13,7 @@ mod balance;
 mod cone;
 mod course;
 mod data;
-mod proof;
 mod samples;
-mod scaling;
 mod study;
 
 assur_words::resources!();

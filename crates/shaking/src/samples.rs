@@ -113,7 +113,6 @@ impl Unit {
     }
 }
 
-/// Calculates samples.
 pub(crate) struct Sampler<'a> {
     pub(crate) linkage: &'a Linkage,
     loads: &'a Loads,

@@ -40,7 +40,7 @@ mod variants;
 mod vary;
 
 pub use axis::suffixes;
-pub use error::{Refusal, SweepError};
+pub use error::SweepError;
 pub use measure::{MEASURES, Measure};
 pub use points::Points;
 pub use rows::{Columns, Rows, Status, Tally};

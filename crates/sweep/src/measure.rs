@@ -2,10 +2,10 @@
 
 use assur_analysis::results::FrictionCycle;
 use assur_dynamics::{Instant, Steady};
-use assur_geometry::{Courses, Extremes};
+use assur_geometry::{Extremes, PartCourses};
 use assur_mechanism::{Input, PairId};
 use assur_shaking::Size;
-use assur_words::{Describe, Text, text};
+use assur_words::{Describe, Text, list, name as words, text};
 
 use crate::SweepError;
 use crate::between::{acceleration, shaking, speed, stroke, time_ratio, transfer};
@@ -94,7 +94,7 @@ pub(crate) struct Measured {
     /// Dry friction over the cycle.
     pub(crate) friction: Option<FrictionCycle>,
     /// The motion between positions; `None` where it was not asked for, or the cycle has a part without a solution.
-    pub(crate) courses: Option<Courses>,
+    pub(crate) courses: Option<PartCourses>,
     /// The speed of an input whose speed is prescribed and constant, rad/s or m/s.
     pub(crate) speed: Option<f64>,
     /// The shaking force; `None` where it was not asked for, or there is none.
@@ -187,12 +187,14 @@ impl Measure {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Measure`] for an unknown name.
+    /// [`SweepError::Request`] for an unknown name.
     pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
         let known =
             |name: &str| name == "all" || name == "default" || MEASURES.iter().any(|m| m.name == name);
         if let Some(name) = names.iter().map(AsRef::as_ref).find(|name| !known(name)) {
-            return Err(SweepError::Measure(name.to_owned()));
+            let measures = list(MEASURES.iter().map(|measure| words(measure.name)));
+            let unknown = text!("sweep-no-measure", name = words(name.to_owned()), measures);
+            return Err(SweepError::Request(unknown));
         }
         let wanted = |measure: &&Self| {
             let mut names = names.iter().map(AsRef::as_ref);

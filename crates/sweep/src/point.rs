@@ -55,25 +55,26 @@ impl<'a> Worker<'a> {
     }
 
     fn add(&mut self, index: usize, rows: &mut Rows) {
-        let outcome = self.outcome(index).unwrap_or_else(Outcome::from);
+        let outcome = Outcome::from(self.calculate(index));
         rows.push(&self.parameters, &self.values, outcome);
     }
 
-    /// Calculates a point and puts its values in order.
-    pub(crate) fn outcome(&mut self, index: usize) -> Result<Outcome, Failure> {
+    /// Calculates a point and puts its values in order; returns the designation of its motor.
+    pub(crate) fn calculate(&mut self, index: usize) -> Result<Option<String>, Failure> {
         self.sweep.points.numbers(&self.sweep.axes, index, &mut self.numbers);
         for ((axis, number), si) in self.sweep.axes.iter().zip(&self.numbers).zip(&mut self.parameters) {
             *si = axis.si(*number);
         }
         self.values.clear();
         let mut calculation = self.compiled()?;
-        let result = Positions::new(&calculation, self).outcome();
+        let result = Positions::new(&calculation, self).calculate();
         self.found.last = last(&calculation);
         let motion = std::mem::replace(&mut calculation.motion, InputMotion::Prescribed);
         self.last = Some(calculation);
-        let mut outcome = result?;
+        result?;
+        let mut designation = None;
         if let InputMotion::Steady(found) = motion {
-            outcome.motor =
+            designation =
                 found.motor.as_ref().map(|motor| motor.motor.designation.clone().unwrap_or_default());
             self.found.steady = Some(found);
         }
@@ -88,7 +89,7 @@ impl<'a> Worker<'a> {
             let message = text!("sweep-not-finite", column = column);
             return Err(Failure { status: Status::Error, message, failed: Some(0) });
         }
-        Ok(outcome)
+        Ok(designation)
     }
 
     /// The mechanism of the point, compiled.

@@ -14,7 +14,7 @@ use assur_words::{Describe, Text, number, quantity, text};
 use crate::Status;
 use crate::measure::Need;
 use crate::point::Worker;
-use crate::rows::{Failure, Outcome};
+use crate::rows::Failure;
 use crate::statistics::Valid;
 
 /// Most blocks of eight positions that are kept from one point to the next: some ten times what fits into a fast cache, and
@@ -66,7 +66,7 @@ impl<'a, 'w> Positions<'a, 'w> {
     }
 
     /// Calculates every position.
-    pub(crate) fn outcome(mut self) -> Result<Outcome, Failure> {
+    pub(crate) fn calculate(mut self) -> Result<(), Failure> {
         let Calculation { linkage, no_motion, .. } = self.calculation;
         let positions = linkage.mechanism.input.positions;
         let Memory { mut blocks, holds_all, .. } = std::mem::take(&mut self.worker.memory);
@@ -116,9 +116,7 @@ impl<'a, 'w> Positions<'a, 'w> {
                 let message = text!("sweep-misfit", misfit = misfit);
                 Err(Failure { status: Status::NoAssembly, message, failed: Some(0) })
             }
-            (None, None) => {
-                Ok(Outcome { status: Status::Ok, message: String::new(), failed: Some(0), motor: None })
-            }
+            (None, None) => Ok(()),
         }
     }
 

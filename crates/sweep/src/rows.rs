@@ -120,11 +120,16 @@ pub(crate) struct Failure {
     pub(crate) failed: Option<usize>,
 }
 
-impl From<Failure> for Outcome {
+impl From<Result<Option<String>, Failure>> for Outcome {
     /// Tables are in English, and a cell has one line.
-    fn from(Failure { status, message, failed }: Failure) -> Self {
-        let message = message.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
-        Self { status, message, failed, motor: None }
+    fn from(result: Result<Option<String>, Failure>) -> Self {
+        match result {
+            Ok(motor) => Self { status: Status::Ok, message: String::new(), failed: Some(0), motor },
+            Err(Failure { status, message, failed }) => {
+                let message = message.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+                Self { status, message, failed, motor: None }
+            }
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
 use assur_scene::edit::ParsedText;
-use assur_words::{Text, list};
+use assur_words::{Describe, Text, list, name, number, text};
 
 use crate::axis::Axis;
 use crate::layout::Layout;
@@ -17,7 +17,7 @@ use crate::points::MOST_SAMPLED;
 use crate::reach::Reach;
 use crate::rows::{Columns, Rows};
 use crate::variants::Variants;
-use crate::{Points, Refusal, SweepError, Target, Tie, Vary};
+use crate::{Points, SweepError, Target, Tie, Vary};
 
 /// Most points of a sweep: at a million points a second they would take eleven days.
 pub const MOST_POINTS: usize = 1_000_000_000_000;
@@ -97,7 +97,7 @@ impl Sweep {
     ) -> Result<Self, SweepError> {
         let base = assur_scene::read(file_name, scene)?;
         if vary.is_empty() {
-            return Err(SweepError::Nothing);
+            return Err(SweepError::Request(text!("sweep-nothing-varied")));
         }
         let SweepRequest { points, ties, targets, measures, options } = request;
         let count = count(points, vary)?;
@@ -109,7 +109,8 @@ impl Sweep {
         }
         for (index, axis) in axes.iter().enumerate() {
             if let Some(same) = axes[..index].iter().find(|other| other.shares(axis)) {
-                return Err(SweepError::Twice { first: same.key.clone(), second: axis.key.clone() });
+                let [first, second] = [same, axis].map(|axis| name(axis.key.clone()));
+                return Err(SweepError::Request(text!("sweep-twice", first, second)));
             }
         }
         let variants = Variants::of(file_name, scene, &axes);
@@ -219,8 +220,9 @@ impl Sweep {
                     }
                 };
                 let spawned = std::thread::Builder::new().spawn_scoped(scope, work);
-                let problem =
-                    |error: std::io::Error| SweepError::Threads { threads, problem: error.to_string() };
+                let problem = |error: std::io::Error| {
+                    SweepError::Threads(text!("sweep-no-threads", threads, problem = name(error.to_string())))
+                };
                 spawned.map(|_| receiver).map_err(problem)
             };
             let receivers: Vec<Receiver<T>> = (0..threads).map(spawn).collect::<Result<_, _>>()?;
@@ -240,7 +242,7 @@ impl Sweep {
 
     /// Why one point has no values; `None` where it has.
     pub fn failure(&self, index: usize) -> Option<Text> {
-        Worker::new(self).outcome(index).err().map(|failure| failure.message)
+        Worker::new(self).calculate(index).err().map(|failure| failure.message)
     }
 
     /// Keys and values of a point: "link.crank.mass = 2 kg, drive.ratio = 24".
@@ -273,12 +275,11 @@ impl Sweep {
 
     /// The error of a sweep without a point that can be calculated: then the call is at fault, and there is no table.
     pub fn all_refused(&self, first: usize) -> SweepError {
-        let problem = if let Err(errors) = self.variants.read(&self.axes, &self.numbers(first)) {
-            Refusal::Scene(errors)
-        } else {
-            Refusal::Row(self.failure(first).unwrap_or_default())
+        let problem = match self.variants.read(&self.axes, &self.numbers(first)) {
+            Err(errors) => errors.describe(),
+            Ok(_) => self.failure(first).unwrap_or_default(),
         };
-        SweepError::AllRefused { point: Box::new(self.describe(first)), problem }
+        SweepError::AllRefused(text!("sweep-all-refused", point = self.describe(first), problem))
     }
 
     fn numbers(&self, index: usize) -> Vec<f64> {
@@ -291,10 +292,13 @@ impl Sweep {
 /// The number of points, within the limits.
 fn count(points: Points, vary: &[Vary]) -> Result<usize, SweepError> {
     if matches!(points, Points::Sample { .. }) && vary.len() > MOST_SAMPLED {
-        return Err(SweepError::TooManyParameters { count: vary.len(), most: MOST_SAMPLED });
+        let many = text!("sweep-many-parameters", count = vary.len(), most = MOST_SAMPLED);
+        return Err(SweepError::Request(many));
     }
-    match points.count(vary.iter().map(|vary| vary.range.count)) {
-        Some(points) if points <= MOST_POINTS => Ok(points),
-        points => Err(SweepError::TooMany { points, most: MOST_POINTS }),
-    }
+    let most = number(MOST_POINTS);
+    Err(SweepError::Request(match points.count(vary.iter().map(|vary| vary.range.count)) {
+        Some(points) if points <= MOST_POINTS => return Ok(points),
+        Some(points) => text!("sweep-many-points", points = number(points), most),
+        None => text!("sweep-uncounted-points", most),
+    }))
 }

@@ -1,6 +1,6 @@
 //! A parameter as a user writes it.
 
-use assur_scene::edit::{Key, decimal};
+use assur_scene::edit::{KeyPath, decimal};
 use assur_words::{Text, name, text};
 
 use crate::{Points, SweepError};
@@ -22,7 +22,7 @@ use crate::{Points, SweepError};
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Vary {
-    pub(crate) key: Key,
+    pub(crate) key: KeyPath,
     pub(crate) range: Range,
 }
 
@@ -31,12 +31,12 @@ impl Vary {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Vary`] where it is written otherwise.
+    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str, points: Points) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
         let range = parse_range(range, points).map_err(fault)?;
-        Ok(Self { key: Key::parse(key).map_err(fault)?, range })
+        Ok(Self { key: KeyPath::parse(key).map_err(fault)?, range })
     }
 
     /// The key.
@@ -59,8 +59,8 @@ impl Vary {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tie {
-    pub(crate) key: Key,
-    pub(crate) follows: Key,
+    pub(crate) key: KeyPath,
+    pub(crate) follows: KeyPath,
     /// `None` where none is written, which is 1.
     pub(crate) factor: Option<f64>,
 }
@@ -70,7 +70,7 @@ impl Tie {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Vary`] where it is written otherwise.
+    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, follows) = text.split_once('=').ok_or_else(|| fault(text!("sweep-write-tie")))?;
@@ -83,8 +83,8 @@ impl Tie {
             None => (follows, None),
         };
         Ok(Self {
-            key: Key::parse(key).map_err(fault)?,
-            follows: Key::parse(follows).map_err(fault)?,
+            key: KeyPath::parse(key).map_err(fault)?,
+            follows: KeyPath::parse(follows).map_err(fault)?,
             factor,
         })
     }
@@ -113,7 +113,7 @@ impl Target {
     ///
     /// # Errors
     ///
-    /// [`SweepError::Vary`] where it is written otherwise.
+    /// [`SweepError::Request`] where it is written otherwise.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
         let length = |text: &str| assur_scene::quantity(text.trim(), assur_scene::Dimension::Length).ok();
         let read = || {

@@ -27,8 +27,8 @@ pub use integrators::{judge_integrator, judge_method};
 pub use rng::Rng;
 
 use assur_group::{
-    Body, Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Number, Pattern, Ways, Wrench, groups,
-    kernel_of,
+    Assemblies, Body, Builders, ForceAngle, GroupFrame, GroupPlugin, Iterated, Number, Pattern, Wrench,
+    groups, kernel_of,
 };
 use assur_number::Dd;
 use assur_words::Text;
@@ -161,7 +161,7 @@ pub const fn iterated(name: &'static str, pattern: Pattern) -> GroupPlugin {
         pattern: Some(pattern),
         // Before the kinds of the repository.
         rank: 1,
-        ways: Ways { most: 1, varies: false, words: TEST },
+        ways: Assemblies { most: 1, varies: false, words: TEST },
         iterates: true,
         singular: TEST,
         force_angle: ForceAngle::DEFAULT,

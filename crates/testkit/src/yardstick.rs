@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::Instant;
 
-use assur_number::{Formula, Lanes, Real};
+use assur_number::{Lanes, Real};
 
 /// Positions of one contestant in one round.
 const POSITIONS: usize = 1024;
@@ -35,13 +35,18 @@ impl<'a> Contestant<'a> {
     }
 
     /// From a formula of sine and cosine, evaluated at eight coordinates with the widest instructions of the machine.
-    pub fn by_hand_in_lanes<V: Default + 'a>(
+    pub fn by_hand_in_lanes<V: 'a>(
         name: &'static str,
         formula: impl Fn([Lanes; 2]) -> V + Copy + 'a,
     ) -> Self {
-        let mut found = V::default();
         Self::eight_by_eight(name, move |coordinates| {
-            Lanes::evaluate(ByHand { coordinates, formula, found: &mut found });
+            let mut found = Lanes::evaluate(
+                #[inline(always)]
+                || {
+                    let (s, c) = coordinates.sin_cos();
+                    formula([s, c])
+                },
+            );
             black_box(&mut found);
         })
     }
@@ -71,24 +76,6 @@ pub fn race(mut contestants: Vec<Contestant<'_>>, rounds: usize) {
             by_hand = least;
         }
         println!("{name:40} {:8.2} {:12.3} {:12.2}", 1e9 * least, least / first, least / by_hand);
-    }
-}
-
-/// A formula of sine and cosine of eight coordinates, written to where its result is kept.
-struct ByHand<'a, F, V> {
-    coordinates: Lanes,
-    formula: F,
-    /// Where the result is kept.
-    found: &'a mut V,
-}
-
-impl<V, F: Fn([Lanes; 2]) -> V> Formula for ByHand<'_, F, V> {
-    type Value = ();
-
-    #[inline(always)]
-    fn evaluate(self) {
-        let (s, c) = self.coordinates.sin_cos();
-        *self.found = (self.formula)([s, c]);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The area under the graph of a moment of the scene.
 
-use assur_mechanism::{Brake, LoadId, LoadKind, Mechanism, Over, Table, Value};
+use assur_mechanism::{Brake, LawTable, LoadId, LoadKind, Mechanism, Over, Value};
 
 /// Straight lines, each from a coordinate and a moment to a coordinate and a moment.
 pub(crate) type Area = Vec<[[f64; 2]; 2]>;
@@ -39,7 +39,7 @@ fn braking(mechanism: &Mechanism, brake: &Brake, [from, to]: [f64; 2]) -> Option
     Some(vec![[[from, moment], [to, moment]]])
 }
 
-fn lines(table: &Table, period: Option<f64>, [from, to]: [f64; 2]) -> Option<Area> {
+fn lines(table: &LawTable, period: Option<f64>, [from, to]: [f64; 2]) -> Option<Area> {
     let [low, high] = [from.min(to), from.max(to)];
     let first = table.rows.first()?[0];
     // Whole cycles from the one of the rows.
@@ -70,7 +70,7 @@ fn lines(table: &Table, period: Option<f64>, [from, to]: [f64; 2]) -> Option<Are
 }
 
 /// The line between two neighboring ends.
-fn line(table: &Table, period: Option<f64>, first: f64, ends: [f64; 2]) -> [[f64; 2]; 2] {
+fn line(table: &LawTable, period: Option<f64>, first: f64, ends: [f64; 2]) -> [[f64; 2]; 2] {
     let middle = f64::midpoint(ends[0], ends[1]);
     let shift = period.map_or(0.0, |period| ((middle - first) / period).floor() * period);
     let segment = table.segment(middle - shift);

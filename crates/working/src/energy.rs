@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use assur_mechanism::{LinkId, LoadId, Mechanism};
 use assur_words::{self as words, Text, joined, text, unit};
-use assur_worksheet::{Expr, Names, Section, Sheet, Symbol};
+use assur_worksheet::{Expr, Names, Section, Sheet, Symbol, Units};
 
 use crate::area::{Area, area_under};
 
@@ -65,8 +65,6 @@ pub struct EnergyForm<'a> {
 struct Work<'a> {
     form: &'a EnergyForm<'a>,
     sheet: Sheet,
-    /// Units of the coordinate, its speed, what acts on it and of its inertia.
-    units: [&'static str; 4],
     /// Moments that are given already: of which load, its number, and the moment.
     moments: Vec<(Text, usize, f64)>,
 }
@@ -83,12 +81,9 @@ fn shortest(value: f64) -> String {
 impl EnergyForm<'_> {
     /// Writes it.
     pub fn sections(&self) -> Vec<Section> {
-        let angular = self.mechanism.input.is_angle();
-        let units = if angular { ["rad", "rad/s", "N·m", "kg·m²"] } else { ["m", "m/s", "N", "kg"] };
-        let derivatives =
-            if angular { assur_worksheet::Units::ANGULAR } else { assur_worksheet::Units::LINEAR };
-        let mut work =
-            Work { form: self, sheet: Sheet::new(Names::default(), derivatives), units, moments: Vec::new() };
+        let units = if self.mechanism.input.is_angle() { Units::ANGULAR } else { Units::LINEAR };
+        let sheet = Sheet::new(Names::default(), units);
+        let mut work = Work { form: self, sheet, moments: Vec::new() };
         let way = work.way();
         let [driving, resisting] = work.works();
         match &self.cycle {
@@ -126,7 +121,7 @@ impl Work<'_> {
     fn way(&mut self) -> Expr {
         let [start, end] = self.form.ends.map(|end| self.coordinate(end.coordinate));
         self.sheet.section(text!("working-energy-way"));
-        let way = self.sheet.work("φ", &(end - start), self.units[0]);
+        let way = self.sheet.work("φ", &(end - start), self.sheet.units.input[0]);
         if self.form.mechanism.input.is_angle() {
             self.sheet.note(text!("working-energy-turns"));
             self.sheet.work("n", &(&way / (Expr::number(2.0) * Expr::pi())), "");
@@ -182,7 +177,8 @@ impl Work<'_> {
         };
         let moments: Option<Vec<f64>> = works.iter().map(constant).collect();
         let (Some(inertia), Some(moments)) = (*inertia, moments) else { return };
-        let [moment, inertia_unit] = [self.units[2], self.units[3]];
+        let Units { input: [coordinate, speed, rate], moment, inertia: [inertia_unit, _], .. } =
+            self.sheet.units;
         if moments.iter().sum::<f64>() == 0.0 {
             return;
         }
@@ -194,28 +190,16 @@ impl Work<'_> {
         let sum = known.fold(Expr::zero(), |sum, moment| sum + moment);
         let sum = self.sheet.work("M", &sum, moment);
         let inertia = self.sheet.given("J", inertia, inertia_unit, text!("working-energy-inertia"));
-        let acceleration = self.sheet.work(
-            "ε",
-            &(sum / inertia),
-            if mechanism.input.is_angle() { "rad/s²" } else { "m/s²" },
-        );
-        let first = self.sheet.given(
-            Symbol::from("ω").of(0),
-            start.speed,
-            self.units[1],
-            text!("working-energy-speed-at-start"),
-        );
-        let last = self.sheet.given(
-            Symbol::from("ω").of(1),
-            end.speed,
-            self.units[1],
-            text!("working-energy-speed-at-end"),
-        );
+        let acceleration = self.sheet.work("ε", &(sum / inertia), rate);
+        let what = text!("working-energy-speed-at-start");
+        let first = self.sheet.given(Symbol::from("ω").of(0), start.speed, speed, what);
+        let what = text!("working-energy-speed-at-end");
+        let last = self.sheet.given(Symbol::from("ω").of(1), end.speed, speed, what);
         self.sheet.note(text!("working-energy-by-time"));
         let time = self.sheet.work("t", &((last - &first) / &acceleration), "s");
         self.sheet.note(text!("working-energy-way-by-time"));
         let way = acceleration * time.squared() / Expr::number(2.0) + first * time;
-        self.sheet.work("φ", &way, self.units[0]);
+        self.sheet.work("φ", &way, coordinate);
     }
 
     /// The area under straight lines: the sum of trapezoids between their nodes.
@@ -232,9 +216,9 @@ impl Work<'_> {
                 }
                 let number = 1 + work.moments.iter().filter(|(of, ..)| of == name).count();
                 work.moments.push((name.clone(), number, moment));
-                let place = joined(" ", [words::number(shortest(at)), unit(work.units[0])]);
+                let place = joined(" ", [words::number(shortest(at)), unit(work.sheet.units.input[0])]);
                 let what = text!("working-energy-moment-at", at = place);
-                work.sheet.given(symbol(number), moment, work.units[2], what)
+                work.sheet.given(symbol(number), moment, work.sheet.units.moment, what)
             };
             let one = match last.take().filter(|(at, _)| at.map(f64::to_bits) == from.map(f64::to_bits)) {
                 Some((_, known)) => known,
@@ -273,10 +257,10 @@ impl Work<'_> {
         self.sheet.section(text!("working-energy-speed"));
         let inertia = 2.0 * end.energy / (end.speed * end.speed);
         let what = text!("working-energy-inertia");
-        let inertia = self.sheet.given("J", inertia, self.units[3], what);
+        let inertia = self.sheet.given("J", inertia, self.sheet.units.inertia[0], what);
         let speed = (Expr::number(2.0) * energy / inertia).sqrt();
         let speed = if end.speed < 0.0 { -speed } else { speed };
-        self.sheet.work("ω", &speed, self.units[1]);
+        self.sheet.work("ω", &speed, self.sheet.units.input[1]);
     }
 
     /// The flywheel of a cycle (E eqs. 7, 10, example 2).
@@ -290,15 +274,15 @@ impl Work<'_> {
         let [least, greatest] = ["working-of-least", "working-of-greatest"].map(|below| text!(below));
         let places = [(&least, cycle.extremes[0]), (&greatest, cycle.extremes[1])].map(|(below, value)| {
             let value = self.coordinate(value);
-            self.sheet.work(Symbol::from("φ").of(below), &value, self.units[0])
+            self.sheet.work(Symbol::from("φ").of(below), &value, self.sheet.units.input[0])
         });
-        let between = self.sheet.work("Δφ", &(&places[1] - &places[0]), self.units[0]);
+        let between = self.sheet.work("Δφ", &(&places[1] - &places[0]), self.sheet.units.input[0]);
         let speeds = [(&least, cycle.speeds[0]), (&greatest, cycle.speeds[1])].map(|(below, value)| {
-            self.sheet.given(Symbol::from("ω").of(below), value, self.units[1], Text::default())
+            self.sheet.given(Symbol::from("ω").of(below), value, self.sheet.units.input[1], Text::default())
         });
         let mean = Symbol::from("ω").of(text!("working-of-mean"));
         let two = Expr::number(2.0);
-        let mean = self.sheet.work(mean, &((&speeds[0] + &speeds[1]) / &two), self.units[1]);
+        let mean = self.sheet.work(mean, &((&speeds[0] + &speeds[1]) / &two), self.sheet.units.input[1]);
         let uneven = self.sheet.work("δ", &((&speeds[1] - &speeds[0]) / &mean), "");
         self.sheet.section(text!("working-energy-excess"));
         let symbol = Symbol::from("A").of(text!("working-of-excess"));
@@ -308,7 +292,11 @@ impl Work<'_> {
         };
         self.sheet.section(text!("working-energy-flywheel"));
         let inertia = &work / (mean.squared() * &uneven);
-        self.sheet.work(Symbol::from("J").of(text!("working-of-flywheel")), &inertia, self.units[3]);
+        self.sheet.work(
+            Symbol::from("J").of(text!("working-of-flywheel")),
+            &inertia,
+            self.sheet.units.inertia[0],
+        );
         self.sheet.note(text!("working-energy-neglects"));
         self.sheet.section(text!("working-energy-artobolevsky"));
         self.sheet.work("χ", &(two * uneven / between), "");
@@ -328,7 +316,7 @@ impl Work<'_> {
         self.sheet.note(text!("working-energy-equal-works"));
         let sum = excess / way;
         let size = if resists { sum } else { -sum };
-        let size = self.sheet.work(Symbol::from(letter).of(text!(below)), &size, self.units[2]);
+        let size = self.sheet.work(Symbol::from(letter).of(text!(below)), &size, self.sheet.units.moment);
         self.sheet.work(Symbol::from("A").of(text!(below)), &(&size * way), "J");
         let balance = if resists { -size } else { size };
         debug_assert!((balance.value() - moment).abs() <= 1e-6 * (1.0 + moment.abs()));

@@ -6,25 +6,13 @@ use assur_worksheet::{Expr, Symbol};
 
 use crate::{Work, balancing};
 
-/// Units of inertia, of its derivative, of a moment, and of speed and acceleration of the input.
-struct Units {
-    inertia: &'static str,
-    slope: &'static str,
-    moment: &'static str,
-    acceleration: &'static str,
-}
-
-const ANGULAR: Units =
-    Units { inertia: "kg·m²", slope: "kg·m²/rad", moment: "N·m", acceleration: "rad/s²" };
-const LINEAR: Units = Units { inertia: "kg", slope: "kg/m", moment: "N", acceleration: "m/s²" };
-
 impl Work<'_> {
     /// Writes J, J' and Q, after the applied loads, and with a drive the acceleration that follows from them.
     pub(crate) fn equation_of_motion(&mut self) {
-        let units = if self.linkage.angular() { ANGULAR } else { LINEAR };
+        let units = self.sheet.units;
         self.sheet.section(text!("working-reduction"));
         self.sheet.note(text!("working-reduced-inertia"));
-        let [inertia, slope] = self.reduced_inertia(&units);
+        let [inertia, slope] = self.reduced_inertia(units.inertia);
         self.sheet.note(text!("working-reduced-moment"));
         let powers: Vec<_> =
             (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
@@ -36,13 +24,13 @@ impl Work<'_> {
         let what = text!("working-driving-moment");
         let driving = self.sheet.given(of_drive("M"), drive.moment, units.moment, what);
         let what = text!("working-inertia-of-drive");
-        let own = self.sheet.given(of_drive("J"), drive.inertia, units.inertia, what);
+        let own = self.sheet.given(of_drive("J"), drive.inertia, units.inertia[0], what);
         let w = self.sheet.find("ω").unwrap_or_else(Expr::zero);
         let kinetic = slope * w.squared() / Expr::number(2.0);
         let unknown = Expr::symbol("ε", f64::NAN);
         self.sheet.equation((&inertia + &own) * unknown + &kinetic, &moment + &driving);
         let net = moment + driving - kinetic;
-        self.sheet.work("ε", &(net / (inertia + own)), units.acceleration);
+        self.sheet.work("ε", &(net / (inertia + own)), units.input[2]);
     }
 
     /// The force and the mass that stand for them at a point of the input link (E eqs. 4-6).
@@ -65,7 +53,7 @@ impl Work<'_> {
     }
 
     /// The sums of J and J' over the links.
-    fn reduced_inertia(&mut self, units: &Units) -> [Expr; 2] {
+    fn reduced_inertia(&mut self, [unit, slope_unit]: [&'static str; 2]) -> [Expr; 2] {
         let (mut sums, two) = ([Expr::zero(), Expr::zero()], Expr::number(2.0));
         for link in 1..self.linkage.structure.links {
             let found = &self.linkage.mechanism.links[link];
@@ -84,15 +72,15 @@ impl Work<'_> {
             inertia = inertia + &own * first.squared();
             slope = slope + &two * own * &first * second + varies * first.squared();
             let shares = [
-                self.sheet.work_unless_zero(Symbol::from("J").of(&tag), &inertia, units.inertia),
-                self.sheet.work_unless_zero(Symbol::from("J").prime(1).of(&tag), &slope, units.slope),
+                self.sheet.work_unless_zero(Symbol::from("J").of(&tag), &inertia, unit),
+                self.sheet.work_unless_zero(Symbol::from("J").prime(1).of(&tag), &slope, slope_unit),
             ];
             let [inertia, slope] = shares;
             sums = [&sums[0] + inertia, &sums[1] + slope];
         }
         let [inertia, slope] = sums;
         let derivative = Symbol::from("J").prime(1);
-        [self.sheet.work("J", &inertia, units.inertia), self.sheet.work(derivative, &slope, units.slope)]
+        [self.sheet.work("J", &inertia, unit), self.sheet.work(derivative, &slope, slope_unit)]
     }
 
     /// Writes what the drive exerts beyond accelerating flywheel and rotor, which must be the balancing load.
@@ -103,15 +91,15 @@ impl Work<'_> {
         };
         self.sheet.section(text!("working-check-by-drive"));
         self.sheet.note(text!("working-what-the-drive-gives"));
-        let (letter, unit) = self.balancing_at_input();
-        let symbol = balancing(letter);
-        self.sheet.work(symbol.clone().of(text!("working-by-drive")), &(driving - own * e), unit);
+        let symbol = self.balancing_at_input();
+        let by_drive = symbol.clone().of(text!("working-by-drive"));
+        self.sheet.work(by_drive, &(driving - own * e), self.sheet.units.moment);
         self.sheet.note(text!("working-must-be", quantity = &symbol));
     }
 
-    /// Letter and unit of the balancing load of the input.
-    pub(crate) fn balancing_at_input(&self) -> (&'static str, &'static str) {
-        if self.linkage.angular() { ("M", "N·m") } else { ("F", "N") }
+    /// The balancing load of the input.
+    pub(crate) fn balancing_at_input(&self) -> Symbol {
+        balancing(if self.linkage.angular() { "M" } else { "F" })
     }
 }
 

@@ -5,7 +5,7 @@ use assur_group::PairGeometry;
 use assur_kinematics::Position;
 use assur_mechanism::{Balance, InputPair};
 use assur_words::{name, text};
-use assur_worksheet::{Expr, Symbol, WorkedLoad, plugin_for};
+use assur_worksheet::{Expr, Symbol, plugin_for};
 
 use crate::{Work, WorkingError, balancing};
 
@@ -76,7 +76,7 @@ impl Work<'_> {
             Balance::Moment(link) => {
                 let p = self.sheet.work("p", &self.sheet.angle(link)[1].clone(), self.sheet.units.angle[1]);
                 let moment = self.sheet.work(balancing("M"), &-(power / p), "N·m");
-                self.sheet.load(link, WorkedLoad { force: None, moment: moment.clone(), applied: true });
+                self.turn(link, moment.clone());
                 Some(moment)
             }
             Balance::Force { at, angle } => {
@@ -87,14 +87,9 @@ impl Work<'_> {
                 let p = &c * &point.pf[1][0] + &s * &point.pf[1][1];
                 let p = self.sheet.work("p", &p, self.sheet.units.length[1]);
                 let size = self.sheet.work(balancing("F"), &-(power / p), "N");
-                let force = {
-                    let of = text!("working-balancing");
-                    self.sheet.components("F", of, &[&size * &c, &size * &s], "N")
-                };
-                self.sheet.load(
-                    at.link,
-                    WorkedLoad { force: Some((force, point)), moment: Expr::zero(), applied: true },
-                );
+                let force = [&size * &c, &size * &s];
+                let force = self.sheet.components("F", text!("working-balancing"), &force, "N");
+                self.apply(at.link, force, point);
                 Some(size)
             }
         }
@@ -103,22 +98,18 @@ impl Work<'_> {
     fn total_power(&mut self) -> Expr {
         let each: Vec<_> = (1..self.linkage.structure.links).map(|link| self.sheet.power_of(link)).collect();
         let sum = each.into_iter().fold(Expr::zero(), |sum, power| sum + power);
-        let (_, unit) = self.balancing_at_input();
-        self.sheet.work("W", &sum, unit)
+        self.sheet.work("W", &sum, self.sheet.units.moment)
     }
 
     fn virtual_power(&mut self) {
         self.sheet.section(text!("working-check-by-power"));
         self.sheet.note(text!("working-whole-power"));
         let power = self.total_power();
-        let (letter, unit) = self.balancing_at_input();
-        let symbol = balancing(letter);
-        self.sheet.work(symbol.clone().of(text!("working-by-power")), &-power, unit);
+        let symbol = self.balancing_at_input();
+        self.sheet.work(symbol.clone().of(text!("working-by-power")), &-power, self.sheet.units.moment);
         self.sheet.note(text!("working-must-be", quantity = &symbol));
     }
-}
 
-impl Work<'_> {
     /// Writes the reaction at the ground, and the balancing moment or force at the input.
     pub(crate) fn input_reactions(&mut self) -> Expr {
         let pair = self.linkage.structure.pairs[0].pair;

@@ -3,10 +3,10 @@
 use assur_force::{Bearing, FrictionIteration, Kinetostatics, Loads, UnknownKind};
 use assur_group::plane::{dot, minus, perp};
 use assur_kinematics::Position;
-use assur_mechanism::{GROUND, LinkId, Mechanism, PairId, Surfaces};
+use assur_mechanism::{GROUND, Mechanism, PairId, Surfaces};
 use assur_structure::name_of;
 use assur_words::{Text, joined, number, quantity, text};
-use assur_worksheet::{Expr, Symbol, WorkedLoad};
+use assur_worksheet::{Expr, Symbol};
 
 use crate::Work;
 
@@ -94,34 +94,24 @@ impl Work<'_> {
             return;
         }
         if !bearing.slides() {
-            let moment = self.sheet.given(
-                Symbol::from("M").of("f").of(tag),
-                force,
-                "N·m",
-                text!("working-friction-of", pair = of),
-            );
+            let symbol = Symbol::from("M").of("f").of(tag);
+            let moment = self.sheet.given(symbol, force, "N·m", text!("working-friction-of", pair = of));
             self.turn(bearing.link, moment.clone());
             self.turn(bearing.on, -moment);
             return;
         }
         let PairId::Slide(slide) = bearing.pair else { return };
         let place = self.bodies[bearing.link].point(mechanism.slides[slide].point);
-        let size = self.sheet.given(
-            Symbol::from("F").of("f").of(tag),
-            force,
-            "N",
-            text!("working-friction-of", pair = of.clone()),
-        );
+        let what = text!("working-friction-of", pair = of.clone());
+        let size = self.sheet.given(Symbol::from("F").of("f").of(tag), force, "N", what);
         let [c, s] = bearing.along(self.bodies);
         let along = [("c", c), ("s", s)].map(|(letter, part)| match part {
             // Along an axis one of them is zero but for the rounding of the angle.
             _ if part.abs() < AXIS => Expr::zero(),
-            _ => self.sheet.given(
-                Symbol::from(letter).of(of.clone()),
-                part,
-                "",
-                text!("working-friction-along"),
-            ),
+            _ => {
+                let symbol = Symbol::from(letter).of(of.clone());
+                self.sheet.given(symbol, part, "", text!("working-friction-along"))
+            }
         });
         for (link, sign) in
             [(bearing.link, 1.0), (bearing.on, -1.0)].into_iter().filter(|(link, _)| *link != GROUND)
@@ -131,8 +121,7 @@ impl Work<'_> {
             let local = [body.c * off[0] + body.s * off[1], body.c * off[1] - body.s * off[0]];
             let at = self.sheet.point(link, local);
             let parts = [0, 1].map(|axis| &size * &along[axis] * Expr::number(sign));
-            self.sheet
-                .load(link, WorkedLoad { force: Some((parts, at)), moment: Expr::zero(), applied: true });
+            self.apply(link, parts, at);
         }
         if let Surfaces::Faces { offset, .. } = bearing.surfaces
             && offset != 0.0
@@ -142,12 +131,6 @@ impl Work<'_> {
                 self.sheet.given(symbol, lever * offset, "N·m", text!("working-friction-of", pair = of));
             self.turn(bearing.link, moment.clone());
             self.turn(bearing.on, -moment);
-        }
-    }
-
-    fn turn(&mut self, link: LinkId, moment: Expr) {
-        if link != GROUND {
-            self.sheet.load(link, WorkedLoad { force: None, moment, applied: true });
         }
     }
 }

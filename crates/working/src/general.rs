@@ -21,7 +21,11 @@ impl Work<'_> {
         for pair in frame.pairs() {
             self.sheet.note(text!("working-pair-agrees", pair = self.sheet.pair_name(pair.id)));
             match pair.geometry {
-                PairGeometry::Pin { at_a, at_b } => self.pin_sides(pair, [at_a, at_b]),
+                PairGeometry::Pin { at_a, at_b } => {
+                    let place = self.bodies[pair.a].point(at_a);
+                    self.side(pair.a, at_a, place);
+                    self.side(pair.b, at_b, place);
+                }
                 PairGeometry::Slide { .. } => self.slide_sides(pair),
             }
         }
@@ -67,13 +71,6 @@ impl Work<'_> {
             order += 1;
             written
         })
-    }
-
-    fn pin_sides(&mut self, pair: &Pair, at: [[f64; 2]; 2]) {
-        let place = self.bodies[pair.a].point(at[0]);
-        for (body, at) in [(pair.a, at[0]), (pair.b, at[1])] {
-            self.side(body, at, place);
-        }
     }
 
     /// Writes the equations of a slide: the point of `a` is on the line of `b`, and both have the same rotation.

@@ -31,7 +31,7 @@ impl Work<'_> {
 
     fn coordinate(&mut self, place: PositionOrSample) -> Expr {
         let input = &self.linkage.mechanism.input;
-        let unit = if self.linkage.angular() { "rad" } else { "m" };
+        let unit = self.sheet.units.input[0];
         let PositionOrSample::Position(index) = place else {
             return self.sheet.given("q", self.state.coordinate, unit, text!("working-coordinate-of-sample"));
         };

@@ -3,7 +3,7 @@
 use assur_force::{Cause, Loads};
 use assur_group::Wrench;
 use assur_group::plane::direction;
-use assur_mechanism::{Contact, Direction, Force, Inertia, LinkId, LoadKind, Place, Spring};
+use assur_mechanism::{Contact, Direction, Force, GROUND, Inertia, LinkId, LoadKind, Place, Spring};
 use assur_words::{Text, name, text};
 use assur_worksheet::{Expr, Point, Symbol, WorkedLoad};
 
@@ -25,7 +25,7 @@ impl Work<'_> {
         });
         self.sheet.section(text!("working-loads"));
         if (self.state.speed, self.state.acceleration) != (0.0, 0.0) {
-            let (w, e) = self.rate_units();
+            let [_, w, e] = self.sheet.units.input;
             self.sheet.given("ω", self.state.speed, w, text!("working-speed"));
             if self.drive.is_none() {
                 self.sheet.given("ε", self.state.acceleration, e, text!("working-acceleration"));
@@ -61,11 +61,14 @@ impl Work<'_> {
         }
     }
 
-    fn rate_units(&self) -> (&'static str, &'static str) {
-        if self.linkage.angular() { ("rad/s", "rad/s²") } else { ("m/s", "m/s²") }
+    /// Applies a moment to a link; the ground bears any.
+    pub(crate) fn turn(&mut self, link: LinkId, moment: Expr) {
+        if link != GROUND {
+            self.sheet.load(link, WorkedLoad { force: None, moment, applied: true });
+        }
     }
 
-    fn apply(&mut self, link: LinkId, force: [Expr; 2], at: Point) {
+    pub(crate) fn apply(&mut self, link: LinkId, force: [Expr; 2], at: Point) {
         self.sheet.load(link, WorkedLoad { force: Some((force, at)), moment: Expr::zero(), applied: true });
     }
 
@@ -105,12 +108,8 @@ impl Work<'_> {
             if gravity[i] == 0.0 {
                 return Expr::zero();
             }
-            self.sheet.given(
-                Symbol::from("g").of(["x", "y"][i]),
-                gravity[i],
-                "m/s²",
-                text!("working-gravity"),
-            )
+            let symbol = Symbol::from("g").of(["x", "y"][i]);
+            self.sheet.given(symbol, gravity[i], "m/s²", text!("working-gravity"))
         });
         let at = self.sheet.point(link, self.linkage.mechanism.links[link].center);
         let tag = self.sheet.body_name(link);
@@ -143,7 +142,7 @@ impl Work<'_> {
             let changing = slope * &first * w.squared() / Expr::number(2.0);
             let moment = -(i * by_time(&first, &second)) - changing;
             let moment = self.sheet.work_unless_zero(Symbol::from("M").of(tag), &moment, "N·m");
-            self.sheet.load(link, WorkedLoad { force: None, moment, applied: true });
+            self.turn(link, moment);
         }
     }
 
@@ -157,10 +156,8 @@ impl Work<'_> {
                 [angle.cos(), angle.sin()]
             }
             Direction::Link(angle) => {
-                let own = {
-                    let what = text!("working-direction-in-link");
-                    self.sheet.fixed_angle(Symbol::from("α").of(name), angle, what)
-                };
+                let what = text!("working-direction-in-link");
+                let own = self.sheet.fixed_angle(Symbol::from("α").of(name), angle, what);
                 let angle = &self.sheet.angle(link)[0] + own;
                 [angle.cos(), angle.sin()]
             }
@@ -186,7 +183,7 @@ impl Work<'_> {
         let symbol = Symbol::from("M").of(name);
         let what = text!("working-on-link-here", link = self.sheet.body_name(link));
         let moment = self.sheet.given(symbol, value, "N·m", what);
-        self.sheet.load(link, WorkedLoad { force: None, moment, applied: true });
+        self.turn(link, moment);
     }
 
     fn spring(&mut self, name: &Text, spring: &Spring) {
@@ -199,10 +196,8 @@ impl Work<'_> {
             return;
         }
         let stiffness = self.sheet.given(of("c"), spring.stiffness, "N/m", text!("working-stiffness"));
-        let free = {
-            let symbol = Symbol::from("L").of(0).of(name);
-            self.sheet.given(symbol, spring.length, "m", text!("working-free-length"))
-        };
+        let symbol = Symbol::from("L").of(0).of(name);
+        let free = self.sheet.given(symbol, spring.length, "m", text!("working-free-length"));
         let mut tension = stiffness * (&length - free);
         if spring.damping != 0.0 {
             let damping = self.sheet.given(of("k"), spring.damping, "N·s/m", text!("working-damping"));

@@ -73,9 +73,8 @@ impl Work<'_> {
                 self.sheet.work(Symbol::from("ΔR").of(axis).of(&of), &(own - known), "N");
             }
         }
-        let (letter, unit) = self.balancing_at_input();
-        let Some(known) = self.sheet.find(balancing(letter)) else { return };
-        let symbol = Symbol::from(if letter == "M" { "ΔM" } else { "ΔF" }).of(text!("working-balancing"));
-        self.sheet.work(symbol, &(&found.balancing - known), unit);
+        let Some(known) = self.sheet.find(self.balancing_at_input()) else { return };
+        let symbol = balancing(if self.linkage.angular() { "ΔM" } else { "ΔF" });
+        self.sheet.work(symbol, &(&found.balancing - known), self.sheet.units.moment);
     }
 }

@@ -128,9 +128,8 @@ impl Sheet {
             }
             sum = sum + &load.moment * rate;
         }
-        let unit = if self.units.angle[1] == "rad/rad" { "N·m" } else { "N" };
         let symbol = Symbol::from("W").of(self.body_name(body));
-        self.work_unless_zero(symbol, &sum, unit)
+        self.work_unless_zero(symbol, &sum, self.units.moment)
     }
 }
 

@@ -23,21 +23,38 @@ pub struct Names {
     pub pairs: Vec<Text>,
 }
 
-/// Units of derivatives with respect to the input coordinate.
+/// Units of what belongs to the input, and of derivatives with respect to its coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Units {
     /// Units of a length and of its first and second derivatives.
     pub length: [&'static str; 3],
     /// Units of an angle and of its first and second derivatives.
     pub angle: [&'static str; 3],
+    /// Units of the coordinate, of its speed and of its acceleration.
+    pub input: [&'static str; 3],
+    /// Unit of what acts along the coordinate: a moment or a force.
+    pub moment: &'static str,
+    /// Units of the inertia reduced to the input, and of its derivative.
+    pub inertia: [&'static str; 2],
 }
 
 impl Units {
     /// Units for a rotating input.
-    pub const ANGULAR: Self =
-        Self { length: ["m", "m/rad", "m/rad²"], angle: ["rad", "rad/rad", "rad/rad²"] };
+    pub const ANGULAR: Self = Self {
+        length: ["m", "m/rad", "m/rad²"],
+        angle: ["rad", "rad/rad", "rad/rad²"],
+        input: ["rad", "rad/s", "rad/s²"],
+        moment: "N·m",
+        inertia: ["kg·m²", "kg·m²/rad"],
+    };
     /// Units for a sliding input.
-    pub const LINEAR: Self = Self { length: ["m", "m/m", "m/m²"], angle: ["rad", "rad/m", "rad/m²"] };
+    pub const LINEAR: Self = Self {
+        length: ["m", "m/m", "m/m²"],
+        angle: ["rad", "rad/m", "rad/m²"],
+        input: ["m", "m/s", "m/s²"],
+        moment: "N",
+        inertia: ["kg", "kg/m"],
+    };
 }
 
 /// A working under construction.
@@ -45,7 +62,7 @@ impl Units {
 pub struct Sheet {
     /// The sections already written.
     pub sections: Vec<Section>,
-    /// Units of derivatives.
+    /// Units of the input and of derivatives.
     pub units: Units,
     pub(crate) names: Names,
     /// Values of all symbols already written, by their English form.

@@ -1,7 +1,7 @@
 //! Two ternary links on each other: nine pairs of any sort, five of them between the links.
 
 use assur_group::PairSort::Any;
-use assur_group::{Builders, ForceAngle, GroupPlugin, Iterated, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ForceAngle, GroupPlugin, Iterated, Pattern, inventory};
 use assur_words::text;
 
 inventory::submit! {
@@ -19,7 +19,7 @@ inventory::submit! {
         }),
         // Before the last resort, which would take it too.
         rank: 5,
-        ways: Ways { most: 1, varies: true, words: text!("own-plates.ways") },
+        ways: Assemblies { most: 1, varies: true, words: text!("own-plates.ways") },
         iterates: true,
         singular: text!("own-plates.singular"),
         force_angle: ForceAngle::DEFAULT,

@@ -1,11 +1,11 @@
-//! All solutions with friction of a mechanism: those of the last block, and for each of them those of the blocks before it.
+//! All solutions with friction of a mechanism: those of the last block, and for each of them those of the blocks before it; which of
+//! several is taken, and up to which part of the coefficients there is any.
 
 use assur_force::{Block, ForceError, FrictionIteration};
-use assur_friction::{Moduli, PathPoint, path};
+use assur_friction::{Moduli, PathPoint, is_same, path};
 use assur_group::Wrench;
 
 use crate::chain::{Chain, Prepared};
-use crate::choice;
 
 /// A solution of all blocks.
 #[derive(Debug, Clone)]
@@ -14,13 +14,11 @@ pub(crate) struct Branch {
     loads: Vec<Wrench<f64>>,
     /// Reactions without the forces and moments of friction.
     pub(crate) pairs: Vec<Wrench<f64>>,
-    /// The balancing load.
     pub(crate) balancing: f64,
     /// The moduli, block by block.
     pub(crate) moduli: Vec<f64>,
 }
 
-/// All solutions.
 #[derive(Debug)]
 pub(crate) struct Solutions {
     pub(crate) branches: Vec<Branch>,
@@ -156,16 +154,11 @@ impl Chain<'_> {
         let start = PathPoint { part: 0.0, moduli: ideal.moduli.step(&vec![0.0; ideal.moduli.count()]) };
         Ok(path(start, |part, expected| moduli(part).ok()??.moduli.near(expected)))
     }
-}
 
-/// Most steps of the iteration that are reported, and the relative change at which it stands still.
-const TOLD: (usize, f64) = (12, 1e-10);
-
-impl Chain<'_> {
     /// How the friction of each block is found, on the way to the solution that is taken.
     pub(crate) fn iterations(&self, loads: &[Wrench<f64>]) -> Result<Vec<FrictionIteration>, ForceError> {
         let found = self.solutions(loads, 1.0)?;
-        let taken = choice::taken(self, loads, &found).map(|index| found.branches[index].moduli.clone());
+        let taken = taken(self, loads, &found).map(|index| found.branches[index].moduli.clone());
         let mut left = taken.as_deref();
         let pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
         let mut branch = Branch { loads: loads.to_vec(), pairs, balancing: 0.0, moduli: Vec::new() };
@@ -191,6 +184,9 @@ impl Chain<'_> {
         Ok(all)
     }
 }
+
+/// Most steps of the iteration that are reported, and the relative change at which it stands still.
+const TOLD: (usize, f64) = (12, 1e-10);
 
 /// The moduli by the textbook iteration, until they stand still.
 fn steps(moduli: &Moduli) -> Vec<Vec<f64>> {
@@ -220,4 +216,52 @@ impl Branch {
         self.moduli.extend_from_slice(moduli);
         self
     }
+}
+
+/// The part of the coefficients at which a path begins, at most.
+const START: f64 = 1e-3;
+
+/// Ratio of two parts of the coefficients between which no interval without solutions is looked for.
+const RATIO: f64 = 1.03;
+
+/// The index of the solution that is taken: the one that follows by continuity from small coefficients, else that of the least
+/// balancing load; `None` where there is none.
+pub(crate) fn taken(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
+    if found.branches.len() < 2 {
+        return (!found.branches.is_empty()).then_some(0);
+    }
+    let size = |branch: &Branch| branch.balancing.abs();
+    let least = (0..found.branches.len())
+        .min_by(|&a, &b| size(&found.branches[a]).total_cmp(&size(&found.branches[b])));
+    followed(chain, loads, found).or(least)
+}
+
+/// A part of the coefficients with certainly one solution, as great as the spectral radii promise, and its moduli.
+fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<PathPoint> {
+    let radius = found.certificates.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
+    let parts = [0.9 / radius.max(1.0), START.min(0.01 / radius.max(1e-300))];
+    parts.into_iter().find_map(|part| {
+        let mut found = chain.solutions(loads, part).ok().filter(|found| found.proved)?;
+        let only = found.branches.pop().filter(|_| found.branches.is_empty())?;
+        Some(PathPoint { part, moduli: only.moduli })
+    })
+}
+
+fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
+    let moduli = path(start(chain, loads, found)?, |part, expected| chain.near(loads, part, expected))?;
+    found.branches.iter().position(|branch| is_same(&branch.moduli, &moduli))
+}
+
+/// The upper end of the interval from 0 of the parts of the coefficients for which there is a solution.
+pub(crate) fn limit(chain: &Chain<'_>, loads: &[Wrench<f64>]) -> f64 {
+    let exists = |part: f64| chain.solutions(loads, part).is_ok_and(|found| !found.branches.is_empty());
+    let whole = chain.solutions(loads, 1.0).ok();
+    let (mut holding, mut failing) = match whole.and_then(|found| start(chain, loads, &found)) {
+        Some(node) if node.part > START => (node.part, (node.part * RATIO).min(1.0)),
+        _ => (0.0, START),
+    };
+    while failing < 1.0 && exists(failing) {
+        (holding, failing) = (failing, (failing * RATIO).min(1.0));
+    }
+    assur_number::search::bisect(holding, failing, 0.0, exists)[0]
 }

@@ -10,6 +10,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_words::{Text, text};
 
 /// A mechanism at a position, with friction in given senses.
+#[derive(Clone, Copy)]
 pub(crate) struct Chain<'a> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) position: &'a Position,
@@ -39,7 +40,6 @@ pub(crate) struct Prepared {
     pub(crate) base: Response,
     /// The response to the friction of each modulus of size 1.
     pub(crate) each: Vec<Response>,
-    /// The equations of the moduli.
     pub(crate) moduli: Moduli,
 }
 
@@ -55,8 +55,8 @@ impl<'a> Chain<'a> {
     }
 
     /// The chain in a motion whose acceleration is looked for: the drive balances it.
-    pub(crate) fn moved_by(self, motion: &'a FreeMotion<'a>) -> Self {
-        Self { unit: None, free: Some(motion), ..self }
+    pub(crate) fn moved_by<'b>(&'b self, motion: &'b FreeMotion<'b>) -> Chain<'b> {
+        Chain { unit: None, free: Some(motion), ..*self }
     }
 
     /// What has to be solved together, in solving order.

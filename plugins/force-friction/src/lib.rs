@@ -15,17 +15,16 @@
 
 mod branches;
 mod chain;
-mod choice;
 mod quick;
 
 use assur_force::{
-    Accelerations, AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FreeMotion, FrictionIteration,
-    FrictionSolution, Reactions, group_by_group,
+    Accelerations, AnalyzerPlugin, Doubt, ForceAnalyzer, ForceError, FreeMotion, FrictionAnalysis,
+    FrictionIteration, FrictionSolution, Reactions, group_by_group,
 };
-use assur_group::Wrench;
+use assur_group::{AssurGroup, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
-use assur_words::{Text, text};
+use assur_words::text;
 
 use branches::Branch;
 use chain::Chain;
@@ -53,10 +52,6 @@ assur_force::inventory::submit! {
 pub struct Friction;
 
 impl ForceAnalyzer for Friction {
-    fn supports(&self, _linkage: &Linkage) -> Result<(), Text> {
-        Ok(())
-    }
-
     fn solve(
         &self,
         linkage: &Linkage,
@@ -76,13 +71,11 @@ impl ForceAnalyzer for Friction {
             loads.copy_from_slice(given.unwrap_or_default());
         }
         let Some(chain) = Chain::of(linkage, position, out) else {
-            let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
-                group.reactions(bodies, loads, pairs)
-            });
+            let found = group_by_group(linkage, groups, bodies, loads, out, AssurGroup::reactions);
             return found.map_err(|reason| reason.explain(linkage, position.coordinate));
         };
         let found = chain.solutions(loads, 1.0)?;
-        let Some(taken) = choice::taken(&chain, loads, &found) else {
+        let Some(taken) = branches::taken(&chain, loads, &found) else {
             let what =
                 found.jammed.map_or_else(|| text!("force-friction-balance"), |block| chain.name(block));
             return Err(ForceError::Jammed { what, coordinate: position.coordinate, proved: found.proved });
@@ -114,46 +107,33 @@ impl ForceAnalyzer for Friction {
         if out.friction.is_some() {
             return Quick { linkage, groups, bodies }.solve(loads, out).is_some();
         }
-        let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
-            group.reactions(bodies, loads, pairs)
-        });
-        found.is_ok()
+        group_by_group(linkage, groups, bodies, loads, out, AssurGroup::reactions).is_ok()
     }
 
-    fn iteration(
+    fn friction<'a>(
         &self,
-        linkage: &Linkage,
-        position: &Position,
-        loads: &[Wrench<f64>],
-        out: &Reactions,
-    ) -> Vec<FrictionIteration> {
-        let Some(chain) = Chain::of(linkage, position, out) else { return Vec::new() };
-        chain.iterations(loads).unwrap_or_default()
+        linkage: &'a Linkage,
+        position: &'a Position,
+        out: &'a Reactions,
+    ) -> Option<Box<dyn FrictionAnalysis + 'a>> {
+        Some(Box::new(Chain::of(linkage, position, out)?))
+    }
+}
+
+impl FrictionAnalysis for Chain<'_> {
+    fn jamming_limit(&self, loads: &[Wrench<f64>]) -> f64 {
+        branches::limit(self, loads)
     }
 
-    fn jamming_limit(
-        &self,
-        linkage: &Linkage,
-        position: &Position,
-        loads: &[Wrench<f64>],
-        out: &Reactions,
-    ) -> Option<f64> {
-        let chain = Chain::of(linkage, position, out)?;
-        Some(choice::limit(&chain, loads))
+    fn iteration(&self, loads: &[Wrench<f64>]) -> Vec<FrictionIteration> {
+        self.iterations(loads).unwrap_or_default()
     }
 
-    fn accelerations(
-        &self,
-        linkage: &Linkage,
-        position: &Position,
-        motion: &FreeMotion<'_>,
-        out: &Reactions,
-    ) -> Result<Option<Accelerations>, ForceError> {
-        let Some(chain) = Chain::of(linkage, position, out) else { return Ok(None) };
-        let chain = chain.moved_by(motion);
+    fn accelerations(&self, motion: &FreeMotion<'_>) -> Result<Accelerations, ForceError> {
+        let chain = self.moved_by(motion);
         let found = chain.solutions(motion.loads, 1.0)?;
         let solutions = found.branches.iter().map(|branch| chain.told(branch, false)).collect();
-        Ok(Some(Accelerations { solutions, proved: found.proved }))
+        Ok(Accelerations { solutions, proved: found.proved })
     }
 }
 

@@ -7,7 +7,7 @@ use assur_force::{Bearing, Block, FrictionForces, Frictions, Reactions, Unknown,
 use assur_friction::{Sum, Unique};
 use assur_group::{AssurGroup, Body, Number, Wrench};
 use assur_kinematics::Linkage;
-use assur_number::{Formula, Real};
+use assur_number::Real;
 
 /// A determinant of the linear part below this is zero.
 const SINGULAR: f64 = 1e-14;
@@ -81,22 +81,13 @@ impl<T: Real> Rubbing<'_, T> {
     }
 }
 
-/// The whole solution, as a formula for the widest instructions.
-struct Whole<'a, 'b, T: Real>(&'a Quick<'a, T>, &'b mut [Wrench<T>], &'b mut Reactions<T>);
-
-impl<T: Number> Formula for Whole<'_, '_, T> {
-    type Value = Option<()>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Option<()> {
-        self.0.blocks(self.1, self.2)
-    }
-}
-
 impl<T: Number> Quick<'_, T> {
     /// Finds reactions and friction; `None`, with loads and results in any state, where it can't.
     pub(crate) fn solve(&self, loads: &mut [Wrench<T>], out: &mut Reactions<T>) -> Option<()> {
-        T::evaluate(Whole(self, loads, out))
+        T::evaluate(
+            #[inline(always)]
+            move || self.blocks(loads, out),
+        )
     }
 
     #[inline(always)]
@@ -144,7 +135,6 @@ impl<T: Number> Quick<'_, T> {
         Some(T::ZERO)
     }
 
-    /// The links of a stage.
     #[inline(always)]
     fn links(&self, stage: usize) -> &[usize] {
         let input = std::slice::from_ref(&self.linkage.mechanism.input.link);

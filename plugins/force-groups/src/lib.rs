@@ -10,7 +10,7 @@
 //! together, M(loads) + B M(unit load) = 0.
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, group_by_group};
-use assur_group::Wrench;
+use assur_group::{AssurGroup, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};
 use assur_number::Lanes;
 use assur_words::text;
@@ -46,9 +46,7 @@ impl ForceAnalyzer for Groups {
         out: &mut Reactions,
     ) -> Result<(), ForceError> {
         let (groups, bodies) = (linkage.groups(), &position.bodies);
-        let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
-            group.reactions(bodies, loads, pairs)
-        });
+        let found = group_by_group(linkage, groups, bodies, loads, out, AssurGroup::reactions);
         found.map_err(|reason| reason.explain(linkage, position.coordinate))
     }
 
@@ -61,10 +59,7 @@ impl ForceAnalyzer for Groups {
         out: &mut Reactions<Lanes>,
     ) -> bool {
         let (groups, bodies) = (linkage.lane_groups(), &position.bodies);
-        let found = group_by_group(linkage, groups, bodies, loads, out, |group, bodies, loads, pairs| {
-            group.reactions(bodies, loads, pairs)
-        });
-        found.is_ok()
+        group_by_group(linkage, groups, bodies, loads, out, AssurGroup::reactions).is_ok()
     }
 }
 

@@ -6,9 +6,9 @@ use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, name, number, quantity, text};
 
-use crate::deliver::{at_a, at_b};
 use crate::layout::{End, Layout};
-use crate::setting::{Setting, Unknowns};
+use crate::layout::{Setting, Unknowns};
+use crate::layout::{at_a, at_b};
 
 /// Sines below this count as parallel in the drawing.
 const PARALLEL: f64 = 1e-12;

@@ -21,12 +21,9 @@
 //! the crank change the balancing moment and the reaction at O only. The tests contain the equations as printed, for
 //! the press of L.
 
-mod deliver;
 mod drawing;
+mod forms;
 mod layout;
-mod published;
-mod setting;
-mod stable;
 mod working;
 
 use assur_force::{Acting, AnalyzerPlugin, Construction, ForceAnalyzer, ForceError, Reactions};
@@ -35,66 +32,53 @@ use assur_kinematics::{Linkage, Position};
 use assur_words::{Text, text};
 
 use layout::Layout;
-use setting::{Setting, Unknowns};
+use layout::{Setting, Unknowns};
 
 assur_words::resources!();
 
+assur_force::inventory::submit! { entry(Longitudinal::Stable.name(), &Longitudinal::Stable, text!("force-longitudinal"), 2) }
+
 assur_force::inventory::submit! {
+    entry(Longitudinal::Published.name(), &Longitudinal::Published, text!("force-longitudinal-published"), 3)
+}
+
+const fn entry(
+    name: &'static str,
+    instance: &'static dyn ForceAnalyzer,
+    summary: Text,
+    rank: u8,
+) -> AnalyzerPlugin {
     AnalyzerPlugin {
-        name: Form::Stable.name(),
+        name,
         crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("force-longitudinal"),
+        summary,
         source: text!("force-longitudinal.source"),
-        instance: &Longitudinal { form: Form::Stable },
+        instance,
         further: &["Fb", "R1", "R3"],
         gives_reactions: true,
         treats_friction: false,
         by_groups: false,
-        rank: 2,
+        rank,
     }
 }
 
-assur_force::inventory::submit! {
-    AnalyzerPlugin {
-        name: Form::Published.name(),
-        crate_name: env!("CARGO_PKG_NAME"),
-        summary: text!("force-longitudinal-published"),
-        source: text!("force-longitudinal.source"),
-        instance: &Longitudinal { form: Form::Published },
-        further: &["Fb", "R1", "R3"],
-        gives_reactions: true,
-        treats_friction: false,
-        by_groups: false,
-        rank: 3,
-    }
-}
-
-/// How the three unknowns are found.
+/// The method, by how the three unknowns are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum Longitudinal {
     /// Moments about A, which is always finite.
     Stable,
     /// Moments about the pole P (L eqs. 5-11).
     Published,
 }
 
-impl Form {
+impl Longitudinal {
     const fn name(self) -> &'static str {
         match self {
             Self::Stable => "longitudinal",
             Self::Published => "longitudinal-published",
         }
     }
-}
 
-/// The method.
-#[derive(Debug, Clone, Copy)]
-pub struct Longitudinal {
-    /// Which of the two forms.
-    pub form: Form,
-}
-
-impl Longitudinal {
     /// Geometry, loads and unknowns at a position.
     fn solved(
         self,
@@ -103,14 +87,13 @@ impl Longitudinal {
         loads: &[Wrench<f64>],
     ) -> Result<(Layout, Setting, Unknowns), ForceError> {
         let layout = Layout::of(linkage)
-            .map_err(|reason| ForceError::Unsupported { analyzer: self.form.name(), reason })?;
+            .map_err(|reason| ForceError::Unsupported { analyzer: self.name(), reason })?;
         let setting = Setting::of(&layout, &position.bodies, loads);
-        let unknowns = match self.form {
-            Form::Stable => {
-                stable::solve(&setting).map_err(|health| singular(linkage, position.coordinate, health))
+        let unknowns = match self {
+            Self::Stable => {
+                forms::stable(&setting).map_err(|health| singular(linkage, position.coordinate, health))
             }
-            Form::Published => published::solve(&setting)
-                .map(|found| found.unknowns)
+            Self::Published => forms::published(&setting)
                 .map_err(|failure| failure.explain(linkage, &layout, position.coordinate)),
         }?;
         Ok((layout, setting, unknowns))
@@ -136,7 +119,7 @@ impl ForceAnalyzer for Longitudinal {
         out: &mut Reactions,
     ) -> Result<(), ForceError> {
         let (layout, setting, unknowns) = self.solved(linkage, position, loads)?;
-        deliver::store(&layout, &setting, &unknowns, &position.bodies, loads, out);
+        layout::store(&layout, &setting, &unknowns, &position.bodies, loads, out);
         Ok(())
     }
 
@@ -154,7 +137,7 @@ impl ForceAnalyzer for Longitudinal {
 
     fn condition(&self, linkage: &Linkage, position: &Position) -> f64 {
         let Ok(layout) = Layout::of(linkage) else { return f64::INFINITY };
-        if self.form == Form::Stable {
+        if *self == Self::Stable {
             return 1.0;
         }
         let setting = Setting::of(&layout, &position.bodies, &vec![Wrench::ZERO; position.bodies.len()]);

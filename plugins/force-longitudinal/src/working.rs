@@ -12,30 +12,29 @@ use assur_working::{AnalyzerWorking, FoundForces};
 use assur_worksheet::dyad::{along, minus as less};
 use assur_worksheet::{Expr, Point, Sheet, Symbol, WorkedLoad};
 
-use crate::Form;
+use crate::Longitudinal;
+use crate::layout::Setting;
 use crate::layout::{End, Layout};
-use crate::setting::Setting;
 
 assur_working::inventory::submit! {
     AnalyzerWorking {
-        analyzer: Form::Stable.name(),
+        analyzer: Longitudinal::Stable.name(),
         crate_name: env!("CARGO_PKG_NAME"),
-        forces: |sheet, linkage, bodies| forces(sheet, linkage, bodies, Form::Stable),
+        forces: |sheet, linkage, bodies| forces(sheet, linkage, bodies, Longitudinal::Stable),
     }
 }
 
 assur_working::inventory::submit! {
     AnalyzerWorking {
-        analyzer: Form::Published.name(),
+        analyzer: Longitudinal::Published.name(),
         crate_name: env!("CARGO_PKG_NAME"),
-        forces: |sheet, linkage, bodies| forces(sheet, linkage, bodies, Form::Published),
+        forces: |sheet, linkage, bodies| forces(sheet, linkage, bodies, Longitudinal::Published),
     }
 }
 
 /// |cos f1| at or below this leaves no digits of the pole that are worth writing.
 const PARALLEL: f64 = 1e-9;
 
-/// The three unknowns.
 struct Unknowns {
     fb: Expr,
     r1: Expr,
@@ -46,13 +45,11 @@ struct Unknowns {
 struct Acts {
     /// Name of the point of action.
     name: Symbol,
-    /// The point.
     at: [Expr; 2],
     force: [Expr; 2],
     moment: Expr,
 }
 
-/// The position in the axes of L.
 struct Axes {
     x: [Expr; 2],
     y: [Expr; 2],
@@ -67,7 +64,7 @@ fn forces(
     sheet: &mut Sheet,
     linkage: &Linkage,
     bodies: &[Body<f64>],
-    form: Form,
+    form: Longitudinal,
 ) -> Result<FoundForces, Text> {
     let layout = Layout::of(linkage)?;
     sheet.section(text!("force-longitudinal-working"));
@@ -76,7 +73,7 @@ fn forces(
     let total = [0, 1].map(|axis| acts.iter().fold(Expr::zero(), |sum, one| sum + &one.force[axis]));
     let total = if acts.len() == 1 { total } else { written(sheet, &Symbol::from("F"), &total) };
     let parallel = axes.f1.cos().value().abs() <= PARALLEL;
-    if parallel && form == Form::Published {
+    if parallel && form == Longitudinal::Published {
         return Err(text!("force-longitudinal-working-parallel"));
     }
     let mut found = None;
@@ -85,7 +82,7 @@ fn forces(
     } else {
         found = Some(with_pole(sheet, &axes, &acts, (&total, arc(linkage, &layout))));
     }
-    if form == Form::Stable {
+    if form == Longitudinal::Stable {
         found = Some(without_pole(sheet, &axes, &acts, &total));
     }
     let found = found.ok_or_else(|| text!("force-longitudinal-working-parallel"))?;

@@ -1,6 +1,6 @@
 //! Dry friction in the whole mechanism at once: the moduli of all pairs are unknowns.
 //!
-//! The loads of friction are written down from the frictions of the scene, and what the whole system answers to each of them
+//! The loads of friction are written down from the surfaces of the bearings, and what the whole system answers to each of them
 //! gives the equations z = |a + W z| of all moduli together. The moment of faces beside the guide line is linear in the normal
 //! force and stands in the system itself.
 
@@ -29,33 +29,22 @@ enum Kind {
 }
 
 /// Moments of the faces of all slides by unit of normal force: what stands in the system.
-pub(crate) fn shifts(mechanism: &Mechanism, senses: &[f64]) -> Vec<f64> {
+fn shifts(mechanism: &Mechanism, found: &Found) -> Vec<f64> {
     let mut shifts = vec![0.0; mechanism.slides.len()];
-    for (friction, sense) in bearings(mechanism, senses) {
-        if let (PairId::Slide(slide), Surfaces::Faces { offset, .. }) = (friction.0.pair, friction.0.surfaces)
-        {
-            shifts[slide] = -sense * friction.0.coefficient * offset;
+    for (bearing, sense) in found.frictions.bearings.iter().zip(&found.senses) {
+        if let (PairId::Slide(slide), Surfaces::Faces { offset, .. }) = (bearing.pair, bearing.surfaces) {
+            shifts[slide] = -sense * bearing.coefficient * offset;
         }
     }
     shifts
 }
 
-type Bearing<'a> = (&'a assur_mechanism::Friction, [LinkId; 2]);
-
-fn bearings<'a>(mechanism: &'a Mechanism, senses: &'a [f64]) -> impl Iterator<Item = (Bearing<'a>, f64)> {
-    let each = mechanism.frictions.iter();
-    let each = each.flat_map(|friction| {
-        mechanism.friction_links(friction).into_iter().map(move |links| (friction, links))
-    });
-    each.zip(senses.iter().copied())
-}
-
-fn moduli(mechanism: &Mechanism, senses: &[f64]) -> Vec<Modulus> {
+fn moduli(found: &Found) -> Vec<Modulus> {
     let mut all = Vec::new();
-    for (bearing, ((friction, links), sense)) in bearings(mechanism, senses).enumerate() {
-        let factor = sense * friction.coefficient;
-        let mut add = |kind| all.push(Modulus { bearing, pair: friction.pair, links, factor, kind });
-        match friction.surfaces {
+    for (bearing, (one, sense)) in found.frictions.bearings.iter().zip(&found.senses).enumerate() {
+        let (links, factor) = ([one.link, one.on], sense * one.coefficient);
+        let mut add = |kind| all.push(Modulus { bearing, pair: one.pair, links, factor, kind });
+        match one.surfaces {
             _ if factor == 0.0 => {}
             Surfaces::Journal { radius, .. } => add(Kind::Journal(radius)),
             Surfaces::Place => add(Kind::Press { part: 1.0, by_moment: 0.0, middle: Middle::Point }),
@@ -107,8 +96,9 @@ impl Frictional<'_> {
             found.forces.fill(f64::NAN);
             return Ok(Equilibrium::Found);
         }
-        let unknowns = moduli(self.mechanism, &found.senses);
-        let prepared = |part: f64| self.equations(loads, &found.senses, &unknowns, part);
+        let unknowns = moduli(found);
+        let shifts = shifts(self.mechanism, found);
+        let prepared = |part: f64| self.equations(loads, &shifts, &unknowns, part);
         let (base, each, system) = prepared(1.0)?;
         let zero = vec![0.0; unknowns.len()];
         let only = if system.certificate() < 1.0 { system.follow(&zero) } else { None };
@@ -167,11 +157,11 @@ impl Frictional<'_> {
     fn equations(
         &self,
         loads: &[Wrench<f64>],
-        senses: &[f64],
+        shifts: &[f64],
         unknowns: &[Modulus],
         part: f64,
     ) -> Result<(Solution, Vec<Solution>, Moduli), f64> {
-        let shifts: Vec<f64> = shifts(self.mechanism, senses).into_iter().map(|shift| part * shift).collect();
+        let shifts: Vec<f64> = shifts.iter().map(|shift| part * shift).collect();
         let base = self.system.solve(self.bodies, loads, &shifts)?;
         let each = unknowns.iter().map(|unknown| {
             let mut own = vec![Wrench::ZERO; loads.len()];
@@ -239,7 +229,7 @@ impl Frictional<'_> {
 
 /// Adds the forces and moments of friction to the reactions in the pairs.
 fn add_to_pairs(mechanism: &Mechanism, bodies: &[Body<f64>], found: &Found, pairs: &mut [Wrench<f64>]) {
-    let shifts = shifts(mechanism, &found.senses);
+    let shifts = shifts(mechanism, found);
     for (bearing, force) in found.frictions.bearings.iter().zip(&found.forces) {
         for &(pair, sign) in &bearing.path {
             match bearing.pair {

@@ -7,7 +7,6 @@
 
 mod elimination;
 mod friction;
-mod least_norm;
 mod system;
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, joints};

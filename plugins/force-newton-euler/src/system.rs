@@ -5,8 +5,7 @@ use std::collections::VecDeque;
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
 
-use crate::elimination::{self, SparseRow};
-use crate::least_norm::{self, LeastNorm};
+use crate::elimination::{LeastNorm, SparseRow, eliminated, of_least_norm};
 
 /// Below this ratio of least to greatest pivot the matrix is singular: rounding alone gives some 1e-16.
 const LEAST_HEALTH: f64 = 1e-15;
@@ -91,7 +90,7 @@ impl<'a> System<'a> {
     ) -> Result<Solution, f64> {
         let (rows, columns) = self.size();
         if rows < columns {
-            let found = least_norm::solve(&self.equations(bodies, loads, shifts), columns);
+            let found = of_least_norm(&self.equations(bodies, loads, shifts), columns);
             if found.health.is_nan() || found.health < LEAST_HEALTH {
                 return Err(found.health);
             }
@@ -101,7 +100,7 @@ impl<'a> System<'a> {
         if rows != columns {
             return Err(0.0);
         }
-        let (solved, health) = elimination::solve(self.equations(bodies, loads, shifts));
+        let (solved, health) = eliminated(self.equations(bodies, loads, shifts));
         if health.is_nan() || health < LEAST_HEALTH {
             return Err(health);
         }

@@ -83,7 +83,6 @@ impl Lever<'_> {
         steps
     }
 
-    /// The named points of a link.
     fn places(&self, link: LinkId) -> Vec<Named<'_>> {
         let points = self.linkage.mechanism.points.iter();
         let own = points.filter_map(|point| {

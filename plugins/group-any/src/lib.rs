@@ -4,7 +4,7 @@
 //! position. The first root is certified by the theorem of Newton and Kantorovich: a true assembly, alone in its
 //! neighborhood; it need not be the nearest one. From ten links on the matrices are sparse. Other assemblies are not listed.
 
-use assur_group::{Builders, ForceAngle, GroupPlugin, Iterated, Ways, inventory};
+use assur_group::{Assemblies, Builders, ForceAngle, GroupPlugin, Iterated, inventory};
 use assur_words::text;
 
 #[cfg(test)]
@@ -21,7 +21,7 @@ inventory::submit! {
         summary: text!("group-any"),
         pattern: None,
         rank: 200,
-        ways: Ways { most: 1, varies: true, words: text!("group-any.ways") },
+        ways: Assemblies { most: 1, varies: true, words: text!("group-any.ways") },
         iterates: true,
         singular: text!("group-any.singular"),
         force_angle: ForceAngle::DEFAULT,

@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{
-    Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Anchor, Body, BuildError, ClosedForm, Forces, GroupError, GroupFrame, Order, PinJoint, SlideJoint,
 };
 use assur_number::Real;
 
@@ -78,10 +78,9 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Crossing<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<Crossing<T>, GroupError> {
         let (t, d) = self.guides(bodies);
-        let health = d.abs();
-        GroupError::if_singular(health)?;
+        GroupError::if_singular(d.abs())?;
         let [one, two] = self.carriers(bodies);
         let b = [self.heights[0], self.heights[1] + dot(perp(t[1]), minus(two.origin(), one.origin()))];
         let inverse = T::ONE / d;
@@ -93,7 +92,7 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
             self.anchors[0].put(&mut bodies[self.links[0]], directions[0], c),
             self.anchors[1].put(&mut bodies[self.links[1]], directions[1], c),
         ];
-        Ok((Crossing { c, arms, t, d, inverse }, health))
+        Ok(Crossing { c, arms, t, d, inverse })
     }
 
     #[inline(always)]
@@ -110,14 +109,8 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
     }
 
     #[inline(always)]
-    fn differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        position: &Crossing<T>,
-        order: Order,
-    ) -> Result<(), GroupError> {
-        let Crossing { c, arms, t, d, inverse } = position;
-        GroupError::if_singular(d.abs())?;
+    fn differentiate(&self, bodies: &mut [Body<T>], position: &Crossing<T>, order: Order) -> T {
+        let Crossing { c, arms, t, inverse, .. } = position;
         let n = [perp(t[0]), perp(t[1])];
         let [one, two] = self.carriers(bodies);
         // The points of the bodies with the guides under C.
@@ -128,7 +121,7 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
             self.anchors[i].put_first(&mut bodies[self.links[i]], turning1[i], arms[i], c1);
         }
         if order < Order::Second {
-            return GroupError::if_nan(c1[0] + c1[1]);
+            return c1[0] + c1[1];
         }
         let mut b = [T::ZERO; 2];
         for i in 0..2 {
@@ -139,25 +132,18 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
         for i in 0..2 {
             self.anchors[i].put_second(&mut bodies[self.links[i]], turning2[i], arms[i], c2);
         }
-        GroupError::if_nan(c2[0] + c2[1])
+        c2[0] + c2[1]
     }
 
     #[inline(always)]
-    fn balance(
-        &self,
-        bodies: &[Body<T>],
-        position: &Crossing<T>,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError> {
-        let &Crossing { t, d, inverse, .. } = position;
-        GroupError::if_singular(d.abs())?;
+    fn balance(&self, bodies: &[Body<T>], position: &Crossing<T>, forces: &mut Forces<'_, T>) -> T {
+        let &Crossing { t, inverse, .. } = position;
         let n = [perp(t[0]), perp(t[1])];
-        let given = [loads[self.links[0]], loads[self.links[1]]];
+        let given = [forces.loads[self.links[0]], forces.loads[self.links[1]]];
         // Along its guide each link passes its load to the inner pin.
         let (one, two) = (dot(t[0], given[0].force()), dot(t[1], given[1].force()));
         let force = scaled(inverse, plus(scaled(two, n[0]), scaled(one, n[1])));
-        self.inner.store(force, reactions);
+        self.inner.store(force, forces.reactions);
         for (i, at_pin) in [(0, force), (1, opposite(force))] {
             let (load, [ahead, left]) = (given[i], self.levers[i]);
             // The component of the pin's force along the guide balances the load of the link, however large the
@@ -166,8 +152,8 @@ impl<T: Real> ClosedForm<T> for Prp<T> {
             let normal = -(dot(n[i], load.force()) + across);
             let on_line = bodies[self.links[i]].arm(self.slides[i].own);
             let moment = left * along - ahead * across - load.about(on_line);
-            self.slides[i].hand_on(bodies, scaled(normal, n[i]), moment, loads, reactions);
+            self.slides[i].hand_on(bodies, scaled(normal, n[i]), moment, forces);
         }
-        GroupError::if_nan(force[0] + force[1])
+        force[0] + force[1]
     }
 }

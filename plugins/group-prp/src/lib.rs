@@ -13,7 +13,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Prp;
@@ -22,11 +22,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Slide), (1, Slide)] };
 
-/// The kind PRP.
-#[derive(Debug, Clone, Copy)]
-pub struct PrpKind;
-
-impl ClosedKind for PrpKind {
+impl ClosedKind for Prp<f64> {
     type Form<T: Number> = Prp<T>;
 }
 
@@ -39,11 +35,11 @@ inventory::submit! {
         summary: text!("group-prp"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 1, varies: false, words: text!("group-prp.ways") },
+        ways: Assemblies { most: 1, varies: false, words: text!("group-prp.ways") },
         iterates: false,
         singular: text!("group-prp.singular"),
         force_angle: ForceAngle::of_sine(text!("group-prp.angle")),
         source: text!("group-prp.source"),
-        builders: Builders::in_lanes::<PrpKind>(),
+        builders: Builders::in_lanes::<Prp<f64>>(),
     }
 }

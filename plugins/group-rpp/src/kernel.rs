@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled, times};
 use assur_group::{
-    Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Anchor, Body, BuildError, ClosedForm, Forces, GroupError, GroupFrame, Order, PinJoint, SlideJoint,
 };
 use assur_number::Real;
 
@@ -86,7 +86,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<(Lines<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], _way: usize) -> Result<Lines<T>, GroupError> {
         GroupError::if_singular(self.d.abs())?;
         let carrier = &bodies[self.outer.body];
         let t = self.guides(bodies);
@@ -103,7 +103,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
             self.anchors[0].put(&mut bodies[one], directions[0], a),
             self.anchors[1].put(&mut bodies[two], directions[1], p),
         ];
-        Ok((Lines { points: [a, p], arms, t }, self.d.abs()))
+        Ok(Lines { points: [a, p], arms, t })
     }
 
     #[inline(always)]
@@ -120,13 +120,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
     }
 
     #[inline(always)]
-    fn differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        position: &Lines<T>,
-        order: Order,
-    ) -> Result<(), GroupError> {
-        GroupError::if_singular(self.d.abs())?;
+    fn differentiate(&self, bodies: &mut [Body<T>], position: &Lines<T>, order: Order) -> T {
         let Lines { points, arms, t } = position;
         let carrier = &bodies[self.outer.body];
         let (turning1, turning2) = (carrier.w1, carrier.w2);
@@ -143,7 +137,7 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         self.anchors[0].put_first(&mut bodies[one], turning1, arms[0], a1);
         self.anchors[1].put_first(&mut bodies[two], turning1, arms[1], p1);
         if order < Order::Second {
-            return GroupError::if_nan(p1[0] + p1[1]);
+            return p1[0] + p1[1];
         }
         let coriolis = turning1.twice();
         let a = minus(minus(a2, under_a[1]), scaled(coriolis, perp(v)));
@@ -151,34 +145,27 @@ impl<T: Real> ClosedForm<T> for Rpp<T> {
         let p2 = plus(turning, scaled(dot(n, a), t[1]));
         self.anchors[0].put_second(&mut bodies[one], turning2, arms[0], a2);
         self.anchors[1].put_second(&mut bodies[two], turning2, arms[1], p2);
-        GroupError::if_nan(p2[0] + p2[1])
+        p2[0] + p2[1]
     }
 
     #[inline(always)]
-    fn balance(
-        &self,
-        bodies: &[Body<T>],
-        position: &Lines<T>,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError> {
-        GroupError::if_singular(self.d.abs())?;
+    fn balance(&self, bodies: &[Body<T>], position: &Lines<T>, forces: &mut Forces<'_, T>) -> T {
         let &Lines { points, arms, t } = position;
-        let [first, second] = [loads[self.links[0]], loads[self.links[1]]];
+        let [first, second] = [forces.loads[self.links[0]], forces.loads[self.links[1]]];
         // Along the outer guide link 2 leaves its load to the inner one.
         let normal = dot(t[1], second.force()) * self.inverse;
         let inner = scaled(normal, perp(t[0]));
         // The lever of the normal force about the pin is one of the lengths: a large force leaves no rounding where it has
         // no lever.
         let moment = -(first.about(arms[0]) + normal * self.reach);
-        self.inner.store(bodies, inner, moment, reactions);
-        self.end.hand_on(bodies, opposite(plus(first.force(), inner)), loads, reactions);
+        self.inner.store(bodies, inner, moment, forces.reactions);
+        self.end.hand_on(bodies, opposite(plus(first.force(), inner)), forces);
         // The same force and moment, turned round, act on link 2 at the point of link 1.
         let way = dot(t[0], minus(bodies[self.links[0]].point(self.inner.own), points[1]));
         let held = normal * way + moment - second.about(arms[1]);
         let n = perp(t[1]);
         let outer = dot(n, minus(inner, second.force()));
-        self.outer.hand_on(bodies, scaled(outer, n), held, loads, reactions);
-        GroupError::if_nan(normal + moment)
+        self.outer.hand_on(bodies, scaled(outer, n), held, forces);
+        normal + moment
     }
 }

@@ -11,7 +11,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Rpp;
@@ -20,11 +20,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Slide)] };
 
-/// The kind RPP.
-#[derive(Debug, Clone, Copy)]
-pub struct RppKind;
-
-impl ClosedKind for RppKind {
+impl ClosedKind for Rpp<f64> {
     type Form<T: Number> = Rpp<T>;
 }
 
@@ -37,11 +33,11 @@ inventory::submit! {
         summary: text!("group-rpp"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 1, varies: false, words: text!("group-rpp.ways") },
+        ways: Assemblies { most: 1, varies: false, words: text!("group-rpp.ways") },
         iterates: false,
         singular: text!("group-rpp.singular"),
         force_angle: ForceAngle::of_sine(text!("group-rpp.angle")),
         source: text!("group-rpp.source"),
-        builders: Builders::in_lanes::<RppKind>(),
+        builders: Builders::in_lanes::<Rpp<f64>>(),
     }
 }

@@ -1,7 +1,7 @@
 //! The working of type 5 by hand.
 
 use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory};
-use assur_words::{Text, text};
+use assur_words::text;
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
 use assur_worksheet::{Expr, Guide, Point, Sheet, Symbol, WorkingPlugin};
 
@@ -73,7 +73,11 @@ fn derive(
     let u = sheet.work_unless_zero(sheet.local("u"), &(across(&t[0], &v) / d), units[1]);
     let relative = [0, 1].map(|i| &u * &t[1][i]);
     let p1 = sheet.vector(&name, 1, &plus(&under[1], &relative));
-    sheet.note(second_order(&rate));
+    sheet.note(if rate.is_zero() {
+        text!("rpp-working-second")
+    } else {
+        text!("rpp-working-second-with-coriolis")
+    });
     let twice = Expr::number(2.0) * &rate;
     let coriolis = |v: &[Expr; 2]| [-(&twice * &v[1]), &twice * &v[0]];
     let under = [&a.pf[0], p].map(|point| sheet.under(carrier, through, point, 2));
@@ -83,10 +87,6 @@ fn derive(
     let turning = plus(&under[1], &coriolis(&relative));
     let p2 = sheet.vector(&name, 2, &plus(&turning, &[0, 1].map(|i| &c * &t[1][i])));
     [p.clone(), p1, p2]
-}
-
-fn second_order(rate: &Expr) -> Text {
-    if rate.is_zero() { text!("rpp-working-second") } else { text!("rpp-working-second-with-coriolis") }
 }
 
 fn reactions(sheet: &mut Sheet, frame: &GroupFrame, _: &[Body<f64>]) -> Result<(), BuildError> {

@@ -2,8 +2,8 @@
 
 use assur_group::plane::{cross, direction, dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{
-    Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, Pair, PairGeometry, PinJoint,
-    SlideJoint, Wrench,
+    Anchor, Body, BuildError, ClosedForm, Forces, GroupError, GroupFrame, Order, Pair, PairGeometry,
+    PinJoint, SlideJoint,
 };
 use assur_number::Real;
 
@@ -66,14 +66,6 @@ impl<T: Real> Rpr<T> {
     }
 }
 
-impl<T: Real> Triangle<T> {
-    /// Returns an error if derivatives and reactions would have no correct digit.
-    #[inline(always)]
-    fn determined(&self) -> Result<(), GroupError> {
-        GroupError::if_lost(self.health, self.condition)
-    }
-}
-
 impl<T: Real> ClosedForm<T> for Rpr<T> {
     type Position = Triangle<T>;
     const WAYS: usize = 2;
@@ -99,7 +91,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<Triangle<T>, GroupError> {
         let pins = self.pins(bodies);
         let d = minus(pins[0], pins[1]);
         let square = dot(d, d);
@@ -124,7 +116,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
             self.anchors[0].put(&mut bodies[slider], times(t, self.inner.tilt), pins[0]),
             self.anchors[1].put(&mut bodies[guide], times(t, mirrored(self.inner.along)), pins[1]),
         ];
-        Ok((Triangle { pins, arms, t, inverse, condition: square * per_whole, health }, health))
+        Ok(Triangle { pins, arms, t, inverse, condition: square * per_whole, health })
     }
 
     #[inline(always)]
@@ -146,13 +138,12 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
     }
 
     #[inline(always)]
-    fn differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        position: &Triangle<T>,
-        order: Order,
-    ) -> Result<(), GroupError> {
-        position.determined()?;
+    fn determined(&self, position: &Triangle<T>) -> Result<(), GroupError> {
+        GroupError::if_lost(position.health, position.condition)
+    }
+
+    #[inline(always)]
+    fn differentiate(&self, bodies: &mut [Body<T>], position: &Triangle<T>, order: Order) -> T {
         let &Triangle { pins, arms, t, inverse, .. } = position;
         let n = perp(t);
         let outer = [self.ends[0].motion(bodies, pins[0]), self.ends[1].motion(bodies, pins[1])];
@@ -162,7 +153,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
             self.anchors[i].put_first(&mut bodies[self.links[i]], w, arms[i], outer[i][0]);
         }
         if order < Order::Second {
-            return GroupError::if_nan(w);
+            return w;
         }
         let d2 = minus(outer[0][1], outer[1][1]);
         // 2 s' w - e w² with s' = t D' + e w.
@@ -171,7 +162,7 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
         for i in 0..2 {
             self.anchors[i].put_second(&mut bodies[self.links[i]], e, arms[i], outer[i][1]);
         }
-        GroupError::if_nan(e)
+        e
     }
 
     fn resolution(&self, _: &[Body<T>]) -> f64 {
@@ -180,24 +171,17 @@ impl<T: Real> ClosedForm<T> for Rpr<T> {
     }
 
     #[inline(always)]
-    fn balance(
-        &self,
-        bodies: &[Body<T>],
-        position: &Triangle<T>,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError> {
-        position.determined()?;
+    fn balance(&self, bodies: &[Body<T>], position: &Triangle<T>, forces: &mut Forces<'_, T>) -> T {
         let &Triangle { arms, t, inverse, .. } = position;
-        let [one, two] = [loads[self.links[0]], loads[self.links[1]]];
+        let [one, two] = [forces.loads[self.links[0]], forces.loads[self.links[1]]];
         // The moments of both links about their pins know the normal force only: its arm between the pins is s.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));
         let normal = (m1 + m2) * inverse;
         let force = scaled(normal, perp(t));
-        self.inner.store(bodies, force, -(m1 + normal * self.reach[0]), reactions);
-        self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
-        self.ends[1].hand_on(bodies, minus(force, two.force()), loads, reactions);
-        GroupError::if_nan(normal)
+        self.inner.store(bodies, force, -(m1 + normal * self.reach[0]), forces.reactions);
+        self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), forces);
+        self.ends[1].hand_on(bodies, minus(force, two.force()), forces);
+        normal
     }
 }
 

@@ -16,7 +16,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Rpr;
@@ -25,11 +25,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Slide)], outer: &[(0, Pin), (1, Pin)] };
 
-/// The kind RPR.
-#[derive(Debug, Clone, Copy)]
-pub struct RprKind;
-
-impl ClosedKind for RprKind {
+impl ClosedKind for Rpr<f64> {
     type Form<T: Number> = Rpr<T>;
 }
 
@@ -42,7 +38,7 @@ inventory::submit! {
         summary: text!("group-rpr"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 2, varies: false, words: text!("group-rpr.ways") },
+        ways: Assemblies { most: 2, varies: false, words: text!("group-rpr.ways") },
         iterates: false,
         singular: text!("group-rpr.singular"),
         force_angle: ForceAngle {
@@ -51,6 +47,6 @@ inventory::submit! {
             is_pressure: true,
         },
         source: text!("group-rpr.source"),
-        builders: Builders::in_lanes::<RprKind>(),
+        builders: Builders::in_lanes::<Rpr<f64>>(),
     }
 }

@@ -2,7 +2,7 @@
 
 use assur_group::plane::{dot, minus, mirrored, opposite, perp, plus, scaled, times};
 use assur_group::{
-    Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, SlideJoint, Wrench,
+    Anchor, Body, BuildError, ClosedForm, Forces, GroupError, GroupFrame, Order, PinJoint, SlideJoint,
 };
 use assur_number::Real;
 use assur_words::text;
@@ -66,13 +66,6 @@ impl<T: Real> Rrp<T> {
         [t, perp(t)]
     }
 
-    /// Returns an error if derivatives and reactions would have no correct digit.
-    #[inline(always)]
-    fn determined(&self, sigma: T, delta: T) -> Result<(), GroupError> {
-        let condition = self.sensitivity * delta;
-        GroupError::if_lost(sigma * self.inverse_length, condition * condition)
-    }
-
     #[cold]
     fn refusal(&self, delta: T) -> GroupError {
         let gap_m = delta.abs().greatest() - self.length.to_f64();
@@ -114,7 +107,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<Triangle<T>, GroupError> {
         let carrier = &bodies[self.slide.body];
         let [t, n] = self.guide(bodies);
         let a = self.end.place(bodies);
@@ -125,7 +118,6 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         }
         let square = (ahead * behind).clamp_negative();
         let root = square.sqrt();
-        let health = root * self.inverse_length;
         let sigma = if way == 0 { root } else { -root };
         // sigma / sigma²: the division does not have to wait for the root.
         let inverse = sigma * (T::ONE / square);
@@ -137,7 +129,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
             self.anchors[0].put(&mut bodies[rod], times(r, self.unrod), a),
             self.anchors[1].put(&mut bodies[slider], direction, c),
         ];
-        Ok((Triangle { pins: [a, c], arms, t, n, r, delta, sigma, inverse }, health))
+        Ok(Triangle { pins: [a, c], arms, t, n, r, delta, sigma, inverse })
     }
 
     #[inline(always)]
@@ -158,14 +150,14 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
     }
 
     #[inline(always)]
-    fn differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        position: &Triangle<T>,
-        order: Order,
-    ) -> Result<(), GroupError> {
-        let Triangle { pins, arms, t, n, r, delta, sigma, inverse } = position;
-        self.determined(*sigma, *delta)?;
+    fn determined(&self, position: &Triangle<T>) -> Result<(), GroupError> {
+        let condition = self.sensitivity * position.delta;
+        GroupError::if_lost(position.sigma * self.inverse_length, condition * condition)
+    }
+
+    #[inline(always)]
+    fn differentiate(&self, bodies: &mut [Body<T>], position: &Triangle<T>, order: Order) -> T {
+        let Triangle { pins, arms, t, n, r, delta, inverse, .. } = position;
         let [rod, slider] = self.links;
         let carrier = &bodies[self.slide.body];
         let [a1, a2] = self.end.motion(bodies, pins[0]);
@@ -177,7 +169,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         self.anchors[0].put_first(&mut bodies[rod], w, arms[0], a1);
         self.anchors[1].put_first(&mut bodies[slider], turning1, arms[1], c1);
         if order < Order::Second {
-            return GroupError::if_nan(w);
+            return w;
         }
         let square = w * w;
         // C slides with t (C' - v) = -(t relative + w delta), which does not have to wait for C'.
@@ -187,7 +179,7 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
         let c2 = minus(plus(a2, scaled(e, perp(*r))), scaled(square, *r));
         self.anchors[0].put_second(&mut bodies[rod], e, arms[0], a2);
         self.anchors[1].put_second(&mut bodies[slider], turning2, arms[1], c2);
-        GroupError::if_nan(e)
+        e
     }
 
     fn resolution(&self, _: &[Body<T>]) -> f64 {
@@ -196,29 +188,22 @@ impl<T: Real> ClosedForm<T> for Rrp<T> {
     }
 
     #[inline(always)]
-    fn balance(
-        &self,
-        bodies: &[Body<T>],
-        position: &Triangle<T>,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError> {
-        let &Triangle { arms, t, n, delta, sigma, inverse, .. } = position;
+    fn balance(&self, bodies: &[Body<T>], position: &Triangle<T>, forces: &mut Forces<'_, T>) -> T {
+        let &Triangle { arms, t, n, delta, inverse, .. } = position;
         let [ahead, left] = self.lever;
-        self.determined(sigma, delta)?;
-        let [one, two] = [loads[self.links[0]], loads[self.links[1]]];
+        let [one, two] = [forces.loads[self.links[0]], forces.loads[self.links[1]]];
         // Along the guide the inner reaction balances link 2; the moment about A then gives the component across.
         let along = dot(t, two.force());
         let across = (delta * along - one.about(arms[0])) * inverse;
         let force = plus(scaled(along, t), scaled(across, n));
-        self.inner.store(force, reactions);
-        self.end.hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
+        self.inner.store(force, forces.reactions);
+        self.end.hand_on(bodies, opposite(plus(one.force(), force)), forces);
         // The guide carries the rest of the load on link 2. The lever of the inner pin is one of the lengths, so a
         // large component across the guide adds no rounding where its lever is zero.
         let normal = across - dot(n, two.force());
         let on_line = bodies[self.links[1]].arm(self.slide.own);
         let moment = ahead * across - left * along - two.about(on_line);
-        self.slide.hand_on(bodies, scaled(normal, n), moment, loads, reactions);
-        GroupError::if_nan(across + normal)
+        self.slide.hand_on(bodies, scaled(normal, n), moment, forces);
+        across + normal
     }
 }

@@ -16,7 +16,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::{Pin, Slide};
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Rrp;
@@ -25,11 +25,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Slide)] };
 
-/// The kind RRP.
-#[derive(Debug, Clone, Copy)]
-pub struct RrpKind;
-
-impl ClosedKind for RrpKind {
+impl ClosedKind for Rrp<f64> {
     type Form<T: Number> = Rrp<T>;
 }
 
@@ -42,11 +38,11 @@ inventory::submit! {
         summary: text!("group-rrp"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 2, varies: false, words: text!("group-rrp.ways") },
+        ways: Assemblies { most: 2, varies: false, words: text!("group-rrp.ways") },
         iterates: false,
         singular: text!("group-rrp.singular"),
         force_angle: ForceAngle::of_cosine(text!("group-rrp.angle")),
         source: text!("group-rrp.source"),
-        builders: Builders::in_lanes::<RrpKind>(),
+        builders: Builders::in_lanes::<Rrp<f64>>(),
     }
 }

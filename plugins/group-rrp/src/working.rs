@@ -42,16 +42,12 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     let c = sheet.vector(&name, 0, &plus(&a.pf[0], &compose(&guide.t, &sigma, &delta)));
     let r = minus(&c, &a.pf[0]);
     let phi = sheet.rod_angle(rod, &length, &r);
-    let slider_angle = slider_angle(sheet, &pairs, &guide);
+    let slider_angle = &guide.alpha + sheet.tilt(end.id, slider, end.tilt_angle);
     let (first, second) = derive(sheet, &pairs, [&a, &through], &guide, [&c, &r], [&delta, &sigma]);
     sheet.place(rod, &a, pairs.end.own, [phi, first, second]);
     let pin = sheet.point(rod, pairs.inner.own);
     sheet.place_turned(slider, &pin, pairs.inner.at, &slider_angle, end.body);
     Ok(())
-}
-
-fn slider_angle(sheet: &mut Sheet, pairs: &Rrp<f64>, guide: &Guide) -> Expr {
-    &guide.alpha + sheet.tilt(pairs.slide.id, pairs.links[1], pairs.slide.tilt_angle)
 }
 
 /// Writes PF1 and PF2 of the rod's angle and of the inner pin, which is added to the sheet.

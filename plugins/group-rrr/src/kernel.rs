@@ -1,7 +1,7 @@
 //! The closed forms of type 1.
 
 use assur_group::plane::{cross, dot, minus, mirrored, opposite, perp, plus, scaled, times};
-use assur_group::{Anchor, Body, BuildError, ClosedForm, GroupError, GroupFrame, Order, PinJoint, Wrench};
+use assur_group::{Anchor, Body, BuildError, ClosedForm, Forces, GroupError, GroupFrame, Order, PinJoint};
 use assur_number::Real;
 use assur_words::text;
 
@@ -74,13 +74,6 @@ impl<T: Real> Rrr<T> {
             GroupError::Singular { health: if square.least().is_nan() { f64::NAN } else { 0.0 } }
         }
     }
-
-    /// Returns an error if derivatives and reactions would have no correct digit.
-    #[inline(always)]
-    fn determined(&self, r: &[[T; 2]; 2], d: T) -> Result<(), GroupError> {
-        let apart = minus(r[0], r[1]);
-        GroupError::if_lost(d * self.inverse_product, self.sensitivity * dot(apart, apart))
-    }
 }
 
 impl<T: Real> ClosedForm<T> for Rrr<T> {
@@ -123,7 +116,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
     }
 
     #[inline(always)]
-    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<(Triangle<T>, T), GroupError> {
+    fn close(&self, bodies: &mut [Body<T>], way: usize) -> Result<Triangle<T>, GroupError> {
         let pins = self.pins(bodies);
         let d = minus(pins[1], pins[0]);
         let square = dot(d, d);
@@ -134,7 +127,6 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         }
         let product = (far * near).clamp_negative();
         let root = product.sqrt().half();
-        let health = root * self.inverse_product;
         let root = if way == 0 { root } else { -root };
         // root / root²: the division does not have to wait for the root.
         let inverse_root = root * (T::from_f64(4.0) / product);
@@ -149,7 +141,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
             let direction = times(r[i], self.unrods[i]);
             arms[i] = self.anchors[i].put(&mut bodies[self.links[i]], direction, pins[i]);
         }
-        Ok((Triangle { pins, arms, r, d: root, inverse: inverse_root }, health))
+        Ok(Triangle { pins, arms, r, d: root, inverse: inverse_root })
     }
 
     #[inline(always)]
@@ -167,14 +159,14 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
     }
 
     #[inline(always)]
-    fn differentiate(
-        &self,
-        bodies: &mut [Body<T>],
-        position: &Triangle<T>,
-        order: Order,
-    ) -> Result<(), GroupError> {
-        let &Triangle { pins, arms, r, d, inverse } = position;
-        self.determined(&r, d)?;
+    fn determined(&self, position: &Triangle<T>) -> Result<(), GroupError> {
+        let apart = minus(position.r[0], position.r[1]);
+        GroupError::if_lost(position.d * self.inverse_product, self.sensitivity * dot(apart, apart))
+    }
+
+    #[inline(always)]
+    fn differentiate(&self, bodies: &mut [Body<T>], position: &Triangle<T>, order: Order) -> T {
+        let &Triangle { pins, arms, r, inverse, .. } = position;
         let outer = [self.ends[0].motion(bodies, pins[0]), self.ends[1].motion(bodies, pins[1])];
         let v = minus(outer[1][0], outer[0][0]);
         let w = [dot(v, r[1]) * inverse, dot(v, r[0]) * inverse];
@@ -182,7 +174,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
             self.anchors[i].put_first(&mut bodies[self.links[i]], w[i], arms[i], outer[i][0]);
         }
         if order < Order::Second {
-            return GroupError::if_nan(w[0] + w[1]);
+            return w[0] + w[1];
         }
         let centripetal = minus(scaled(w[0] * w[0], r[0]), scaled(w[1] * w[1], r[1]));
         let a = plus(minus(outer[1][1], outer[0][1]), centripetal);
@@ -190,7 +182,7 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
         for i in 0..2 {
             self.anchors[i].put_second(&mut bodies[self.links[i]], e[i], arms[i], outer[i][1]);
         }
-        GroupError::if_nan(e[0] + e[1])
+        e[0] + e[1]
     }
 
     fn resolution(&self, bodies: &[Body<T>]) -> f64 {
@@ -203,23 +195,16 @@ impl<T: Real> ClosedForm<T> for Rrr<T> {
     }
 
     #[inline(always)]
-    fn balance(
-        &self,
-        bodies: &[Body<T>],
-        position: &Triangle<T>,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
-    ) -> Result<(), GroupError> {
-        let &Triangle { arms, r, d, inverse, .. } = position;
-        self.determined(&r, d)?;
-        let [one, two] = [loads[self.links[0]], loads[self.links[1]]];
+    fn balance(&self, bodies: &[Body<T>], position: &Triangle<T>, forces: &mut Forces<'_, T>) -> T {
+        let &Triangle { arms, r, inverse, .. } = position;
+        let [one, two] = [forces.loads[self.links[0]], forces.loads[self.links[1]]];
         // The moments about A and about B contain only the inner reaction: r1 x F = -m1, r2 x F = m2.
         let (m1, m2) = (one.about(arms[0]), two.about(arms[1]));
         let k = -inverse;
         let force = plus(scaled(m2 * k, r[0]), scaled(m1 * k, r[1]));
-        self.inner.store(force, reactions);
-        self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), loads, reactions);
-        self.ends[1].hand_on(bodies, minus(force, two.force()), loads, reactions);
-        GroupError::if_nan(force[0] + force[1])
+        self.inner.store(force, forces.reactions);
+        self.ends[0].hand_on(bodies, opposite(plus(one.force(), force)), forces);
+        self.ends[1].hand_on(bodies, minus(force, two.force()), forces);
+        force[0] + force[1]
     }
 }

@@ -16,7 +16,7 @@ mod working;
 mod tests;
 
 use assur_group::PairSort::Pin;
-use assur_group::{Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, Ways, inventory};
+use assur_group::{Assemblies, Builders, ClosedKind, ForceAngle, GroupPlugin, Number, Pattern, inventory};
 use assur_words::text;
 
 pub use kernel::Rrr;
@@ -25,11 +25,7 @@ assur_words::resources!();
 
 const PATTERN: Pattern = Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] };
 
-/// The kind RRR.
-#[derive(Debug, Clone, Copy)]
-pub struct RrrKind;
-
-impl ClosedKind for RrrKind {
+impl ClosedKind for Rrr<f64> {
     type Form<T: Number> = Rrr<T>;
 }
 
@@ -42,11 +38,11 @@ inventory::submit! {
         summary: text!("group-rrr"),
         pattern: Some(PATTERN),
         rank: 10,
-        ways: Ways { most: 2, varies: false, words: text!("group-rrr.ways") },
+        ways: Assemblies { most: 2, varies: false, words: text!("group-rrr.ways") },
         iterates: false,
         singular: text!("group-rrr.singular"),
         force_angle: ForceAngle::of_sine(text!("group-rrr.angle")),
         source: text!("group-rrr.source"),
-        builders: Builders::in_lanes::<RrrKind>(),
+        builders: Builders::in_lanes::<Rrr<f64>>(),
     }
 }

@@ -1,71 +1,43 @@
 //! The reactions: what each leg passes of its own load, the forces along their lines, and what the outer pairs hold.
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
-use assur_group::{Body, GroupError, Wrench};
-use assur_number::{Formula, Real};
+use assur_group::{Body, Forces, GroupError, Wrench};
+use assur_number::Real;
 
 use crate::kernel::{Legged, Lines};
 use crate::leg::{Hold, Leg, Line};
 use crate::mover::{Hub, Mover};
 
-/// What a leg passes to the plate of its own load: a force through a point, and a moment.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Passed<T> {
-    pub(crate) force: [T; 2],
-    pub(crate) at: [T; 2],
-    pub(crate) moment: T,
-}
-
-impl<T: Real> Passed<T> {
-    /// As a line of action.
+impl<T: Real> Legged<T> {
+    /// The reactions of a placed group, which are handed on to the outer bodies.
     #[inline(always)]
-    pub(crate) fn line(&self) -> Line<T> {
-        Line { f: self.force, at: self.at, moment: self.moment, gap: T::ZERO }
-    }
-}
-
-/// The reactions of a placed group, which are handed on to the outer bodies.
-pub(crate) struct Balance<'a, T: Real> {
-    pub(crate) kernel: &'a Legged<T>,
-    pub(crate) bodies: &'a [Body<T>],
-    pub(crate) loads: &'a mut [Wrench<T>],
-    pub(crate) reactions: &'a mut [Wrench<T>],
-}
-
-impl<T: Real> Formula for Balance<'_, T> {
-    type Value = Result<(), GroupError>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Self::Value {
-        let Self { kernel, bodies, loads, reactions } = self;
-        let lines = kernel.lines(bodies);
-        let inverse = kernel.determined(&lines)?;
-        let nothing = Passed { force: [T::ZERO; 2], at: [T::ZERO; 2], moment: T::ZERO };
-        let mut passed = [nothing; 3];
+    pub(crate) fn balance(&self, bodies: &[Body<T>], forces: &mut Forces<'_, T>) -> Result<(), GroupError> {
+        let loads = &*forces.loads;
+        let lines = self.lines(bodies);
+        let inverse = self.determined(&lines)?;
+        let mut passed = [Line::NONE; 3];
         let mut right =
-            kernel.plate.share(&lines.plate, bodies[kernel.plate.link].origin(), &loads[kernel.plate.link]);
-        if let (Some(base), Some(hub)) = (&kernel.base, &lines.base) {
+            self.plate.share(&lines.plate, bodies[self.plate.link].origin(), &loads[self.plate.link]);
+        if let (Some(base), Some(hub)) = (&self.base, &lines.base) {
             let own = base.share(hub, bodies[base.link].origin(), &loads[base.link]);
             right = [own[0], right[0], T::ZERO];
         }
-        for (k, leg) in kernel.legs.iter().enumerate() {
+        for (k, leg) in self.legs.iter().enumerate() {
             let load = &loads[leg.link];
             passed[k] = leg.passed(bodies, &lines.each[k], load);
-            let share = kernel.row(&lines.plate, lines.base.as_ref(), &passed[k].line());
+            let share = self.row(&lines.plate, lines.base.as_ref(), &passed[k]);
             for (sum, part) in right.iter_mut().zip(share) {
                 *sum += part;
             }
-            if let (Some(base), Some(hub)) = (&kernel.base, &lines.base) {
+            if let (Some(base), Some(hub)) = (&self.base, &lines.base) {
                 right[0] += base.share(hub, bodies[leg.link].origin(), load)[0];
             }
         }
         let sizes = inverse.solve_transposed(right.map(|part| -part));
-        kernel.hand_on(bodies, (&lines, &passed, &sizes), loads, reactions);
+        self.hand_on(bodies, (&lines, &passed, &sizes), forces);
         GroupError::if_nan(sizes[0] + sizes[1] + sizes[2])
     }
-}
 
-impl<T: Real> Legged<T> {
     /// The load on a ternary link about its hub, with what the legs pass to it.
     #[inline(always)]
     fn gathered(
@@ -89,15 +61,12 @@ impl<T: Real> Legged<T> {
     fn hand_on(
         &self,
         bodies: &[Body<T>],
-        (lines, passed, sizes): (&Lines<T>, &[Passed<T>; 3], &[T; 3]),
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
+        (lines, passed, sizes): (&Lines<T>, &[Line<T>; 3], &[T; 3]),
+        forces: &mut Forces<'_, T>,
     ) {
         for (k, leg) in self.legs.iter().enumerate() {
-            let load = loads[leg.link];
-            let outer = leg.store(bodies, (&lines.each[k], &passed[k], sizes[k]), &load, reactions);
-            let handed = if self.base.is_some() { None } else { Some(&mut *loads) };
-            leg.store_outer(bodies, outer, handed, reactions);
+            let outer = leg.store(bodies, (&lines.each[k], &passed[k], sizes[k]), forces);
+            leg.store_outer(bodies, outer, self.base.is_none(), forces);
         }
         let (Some(base), Some(hub)) = (&self.base, &lines.base) else { return };
         let along = |k: usize, sign: T| {
@@ -106,46 +75,46 @@ impl<T: Real> Legged<T> {
             (line.at, [size * line.f[0], size * line.f[1]], size * line.moment)
         };
         let beside = |k: usize, sign: T| {
-            let Passed { force, at, moment } = passed[k];
-            (at, [sign * force[0], sign * force[1]], sign * moment)
+            let Line { f, at, moment, .. } = passed[k];
+            (at, [sign * f[0], sign * f[1]], sign * moment)
         };
         let count = self.legs.len();
         let on_plate = (0..count).flat_map(|k| [along(k, T::ONE), beside(k, T::ONE)]);
-        let plate = Self::gathered(&self.plate, &lines.plate, bodies, loads, on_plate);
+        let plate = Self::gathered(&self.plate, &lines.plate, bodies, forces.loads, on_plate);
         let own = |k: usize| {
-            let load = &loads[self.legs[k].link];
+            let load = &forces.loads[self.legs[k].link];
             (bodies[self.legs[k].link].origin(), load.force(), load.m)
         };
         let on_base = (0..count).flat_map(|k| [along(k, -T::ONE), beside(k, -T::ONE), own(k)]);
-        let based = Self::gathered(base, hub, bodies, loads, on_base);
-        self.plate.hold(bodies, &lines.plate, &plate, loads, reactions);
-        base.hold(bodies, hub, &based, loads, reactions);
+        let based = Self::gathered(base, hub, bodies, forces.loads, on_base);
+        self.plate.hold(bodies, &lines.plate, &plate, forces);
+        base.hold(bodies, hub, &based, forces);
     }
 }
 
 impl<T: Real> Leg<T> {
-    /// What the leg passes to the plate of the load on itself, beside the force along its line: force and moment about
-    /// the point of the line.
+    /// What the leg passes to the plate of the load on itself, beside the force along its line: the force through a point, and the
+    /// moment.
     #[inline(always)]
-    fn passed(&self, bodies: &[Body<T>], line: &Line<T>, load: &Wrench<T>) -> Passed<T> {
+    fn passed(&self, bodies: &[Body<T>], line: &Line<T>, load: &Wrench<T>) -> Line<T> {
         let body = &bodies[self.link];
         match &self.hold {
             Hold::Rr { outer, rod, length, .. } => {
                 let moment = load.about(body.arm(outer.own));
-                let force = scaled(moment / (*length * *length), perp(body.arm(*rod)));
-                Passed { force, at: line.at, moment: T::ZERO }
+                let f = scaled(moment / (*length * *length), perp(body.arm(*rod)));
+                Line { f, at: line.at, ..Line::NONE }
             }
             Hold::Pr { .. } => {
                 let t = opposite(perp(line.f));
-                Passed { force: scaled(dot(t, load.force()), t), at: line.at, moment: T::ZERO }
+                Line { f: scaled(dot(t, load.force()), t), at: line.at, ..Line::NONE }
             }
             Hold::Rp { outer, .. } => {
-                Passed { force: [T::ZERO; 2], at: line.at, moment: load.about(body.arm(outer.own)) }
+                Line { at: line.at, moment: load.about(body.arm(outer.own)), ..Line::NONE }
             }
             Hold::Pp { outer, inner, .. } => {
                 let (t, n) = (outer.guide(bodies), perp(inner.guide(bodies)));
-                let force = scaled(dot(t, load.force()) / dot(t, n), n);
-                Passed { force, at: body.point(inner.own), moment: T::ZERO }
+                let f = scaled(dot(t, load.force()) / dot(t, n), n);
+                Line { f, at: body.point(inner.own), ..Line::NONE }
             }
         }
     }
@@ -156,13 +125,12 @@ impl<T: Real> Leg<T> {
     fn store(
         &self,
         bodies: &[Body<T>],
-        (line, passed, size): (&Line<T>, &Passed<T>, T),
-        load: &Wrench<T>,
-        reactions: &mut [Wrench<T>],
+        (line, passed, size): (&Line<T>, &Line<T>, T),
+        forces: &mut Forces<'_, T>,
     ) -> ([T; 2], T) {
-        let body = &bodies[self.link];
+        let (body, load, reactions) = (&bodies[self.link], &forces.loads[self.link], &mut *forces.reactions);
         let along = scaled(size, line.f);
-        let on_plate = plus(along, passed.force);
+        let on_plate = plus(along, passed.f);
         let outer_force = minus(on_plate, load.force());
         match &self.hold {
             Hold::Rr { inner, .. } => {
@@ -183,34 +151,34 @@ impl<T: Real> Leg<T> {
                 (outer_force, T::ZERO)
             }
             Hold::Pp { outer, inner, .. } => {
-                inner.store(bodies, opposite(passed.force), -size, reactions);
+                inner.store(bodies, opposite(passed.f), -size, reactions);
                 let own = body.arm(outer.own);
                 let arm = minus(body.arm(inner.own), own);
                 let n = perp(outer.guide(bodies));
-                (scaled(dot(n, outer_force), n), cross(arm, passed.force) + size - load.about(own))
+                (scaled(dot(n, outer_force), n), cross(arm, passed.f) + size - load.about(own))
             }
         }
     }
 
-    /// Stores the reaction of the outer pair, on the leg; with `loads`, its opposite is handed on to the base.
+    /// Stores the reaction of the outer pair, on the leg, and hands its opposite on to an outer body.
     #[inline(always)]
     fn store_outer(
         &self,
         bodies: &[Body<T>],
         (force, moment): ([T; 2], T),
-        loads: Option<&mut [Wrench<T>]>,
-        reactions: &mut [Wrench<T>],
+        is_outer_body: bool,
+        forces: &mut Forces<'_, T>,
     ) {
-        match (&self.hold, loads) {
-            (Hold::Rr { outer, .. } | Hold::Rp { outer, .. }, Some(loads)) => {
-                outer.hand_on(bodies, force, loads, reactions);
+        match &self.hold {
+            Hold::Rr { outer, .. } | Hold::Rp { outer, .. } if is_outer_body => {
+                outer.hand_on(bodies, force, forces);
             }
-            (Hold::Rr { outer, .. } | Hold::Rp { outer, .. }, None) => outer.store(force, reactions),
-            (Hold::Pr { outer, .. } | Hold::Pp { outer, .. }, Some(loads)) => {
-                outer.hand_on(bodies, force, moment, loads, reactions);
+            Hold::Rr { outer, .. } | Hold::Rp { outer, .. } => outer.store(force, forces.reactions),
+            Hold::Pr { outer, .. } | Hold::Pp { outer, .. } if is_outer_body => {
+                outer.hand_on(bodies, force, moment, forces);
             }
-            (Hold::Pr { outer, .. } | Hold::Pp { outer, .. }, None) => {
-                outer.store(bodies, force, moment, reactions);
+            Hold::Pr { outer, .. } | Hold::Pp { outer, .. } => {
+                outer.store(bodies, force, moment, forces.reactions);
             }
         }
     }

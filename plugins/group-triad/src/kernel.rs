@@ -2,15 +2,14 @@
 
 use assur_group::plane::{minus, vector};
 use assur_group::{
-    AssurGroup, Body, BuildError, GroupError, GroupFrame, Mode, Order, PairGeometry, SeenPair, Wrench,
+    AssurGroup, Body, BuildError, Forces, GroupError, GroupFrame, Mode, Order, Reading, SeenPair, Wrench,
 };
 use assur_number::Real;
 
-use crate::forces::Balance;
 use crate::leg::{Leg, Line};
 use crate::matrix::{Inverse, Matrix};
 use crate::mover::{Freedom, Hub, Mover};
-use crate::parts::Parts;
+use crate::{CONTOUR, TRIAD};
 
 /// A condition is satisfied up to so many units of the last place of the size.
 const ROUNDINGS: f64 = 64.0;
@@ -54,12 +53,17 @@ impl<T: Real> Lines<T> {
 }
 
 impl<T: Real> Legged<T> {
-    pub(crate) fn new(parts: &Parts) -> Result<Self, BuildError> {
-        let legs = parts
-            .legs
-            .iter()
-            .map(|(link, outer, inner)| Leg::new(*link, outer, inner))
-            .collect::<Result<Vec<_>, _>>()?;
+    pub(crate) fn new(frame: &GroupFrame) -> Result<Self, BuildError> {
+        let is_triad = frame.outer.len() == 3;
+        let Reading { links, inner, outer } = if is_triad { TRIAD } else { CONTOUR }.read(frame)?;
+        let (base, plate, legs) = if is_triad {
+            let legs = (0..3).map(|k| Leg::new(links[k + 1], &outer[k], &inner[k]));
+            (None, (links[0], None), legs.collect::<Result<Vec<_>, _>>()?)
+        } else {
+            let legs = (0..2).map(|k| Leg::new(links[k + 2], &inner[2 * k], &inner[2 * k + 1]));
+            let held = |k: usize| (links[k], Some(&outer[k]));
+            (Some(held(0)), held(1), legs.collect::<Result<Vec<_>, _>>()?)
+        };
         let anchor = legs.first().map_or([T::ZERO; 2], |leg: &Leg<T>| leg.ends()[0]);
         let size = |end: usize, from: [T; 2]| {
             let far = legs.iter().map(|leg| {
@@ -67,20 +71,17 @@ impl<T: Real> Legged<T> {
                 x.to_f64().hypot(y.to_f64())
             });
             let far = far.fold(0.0, f64::max);
-            if far > 0.0 { far } else { parts.frame.scale }
+            if far > 0.0 { far } else { frame.scale }
         };
-        let held = |outer: &Option<SeenPair>| outer.as_ref().map_or(anchor, |seen| vector(own_end(seen)));
+        let held = |outer: Option<&SeenPair>| outer.map_or(anchor, |seen| vector(seen.pair.places()[0].1));
         // One size for both links: what is taken of a determinant by it must not depend on the row.
-        let own = size(0, held(&parts.plate_outer));
-        let all = if parts.base.is_some() { own.max(size(1, held(&parts.base_outer))) } else { own };
-        let plate = Mover::new(parts.plate, parts.plate_outer.as_ref(), anchor, all)?;
-        let base = match parts.base {
-            Some(base) => Some(Mover::new(base, parts.base_outer.as_ref(), anchor, all)?),
-            None => None,
-        };
+        let own = size(0, held(plate.1));
+        let all = base.map_or(own, |base| own.max(size(1, held(base.1))));
+        let plate = Mover::new(plate, anchor, all)?;
+        let base = base.map(|base| Mover::new(base, anchor, all)).transpose()?;
         let spread = legs.iter().fold(T::ONE, |all, leg| all * leg.spread());
-        let rounding = ROUNDINGS * T::EPSILON * parts.frame.scale.max(all);
-        Ok(Self { frame: parts.frame.clone(), legs, plate, base, spread, rounding })
+        let rounding = ROUNDINGS * T::EPSILON * frame.scale.max(all);
+        Ok(Self { frame: frame.clone(), legs, plate, base, spread, rounding })
     }
 
     /// Violation of a condition that is rounding where base and plate are, m: far away places are rounded by their distance.
@@ -146,25 +147,24 @@ impl<T: Real> Legged<T> {
         self.legs.iter().for_each(|leg| leg.put(bodies));
     }
 
+    /// The parts of base and plate in what belongs to their freedoms.
+    #[inline(always)]
+    pub(crate) fn parts(&self, u: [T; 3]) -> ([T; 3], [T; 3]) {
+        match self.base {
+            Some(_) => ([u[0], T::ZERO, T::ZERO], [u[1], T::ZERO, T::ZERO]),
+            None => ([T::ZERO; 3], u),
+        }
+    }
+
     /// Sets PF1 or PF2 of base and plate for given rates of their freedoms.
     #[inline(always)]
     fn set(&self, bodies: &mut [Body<T>], lines: &Lines<T>, first: [T; 3], second: Option<[T; 3]>) {
-        let parts = |u: [T; 3]| match self.base {
-            Some(_) => ([u[0], T::ZERO, T::ZERO], [u[1], T::ZERO, T::ZERO]),
-            None => ([T::ZERO; 3], u),
-        };
-        let (base, plate) = parts(first);
-        let rates = second.map(parts);
+        let (base, plate) = self.parts(first);
+        let rates = second.map(|rates| self.parts(rates));
         if let (Some(mover), Some(hub)) = (&self.base, &lines.base) {
-            match rates {
-                None => mover.set_first(bodies, hub, base),
-                Some((rate, _)) => mover.set_second(bodies, hub, base, rate),
-            }
+            mover.set(bodies, hub, base, rates.map(|(base, _)| base));
         }
-        match rates {
-            None => self.plate.set_first(bodies, &lines.plate, plate),
-            Some((_, rate)) => self.plate.set_second(bodies, &lines.plate, plate, rate),
-        }
+        self.plate.set(bodies, &lines.plate, plate, rates.map(|(_, plate)| plate));
     }
 
     /// Places the legs, and sets what the order asks for.
@@ -200,7 +200,7 @@ impl<T: Real> Legged<T> {
         }
         let first = inverse.solve(right);
         self.set(bodies, lines, first, None);
-        self.legs.iter().for_each(|leg| leg.put_first(bodies));
+        self.legs.iter().for_each(|leg| leg.put_rates(bodies, 0));
         if order < Order::Second {
             return self.numbers(bodies, first, |leg| leg.x1 + leg.y1);
         }
@@ -210,7 +210,7 @@ impl<T: Real> Legged<T> {
         }
         let second = inverse.solve(right);
         self.set(bodies, lines, first, Some(second));
-        self.legs.iter().for_each(|leg| leg.put_second(bodies));
+        self.legs.iter().for_each(|leg| leg.put_rates(bodies, 1));
         self.numbers(bodies, first, |leg| leg.x1 + leg.y1)?;
         self.numbers(bodies, second, |leg| leg.x2 + leg.y2)
     }
@@ -233,14 +233,6 @@ impl<T: Real> Legged<T> {
         let inverse = Inverse::of(&lines.matrix);
         GroupError::if_singular(self.measure(lines).abs())?;
         Ok(inverse)
-    }
-}
-
-/// The joint of a pair on its own link, m.
-fn own_end(seen: &SeenPair) -> [f64; 2] {
-    match seen.pair.geometry {
-        PairGeometry::Pin { at_a, .. } => at_a,
-        PairGeometry::Slide { point, .. } => point,
     }
 }
 
@@ -282,7 +274,10 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
-        T::evaluate(Balance { kernel: self, bodies, loads, reactions })
+        T::evaluate(
+            #[inline(always)]
+            move || self.balance(bodies, &mut Forces { loads, reactions }),
+        )
     }
 
     fn lists_modes(&self) -> bool {

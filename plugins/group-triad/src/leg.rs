@@ -10,7 +10,7 @@
 //! | P, P | the plate keeps its angle to the base | a moment |
 
 use assur_group::plane::{cross, dot, minus, mirrored, perp, plus, scaled, times};
-use assur_group::{Body, BuildError, PinJoint, SeenPair, SlideJoint};
+use assur_group::{Body, BuildError, PinJoint, SeenPair, SlideJoint, motion_at};
 use assur_number::Real;
 use assur_words::text;
 
@@ -36,6 +36,9 @@ impl<T: Real> Line<T> {
 pub(crate) struct Leg<T> {
     /// The link.
     pub(crate) link: usize,
+    /// The bodies at its ends.
+    base: usize,
+    plate: usize,
     pub(crate) hold: Hold<T>,
 }
 
@@ -50,6 +53,7 @@ pub(crate) enum Hold<T> {
 
 impl<T: Real> Leg<T> {
     pub(crate) fn new(link: usize, outer: &SeenPair, inner: &SeenPair) -> Result<Self, BuildError> {
+        let (base, plate) = (outer.pair.b, inner.pair.b);
         let hold = match (outer.pair.is_slide(), inner.pair.is_slide()) {
             (false, false) => {
                 let (outer, inner) = (PinJoint::<T>::new(outer)?, PinJoint::<T>::new(inner)?);
@@ -74,7 +78,7 @@ impl<T: Real> Leg<T> {
                 Hold::Pp { turn: times(outer.turn, mirrored(inner.turn)), outer, inner }
             }
         };
-        Ok(Self { link, hold })
+        Ok(Self { link, base, plate, hold })
     }
 
     /// The sine of the angle between the guides of a leg of two slides, which is constant; 1 for others.
@@ -123,45 +127,36 @@ impl<T: Real> Leg<T> {
         }
     }
 
+    /// PF1 and PF2 of the joint of the plate, seen from the point of the base under it, or from the pin of the base of two pins.
+    #[inline(always)]
+    fn relative(&self, bodies: &[Body<T>], line: &Line<T>) -> [[T; 2]; 2] {
+        let from = match &self.hold {
+            Hold::Rr { outer, .. } => outer.place(bodies),
+            _ => line.at,
+        };
+        let (p, a) = (motion_at(bodies, self.plate, line.at), motion_at(bodies, self.base, from));
+        [minus(p[0], a[0]), minus(p[1], a[1])]
+    }
+
     /// Rate of the violation for the present PF1 of base and plate.
     #[inline(always)]
     pub(crate) fn first(&self, bodies: &[Body<T>], line: &Line<T>) -> T {
         match &self.hold {
-            Hold::Rr { outer, inner, .. } => {
-                let relative =
-                    minus(inner.motion(bodies, line.at)[0], outer.motion(bodies, outer.place(bodies))[0]);
-                dot(line.f, relative)
-            }
-            Hold::Pr { outer, inner, .. } => {
-                dot(line.f, minus(inner.motion(bodies, line.at)[0], outer.under(bodies, line.at)[0]))
-            }
-            Hold::Rp { outer, inner, .. } => {
-                dot(line.f, minus(inner.under(bodies, line.at)[0], outer.motion(bodies, line.at)[0]))
-            }
-            Hold::Pp { outer, inner, .. } => bodies[inner.body].w1 - bodies[outer.body].w1,
+            Hold::Pp { .. } => bodies[self.plate].w1 - bodies[self.base].w1,
+            _ => dot(line.f, self.relative(bodies, line)[0]),
         }
     }
 
     /// Second derivative of the violation for the present PF1 and PF2 of base and plate.
     #[inline(always)]
     pub(crate) fn second(&self, bodies: &[Body<T>], line: &Line<T>) -> T {
+        let [v, e] = self.relative(bodies, line);
+        let guided = |carrier: usize| dot(line.f, e) - (bodies[carrier].w1 * cross(v, line.f)).twice();
         match &self.hold {
-            Hold::Rr { outer, inner, length, .. } => {
-                let (p, a) = (inner.motion(bodies, line.at), outer.motion(bodies, outer.place(bodies)));
-                let (v, e) = (minus(p[0], a[0]), minus(p[1], a[1]));
-                dot(line.f, e) + dot(v, v) / *length
-            }
-            Hold::Pr { outer, inner, .. } => {
-                let (p, under) = (inner.motion(bodies, line.at), outer.under(bodies, line.at));
-                let (v, e) = (minus(p[0], under[0]), minus(p[1], under[1]));
-                dot(line.f, e) - (bodies[outer.body].w1 * cross(v, line.f)).twice()
-            }
-            Hold::Rp { outer, inner, .. } => {
-                let (a, under) = (outer.motion(bodies, line.at), inner.under(bodies, line.at));
-                let (v, e) = (minus(a[0], under[0]), minus(a[1], under[1]));
-                (bodies[inner.body].w1 * cross(v, line.f)).twice() - dot(line.f, e)
-            }
-            Hold::Pp { outer, inner, .. } => bodies[inner.body].w2 - bodies[outer.body].w2,
+            Hold::Rr { length, .. } => dot(line.f, e) + dot(v, v) / *length,
+            Hold::Pr { .. } => guided(self.base),
+            Hold::Rp { .. } => guided(self.plate),
+            Hold::Pp { .. } => bodies[self.plate].w2 - bodies[self.base].w2,
         }
     }
 
@@ -193,110 +188,61 @@ impl<T: Real> Leg<T> {
         }
     }
 
-    /// Sets PF1 of the leg.
+    /// Sets PF1 (order 0) or PF2 (order 1) of the leg; for PF2 its PF1 is set.
     #[inline(always)]
-    pub(crate) fn put_first(&self, bodies: &mut [Body<T>]) {
-        let (w, own, motion) = match &self.hold {
+    pub(crate) fn put_rates(&self, bodies: &mut [Body<T>], order: usize) {
+        let turning = |carrier: usize| [bodies[carrier].w1, bodies[carrier].w2][order];
+        let of_pin = |pin: &PinJoint<T>| pin.motion(bodies, pin.place(bodies))[order];
+        let (rate, own, motion) = match &self.hold {
             Hold::Rr { outer, inner, rod, length, .. } => {
-                let r = bodies[self.link].arm(*rod);
-                let a = outer.motion(bodies, outer.place(bodies))[0];
-                let p = inner.motion(bodies, inner.place(bodies))[0];
+                let (r, a, p) = (bodies[self.link].arm(*rod), of_pin(outer), of_pin(inner));
                 (cross(r, minus(p, a)) / (*length * *length), outer.own, a)
             }
-            Hold::Pr { outer, inner, .. } => {
-                (bodies[outer.body].w1, inner.own, inner.motion(bodies, inner.place(bodies))[0])
-            }
-            Hold::Rp { outer, inner, .. } => {
-                (bodies[inner.body].w1, outer.own, outer.motion(bodies, outer.place(bodies))[0])
-            }
+            Hold::Pr { inner, .. } => (turning(self.base), inner.own, of_pin(inner)),
+            Hold::Rp { outer, .. } => (turning(self.plate), outer.own, of_pin(outer)),
             Hold::Pp { outer, inner, .. } => {
-                let w = bodies[outer.body].w1;
-                (w, outer.own, self.crossing_first(bodies, outer, inner, w))
+                (turning(self.base), outer.own, self.crossing(bodies, [outer, inner], order))
             }
         };
-        let body = &mut bodies[self.link];
-        body.w1 = w;
-        let arm = body.arm(own);
-        body.hang_first(arm, motion);
+        hang(&mut bodies[self.link], order, own, rate, motion);
     }
 
-    /// PF1 of the point on the outer guide of a leg of two slides.
+    /// PF1 or PF2 of the point on the outer guide of a leg of two slides.
     #[inline(always)]
-    fn crossing_first(
-        &self,
-        bodies: &[Body<T>],
-        outer: &SlideJoint<T>,
-        inner: &SlideJoint<T>,
-        w: T,
-    ) -> [T; 2] {
-        let Crossing { normals, places, apart } = self.crossing(bodies, outer, inner);
-        let [o, i] = [outer.under(bodies, places[0])[0], inner.under(bodies, places[1])[0]];
-        meet(normals, [dot(normals[0], o), dot(normals[1], minus(i, scaled(w, perp(apart))))])
-    }
-
-    /// Sets PF2 of the leg; its PF1 is set.
-    #[inline(always)]
-    pub(crate) fn put_second(&self, bodies: &mut [Body<T>]) {
-        let (e, own, motion) = match &self.hold {
-            Hold::Rr { outer, inner, rod, length, .. } => {
-                let r = bodies[self.link].arm(*rod);
-                let a = outer.motion(bodies, outer.place(bodies))[1];
-                let p = inner.motion(bodies, inner.place(bodies))[1];
-                (cross(r, minus(p, a)) / (*length * *length), outer.own, a)
-            }
-            Hold::Pr { outer, inner, .. } => {
-                (bodies[outer.body].w2, inner.own, inner.motion(bodies, inner.place(bodies))[1])
-            }
-            Hold::Rp { outer, inner, .. } => {
-                (bodies[inner.body].w2, outer.own, outer.motion(bodies, outer.place(bodies))[1])
-            }
-            Hold::Pp { outer, inner, .. } => {
-                let e = bodies[outer.body].w2;
-                (e, outer.own, self.crossing_second(bodies, outer, inner, e))
-            }
-        };
-        let body = &mut bodies[self.link];
-        body.w2 = e;
-        let arm = body.arm(own);
-        body.hang_second(arm, motion);
-    }
-
-    /// PF2 of the point on the outer guide of a leg of two slides.
-    #[inline(always)]
-    fn crossing_second(
-        &self,
-        bodies: &[Body<T>],
-        outer: &SlideJoint<T>,
-        inner: &SlideJoint<T>,
-        e: T,
-    ) -> [T; 2] {
-        let Crossing { normals, places, apart } = self.crossing(bodies, outer, inner);
-        let body = &bodies[self.link];
+    fn crossing(&self, bodies: &[Body<T>], slides: [&SlideJoint<T>; 2], order: usize) -> [T; 2] {
+        let (body, base) = (&bodies[self.link], &bodies[self.base]);
+        let places = slides.map(|slide| body.point(slide.own));
+        let normals = slides.map(|slide| perp(slide.guide(bodies)));
+        let apart = minus(places[1], places[0]);
+        let under = [0, 1].map(|k| slides[k].under(bodies, places[k]));
+        if order == 0 {
+            let carried = scaled(base.w1, perp(apart));
+            return meet(
+                normals,
+                [dot(normals[0], under[0][0]), dot(normals[1], minus(under[1][0], carried))],
+            );
+        }
         let w = body.w1;
-        let side = |slide: &SlideJoint<T>, place: [T; 2], n: [T; 2]| {
-            let under = slide.under(bodies, place);
-            let v = minus(body.first(minus(place, body.origin())), under[0]);
-            dot(n, under[1]) + (w * cross(v, n)).twice()
-        };
-        let carried = minus(scaled(e, perp(apart)), scaled(w * w, apart));
-        let [o, i] = [side(outer, places[0], normals[0]), side(inner, places[1], normals[1])];
+        let [o, i] = [0, 1].map(|k| {
+            let v = minus(body.first(minus(places[k], body.origin())), under[k][0]);
+            dot(normals[k], under[k][1]) + (w * cross(v, normals[k])).twice()
+        });
+        let carried = minus(scaled(base.w2, perp(apart)), scaled(w * w, apart));
         meet(normals, [o, i - dot(normals[1], carried)])
-    }
-
-    #[inline(always)]
-    fn crossing(&self, bodies: &[Body<T>], outer: &SlideJoint<T>, inner: &SlideJoint<T>) -> Crossing<T> {
-        let body = &bodies[self.link];
-        let places = [body.point(outer.own), body.point(inner.own)];
-        let normals = [perp(outer.guide(bodies)), perp(inner.guide(bodies))];
-        Crossing { normals, places, apart: minus(places[1], places[0]) }
     }
 }
 
-/// A leg of two slides in one position: normals of its guides, its points on them, and from the first point to the second.
-struct Crossing<T> {
-    normals: [[T; 2]; 2],
-    places: [[T; 2]; 2],
-    apart: [T; 2],
+/// Sets PF1 (order 0) or PF2 (order 1) of a body from the rate of its angle and those of one of its points.
+#[inline(always)]
+pub(crate) fn hang<T: Real>(body: &mut Body<T>, order: usize, own: [T; 2], rate: T, motion: [T; 2]) {
+    let arm = body.arm(own);
+    if order == 0 {
+        body.w1 = rate;
+        body.hang_first(arm, motion);
+    } else {
+        body.w2 = rate;
+        body.hang_second(arm, motion);
+    }
 }
 
 /// The vector with given products with two normals.

@@ -30,7 +30,6 @@ mod modes;
 mod mover;
 mod newton;
 mod order;
-mod parts;
 mod trig;
 
 #[cfg(test)]
@@ -38,12 +37,10 @@ mod tests;
 
 use assur_group::PairSort::{Any, Pin, Slide};
 use assur_group::{
-    BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, PairSort, Pattern, Ways,
-    inventory,
+    Assemblies, BuildError, Builders, ForceAngle, GroupFrame, GroupKind, GroupPlugin, Number, PairSort,
+    Pattern, inventory,
 };
 use assur_words::text;
-
-use parts::Parts;
 
 pub use kernel::Legged;
 
@@ -63,27 +60,11 @@ const CONTOUR: Pattern = Pattern {
     outer: &[(0, Any), (1, Any)],
 };
 
-/// All groups of class III and order 3 that have this form.
-#[derive(Debug, Clone, Copy)]
-pub struct TriadKind;
-
-impl GroupKind for TriadKind {
+impl GroupKind for Legged<f64> {
     type Kernel<T: Number> = Legged<T>;
 
     fn build<T: Number>(frame: &GroupFrame) -> Result<Legged<T>, BuildError> {
-        Legged::new(&Parts::of_triad(frame, &TRIAD)?)
-    }
-}
-
-/// All groups of class IV and order 2.
-#[derive(Debug, Clone, Copy)]
-pub struct ContourKind;
-
-impl GroupKind for ContourKind {
-    type Kernel<T: Number> = Legged<T>;
-
-    fn build<T: Number>(frame: &GroupFrame) -> Result<Legged<T>, BuildError> {
-        Legged::new(&Parts::of_contour(frame, &CONTOUR)?)
+        Legged::new(frame)
     }
 }
 
@@ -98,7 +79,7 @@ const PP: LegSort = [Slide, Slide];
 const RANK: u8 = 10;
 
 macro_rules! kind {
-    ($name:literal, $kind:literal, $most:literal, $pattern:expr, $of:ty, [$summary:literal, $ways:literal, $singular:literal, $source:literal]) => {
+    ($name:literal, $kind:literal, $most:literal, $pattern:expr, [$summary:literal, $ways:literal, $singular:literal, $source:literal]) => {
         inventory::submit! {
             GroupPlugin {
                 name: $name,
@@ -108,12 +89,12 @@ macro_rules! kind {
                 summary: text!($summary),
                 pattern: Some($pattern),
                 rank: RANK,
-                ways: Ways { most: $most, varies: true, words: text!($ways) },
+                ways: Assemblies { most: $most, varies: true, words: text!($ways) },
                 iterates: true,
                 singular: text!($singular),
                 force_angle: ForceAngle::DEFAULT,
                 source: text!($source),
-                builders: Builders::near_in_lanes::<$of>(),
+                builders: Builders::near_in_lanes::<Legged<f64>>(),
             }
         }
     };
@@ -128,7 +109,6 @@ macro_rules! triad {
                 outer: &[(1, $one[0]), (2, $two[0]), (3, $three[0])],
                 ..TRIAD
             },
-            TriadKind,
             ["group-triad", "group-triad.ways", "group-triad.singular", "group-triad.source"]
         }
     };
@@ -143,7 +123,6 @@ macro_rules! contour {
                 outer: &[(0, $around[0]), (1, $around[1])],
                 ..CONTOUR
             },
-            ContourKind,
             ["group-contour", "group-contour.ways", "group-contour.singular", "group-contour.source"]
         }
     };

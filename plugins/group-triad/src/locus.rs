@@ -6,9 +6,6 @@ use assur_number::Real;
 use crate::leg::meet;
 use crate::trig::{Trig, sampled};
 
-/// Most poses of the plate that three legs allow.
-pub(crate) const MOST_POSES: usize = 24;
-
 /// A determinant of two lines below this, in parts of its greatest value, is not divided by, nor is it where circles are closer to
 /// concentric than this part of the size: the poses are then found from each line alone.
 const FLAT: f64 = 1e-3;
@@ -37,31 +34,6 @@ pub(crate) enum Locus<T> {
 pub(crate) struct Pose<T> {
     pub(crate) origin: [T; 2],
     pub(crate) direction: [T; 2],
-}
-
-/// Poses without an allocation.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Poses<T> {
-    all: [Pose<T>; MOST_POSES],
-    count: usize,
-}
-
-impl<T: Real> Poses<T> {
-    fn none() -> Self {
-        let nowhere = Pose { origin: [T::ZERO; 2], direction: [T::ONE, T::ZERO] };
-        Self { all: [nowhere; MOST_POSES], count: 0 }
-    }
-
-    pub(crate) fn each(&self) -> &[Pose<T>] {
-        &self.all[..self.count]
-    }
-
-    fn add(&mut self, pose: Pose<T>) {
-        if self.count < MOST_POSES {
-            self.all[self.count] = pose;
-            self.count += 1;
-        }
-    }
 }
 
 /// A line for the way r of the reference leg: m r = k.
@@ -190,18 +162,17 @@ impl<T: Real> Loci<T> {
 
     /// All poses, near which there is exactly one or, where two can't be told from none, at most two; `None` where the plate
     /// is not determined at all. Each is to be polished.
-    pub(crate) fn poses(&self) -> Option<Poses<T>> {
-        let mut poses = Poses::none();
+    pub(crate) fn poses(&self) -> Option<Vec<Pose<T>>> {
+        let mut poses = Vec::new();
         if let Locus::Angle { direction } = self.all[2] {
-            let before = poses.count;
             self.both(&mut poses, direction, [0, 1], f64::INFINITY);
-            return (poses.count > before || self.is_apart(direction)).then_some(poses);
+            return (!poses.is_empty() || self.is_apart(direction)).then_some(poses);
         }
         let directions = sampled::<T>();
         let values = directions.map(|direction| self.closure(direction));
         let most = values.iter().map(|(_, size)| *size).fold(0.0, f64::max);
         let zeros = Trig::through(&values.map(|(value, _)| value), &directions).zeros(most)?;
-        for &direction in zeros.directions() {
+        for direction in zeros {
             self.at(&mut poses, direction);
         }
         Some(poses)
@@ -219,7 +190,7 @@ impl<T: Real> Loci<T> {
     }
 
     /// The poses at a direction that is a zero of the closure.
-    fn at(&self, poses: &mut Poses<T>, direction: [T; 2]) {
+    fn at(&self, poses: &mut Vec<Pose<T>>, direction: [T; 2]) {
         let cut = self.cut(direction);
         let lines = [self.straight(&cut, 1), self.straight(&cut, 2)];
         let Locus::Circle { .. } = self.all[0] else {
@@ -228,7 +199,7 @@ impl<T: Real> Loci<T> {
             let angle = |[a, b]: [usize; 2]| cross(all[a].0, all[b].0).abs().to_f64();
             let best = [[0, 1], [0, 2], [1, 2]].into_iter().max_by(|a, b| angle(*a).total_cmp(&angle(*b)));
             if let Some([a, b]) = best {
-                poses.add(self.pose(&cut, meet([all[a].0, all[b].0], [all[a].1, all[b].1])));
+                poses.push(self.pose(&cut, meet([all[a].0, all[b].0], [all[a].1, all[b].1])));
             }
             return;
         };
@@ -241,7 +212,7 @@ impl<T: Real> Loci<T> {
         };
         let tells = d.abs().to_f64() > FLAT * s1 * s2;
         if tells && !is_concentric(1, s1) && !is_concentric(2, s2) {
-            poses.add(self.pose(&cut, meet([m1, m2], [k1, k2])));
+            poses.push(self.pose(&cut, meet([m1, m2], [k1, k2])));
         } else {
             self.both(poses, direction, [0, 1], NEAR * self.size);
             self.both(poses, direction, [0, 2], NEAR * self.size);
@@ -249,13 +220,13 @@ impl<T: Real> Loci<T> {
     }
 
     /// The poses at a direction at which two conditions hold and the third is missed by `near` at most, m.
-    fn both(&self, poses: &mut Poses<T>, direction: [T; 2], [one, other]: [usize; 2], near: f64) {
+    fn both(&self, poses: &mut Vec<Pose<T>>, direction: [T; 2], [one, other]: [usize; 2], near: f64) {
         let cut = self.cut(direction);
         for way in self.meeting(&cut, [one, other], false).into_iter().flatten() {
             let third = 3 - one - other;
             let miss = self.all[third].miss(plus(way, cut.offsets[third]), direction);
             if near.is_infinite() || miss.to_f64() <= near {
-                poses.add(self.pose(&cut, way));
+                poses.push(self.pose(&cut, way));
             }
         }
     }

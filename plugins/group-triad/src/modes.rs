@@ -4,7 +4,7 @@ use assur_group::{Body, GroupError, Mode};
 use assur_number::Real;
 
 use crate::kernel::Legged;
-use crate::mover::{Freedom, Mover};
+use crate::mover::Mover;
 use crate::order;
 
 /// A mode farther than this from the pose on entry, rad or parts of the size, is another one.
@@ -13,24 +13,8 @@ const FAR: f64 = 0.5;
 /// Most steps towards a place where two modes meet: each halves the distance.
 const MOST_STEPS_TO_MEETING: usize = 60;
 
-/// Most modes that are compared with a pose.
-const MOST_MODES: usize = 12;
-
 /// A pose of base and plate: what decides the others.
 pub(crate) type Core<T> = [Body<T>; 2];
-
-/// Poses of base and plate, with their determinants.
-pub(crate) struct Cores<T> {
-    all: [Core<T>; MOST_MODES],
-    health: [f64; MOST_MODES],
-    count: usize,
-}
-
-impl<T: Real> Cores<T> {
-    fn each(&self) -> impl ExactSizeIterator<Item = (&Core<T>, f64)> {
-        self.all[..self.count].iter().zip(self.health)
-    }
-}
 
 impl<T: Real> Legged<T> {
     #[inline(always)]
@@ -53,23 +37,19 @@ impl<T: Real> Legged<T> {
         let distance = |(k, mover): (usize, Option<&Mover<T>>)| {
             let Some(mover) = mover else { return 0.0 };
             let (a, b) = (&one[k], &other[k]);
-            let [ha, hb] = [a, b].map(|body| match &mover.freedom {
-                Freedom::Free(anchor) => body.point(*anchor),
-                Freedom::Turn(pin) => body.point(pin.own),
-                Freedom::Shift(slide) => body.point(slide.own),
-            });
+            let [ha, hb] = [a, b].map(|body| body.point(mover.own()));
             let way = size(ha[0] - hb[0], ha[1] - hb[1]) * mover.inverse_size.to_f64();
             way.max(size(a.c - b.c, a.s - b.s))
         };
         movers.into_iter().enumerate().map(distance).fold(0.0, f64::max)
     }
 
-    /// All poses of base and plate in which the group can be assembled; the bodies are changed.
-    fn cores(&self, bodies: &mut [Body<T>]) -> Result<Cores<T>, GroupError> {
+    /// All poses of base and plate in which the group can be assembled, with their determinants; the bodies are changed.
+    fn cores(&self, bodies: &mut [Body<T>]) -> Result<Vec<(Core<T>, f64)>, GroupError> {
         let loci = self.loci(bodies);
         let Some(poses) = loci.poses() else { return Err(GroupError::Singular { health: 0.0 }) };
-        let mut found = Cores { all: [[Body::ground(); 2]; MOST_MODES], health: [0.0; MOST_MODES], count: 0 };
-        for pose in poses.each() {
+        let mut found: Vec<(Core<T>, f64)> = Vec::new();
+        for pose in &poses {
             self.put_pose(pose, bodies);
             let raw = self.core(bodies);
             let polished = self.polish(bodies);
@@ -89,16 +69,15 @@ impl<T: Real> Legged<T> {
             // One mode that is found twice has its rounding, magnified by the determinant; two that are next to each other have
             // opposite signs.
             let rounding = 64.0 * T::EPSILON;
-            let is_new = found.each().all(|(other, its)| {
-                let twice = if (its > 0.0) == (health > 0.0) { rounding / health.abs() } else { 0.0 };
+            let is_new = found.iter().all(|(other, its)| {
+                let twice = if (*its > 0.0) == (health > 0.0) { rounding / health.abs() } else { 0.0 };
                 self.apart(other, &core) > (1e-4 * health.abs()).max(rounding).max(twice)
             });
-            if is_new && found.count < MOST_MODES {
-                (found.all[found.count], found.health[found.count]) = (core, health);
-                found.count += 1;
+            if is_new {
+                found.push((core, health));
             }
         }
-        if found.count == 0 {
+        if found.is_empty() {
             return Err(GroupError::NoAssembly { gap_m: loci.gap() });
         }
         Ok(found)
@@ -133,7 +112,7 @@ impl<T: Real> Legged<T> {
         let found = self.cores(bodies)?;
         let resolution = (256.0 * T::EPSILON).sqrt();
         let fits = |health: f64| health.abs() <= resolution || (health > 0.0) == (way == 0);
-        let nearest = found.each().filter(|(_, health)| fits(*health));
+        let nearest = found.iter().filter(|(_, health)| fits(*health));
         let nearest =
             nearest.map(|(core, _)| (self.apart(core, start), core)).min_by(|a, b| a.0.total_cmp(&b.0));
         match nearest {
@@ -151,8 +130,8 @@ impl<T: Real> Legged<T> {
         let mut bodies = bodies.to_vec();
         let found = self.cores(&mut bodies)?;
         let mut modes = Vec::new();
-        for (core, health) in found.each() {
-            self.put_core(core, &mut bodies);
+        for (core, health) in found {
+            self.put_core(&core, &mut bodies);
             self.finish(&mut bodies);
             let own = self.frame.links.iter().map(|&link| bodies[link]).collect();
             let way = usize::from(health <= 0.0);

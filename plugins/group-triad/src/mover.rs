@@ -1,10 +1,10 @@
 //! What a ternary link may still do once its outer pair is satisfied.
 
 use assur_group::plane::{cross, dot, minus, perp, plus, scaled, times};
-use assur_group::{Body, BuildError, PinJoint, SeenPair, SlideJoint, Wrench};
+use assur_group::{Body, BuildError, Forces, PinJoint, SeenPair, SlideJoint, Wrench};
 use assur_number::Real;
 
-use crate::leg::Line;
+use crate::leg::{Line, hang};
 
 /// A ternary link with its freedom in the absence of the legs.
 #[derive(Debug, Clone)]
@@ -32,16 +32,14 @@ pub(crate) enum Freedom<T> {
 pub(crate) struct Hub<T> {
     /// The joint or the point about which it turns, m.
     pub(crate) place: [T; 2],
-    /// Its arm from the origin of the link.
-    arm: [T; 2],
     /// Direction of the guide; only of a slide.
     along: [T; 2],
 }
 
 impl<T: Real> Mover<T> {
+    /// A link with its outer pair, if it has one.
     pub(crate) fn new(
-        link: usize,
-        outer: Option<&SeenPair>,
+        (link, outer): (usize, Option<&SeenPair>),
         anchor: [T; 2],
         size: f64,
     ) -> Result<Self, BuildError> {
@@ -53,8 +51,9 @@ impl<T: Real> Mover<T> {
         Ok(Self { link, freedom, inverse_size: T::from_f64(1.0 / size) })
     }
 
+    /// The joint or the point about which it turns, in its frame, m.
     #[inline(always)]
-    fn own(&self) -> [T; 2] {
+    pub(crate) fn own(&self) -> [T; 2] {
         match &self.freedom {
             Freedom::Free(anchor) => *anchor,
             Freedom::Turn(pin) => pin.own,
@@ -65,12 +64,11 @@ impl<T: Real> Mover<T> {
     #[inline(always)]
     pub(crate) fn hub(&self, bodies: &[Body<T>]) -> Hub<T> {
         let body = &bodies[self.link];
-        let arm = body.arm(self.own());
         let along = match &self.freedom {
             Freedom::Shift(slide) => slide.guide(bodies),
             _ => [T::ZERO; 2],
         };
-        Hub { place: plus(body.origin(), arm), arm, along }
+        Hub { place: body.point(self.own()), along }
     }
 
     /// What a line of action does on each freedom: two displacements and a rotation where the link is free, else its one
@@ -145,38 +143,21 @@ impl<T: Real> Mover<T> {
         }
     }
 
-    /// Sets PF1 for given speeds of the freedoms.
+    /// Sets PF1 for given speeds of the freedoms, or PF2 for given rates of them, where PF1 is set with these speeds.
     #[inline(always)]
-    pub(crate) fn set_first(&self, bodies: &mut [Body<T>], hub: &Hub<T>, speed: [T; 3]) {
-        let (w, motion) = match &self.freedom {
-            Freedom::Free(_) => (speed[2], [speed[0], speed[1]]),
-            Freedom::Turn(pin) => (speed[0], pin.motion(bodies, hub.place)[0]),
+    pub(crate) fn set(&self, bodies: &mut [Body<T>], hub: &Hub<T>, speed: [T; 3], rate: Option<[T; 3]>) {
+        let (order, given) = (usize::from(rate.is_some()), rate.unwrap_or(speed));
+        let (turning, motion) = match &self.freedom {
+            Freedom::Free(_) => (given[2], [given[0], given[1]]),
+            Freedom::Turn(pin) => (given[0], pin.motion(bodies, hub.place)[order]),
             Freedom::Shift(slide) => {
-                let under = slide.under(bodies, hub.place)[0];
-                (bodies[slide.body].w1, plus(under, scaled(speed[0], hub.along)))
+                let (carrier, under) = (&bodies[slide.body], slide.under(bodies, hub.place));
+                let turned = || scaled((carrier.w1 * speed[0]).twice(), perp(hub.along));
+                let under = if order == 0 { under[0] } else { plus(under[1], turned()) };
+                ([carrier.w1, carrier.w2][order], plus(under, scaled(given[0], hub.along)))
             }
         };
-        let body = &mut bodies[self.link];
-        body.w1 = w;
-        body.hang_first(hub.arm, motion);
-    }
-
-    /// Sets PF2 for given accelerations of the freedoms; PF1 is set, with these speeds.
-    #[inline(always)]
-    pub(crate) fn set_second(&self, bodies: &mut [Body<T>], hub: &Hub<T>, speed: [T; 3], rate: [T; 3]) {
-        let (w, motion) = match &self.freedom {
-            Freedom::Free(_) => (rate[2], [rate[0], rate[1]]),
-            Freedom::Turn(pin) => (rate[0], pin.motion(bodies, hub.place)[1]),
-            Freedom::Shift(slide) => {
-                let carrier = &bodies[slide.body];
-                let under = slide.under(bodies, hub.place)[1];
-                let turned = scaled((carrier.w1 * speed[0]).twice(), perp(hub.along));
-                (carrier.w2, plus(plus(under, turned), scaled(rate[0], hub.along)))
-            }
-        };
-        let body = &mut bodies[self.link];
-        body.w2 = w;
-        body.hang_second(hub.arm, motion);
+        hang(&mut bodies[self.link], order, self.own(), turning, motion);
     }
 
     /// Stores the reaction of the outer pair, which balances a load on the link, and hands it on; `load` is about the hub.
@@ -186,16 +167,15 @@ impl<T: Real> Mover<T> {
         bodies: &[Body<T>],
         hub: &Hub<T>,
         load: &Wrench<T>,
-        loads: &mut [Wrench<T>],
-        reactions: &mut [Wrench<T>],
+        forces: &mut Forces<'_, T>,
     ) {
         match &self.freedom {
             Freedom::Free(_) => {}
-            Freedom::Turn(pin) => pin.hand_on(bodies, [-load.fx, -load.fy], loads, reactions),
+            Freedom::Turn(pin) => pin.hand_on(bodies, [-load.fx, -load.fy], forces),
             Freedom::Shift(slide) => {
                 let normal = perp(hub.along);
                 let force = scaled(-dot(normal, load.force()), normal);
-                slide.hand_on(bodies, force, -load.m, loads, reactions);
+                slide.hand_on(bodies, force, -load.m, forces);
             }
         }
     }

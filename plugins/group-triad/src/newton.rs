@@ -6,7 +6,7 @@
 use std::any::TypeId;
 
 use assur_group::{Body, GroupError, Order};
-use assur_number::{Formula, Lanes, Real};
+use assur_number::{Lanes, Real};
 
 use crate::kernel::Legged;
 use crate::matrix::Inverse;
@@ -53,34 +53,6 @@ fn is_last<T: Real>(before: T, size: T) -> bool {
     (limit + least - size * size * size).at_least(0.0)
 }
 
-/// The two steps with all that follows; `None` where they are not enough, in any lane.
-struct Near<'a, T: Real> {
-    kernel: &'a Legged<T>,
-    bodies: &'a mut [Body<T>],
-    way: usize,
-    order: Order,
-}
-
-impl<T: Real> Formula for Near<'_, T> {
-    type Value = Option<Result<T, GroupError>>;
-
-    #[inline(always)]
-    fn evaluate(self) -> Self::Value {
-        let Self { kernel, bodies, way, order } = self;
-        kernel.settle(bodies);
-        let before = kernel.step(bodies);
-        let size = kernel.step(bodies);
-        if !is_near(before, size) || !is_last(before, size) {
-            return None;
-        }
-        let lines = kernel.lines(bodies);
-        let health = kernel.measure(&lines);
-        let is_of_way = if way == 0 { health } else { -health }.exceeds(0.0);
-        let is_found = is_of_way && lines.are_closed(kernel.rounding);
-        is_found.then(|| kernel.complete(bodies, (&lines, health), order))
-    }
-}
-
 impl<T: Real> Legged<T> {
     /// Places the group near the poses of its bodies and sets what the order asks for.
     #[inline]
@@ -94,7 +66,11 @@ impl<T: Real> Legged<T> {
             return Err(GroupError::Singular { health: 0.0 });
         }
         let start = self.core(bodies);
-        if let Some(found) = T::evaluate(Near { kernel: self, bodies: &mut *bodies, way, order }) {
+        let near = T::evaluate(
+            #[inline(always)]
+            || self.in_two_steps(bodies, way, order),
+        );
+        if let Some(found) = near {
             return found;
         }
         self.put_core(&start, bodies);
@@ -103,6 +79,27 @@ impl<T: Real> Legged<T> {
             return Err(GroupError::NoAssembly { gap_m: 0.0 });
         }
         self.solve_far(bodies, way, order)
+    }
+
+    /// Two steps with all that follows; `None` where they are not enough, in any lane.
+    #[inline(always)]
+    fn in_two_steps(
+        &self,
+        bodies: &mut [Body<T>],
+        way: usize,
+        order: Order,
+    ) -> Option<Result<T, GroupError>> {
+        self.settle(bodies);
+        let before = self.step(bodies);
+        let size = self.step(bodies);
+        if !is_near(before, size) || !is_last(before, size) {
+            return None;
+        }
+        let lines = self.lines(bodies);
+        let health = self.measure(&lines);
+        let is_of_way = if way == 0 { health } else { -health }.exceeds(0.0);
+        let is_found = is_of_way && lines.are_closed(self.rounding);
+        is_found.then(|| self.complete(bodies, (&lines, health), order))
     }
 
     /// The same with as many steps as it takes, or in another mode of the way.
@@ -132,15 +129,12 @@ impl<T: Real> Legged<T> {
     pub(crate) fn step(&self, bodies: &mut [Body<T>]) -> T {
         let found = self.lines(bodies);
         let inverse = Inverse::of(&found.matrix);
-        let by = inverse.solve(found.each.map(|line| -line.gap));
-        if let (Some(base), Some(hub)) = (&self.base, &found.base) {
-            let (own, other) = ([by[0], T::ZERO, T::ZERO], [by[1], T::ZERO, T::ZERO]);
-            base.step(bodies, hub, own);
-            self.plate.step(bodies, &found.plate, other);
-            return base.size_of(own) + self.plate.size_of(other);
-        }
-        self.plate.step(bodies, &found.plate, by);
-        self.plate.size_of(by)
+        let (own, other) = self.parts(inverse.solve(found.each.map(|line| -line.gap)));
+        self.plate.step(bodies, &found.plate, other);
+        let size = self.plate.size_of(other);
+        let (Some(base), Some(hub)) = (&self.base, &found.base) else { return size };
+        base.step(bodies, hub, own);
+        base.size_of(own) + size
     }
 
     /// Satisfies the outer pairs of base and plate.

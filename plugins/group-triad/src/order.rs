@@ -1,5 +1,7 @@
 //! The order of the modes.
 
+use std::f64::consts::PI;
+
 use assur_group::plane::{dot, minus};
 use assur_group::{AssurGroup, Body, SlideJoint};
 use assur_number::Real;
@@ -17,18 +19,6 @@ const SAME: f64 = 1e-9;
 pub(crate) struct Key {
     direction: [f64; 2],
     displacement: f64,
-}
-
-impl Key {
-    /// In (-pi, pi].
-    fn angle(&self) -> f64 {
-        let angle = self.direction[1].atan2(self.direction[0]);
-        if angle <= -std::f64::consts::PI { std::f64::consts::PI } else { angle }
-    }
-
-    fn has_direction_of(&self, other: &Self) -> bool {
-        (self.direction[0] - other.direction[0]).hypot(self.direction[1] - other.direction[1]) < SAME
-    }
 }
 
 /// The key of the present pose.
@@ -58,9 +48,17 @@ fn displacement<T: Real>(slide: &SlideJoint<T>, bodies: &[Body<T>]) -> f64 {
     if slide.turned { -way } else { way }
 }
 
-/// Sorts by the angle; where all have the same, by the displacement.
+/// Sorts by the angle, in (-pi, pi]; where all have the same, by the displacement.
 pub(crate) fn sort<M>(modes: &mut [(Key, M)]) {
-    let is_given = modes.windows(2).all(|two| two[0].0.has_direction_of(&two[1].0));
-    let number = |key: &Key| if is_given { key.displacement } else { key.angle() };
+    let apart = |one: &Key, other: &Key| {
+        let [x, y] = minus(one.direction, other.direction);
+        x.hypot(y)
+    };
+    let is_given = modes.windows(2).all(|two| apart(&two[0].0, &two[1].0) < SAME);
+    let angle = |key: &Key| {
+        let angle = key.direction[1].atan2(key.direction[0]);
+        if angle <= -PI { PI } else { angle }
+    };
+    let number = |key: &Key| if is_given { key.displacement } else { angle(key) };
     modes.sort_by(|(a, _), (b, _)| number(a).total_cmp(&number(b)));
 }

@@ -16,7 +16,7 @@ use assur_number::search::try_newton_root;
 pub(crate) const SAMPLES: usize = 16;
 
 /// Most zeros, counted with what rounding may repeat at the ends of arcs.
-pub(crate) const MOST: usize = 12;
+const MOST: usize = 12;
 
 /// Rounding of a value in units of the last place of the greatest of its terms.
 const ROUNDING: f64 = 8.0;
@@ -31,27 +31,6 @@ pub(crate) struct Trig<T> {
     parts: [[T; 2]; 3],
     /// Σ k^n times the size of the parts, n = 0 to 3; the first with the mean.
     bounds: [f64; 4],
-}
-
-/// Real zeros, as angles and their polished directions.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Zeros<T> {
-    found: [[T; 2]; MOST],
-    count: usize,
-}
-
-impl<T: Real> Zeros<T> {
-    /// The directions (cos, sin) of the zeros.
-    pub(crate) fn directions(&self) -> &[[T; 2]] {
-        &self.found[..self.count]
-    }
-
-    fn add(&mut self, direction: [T; 2]) {
-        if self.count < MOST {
-            self.found[self.count] = direction;
-            self.count += 1;
-        }
-    }
 }
 
 /// The directions of the samples, at the angles 2π k / 16.
@@ -113,26 +92,27 @@ impl<T: Real> Trig<T> {
         self.at_angle(angle)[0].to_f64()
     }
 
-    /// All real zeros, where the samples are sums of terms of at most this size; `None` where the polynomial is zero but for
+    /// The directions (cos, sin) of all real zeros, some perhaps twice, where the samples are sums of terms of at most this size; `None` where the polynomial is zero but for
     /// rounding: every angle is one.
-    pub(crate) fn zeros(&self, size: f64) -> Option<Zeros<T>> {
+    pub(crate) fn zeros(&self, size: f64) -> Option<Vec<[T; 2]>> {
         let slack = ROUNDING * T::EPSILON * size.max(self.bounds[0]);
         if self.bounds[0].is_nan() || self.bounds[0] <= slack {
             return None;
         }
-        let mut zeros = Zeros { found: [[T::ZERO; 2]; MOST], count: 0 };
+        let mut zeros = Vec::new();
         for k in 0..SAMPLES {
             self.search(&mut zeros, [k, k + 1].map(|k| TAU * k as f64 / SAMPLES as f64), slack);
         }
+        zeros.truncate(MOST);
         Some(zeros)
     }
 
     /// Adds the zeros between two angles.
-    fn search(&self, zeros: &mut Zeros<T>, [low, high]: [f64; 2], slack: f64) {
+    fn search(&self, zeros: &mut Vec<[T; 2]>, [low, high]: [f64; 2], slack: f64) {
         let (middle, h) = (0.5 * (low + high), 0.5 * (high - low));
         let [f, f1, f2] = self.at_angle(middle).map(Real::to_f64);
         let third = self.bounds[3];
-        if f.abs() > h * (f1.abs() + h * (0.5 * f2.abs() + h * third / 6.0)) + slack {
+        if zeros.len() >= MOST || f.abs() > h * (f1.abs() + h * (0.5 * f2.abs() + h * third / 6.0)) + slack {
             return;
         }
         if f1.abs() > h * (f2.abs() + 0.5 * h * third) {
@@ -140,7 +120,7 @@ impl<T: Real> Trig<T> {
         } else if f2.abs() > h * third {
             self.around(zeros, [low, high], slack);
         } else if h < LEAST_ARC {
-            zeros.add(self.direction(middle));
+            zeros.push(self.direction(middle));
         } else {
             self.search(zeros, [low, middle], slack);
             self.search(zeros, [middle, high], slack);
@@ -148,7 +128,7 @@ impl<T: Real> Trig<T> {
     }
 
     /// Adds the zeros between two angles where the second derivative keeps its sign.
-    fn around(&self, zeros: &mut Zeros<T>, [low, high]: [f64; 2], slack: f64) {
+    fn around(&self, zeros: &mut Vec<[T; 2]>, [low, high]: [f64; 2], slack: f64) {
         let slope = |angle: f64| self.at_angle(angle)[1].to_f64();
         if (slope(low) > 0.0) == (slope(high) > 0.0) {
             return self.cross(zeros, [low, high], slack);
@@ -158,8 +138,8 @@ impl<T: Real> Trig<T> {
         if value.abs() <= slack {
             // Two zeros that can't be told from one or none: they are no farther apart than this.
             let apart = (2.0 * (value.abs() + slack) / bend.abs()).sqrt();
-            zeros.add(self.direction(extreme - apart));
-            zeros.add(self.direction(extreme + apart));
+            zeros.push(self.direction(extreme - apart));
+            zeros.push(self.direction(extreme + apart));
             return;
         }
         self.cross(zeros, [low, extreme], slack);
@@ -168,14 +148,14 @@ impl<T: Real> Trig<T> {
 
     /// Adds the zero between two angles where the polynomial is monotone, if there is one; one at an end is found from both
     /// sides.
-    fn cross(&self, zeros: &mut Zeros<T>, [low, high]: [f64; 2], slack: f64) {
+    fn cross(&self, zeros: &mut Vec<[T; 2]>, [low, high]: [f64; 2], slack: f64) {
         let [below, above] = [self.value(low), self.value(high)];
         if below.abs() <= slack {
-            zeros.add(self.direction(low));
+            zeros.push(self.direction(low));
         } else if above.abs() <= slack {
-            zeros.add(self.direction(high));
+            zeros.push(self.direction(high));
         } else if (below > 0.0) != (above > 0.0) {
-            zeros.add(self.direction(self.root([low, high], 0)));
+            zeros.push(self.direction(self.root([low, high], 0)));
         }
     }
 

@@ -25,9 +25,7 @@ pub(crate) struct Impulse {
 }
 
 impl Stepper for Impulse {
-    fn pace(&self) -> Pace {
-        Pace::Adaptive(CONTROL)
-    }
+    const PACE: Pace = Pace::Adaptive(CONTROL);
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         let Step { equation, from, length: h, scale } = step;

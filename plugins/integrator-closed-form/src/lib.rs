@@ -44,9 +44,7 @@ struct Parabola {
 impl Stepper for Parabola {
     const PARABOLIC: bool = true;
 
-    fn pace(&self) -> Pace {
-        Pace::Unlimited
-    }
+    const PACE: Pace = Pace::Unlimited;
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         self.acceleration = step.from.acceleration;

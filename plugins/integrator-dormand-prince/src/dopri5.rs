@@ -4,24 +4,22 @@ use assur_integrator::{
     Attempt, Control, CountedEquation, Dense, MotionError, Node, Pace, State, Step, Stepper,
 };
 
-use crate::stages::Stages;
+use crate::Stages;
 
 /// The seven stages of the last step.
 #[derive(Debug, Default)]
 pub(crate) struct Dopri5(Stages<7>);
 
 impl Stepper for Dopri5 {
-    fn pace(&self) -> Pace {
-        // Hairer's beta = 0.04 of the code DOPRI5: proportional 1/5 - 0.75 beta.
-        Pace::Adaptive(Control {
-            proportional: 0.17,
-            integral: 0.04,
-            safety: 0.9,
-            shrink: 0.2,
-            grow: 10.0,
-            order: 5.0,
-        })
-    }
+    // Hairer's beta = 0.04 of the code DOPRI5: proportional 1/5 - 0.75 beta.
+    const PACE: Pace = Pace::Adaptive(Control {
+        proportional: 0.17,
+        integral: 0.04,
+        safety: 0.9,
+        shrink: 0.2,
+        grow: 10.0,
+        order: 5.0,
+    });
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         let stages = &mut self.0;

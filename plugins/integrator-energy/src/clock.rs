@@ -26,7 +26,6 @@ struct Leaf {
     to: f64,
     /// Time since the start of the leaf, over [-1, 1].
     time: Series,
-    /// Its derivative.
     rate: Series,
     /// Time at its start and its end, s.
     begin: f64,
@@ -63,19 +62,15 @@ struct PanelPoint {
     slope: f64,
 }
 
-/// Why the time along a panel does not end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Endless;
-
 impl Clock {
     /// Computes the time, to `tolerance` of the time of the panel, from `begin` up to x = `until` or to the time
-    /// `latest`, whichever is reached first.
+    /// `latest`, whichever is reached first; `None` where it does not end.
     pub(crate) fn measure(
-        panel: &Panel,
+        panel: &EnergyPanel,
         (until, rests): (f64, Rests),
         (begin, latest): (f64, f64),
         tolerance: f64,
-    ) -> Result<Self, Endless> {
+    ) -> Option<Self> {
         let energy = panel.energy_without_zeros(rests.at_start, rests.at_end.then_some(until));
         let fineness = (1e-3 * tolerance).max(4.0 * f64::EPSILON);
         let mut clock = Self { until, rests, energy, leaves: Vec::with_capacity(1), fineness };
@@ -98,13 +93,13 @@ impl Clock {
                     break;
                 }
             } else if depth == DEPTH || clock.leaves.len() >= MOST_LEAVES {
-                return Err(Endless);
+                return None;
             } else {
                 let middle = 0.5 * (from + to);
                 waiting.extend([(middle, to, depth + 1), (from, middle, depth + 1)]);
             }
         }
-        Ok(clock)
+        Some(clock)
     }
 
     /// Relative rounding error of dt between two parameters: where little energy remains, it is a difference of works,
@@ -128,7 +123,7 @@ impl Clock {
         }
     }
 
-    fn leaf(&self, panel: &Panel, from: f64, to: f64, begin: f64) -> (Series, Leaf) {
+    fn leaf(&self, panel: &EnergyPanel, from: f64, to: f64, begin: f64) -> (Series, Leaf) {
         let half = 0.5 * (to - from);
         let values: [f64; NODES] = std::array::from_fn(|j| {
             let PanelPoint { x, slope, .. } = self.place(from + half * (1.0 + INSIDE.nodes[j]));
@@ -180,7 +175,7 @@ pub(crate) type Values = (f64, f64);
 
 /// A panel over x in [-1, 1].
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Panel {
+pub(crate) struct EnergyPanel {
     /// Coordinate at x = -1, rad (m).
     pub(crate) start: f64,
     /// Length with the sign of the direction, rad (m).
@@ -194,7 +189,7 @@ pub(crate) struct Panel {
     pub(crate) error: f64,
 }
 
-impl Panel {
+impl EnergyPanel {
     /// Fits a panel. `first` are the values at its start where they are known, `energy` is T there, and `largest`
     /// the largest T so far: the energy is right compared to that.
     pub(crate) fn fit(

@@ -7,7 +7,7 @@ use assur_integrator::{
 use assur_words::text;
 
 use crate::clock::{Clock, Rests};
-use crate::clock::{Panel, Values, factor};
+use crate::clock::{EnergyPanel, Values, factor};
 
 /// If a turning point is nearer to the start than this part of the panel, the panel is fitted again with that length.
 const TOO_NEAR: f64 = 0.2;
@@ -29,7 +29,7 @@ const CLOCK_ROUNDING: f64 = 1e-13;
 /// The motion through a panel.
 #[derive(Debug, Clone)]
 struct Passage {
-    panel: Box<Panel>,
+    panel: Box<EnergyPanel>,
     clock: Clock,
 }
 
@@ -43,11 +43,9 @@ impl Curve for Passage {
 /// How the motion through a panel ends.
 #[derive(Debug, Clone, Copy)]
 enum Ending {
-    /// At the end of the panel.
-    Panel,
+    EnergyPanel,
     /// At a bound of the piece, or at the requested coordinate (`true`).
     Bound(f64, bool),
-    /// At x = the turning point.
     Turning(f64),
 }
 
@@ -119,7 +117,7 @@ impl March<'_> {
 
     /// Starts again from rest, if the remaining speed is lost in rounding.
     fn restart(&mut self) -> Result<(), IntegrationError> {
-        self.run.statistics.rejected += 1;
+        self.run.equation.cost.rejected += 1;
         self.run.node.state.speed = 0.0;
         self.enter_next()
     }
@@ -150,7 +148,8 @@ impl March<'_> {
         let state = self.run.node.state;
         let from = State { speed: direction * state.speed.abs().max(f64::MIN_POSITIVE), ..state };
         let energies = (self.energy, self.largest);
-        let fitted = Panel::fit(&mut self.run.equation, &from, direction * length, self.known, energies);
+        let fitted =
+            EnergyPanel::fit(&mut self.run.equation, &from, direction * length, self.known, energies);
         let panel = match fitted {
             Ok(panel) => panel,
             Err(source) => return self.shorten(length, 0.5, Some(source)),
@@ -167,7 +166,7 @@ impl March<'_> {
             }
             Some(x) => Ending::Turning(x),
             None if at_bound => Ending::Bound(bound, is_goal),
-            None => Ending::Panel,
+            None => Ending::EnergyPanel,
         };
         let grown = length * factor.clamp(0.3, 3.0);
         self.length = if at_bound { self.length.max(grown) } else { grown };
@@ -186,7 +185,7 @@ impl March<'_> {
     }
 
     fn shorten(&mut self, length: f64, by: f64, source: Option<MotionError>) -> Result<(), IntegrationError> {
-        self.run.statistics.rejected += 1;
+        self.run.equation.cost.rejected += 1;
         self.length = length * by;
         if self.length > self.least() {
             return Ok(());
@@ -196,7 +195,7 @@ impl March<'_> {
     }
 
     /// Advances through a fitted panel to its end, to the turning point in it, or to the latest time.
-    fn pass(&mut self, panel: &Panel, ending: Ending) -> Result<(), IntegrationError> {
+    fn pass(&mut self, panel: &EnergyPanel, ending: Ending) -> Result<(), IntegrationError> {
         let latest = self.run.request.latest();
         let turning = if let Ending::Turning(x) = ending { Some(x) } else { None };
         let until = turning.unwrap_or(1.0);
@@ -204,8 +203,8 @@ impl March<'_> {
         let begin = self.run.node.state.time;
         let tolerance = self.tolerance().max(CLOCK_ROUNDING);
         let clock = Clock::measure(panel, (until, rests), (begin, latest), tolerance);
-        let clock = clock.map_err(|_| self.run.not_reached(text!("integrator-energy-creeps")))?;
-        self.run.statistics.steps += 1;
+        let clock = clock.ok_or_else(|| self.run.not_reached(text!("integrator-energy-creeps")))?;
+        self.run.equation.cost.steps += 1;
         self.largest = self.largest.max(panel.most_energy());
         let end = clock.end();
         let passage = Passage { panel: Box::new(*panel), clock };
@@ -224,7 +223,7 @@ impl March<'_> {
         self.known = Some(panel.last);
         self.run.node.acceleration = moment / inertia;
         match ending {
-            Ending::Panel => Ok(()),
+            Ending::EnergyPanel => Ok(()),
             Ending::Turning(_) => self.turn(panel.length),
             Ending::Bound(bound, is_goal) => {
                 self.run.node.state.coordinate = bound;

@@ -293,7 +293,7 @@ proptest! {
         let (mut length, mut factor) = (length, 1.0);
         let panel = loop {
             length *= factor;
-            let panel = clock::Panel::fit(&mut equation, &state, length, None, (energy, energy)).unwrap();
+            let panel = clock::EnergyPanel::fit(&mut equation, &state, length, None, (energy, energy)).unwrap();
             if panel.error <= tolerance {
                 break panel;
             }

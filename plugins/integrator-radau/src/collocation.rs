@@ -158,30 +158,23 @@ fn newton_matrix(h: f64, partials: &Partials) -> Option<Matrix3<f64>> {
     (Matrix3::identity() - matrix).try_inverse()
 }
 
-/// The tolerance of the error of order 3 at which the solution of order 5 has the requested accuracy (Hairer's code
-/// RADAU5).
-fn inner(scale: &Scale) -> Scale {
-    scale.with_tolerance(0.1 * scale.tolerance.powf(2.0 / 3.0))
-}
-
 impl Stepper for Collocation {
     const IMPLICIT: bool = true;
 
-    fn pace(&self) -> Pace {
-        Pace::Adaptive(Control {
-            proportional: 0.25,
-            integral: 0.0,
-            safety: 0.85,
-            shrink: 0.2,
-            grow: 8.0,
-            order: 4.0,
-        })
-    }
+    const PACE: Pace = Pace::Adaptive(Control {
+        proportional: 0.25,
+        integral: 0.0,
+        safety: 0.85,
+        shrink: 0.2,
+        grow: 8.0,
+        order: 4.0,
+    });
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
-        let Step { equation, from, length: h, scale } = step;
+        let Step { equation, from, length: h, mut scale } = step;
         self.h = h;
-        let scale = inner(&scale);
+        // The tolerance of the error of order 3 at which the solution of order 5 has the requested accuracy (Hairer's code RADAU5).
+        scale.tolerance = 0.1 * scale.tolerance.powf(2.0 / 3.0);
         let partials = self.partials_at(equation, &from)?;
         if self.solve(equation, &from, &partials, &scale)?.is_none() {
             self.passed = false;
@@ -203,10 +196,8 @@ impl Stepper for Collocation {
     }
 
     fn dense(&mut self, _: &mut CountedEquation<'_>, from: &Node, to: &Node) -> Result<Dense, MotionError> {
-        let mut dense = Dense::steady(&from.state, self.h);
         let slopes = self.increments.map(|z| [interpolate(&z, 0.0).1, interpolate(&z, 1.0).1]);
-        dense.set_cubics(&from.state, &to.state, slopes);
-        Ok(dense)
+        Ok(Dense::with_slopes(&from.state, &to.state, self.h, slopes))
     }
 }
 

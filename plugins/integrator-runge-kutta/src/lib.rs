@@ -31,9 +31,7 @@ impl Stepper for Classical {
     /// On the real axis 2.785, on the imaginary one 2.83.
     const STABLE: f64 = 2.785;
 
-    fn pace(&self) -> Pace {
-        Pace::Fixed
-    }
+    const PACE: Pace = Pace::Fixed;
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         let Step { equation, from, length: h, .. } = step;

@@ -34,9 +34,7 @@ impl Stepper for Interval {
     /// On the real axis, as Euler's method.
     const STABLE: f64 = 2.0;
 
-    fn pace(&self) -> Pace {
-        Pace::Fixed
-    }
+    const PACE: Pace = Pace::Fixed;
 
     fn attempt(&mut self, step: Step<'_, '_>) -> Result<Attempt, MotionError> {
         Ok(Attempt { end: step.from.advanced(step.length), error: 0.0 })

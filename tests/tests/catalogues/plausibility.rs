@@ -101,7 +101,7 @@ fn current(motor: &Motor) -> Option<Doubt> {
 fn breakdown(motor: &Motor) -> Vec<Doubt> {
     let Some(ratio) = motor.max_torque_ratio else { return Vec::new() };
     let kloss = Characteristic::new(CharacteristicKind::Kloss, &motor.rated_data());
-    let sk = kloss.ok().and_then(|kloss| kloss.critical_slip());
+    let sk = kloss.ok().and_then(|kloss| kloss.critical_slip);
     let doubt = unusual("maximum torque ratio", ratio, MAX_TORQUE_RATIOS);
     doubt
         .into_iter()

@@ -2,7 +2,7 @@
 
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_group::Order;
-use assur_kinematics::{CourseEnd, Linkage, Position};
+use assur_kinematics::{CourseEnd, Linkage, ModeMeeting, Position};
 
 use super::linkage_of;
 
@@ -77,9 +77,9 @@ fn a_triad_passes_meetings_of_its_modes_as_the_dyad_that_moves_alike() {
     assert_eq!(triad.change_points().count(), 2);
     for linkage in [&triad, &dyad] {
         let found = linkage.courses(0).unwrap();
-        assert_eq!((found.circuits, found.branches, found.courses.len()), (1, 2, 2));
+        assert_eq!((found.circuits, found.branches, found.modes.len()), (Some(1), Some(2), 2));
         assert_eq!(found.counts.len(), 1, "{:?}", found.counts);
-        let mut at: Vec<f64> = found.meetings.iter().map(|(at, _)| at.to_degrees()).collect();
+        let mut at: Vec<f64> = found.meetings.iter().map(|meeting| meeting.at.to_degrees()).collect();
         at.sort_by(f64::total_cmp);
         assert!(at.len() == 2 && (at[0] - 180.0).abs() < 1e-4 && (at[1] - 360.0).abs() < 1e-4, "{at:?}");
     }
@@ -95,17 +95,17 @@ fn modes_over_a_cycle_are_born_and_end_in_pairs_at_the_ends_of_ranges() {
     let mut position = linkage.position();
     linkage.solve_index(0, Order::Place, &mut position).unwrap();
     let modes = linkage.modes(0, &position).unwrap().unwrap();
-    assert_eq!(found.counts[0].1, modes.all.len());
+    assert_eq!(found.counts[0].modes, modes.all.len());
     // The present mode ends where the range does, together with another one.
-    let course = &found.courses[modes.number(modes.present)];
-    let CourseEnd::With(other) = course.ends[1] else { panic!("{course:?}") };
+    let course = &found.modes[modes.number(modes.present)];
+    let CourseEnd::With(other) = course.ends else { panic!("{course:?}") };
     assert!((course.to - range.high).abs() < 1e-9, "{} {}", course.to, range.high);
-    assert_eq!(found.courses[other].circuit, course.circuit);
-    assert_ne!(found.courses[other].branch, course.branch);
+    assert_eq!(found.modes[other].circuit, course.circuit);
+    assert_ne!(found.modes[other].branch, course.branch);
     // The number changes by two at each birth and end; over a turn it comes back.
-    let steps = found.counts.windows(2).map(|two| two[1].1.abs_diff(two[0].1));
+    let steps = found.counts.windows(2).map(|two| two[1].modes.abs_diff(two[0].modes));
     assert!(steps.eq(std::iter::repeat_n(2, found.counts.len() - 1)), "{:?}", found.counts);
-    assert_eq!(found.counts.first().unwrap().1, found.counts.last().unwrap().1);
+    assert_eq!(found.counts.first().unwrap().modes, found.counts.last().unwrap().modes);
 }
 
 /// A triad of which two modes meet and vanish at two places; there they run apart by more than a thousandth within a millionth of
@@ -133,9 +133,9 @@ fn modes_that_run_fast_before_they_vanish_end_together_and_not_at_infinity() {
     for from in ["0.897", "0.947", "1.177", "1.457"] {
         let text = FAST.replace("FROM", from);
         let found = linkage_of(assur_scene::read("fast", &text).unwrap()).courses(0).unwrap();
-        assert_eq!((found.courses.len(), found.circuits), (4, 1), "from {from}: {:?}", found.courses);
+        assert_eq!((found.modes.len(), found.circuits), (4, Some(1)), "from {from}: {:?}", found.modes);
         let is_pair = |end| matches!(end, CourseEnd::With(_) | CourseEnd::Cycle);
-        assert!(found.courses.iter().all(|course| course.ends.into_iter().all(is_pair)));
+        assert!(found.modes.iter().all(|course| is_pair(course.begins) && is_pair(course.ends)));
     }
 }
 
@@ -145,7 +145,7 @@ fn a_position_next_to_the_end_of_two_modes_is_noted_with_both() {
     let courses = linkage_of(assur_scene::read("fast", &scene(0.897)).unwrap()).courses(0).unwrap();
     // The determinant falls with the root of the distance.
     for (before, is_noted) in [(1e-9, true), (1e-2, false)] {
-        let json = results(&scene(courses.courses[0].to - before));
+        let json = results(&scene(courses.modes[0].to - before));
         assert_eq!(json["structure"]["groups"][0]["modes"].as_array().unwrap().len(), 2);
         let notes = json["notes"].as_array().unwrap();
         let note = notes.iter().find(|note| note["id"] == "analysis-nearly-singular-modes");
@@ -200,7 +200,7 @@ fn modes_that_pass_through_infinity_end_there_wherever_the_turn_begins() {
     let found = ["0.201", "1.711", "2.973"].map(|from| {
         let text = THROUGH_INFINITY.replace("FROM", from);
         let found = linkage_of(assur_scene::read("infinity", &text).unwrap()).courses(0).unwrap();
-        let ended = found.courses.iter().filter(|course| course.ends[1] == CourseEnd::Infinity).count();
+        let ended = found.modes.iter().filter(|course| course.ends == CourseEnd::Infinity).count();
         (ended, found.circuits)
     });
     assert!(found[0].0 > 0 && found.iter().all(|one| *one == found[0]), "{found:?}");
@@ -279,9 +279,14 @@ fn modes_of_a_kite_go_on_through_the_place_where_it_turns_freely() {
     for from in ["50", "-3.37"] {
         let linkage = linkage_of(assur_scene::read("kite", &KITE.replace("FROM", from)).unwrap());
         let found = linkage.courses(0).unwrap();
-        assert_eq!((found.courses.len(), found.circuits, found.branches), (2, 1, 2), "{:?}", found.courses);
-        assert!(found.courses.iter().all(|course| course.ends == [CourseEnd::Cycle; 2]));
-        let [(at, _)] = found.meetings[..] else { panic!("{:?}", found.meetings) };
+        assert_eq!(
+            (found.modes.len(), found.circuits, found.branches),
+            (2, Some(1), Some(2)),
+            "{:?}",
+            found.modes
+        );
+        assert!(found.modes.iter().all(|course| [course.begins, course.ends] == [CourseEnd::Cycle; 2]));
+        let [ModeMeeting { at, .. }] = found.meetings[..] else { panic!("{:?}", found.meetings) };
         assert!((at / std::f64::consts::TAU).fract().abs() < 1e-6, "{at}");
     }
 }

@@ -1,17 +1,17 @@
-//! `assur analyze`.
+//! `assur analyze` and `assur check`.
 
 use std::io::{self, Write};
 
 use assur_analysis::results::{Analysis, Table};
 use assur_analysis::{Calculation, Options};
 use assur_parquet as parquet;
-use assur_report::{csv, json, text as report};
+use assur_report::{csv, json, text as report, topic};
 use assur_words::{Describe, Told, text};
 
 use super::args::AnalyzeArgs;
 use super::fault::{Fault, Status};
-use super::options::Format;
-use super::output::Output;
+use super::options::{CheckedArgs, Format};
+use super::output::{self, Output};
 use super::style::Style;
 use super::{plans, scene};
 use crate::progress::ProgressLine;
@@ -59,7 +59,24 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
         style.tell(text!("cli-parquet-motion"));
     }
     verdict.tell(style);
-    written.map(|()| status)
+    written
+}
+
+/// Every check of a scene, one line each.
+pub(crate) fn check(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
+    // The whole mechanism is checked, whatever results the scene requests.
+    let options = args.options(true)?;
+    let session = scene::open(&args.scene.scene, style)?;
+    let study = scene::calculation(&session, &options, style)?;
+    let line = ProgressLine::new(style.language);
+    let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
+    let checks = study.checks(args.checks.into(), &mut line.watch()).map_err(Fault::told)?;
+    drop(line);
+    analysis.add_checks(checks);
+    output::print(&report::told(style.words(), |page| topic::checks(&analysis.checks, page)))?;
+    let verdict = Verdict::of(&analysis, &study, Some(&session));
+    verdict.tell(style);
+    Ok(verdict.proved())
 }
 
 /// Form of the results, by the format and the name of the file.
@@ -106,7 +123,7 @@ impl Results<'_> {
         done.map_err(other)?
     }
 
-    fn json(&self, output: Output<'_>, status: Status) -> Result<(), Fault> {
+    fn json(&self, output: Output<'_>, status: Status) -> Result<Status, Fault> {
         let around = json::analysis::Around::of(self.analysis, self.style.ascii_data).map_err(Fault::told)?;
         output.write_by(status, |out| {
             out.write_all(&around.before)?;
@@ -123,7 +140,7 @@ impl Results<'_> {
         })
     }
 
-    fn csv(&self, output: Output<'_>, status: Status) -> Result<(), Fault> {
+    fn csv(&self, output: Output<'_>, status: Status) -> Result<Status, Fault> {
         let ascii = self.style.ascii_data;
         let sheets = csv::of_positions(self.analysis, ascii);
         let trajectory = csv::of_trajectory(self.analysis, ascii);
@@ -142,7 +159,7 @@ impl Results<'_> {
         })
     }
 
-    fn parquet(&self, output: Output<'_>, status: Status) -> Result<(), Fault> {
+    fn parquet(&self, output: Output<'_>, status: Status) -> Result<Status, Fault> {
         output.write_by(status, |out| {
             let mut writer = parquet::Writer::new(self.analysis, out).map_err(other)?;
             self.each(Table::clone, |table| writer.add(&table).map_err(other))?;

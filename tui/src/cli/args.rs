@@ -46,15 +46,15 @@ pub(crate) enum Command {
     /// Measure speed against accuracy of every method that can do a scene
     Chart(super::chart::ChartArgs),
     /// Walk towards the singular positions of a scene; how near it comes to them, and how much each length may change
-    Stability(StabilityArgs),
+    Stability(super::study::StabilityArgs),
     /// Measure the motion: strokes, dead points, extremes, force angles, centrodes, curvature
-    Geometry(super::geometry::GeometryArgs),
+    Geometry(super::study::GeometryArgs),
     /// Mobility, Assur groups and class; with another link as the input too
-    Structure(super::structure::StructureArgs),
+    Structure(super::study::StructureArgs),
     /// Shaking force and moment on the ground, harmonics, and the counterweights that make the force least
-    Shaking(super::shaking::ShakingArgs),
+    Shaking(super::study::ShakingArgs),
     /// Write the explanatory note: task, structure, plans, forces, dynamics, working, checks, with all figures
-    Report(super::report::ReportArgs),
+    Report(super::draw::ReportArgs),
     /// Draw a view of the terminal UI to a file: the mechanism, curves, forces, plans
     Draw(super::draw::DrawArgs),
     /// Calculate a scene over a grid of parameters, in parallel, one row for each point
@@ -72,7 +72,7 @@ pub(crate) enum Command {
         /// File to write; must not exist
         file: PathBuf,
         /// Mechanism of the scene (default: a slider-crank compressor)
-        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(super::starter::kinds()))]
+        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(super::shell::kinds()))]
         kind: Option<String>,
     },
     /// Print the default configuration of the terminal UI, commented
@@ -89,7 +89,6 @@ pub(crate) enum Command {
     Man,
 }
 
-/// Arguments of `analyze`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct AnalyzeArgs {
     #[command(flatten)]
@@ -107,20 +106,6 @@ pub(crate) struct AnalyzeArgs {
     pub(crate) output: Option<PathBuf>,
 }
 
-/// Arguments of `stability`.
-#[derive(Debug, Clone, Args)]
-pub(crate) struct StabilityArgs {
-    /// Scene file
-    pub(crate) scene: PathBuf,
-    /// Form of the results
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
-    /// Write to this file instead of standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
-}
-
-/// Arguments of `explain`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ExplainArgs {
     #[command(flatten)]
@@ -135,7 +120,6 @@ pub(crate) struct ExplainArgs {
     pub(crate) energy: bool,
 }
 
-/// Arguments of `motors`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct MotorArgs {
     /// Only this catalogue

@@ -22,7 +22,6 @@ use crate::session::Session;
 /// Exit status after Ctrl-C, the usual one in shells.
 const INTERRUPTED: u8 = 130;
 
-/// Arguments of `chart`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ChartArgs {
     /// Scene file
@@ -71,14 +70,14 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
         let figure = chart::figure(&data);
         let picture =
             crate::screen::command::picture(&figure, path, PAGE, style.language).map_err(Fault::Other)?;
-        return output.write(picture, status).map(|()| status);
+        return output.write(picture, status);
     }
     let text = match args.format {
         Format::Text => chart::text(&data, style.words(), chart::WIDTH),
         Format::Json => data.to_json().map_err(Fault::other)?,
         Format::Csv => chart::csv(&data).map_err(Fault::told)?,
     };
-    output.write(text, status).map(|()| status)
+    output.write(text, status)
 }
 
 /// Ctrl-C sets the flag; a second Ctrl-C ends the program.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use assur_scene::reference::{Default, Key, TABLES, Table, near, search};
+use assur_scene::reference::{KeyDefault, KeyTable, SceneKey, TABLES, near, search};
 use assur_words::{Language, Text, name, text};
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -15,7 +15,6 @@ use super::style::Style;
 /// Columns of a page.
 const WIDTH: usize = 100;
 
-/// Arguments of `keys`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct KeysArgs {
     /// A key, a table, or a word of their descriptions; without it, all
@@ -77,23 +76,23 @@ pub(crate) fn run(args: &KeysArgs, style: Style) -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-type Matches = (&'static Table, Vec<&'static Key>);
+type Matches = (&'static KeyTable, Vec<&'static SceneKey>);
 
 /// How a key is written in its table.
-fn line(key: &Key) -> String {
+fn line(key: &SceneKey) -> String {
     format!("{} = {}", key.name, key.example)
 }
 
 /// What holds without a key.
-fn default(key: &Key) -> Text {
+fn default(key: &SceneKey) -> Text {
     let of = name(key.sorts);
     match (key.default, key.sorts.is_empty()) {
-        (Default::Needed, true) => text!("cli-key-needed"),
-        (Default::Needed, false) => text!("cli-key-needed-of", sorts = of),
-        (Default::Absent, true) => Text::default(),
-        (Default::Absent, false) => text!("cli-key-of", sorts = of),
-        (Default::Is(value), true) => text!("cli-key-default", value = name(value)),
-        (Default::Is(value), false) => text!("cli-key-default-of", value = name(value), sorts = of),
+        (KeyDefault::Needed, true) => text!("cli-key-needed"),
+        (KeyDefault::Needed, false) => text!("cli-key-needed-of", sorts = of),
+        (KeyDefault::Absent, true) => Text::default(),
+        (KeyDefault::Absent, false) => text!("cli-key-of", sorts = of),
+        (KeyDefault::Is(value), true) => text!("cli-key-default", value = name(value)),
+        (KeyDefault::Is(value), false) => text!("cli-key-default-of", value = name(value), sorts = of),
     }
 }
 

@@ -3,25 +3,19 @@
 mod analyze;
 mod args;
 mod chart;
-mod check;
 mod config;
 mod draw;
 mod explain;
 mod fault;
-mod geometry;
 mod keys;
 mod lists;
 mod options;
 mod output;
 mod plans;
-mod report;
 mod scene;
 mod set;
-mod shaking;
 mod shell;
-mod stability;
-mod starter;
-mod structure;
+mod study;
 mod style;
 mod sweep;
 mod usage;
@@ -99,21 +93,21 @@ type Configured = (Config, Option<Fault>);
 fn command(cli: Cli, configured: Configured, style: Style) -> Result<Status, Fault> {
     match cli.command {
         Some(Command::Analyze(args)) => analyze::run(&args, style),
-        Some(Command::Check(args)) => check::run(&args, style),
+        Some(Command::Check(args)) => analyze::check(&args, style),
         Some(Command::Explain(args)) => explain::run(&args, style),
         Some(Command::Chart(args)) => chart::run(&args, style),
-        Some(Command::Stability(args)) => stability::run(&args, style),
-        Some(Command::Geometry(args)) => geometry::run(&args, style),
-        Some(Command::Shaking(args)) => shaking::run(&args, style),
-        Some(Command::Structure(args)) => structure::run(&args, style),
-        Some(Command::Report(args)) => report::run(&args, cli.language.as_deref(), style),
-        Some(Command::Draw(args)) => draw::run(&args, style),
+        Some(Command::Stability(args)) => study::stability(&args, style),
+        Some(Command::Geometry(args)) => study::geometry(&args, style),
+        Some(Command::Shaking(args)) => study::shaking(&args, style),
+        Some(Command::Structure(args)) => study::structure(&args, style),
+        Some(Command::Report(args)) => draw::report(&args, cli.language.as_deref(), style),
+        Some(Command::Draw(args)) => draw::draw(&args, style),
         Some(Command::Sweep(args)) => sweep::run(&args, style),
         Some(Command::Set(args)) => set::run(&args, style),
         Some(Command::Keys(args)) => keys::run(&args, style),
         Some(Command::Plugins) => lists::plugins(style),
         Some(Command::Motors(args)) => lists::motors(&args, style),
-        Some(Command::New { file, kind }) => starter::run(&file, kind.as_deref()),
+        Some(Command::New { file, kind }) => shell::new(&file, kind.as_deref()),
         Some(Command::Config) => config::print(style),
         Some(Command::Completions { shell }) => shell::completions(shell),
         Some(Command::Man) => shell::man(),
@@ -161,7 +155,7 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
                 config,
                 config_fault: fault.clone(),
                 config_file: config::file(),
-                note: Some(report::of_session),
+                note: Some(draw::of_session),
             };
             let code = crate::screen::run(scene, options);
             if let Some(fault) = fault {

@@ -42,8 +42,8 @@ impl<'a> Output<'a> {
         Ok(())
     }
 
-    /// Writes one text or file; results of a command that fails never replace a file.
-    pub(crate) fn write(self, content: impl AsRef<[u8]>, status: Status) -> Result<(), Fault> {
+    /// Writes one text or file, and ends with this status; results of a command that fails never replace a file.
+    pub(crate) fn write(self, content: impl AsRef<[u8]>, status: Status) -> Result<Status, Fault> {
         self.write_by(status, |out| out.write_all(content.as_ref()))
     }
 
@@ -52,14 +52,16 @@ impl<'a> Output<'a> {
         self,
         status: Status,
         fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
-    ) -> Result<(), Fault> {
-        let Some(path) = self.target else {
+    ) -> Result<Status, Fault> {
+        if let Some(path) = self.target {
+            refuse_partial(path, status)?;
+            files::remove_on_signals();
+            files::write_by(path, fill)?;
+        } else {
             let mut stdout = io::stdout();
-            return fill(&mut stdout).and_then(|()| stdout.flush()).map_err(Fault::stdout);
-        };
-        refuse_partial(path, status)?;
-        files::remove_on_signals();
-        Ok(files::write_by(path, fill)?)
+            fill(&mut stdout).and_then(|()| stdout.flush()).map_err(Fault::stdout)?;
+        }
+        Ok(status)
     }
 
     /// Writes some of all possible files into the folder by a function; results of a command that fails never replace
@@ -70,7 +72,7 @@ impl<'a> Output<'a> {
         all: &[&str],
         names: &[&str],
         fill: impl FnOnce(&mut [BufWriter<&mut NamedTempFile>]) -> io::Result<()>,
-    ) -> Result<(), Fault> {
+    ) -> Result<Status, Fault> {
         let Some(folder) = self.target else {
             return Err(Fault::Other(text!("cli-csv-folder")));
         };
@@ -80,7 +82,8 @@ impl<'a> Output<'a> {
             refuse_partial(&path, status)?;
         }
         files::remove_on_signals();
-        Ok(files::write_folder(folder, all, names, fill)?)
+        files::write_folder(folder, all, names, fill)?;
+        Ok(status)
     }
 }
 

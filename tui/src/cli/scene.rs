@@ -54,11 +54,7 @@ fn doubt(session: &Session, doubts: &[Notice], style: Style) -> Result<(), Fault
     doubted(doubts.iter().map(|doubt| session.doubt(doubt)).collect(), style)
 }
 
-/// The same of a scene that stands in no file yet.
-pub(crate) fn doubt_of(doubts: &[Notice], style: Style) -> Result<(), Fault> {
-    doubted(doubts.iter().map(|doubt| text!("cli-note", note = doubt)).collect(), style)
-}
-
+/// Tells what is probably not meant, or refuses it where that is an error.
 pub(super) fn doubted(told: Vec<Text>, style: Style) -> Result<(), Fault> {
     if style.strict && !told.is_empty() {
         return Err(Fault::Scene(text!("cli-strict", notes = joined("\n", told))));

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use assur_scene::edit::{Key, ParsedText, TextPlace, decimal, quoted, replaced, split};
+use assur_scene::edit::{KeyPath, ParsedText, TextPlace, decimal, quoted, replaced, split};
 use assur_scene::{Dimension, Unit};
 use assur_words::{Text, name, text};
 use clap::Args;
@@ -13,7 +13,6 @@ use super::scene;
 use super::style::Style;
 use crate::files;
 
-/// Arguments of `set`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct SetArgs {
     /// Scene file
@@ -47,7 +46,7 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
         let problem =
             |problem: Text| Fault::Other(text!("cli-set", value = name(value.clone()), problem = problem));
         let (key, value) = value.split_once('=').ok_or_else(|| problem(text!("cli-write-set")))?;
-        let key = Key::parse(key).map_err(problem)?;
+        let key = KeyPath::parse(key).map_err(problem)?;
         let found = document.find(&key).map_err(problem)?;
         // A later value of a key counts.
         places.retain(|(place, _)| found.iter().all(|new| new.span != place.span));
@@ -56,9 +55,9 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
     let text = replaced(&text, places.iter().map(|(place, toml)| (&place.span, toml.as_str())));
     let file = args.scene.display().to_string();
     let mechanism = assur_scene::read(&file, &text).map_err(|errors| scene::faults(&errors))?;
-    scene::doubt_of(&mechanism.notes, style)?;
-    output.write(&text, Status::Done)?;
-    Ok(Status::Done)
+    let doubts = mechanism.notes.iter().map(|doubt| text!("cli-note", note = doubt));
+    scene::doubted(doubts.collect(), style)?;
+    output.write(&text, Status::Done)
 }
 
 /// A value as TOML: a number alone as a number, everything else as a text.
@@ -80,7 +79,7 @@ fn in_unit_of(place: &TextPlace, number: f64, dimension: Option<Dimension>) -> S
 
 /// The places of a parameter that a column holds, and what it measures: its name is the key, with the unit where it has one.
 fn measured(document: &ParsedText<'_>, column: &str) -> Result<(Vec<TextPlace>, Option<Dimension>), Fault> {
-    let find = |key: &str| Key::parse(key).and_then(|key| document.find(&key));
+    let find = |key: &str| KeyPath::parse(key).and_then(|key| document.find(&key));
     let first = match find(column) {
         Ok(places) => return Ok((places, None)),
         Err(problem) => problem,

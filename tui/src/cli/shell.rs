@@ -1,10 +1,17 @@
-//! `assur completions` and `assur man`.
+//! `assur new`, `assur completions` and `assur man`: what needs no scene.
 
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+
+use assur_fixtures::SCENES;
+use assur_words::{text, text_of};
 use clap::CommandFactory;
 
 use super::args::Cli;
 use super::fault::{Fault, Status};
 use super::output;
+use crate::files::FileError;
 
 /// A completion script.
 pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Status, Fault> {
@@ -29,5 +36,30 @@ pub(crate) fn man() -> Result<Status, Fault> {
     }
     page.extend(super::keys::manual().bytes());
     output::print(&String::from_utf8_lossy(&page))?;
+    Ok(Status::Done)
+}
+
+/// The mechanisms of which a scene can be written.
+pub(crate) fn kinds() -> impl Iterator<Item = &'static str> {
+    SCENES.iter().map(|(name, _)| *name)
+}
+
+/// Writes a scene to start from.
+pub(crate) fn new(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
+    let scene =
+        SCENES.iter().find(|(known, _)| Some(*known) == kind).map_or(assur_scene::STARTER, |(_, text)| text);
+    let fault = |problem| FileError::refused(path, problem);
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| {
+        fault(match error.kind() {
+            ErrorKind::AlreadyExists => text!("file-exists"),
+            _ => text_of(&error),
+        })
+    })?;
+    if let Err(error) = file.write_all(scene.as_bytes()) {
+        drop(file);
+        // An incomplete scene is worse than none.
+        let _ = std::fs::remove_file(path);
+        return Err(fault(text_of(&error)).into());
+    }
     Ok(Status::Done)
 }

@@ -41,7 +41,6 @@ fn columns() -> String {
             failed_positions."
 }
 
-/// Arguments of `sweep`.
 #[derive(Debug, Clone, Args)]
 #[command(after_help = columns())]
 pub(crate) struct SweepArgs {
@@ -131,7 +130,7 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
 fn fault(path: &Path, error: SweepError) -> Fault {
     match error {
         SweepError::Scene(errors) => scene::faults(&errors),
-        SweepError::AllRefused { .. } => scene::in_file(path, error.describe()),
+        SweepError::AllRefused(_) => scene::in_file(path, error.describe()),
         error => Fault::Other(error.describe()),
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
 use assur_words::{Text, Told, name, text};
@@ -141,7 +142,7 @@ pub(crate) fn create_own(path: &Path) -> io::Result<File> {
 /// Refuses what is no regular file with one name.
 fn check_own(path: &Path) -> io::Result<()> {
     let found = fs::symlink_metadata(path)?;
-    let problem = if found.is_file() && has_one_name(&found) {
+    let problem = if found.is_file() && found.nlink() <= 1 {
         return Ok(());
     } else if found.is_symlink() {
         text!("file-is-link")
@@ -153,29 +154,8 @@ fn check_own(path: &Path) -> io::Result<()> {
     Err(io::Error::new(io::ErrorKind::AlreadyExists, Told(problem)))
 }
 
-fn has_one_name(found: &fs::Metadata) -> bool {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::MetadataExt;
-        found.nlink() <= 1
-    }
-    #[cfg(not(unix))]
-    {
-        let _ = found;
-        true
-    }
-}
-
 /// Whether an open file is still the one to which its path leads, not through a link.
 fn is_at(file: &File, path: &Path) -> bool {
     let (Ok(open), Ok(there)) = (file.metadata(), fs::symlink_metadata(path)) else { return false };
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::MetadataExt;
-        (open.dev(), open.ino()) == (there.dev(), there.ino())
-    }
-    #[cfg(not(unix))]
-    {
-        open.is_file() && there.is_file()
-    }
+    (open.dev(), open.ino()) == (there.dev(), there.ino())
 }

@@ -3,6 +3,7 @@
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufWriter, Write};
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
@@ -122,14 +123,8 @@ fn filled(
 
 /// Whether two paths lead to one file, also through links and other spellings.
 pub(crate) fn is_same(one: &Path, other: &Path) -> bool {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::MetadataExt;
-        let file = |path: &Path| fs::metadata(path).map(|found| (found.dev(), found.ino()));
-        matches!((file(one), file(other)), (Ok(one), Ok(other)) if one == other)
-    }
-    #[cfg(not(unix))]
-    matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
+    let file = |path: &Path| fs::metadata(path).map(|found| (found.dev(), found.ino()));
+    matches!((file(one), file(other)), (Ok(one), Ok(other)) if one == other)
 }
 
 /// New content next to its target; removed unless it replaces the target.
@@ -155,13 +150,8 @@ impl Replacement {
             return Err(io::Error::new(io::ErrorKind::NotFound, Told(missing)));
         }
         let mut builder = tempfile::Builder::new();
-        builder.prefix(".assur-");
-        #[cfg(unix)]
-        let builder = {
-            use std::os::unix::fs::PermissionsExt;
-            // The umask applies, as for any new file.
-            builder.permissions(fs::Permissions::from_mode(0o666))
-        };
+        // The umask applies, as for any new file.
+        builder.prefix(".assur-").permissions(fs::Permissions::from_mode(0o666));
         // Locked, so that a signal finds every file that was made.
         let mut temporaries = temporaries();
         let content = builder.tempfile_in(folder)?;
@@ -216,16 +206,7 @@ fn refuse_special(old: &fs::Metadata) -> io::Result<()> {
 
 /// Whether an old file has other names, or an owner that a new file would not have.
 fn is_bound(old: &fs::Metadata, new: &fs::Metadata) -> bool {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::MetadataExt;
-        old.nlink() > 1 || old.uid() != new.uid() || old.gid() != new.gid()
-    }
-    #[cfg(not(unix))]
-    {
-        let _ = (old, new);
-        false
-    }
+    old.nlink() > 1 || old.uid() != new.uid() || old.gid() != new.gid()
 }
 
 fn temporaries() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {

@@ -6,7 +6,7 @@ use assur_report::topic::Source;
 use assur_words::{Text, joined, list};
 
 use super::NoteError;
-use crate::screen::state::{Found, Scene, State, View};
+use crate::screen::state::{Found, Scene, State, View, ViewPart};
 use crate::screen::view;
 
 /// The state of a scene whose analysis is done, and what is shown of it.
@@ -66,6 +66,13 @@ impl Context<'_> {
     /// The figure in the first of the chosen positions, without its title.
     pub(super) fn first(&mut self, shown: View, set: impl FnOnce(&mut State)) -> Option<Figure> {
         self.figure(shown, self.positions[0], set).map(|(figure, _)| figure)
+    }
+
+    /// The figure of a part of a view in the first of the chosen positions.
+    pub(super) fn part(&mut self, shown: View, part: ViewPart) -> Option<Figure> {
+        self.first(shown, |state| {
+            state.parts.insert(shown, part);
+        })
     }
 
     /// The figures of a view in the chosen positions, beside each other.

@@ -1,14 +1,17 @@
-//! Forces: polygons of every group with their vectors, reactions, the balancing load.
+//! Forces: polygons of every group with their vectors, the construction of the force analyzer where it has one (L fig. 1),
+//! reactions, the balancing load.
 
 use assur_analysis::results::Owner;
-use assur_book::{Column, Document, Table, Unit, catalogue, row};
+use assur_book::{Document, Table, Unit, catalogue};
 use assur_diagram::VectorPlan;
 use assur_figure::{Figure, Ink, Panel, Stroke};
+use assur_force::{Construction, ConstructionStep};
 use assur_report::topic;
-use assur_words::{Text, name, number, text};
+use assur_words::{Text, name, number, quantity, text};
 
+use super::NoteError;
 use super::context::{Context, still};
-use super::{NoteError, construction};
+use crate::number::digits;
 use crate::screen::state::{Reaction, Series, View, ViewPart};
 use crate::screen::view::{friction, plans, plots};
 
@@ -36,7 +39,7 @@ pub(super) fn forces(context: &mut Context<'_>, page: &mut Document) -> Result<(
     page.figure(Some(drawn).filter(|drawn| !drawn.panels.is_empty()), size, text!("note-loads-drawn"));
     context.tell(page, &[topic::inertia_loads])?;
     polygons(context, page)?;
-    construction::construction(context, page)?;
+    construction(context, page)?;
     context.tell(
         page,
         &[topic::reactions_at_positions, topic::balancing_at_positions, topic::friction_tables],
@@ -105,17 +108,15 @@ fn polygons(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
 
 /// The vectors of a polygon in each position.
 fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
-    let heads = [text!("note-position"), text!("head-vector"), text!("note-force"), text!("head-acts")];
-    let size = Column::short(name("F"), Unit::of("N", 1.0));
-    let mut table = Table::list(caption, heads.map(Column::of).into_iter().chain([size]));
-    for (position, plan) in polygons {
-        for (label, item) in
-            plans::labelled(ViewPart::Forces, plan).into_iter().filter(|(label, _)| label != "..")
-        {
-            table.row(row![number(position), name(label), item.name.clone(), item.note.clone(), item.size]);
-        }
-    }
-    table
+    let labelled = |plan| plans::labelled(ViewPart::Forces, plan).into_iter();
+    let rows = polygons.iter().flat_map(|(position, plan)| labelled(plan).map(move |row| (position, row)));
+    Table::each(caption, rows.filter(|(_, (label, _))| label != ".."))
+        .column(text!("note-position"), |(position, _)| number(position))
+        .column(text!("head-vector"), |(_, (label, _))| name(label.clone()))
+        .column(text!("note-force"), |(_, (_, item))| item.name.clone())
+        .column(text!("head-acts"), |(_, (_, item))| item.note.clone())
+        .measured(name("F"), Unit::of("N", 1.0), |(_, (_, item))| item.size)
+        .table()
 }
 
 /// The greatest reaction with its hodograph, and the balancing load.
@@ -145,4 +146,63 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
         page.figure(figure, CURVE, caption);
     }
     Ok(())
+}
+
+/// Height of a row of two stages, mm, and width of the page.
+const STAGES: [f64; 2] = [165.0, 95.0];
+
+/// The construction in the first of the chosen positions; nothing for an analyzer without one.
+fn construction(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+    let (position, place) = (context.positions[0], context.place(context.positions[0]));
+    let found = context.found()?;
+    let plans = found.plans.at(position);
+    let own = plans.constructions.iter().position(|(method, _)| *method == found.analyzer);
+    let Some((first, (_, drawn))) = own.map(|own| (plans.steps_of(own).start, &plans.constructions[own]))
+    else {
+        return Ok(());
+    };
+    let mut panels: Vec<Panel> = Vec::new();
+    for last in stages(drawn) {
+        let figure = context.figure(View::Plans, position, |state| {
+            state.parts.insert(View::Plans, ViewPart::Construction);
+            state.chosen.step = first + last;
+        });
+        let title = text!("note-construction-stage", last = number(last + 1));
+        panels.extend(
+            figure
+                .into_iter()
+                .flat_map(|(figure, _)| figure.panels)
+                .map(|panel| Panel { title: title.clone(), ..panel }),
+        );
+    }
+    let figure = Figure { panels, columns: 2, ..Figure::default() };
+    let size = [STAGES[0], STAGES[1] * figure.rows() as f64];
+    let caption = text!("note-construction", title = &drawn.title, place);
+    page.figure(Some(figure).filter(|figure| !figure.panels.is_empty()), size, caption);
+    page.table(steps(drawn, text!("note-construction-steps", title = &drawn.title)));
+    Ok(())
+}
+
+/// The last steps of the stages: where forces follow points and lines, or the drawing changes.
+fn stages(construction: &Construction) -> Vec<usize> {
+    let stage = |step: &ConstructionStep| (step.drawing, step.unit == "N");
+    let steps = &construction.steps;
+    let ends =
+        (0..steps.len()).filter(|at| steps.get(at + 1).is_none_or(|next| stage(next) != stage(&steps[*at])));
+    // What a single point shows, the next stage shows too.
+    ends.filter(|at| *at > 0).collect()
+}
+
+/// Every step: its vector and what it does.
+fn steps(construction: &Construction, caption: Text) -> Table {
+    let size = |step: &ConstructionStep| {
+        let length = step.vector[0].hypot(step.vector[1]);
+        if length > 0.0 { quantity(digits(length, 5), step.unit) } else { Text::default() }
+    };
+    Table::each(caption, construction.steps.iter().enumerate())
+        .column(text!("note-step"), |(at, _)| number(at + 1))
+        .column(text!("head-vector"), |(_, step)| step.name.clone())
+        .column(text!("note-size"), |(_, step)| size(step))
+        .column(text!("head-acts"), |(_, step)| step.note.clone())
+        .table()
 }

@@ -3,7 +3,6 @@
 //! [`write`] makes a [`Document`] from the topics of the report and the figures of the views (`parts`), and writes it in a
 //! form (`html`, `markdown`, `typst`).
 
-mod construction;
 mod context;
 mod forces;
 mod formula;

@@ -157,27 +157,18 @@ fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
         (View::Drive, ViewPart::EnergyMass, DIAGRAM, text!("note-energy-mass")),
         (View::Motion, ViewPart::Iteration, CURVES, text!("note-iteration-drawn")),
     ] {
-        let figure = context.first(view, |state| {
-            state.parts.insert(view, part);
-        });
-        page.figure(figure, size, caption);
+        page.figure(context.part(view, part), size, caption);
     }
     page.figure(reduction, LINK, caption);
     context.tell(page, &[topic::iteration, topic::drive])?;
     // The last panel repeats the moments.
-    let drive = context.first(View::Drive, |state| {
-        state.parts.insert(View::Drive, ViewPart::Curves);
-    });
-    let drive = drive.filter(|figure| figure.panels.len() > 1);
+    let drive = context.part(View::Drive, ViewPart::Curves).filter(|figure| figure.panels.len() > 1);
     let drive = drive.map(|mut figure| {
         figure.panels.pop();
         figure
     });
     page.figure(drive, CURVES, text!("note-characteristic"));
-    let places = context.first(View::Drive, |state| {
-        state.parts.insert(View::Drive, ViewPart::Places);
-    });
-    page.figure(places, PLACES, text!("note-places-drawn"));
+    page.figure(context.part(View::Drive, ViewPart::Places), PLACES, text!("note-places-drawn"));
     Ok(())
 }
 

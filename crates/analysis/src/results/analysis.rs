@@ -1,12 +1,12 @@
 //! The whole result.
 
 use assur_check::Check;
-use assur_diagram::{Enveloping, Extreme, Hodograph, PlanSheet, SignChange};
+use assur_diagram::{Enveloping, Hodograph, PlanSheet, ReactionExtreme, SignChange};
 use assur_integrator::{Event, SolutionCost, State};
 use assur_mechanism::{LinkId, Name, Named, Notice, SlideId};
 use assur_words::{Text, text};
 use indexmap::IndexMap;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::Owner;
 use crate::friction::FrictionCycle;
@@ -14,7 +14,9 @@ use crate::results::{Dynamics, Peaks, Starts, StructureReport, Survey, Table};
 use crate::several::Several;
 
 /// All results of one calculation of a scene. What doesn't apply is absent or empty.
-#[derive(Debug, Clone, PartialEq)]
+///
+/// They are the JSON of an analysis; into the empty lists of its tables a writer puts their rows.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Analysis {
     /// Title of the scene; may be empty.
     pub title: String,
@@ -23,35 +25,55 @@ pub struct Analysis {
     /// Mobility, groups, formula.
     pub structure: StructureReport,
     /// Positions that exist, in order, each with its number: all, or of very many every so many.
+    #[serde(serialize_with = "without_rows")]
     pub positions: Table,
     /// What is known about all positions.
+    #[serde(skip)]
     pub survey: Survey,
     /// Values of greatest modulus, between the positions too; without any where these were not looked for.
+    #[serde(skip)]
     pub peaks: Peaks,
     /// What lets single blocks of positions be calculated again.
+    #[serde(skip)]
     pub starts: Starts,
     /// Positions that have no solution.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub failures: Vec<Failure>,
     /// Transient and steady motion: samples over time.
+    #[serde(skip_serializing_if = "Table::is_empty", serialize_with = "without_rows")]
     pub trajectory: Table,
     /// Periodic regime, drive, flywheel.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub dynamics: Option<Dynamics>,
     /// How a transient motion was found.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub integration: Option<Integration>,
     /// Why the requested motion is not found; results that do not depend on it are given nevertheless.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub no_motion: Option<Text>,
-    /// What in the scene is probably not meant, what had to be left out, and what was decided during the calculation.
-    pub notes: Vec<Notice>,
     /// Dry friction over the cycle; `None` without.
+    #[serde(flatten)]
     pub friction: Option<FrictionCycle>,
+    /// What in the scene is probably not meant, what had to be left out, and what was decided during the calculation.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<Notice>,
     /// Positions in which friction has several solutions, or may have others.
+    #[serde(skip)]
     pub several: Vec<Several>,
     /// Reactions over the cycle, contacts, plans.
+    #[serde(flatten)]
     pub cycle: Cycle,
     /// Checks of the numbers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<Check>,
     /// Residuals of the checked positions, which [`positions`](Self::positions) have as well.
+    #[serde(skip)]
     pub residuals: Table,
+}
+
+/// An empty list in the place of the rows of a table.
+fn without_rows<S: Serializer>(_: &Table, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq([(); 0])
 }
 
 impl Analysis {
@@ -96,7 +118,7 @@ pub struct Failure {
 pub struct Cycle {
     /// Greatest modulus and root mean square of each reaction.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub reaction_extremes: Vec<Extreme>,
+    pub reaction_extremes: Vec<ReactionExtreme>,
     /// By slide that carries a force: where the force changes the side of the guide. A slide without a change has an
     /// empty list.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]

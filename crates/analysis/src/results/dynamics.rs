@@ -2,7 +2,7 @@
 
 use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
 use assur_mechanism::{Named, PointId};
-use assur_motor::{FlywheelSize, RatedData};
+use assur_motor::{FlywheelSize, RatedMotor};
 use assur_words::Text;
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -140,7 +140,7 @@ pub struct MotorReport {
     pub catalogue: Option<String>,
     /// Its rated data.
     #[serde(flatten)]
-    pub rated: RatedData,
+    pub rated: RatedMotor,
     /// Mass of the motor, kg.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mass: Option<f64>,

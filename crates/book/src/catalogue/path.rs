@@ -8,7 +8,7 @@ use super::{axis, of, unit};
 
 /// A step into an object or an array of JSON.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Step<'a> {
+pub enum PathStep<'a> {
     /// Into an object.
     Key(Cow<'a, str>),
     /// Into an array.
@@ -36,7 +36,7 @@ fn link(schema: &Schema, column: Column) -> &str {
 
 /// Where a column stands in the object of a row; `None` where JSON does not have it. The share of a cause stands under the
 /// cause.
-pub fn path(schema: &Schema, column: Column) -> Option<Vec<Step<'_>>> {
+pub fn path(schema: &Schema, column: Column) -> Option<Vec<PathStep<'_>>> {
     let pattern = Some(of(column).json).filter(|keys| !keys.is_empty())?;
     let key = |key| match key {
         "*" => owner(schema, column),
@@ -50,10 +50,10 @@ pub fn path(schema: &Schema, column: Column) -> Option<Vec<Step<'_>>> {
     }
     let item = match column.part {
         Part::Whole | Part::Modulus => None,
-        Part::X => Some(Step::Item(0)),
-        Part::Y => Some(Step::Item(1)),
+        Part::X => Some(PathStep::Item(0)),
+        Part::Y => Some(PathStep::Item(1)),
     };
-    Some(keys.into_iter().map(Step::Key).chain(item).collect())
+    Some(keys.into_iter().map(PathStep::Key).chain(item).collect())
 }
 
 /// The name of a column in CSV and Parquet, with its unit; `None` where these don't have it.

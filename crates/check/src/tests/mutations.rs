@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, LoadState, Loads, Reactions};
 use assur_group::{Anchor, Order, Wrench};
-use assur_kinematics::{Input, Linkage, Position};
+use assur_kinematics::{ChainInput, Linkage, Position};
 use assur_mechanism::{Direction, Friction, Mechanism, PairId, Spring, Surfaces, Value};
 
 use super::mutants::{Mutant, SLIP, SLIPS, Slip};
@@ -313,12 +313,12 @@ fn every_slip_in_a_method_is_caught() {
 fn a_slip_in_the_input_is_caught() {
     for slip in [
         (|input| {
-            if let Input::Crank { own, .. } = input {
+            if let ChainInput::Crank { own, .. } = input {
                 *own = Anchor::new([1e-6, 0.0]);
             }
-        }) as fn(&mut Input<f64>),
+        }) as fn(&mut ChainInput<f64>),
         |input| {
-            if let Input::Crank { ground, .. } = input {
+            if let ChainInput::Crank { ground, .. } = input {
                 ground[1] += 1e-6;
             }
         },

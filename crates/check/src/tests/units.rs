@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use assur_force::{LoadState, Loads};
 use assur_kinematics::Linkage;
-use assur_mechanism::{Balance, InputPair, LoadKind, Mechanism, Table, Value};
+use assur_mechanism::{Balance, InputPair, LawTable, LoadKind, Mechanism, Value};
 use assur_testkit::specimen::Recipe;
 
 use crate::{Check, Chosen, Subject, methods};
@@ -22,7 +22,7 @@ fn scaled(at: &mut [f64; 2], by: f64) {
     *at = at.map(|part| by * part);
 }
 
-fn table(table: &mut Table, by: f64) {
+fn table(table: &mut LawTable, by: f64) {
     table.rows.iter_mut().for_each(|row| row[1] *= by);
 }
 

@@ -3,7 +3,7 @@ use assur_mechanism::PairId;
 
 use super::{analyzer, compile, fixture, reactions, solved, state};
 use crate::sheet::joint_forces;
-use crate::{Extreme, Hodograph, Sizes, split};
+use crate::{Hodograph, ReactionExtreme, Sizes, split};
 
 /// The polar diagram of the reaction in the pin on the arm in the positions of the scene.
 fn hodograph(scene: &str, closed: bool) -> Hodograph {
@@ -70,7 +70,7 @@ const ROTOR: &str = "gravity = 10\n[ground]\npoints = { O = 0 }\n[link.arm]\npoi
     [input]\nlink = 'arm'\npositions = 8\n[motion]\nspeed = 3\n";
 
 /// The extreme of a reaction in positions that are numbered from `first` on.
-fn extreme(curve: &Hodograph, first: usize) -> Extreme {
+fn extreme(curve: &Hodograph, first: usize) -> ReactionExtreme {
     let mut sizes = Sizes::default();
     for (index, (coordinate, force)) in curve.coordinates.iter().zip(&curve.points).enumerate() {
         sizes.add(first + index, *coordinate, *force);

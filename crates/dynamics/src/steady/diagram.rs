@@ -14,15 +14,16 @@
 
 use assur_words::text;
 
-use super::collocation::{RULE, S, Values};
-use super::extremes::{Piece, extremes};
-use super::path::{Coefficients, Panel};
-use super::report::FlywheelByMethod;
+use super::path::{Coefficients, PathPanel};
+use super::path::{RULE, S, Values};
+use super::regime::FlywheelByMethod;
+use super::solution::{Stretch, extremes};
+use super::tuning::{Tuned, TuningTarget};
 
 /// The data of a cycle that the methods need: the work of all moments over the path, at the mean speed.
 #[derive(Debug, Clone)]
 pub(crate) struct WorkDiagram {
-    panels: Vec<Panel>,
+    panels: Vec<PathPanel>,
     /// Mean speed, at which moments that depend on the speed are evaluated, rad/s.
     pub(crate) speed: f64,
     /// Moment of the drive that makes the work of a cycle zero, N m.
@@ -35,33 +36,17 @@ pub(crate) struct WorkDiagram {
     pub(crate) resistance: f64,
 }
 
-/// The requirements on the flywheel, and the other inertia on its shaft.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct FlywheelTask {
-    /// Mean speed w, rad/s.
-    pub(crate) speed: f64,
-    pub(crate) unevenness: f64,
-    /// The part of J(q) that does not vary, kg m².
-    pub(crate) constant_inertia: f64,
-    /// Rotor reduced to the input, kg m².
-    pub(crate) rotor: f64,
-    /// Factor from inertia reduced to the input to inertia on the flywheel's own shaft.
-    pub(crate) to_own_shaft: f64,
-    /// The flywheel of the exact method on its own shaft, kg m².
-    pub(crate) exact: f64,
-}
-
 impl WorkDiagram {
     /// Over the panels of a cycle of this length, at a mean speed.
-    pub(crate) fn new(panels: &[Panel], length: f64, speed: f64) -> Self {
-        let over = |panel: &Panel, field: &dyn Fn(&Coefficients) -> f64| {
+    pub(crate) fn new(panels: &[PathPanel], length: f64, speed: f64) -> Self {
+        let over = |panel: &PathPanel, field: &dyn Fn(&Coefficients) -> f64| {
             panel.h * RULE.integral(&panel.coefficients.values(field))
         };
         let total: f64 = panels.iter().map(|panel| over(panel, &|c| c.moment_at(speed))).sum();
         let inertia: f64 = panels.iter().map(|panel| over(panel, &|c| c.inertia)).sum();
         let mean_moment = -total / length;
         let mut level = 0.0;
-        let work_over = |panel: &Panel| {
+        let work_over = |panel: &PathPanel| {
             let moments = panel.coefficients.values(|c| c.moment_at(speed) + mean_moment);
             let work = RULE.integrals(&moments).map(|done| level + panel.h * done);
             level = work[S];
@@ -74,9 +59,9 @@ impl WorkDiagram {
 
     /// Least and greatest ΔA - k J.
     fn range(&self, k: f64) -> [f64; 2] {
-        let piece = |(panel, work): (&Panel, &Values)| {
+        let piece = |(panel, work): (&PathPanel, &Values)| {
             let inertia = panel.coefficients.values(|c| c.inertia);
-            Piece {
+            Stretch {
                 x: panel.x,
                 h: panel.h,
                 values: std::array::from_fn(|i| work[i] - k * inertia[i]),
@@ -85,7 +70,7 @@ impl WorkDiagram {
                     .values(|c| c.moment_at(self.speed) + self.mean_moment - k * c.slope),
             }
         };
-        let pieces: Vec<Piece> = self.panels.iter().zip(&self.work).map(piece).collect();
+        let pieces: Vec<Stretch> = self.panels.iter().zip(&self.work).map(piece).collect();
         extremes(&pieces).map_or([0.0; 2], |[least, greatest]| [least.value, greatest.value])
     }
 
@@ -95,9 +80,19 @@ impl WorkDiagram {
         high - low
     }
 
-    /// The flywheel by each method of the textbooks, and the exact one.
-    pub(crate) fn flywheels(&self, task: &FlywheelTask) -> Vec<FlywheelByMethod> {
-        let FlywheelTask { speed, unevenness, constant_inertia, rotor, to_own_shaft, exact } = *task;
+    /// The flywheel by each method of the textbooks, and the exact one; `constant_inertia`: the part of J(q) that does not vary,
+    /// kg m².
+    pub(crate) fn flywheels(
+        &self,
+        Tuned { unknowns, range, .. }: &Tuned,
+        target: &TuningTarget,
+        constant_inertia: f64,
+    ) -> Vec<FlywheelByMethod> {
+        let (speed, exact) = (range.mean(), unknowns.flywheel);
+        let unevenness = target.unevenness.unwrap_or(range.unevenness());
+        let ratio = unknowns.ratio().unwrap_or(1.0);
+        let rotor = ratio * ratio * target.rotor;
+        let to_own_shaft = if target.on_motor { 1.0 / (ratio * ratio) } else { 1.0 };
         let square = speed * speed;
         let by = 1.0 / (square * unevenness);
         let excess = self.excess_work() * by;

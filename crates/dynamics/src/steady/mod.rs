@@ -9,14 +9,9 @@
 //! v = sense * w is positive. The equation J e + J' w²/2 = Q reads d(J v²/2)/dx = M there, M the moment along the motion: the
 //! kinetic energy T(x) is the integral of the moment (E eq. 1). On each panel it is found by collocation.
 
-mod collocation;
 mod diagram;
-mod extremes;
-mod newton;
 mod path;
 mod regime;
-mod report;
-mod request;
 mod run;
 mod segment;
 mod shooting;
@@ -24,7 +19,8 @@ mod solution;
 mod solver;
 mod tuning;
 
-pub use regime::{Figures, Regime};
-pub use report::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};
-pub use request::{CycleRequest, DriveRequest, TorqueRequest};
+pub use regime::{
+    CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeState,
+    TorqueRequest, Trial,
+};
 pub use solver::RegimeSolver;

@@ -1,9 +1,11 @@
 //! The machine along one cycle: coefficients of its equation over the path coordinate x.
 
+use std::sync::LazyLock;
+
 use assur_force::tolerance;
 use assur_integrator::{EquationOfMotion, MotionError, Piece, State};
+use assur_number::panel::Radau;
 
-use super::collocation::{RULE, S, Values};
 use crate::DynamicsError;
 
 /// Coefficients of the equation at one place of the path, of the machine without its drive.
@@ -46,7 +48,7 @@ impl NodalCoefficients {
 
 /// A part of the path on which the coefficients are one smooth formula, well resolved by one polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Panel {
+pub(crate) struct PathPanel {
     pub(crate) x: f64,
     pub(crate) h: f64,
     pub(crate) coefficients: NodalCoefficients,
@@ -54,13 +56,13 @@ pub(crate) struct Panel {
 
 /// Where the cycle begins, the direction of the motion (1 or -1), and the length of the cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Cycle {
+pub(crate) struct CyclePath {
     pub(crate) start: f64,
     pub(crate) sense: f64,
     pub(crate) length: f64,
 }
 
-impl Cycle {
+impl CyclePath {
     pub(crate) fn coordinate(&self, x: f64) -> f64 {
         self.start + self.sense * x
     }
@@ -84,21 +86,15 @@ impl Cycle {
 /// The machine, evaluated along the path.
 pub(crate) struct Path<'a> {
     motion: &'a mut dyn EquationOfMotion,
-    pub(crate) cycle: Cycle,
+    pub(crate) cycle: CyclePath,
     /// The moment of the loads depends on the speed.
     pub(crate) by_speed: bool,
     /// Number of evaluations of the machine.
     pub(crate) evaluations: usize,
 }
 
-impl std::fmt::Debug for Path<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Path").field("cycle", &self.cycle).finish_non_exhaustive()
-    }
-}
-
 impl<'a> Path<'a> {
-    pub(crate) fn new(motion: &'a mut dyn EquationOfMotion, cycle: Cycle) -> Self {
+    pub(crate) fn new(motion: &'a mut dyn EquationOfMotion, cycle: CyclePath) -> Self {
         let by_speed = motion.dependence().moment_on_speed;
         Self { motion, cycle, by_speed, evaluations: 0 }
     }
@@ -205,7 +201,7 @@ impl<'a> Path<'a> {
 
     /// Cuts the cycle into panels on which polynomials resolve the coefficients to `tolerance` (relative), at the
     /// speed `v`.
-    pub(crate) fn panels(&mut self, v: f64, tolerance: f64) -> Result<Vec<Panel>, DynamicsError> {
+    pub(crate) fn panels(&mut self, v: f64, tolerance: f64) -> Result<Vec<PathPanel>, DynamicsError> {
         let corners = self.corners(v)?;
         let mut panels = Vec::new();
         let mut scale = Coefficients::default();
@@ -228,7 +224,7 @@ impl<'a> Path<'a> {
         v: f64,
         tolerance: f64,
         scale: &mut Coefficients,
-        panels: &mut Vec<Panel>,
+        panels: &mut Vec<PathPanel>,
     ) -> Result<(), DynamicsError> {
         /// A panel is not cut below this part of the cycle: the coefficients are not smooth there, or noise.
         const LEAST: f64 = 1.0 / 16384.0;
@@ -246,13 +242,22 @@ impl<'a> Path<'a> {
         let good = miss(&|d| d.inertia).abs() <= tolerance * scale.inertia
             && miss(&|d| d.moment_at(v)).abs() <= tolerance * moment;
         if good || h < LEAST * self.cycle.length {
-            panels.push(Panel { x, h, coefficients });
+            panels.push(PathPanel { x, h, coefficients });
             return Ok(());
         }
         self.cut(x, 0.5 * h, v, tolerance, scale, panels)?;
         self.cut(x + 0.5 * h, 0.5 * h, v, tolerance, scale, panels)
     }
 }
+
+/// Number of nodes in (0, 1].
+pub(crate) const S: usize = 8;
+
+/// One number for the start of a panel and one for each node.
+pub(crate) type Values = [f64; S + 1];
+
+/// The rule, computed once.
+pub(crate) static RULE: LazyLock<Radau<S, { S + 1 }>> = LazyLock::new(Radau::new);
 
 #[cfg(test)]
 mod tests;

@@ -1,14 +1,14 @@
-//! A periodic regime and the quantities that follow from it.
+//! The request for a steady regime, the periodic regime that answers it, and how it was found.
 
 use assur_force::tolerance;
+use assur_motor::Characteristic;
+use assur_words::Text;
 use serde::Serialize;
 
-use super::collocation::Values;
-use super::extremes::Extreme;
-use super::report::{Effort, FlywheelByMethod, Iteration, RegimeState, Trial};
-use super::solution::CycleSolution;
+use super::path::Values;
+use super::solution::{CycleSolution, Extreme};
 use super::tuning::Tuned;
-use crate::drive::{InputDrive, Source};
+use crate::drive::{InputDrive, TorqueSource};
 
 /// The figures of a periodic regime. Speeds and coordinates have the signs of the coordinate; "least" and "greatest"
 /// speed are meant without the sign, so that a machine that runs clockwise is the mirror image of one that does not.
@@ -78,26 +78,15 @@ pub struct Regime {
     pub effort: Effort,
     /// How far moments of drive, loads and inertia that are read of the solution may leave the equation of motion unmet, N m.
     pub error_of_moments: f64,
-    solution: CycleSolution,
+    pub(crate) solution: CycleSolution,
     /// The first cycle from the mean speed; `None` if the machine stalls in it.
-    first: Option<CycleSolution>,
-    times: Vec<Values>,
-}
-
-/// What is known of a regime besides its solution.
-pub(crate) struct Context {
-    /// The unevenness was to be met by a flywheel.
-    pub(crate) flywheel_wanted: bool,
-    pub(crate) required_power: f64,
-    pub(crate) flywheel_by_method: Vec<FlywheelByMethod>,
     pub(crate) first: Option<CycleSolution>,
-    pub(crate) iterations: Vec<Iteration>,
-    pub(crate) effort: Effort,
-    pub(crate) error_of_moments: f64,
+    pub(crate) times: Vec<Values>,
 }
 
 impl Regime {
-    pub(crate) fn new(tuned: Tuned, context: Context) -> Self {
+    /// Without what the solution does not tell; `flywheel_wanted`: whether the unevenness was to be met by a flywheel.
+    pub(crate) fn new(tuned: Tuned, required_power: f64, flywheel_wanted: bool) -> Self {
         let Tuned { unknowns, solution, range, trials } = tuned;
         let (cycle, drive) = (solution.cycle, solution.setup.drive);
         let (low, high) = (range.least, range.greatest);
@@ -108,7 +97,7 @@ impl Regime {
         let (times, cycle_time) = solution.times();
         Self {
             flywheel: unknowns.flywheel,
-            flywheel_needless: context.flywheel_wanted && unknowns.flywheel == 0.0,
+            flywheel_needless: flywheel_wanted && unknowns.flywheel == 0.0,
             drive_inertia: drive.inertia,
             figures: Figures {
                 ratio: unknowns.ratio(),
@@ -120,24 +109,20 @@ impl Regime {
                 coordinate_at_max: cycle.coordinate(high.at.x.rem_euclid(cycle.length)),
                 excess_work,
                 dynamic_unevenness: Some(2.0 * range.unevenness() / angle).filter(|value| value.is_finite()),
-                required_power: context.required_power,
-                torque: if let Source::Constant(moment) = drive.source { Some(moment) } else { None },
+                required_power,
+                torque: if let TorqueSource::Constant(moment) = drive.source { Some(moment) } else { None },
             },
             cycle_time,
             multiplier: solution.multiplier(),
-            flywheel_by_method: context.flywheel_by_method,
+            flywheel_by_method: Vec::new(),
             trials,
-            iterations: context.iterations,
-            effort: context.effort,
-            error_of_moments: context.error_of_moments,
+            iterations: Vec::new(),
+            effort: Effort::default(),
+            error_of_moments: 0.0,
             solution,
-            first: context.first,
+            first: None,
             times,
         }
-    }
-
-    pub(crate) fn solution(&self) -> &CycleSolution {
-        &self.solution
     }
 
     /// The drive as it was found: an equation of motion with it has this regime.
@@ -162,4 +147,139 @@ impl Regime {
         let x = if ends { cycle.length } else { cycle.path_coordinate(coordinate) };
         Some(cycle.sense * first.speed_at(x))
     }
+}
+
+/// One cycle of the iteration to the periodic regime (S fig. 10).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Iteration {
+    /// Number of the cycle, from 1.
+    pub number: usize,
+    /// Speed at its start, rad/s, signed.
+    pub speed_start: f64,
+    /// Speed at its end, rad/s, signed.
+    pub speed_end: f64,
+    /// End less start, rad/s: zero for the periodic regime.
+    pub residual: f64,
+}
+
+/// One trial of ratio and flywheel, with its periodic regime (S stage 6).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Trial {
+    /// Number of the trial, from 1.
+    pub number: usize,
+    /// Gear ratio; `None` without a motor.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ratio: Option<f64>,
+    /// Flywheel on its own shaft, kg m².
+    pub flywheel: f64,
+    /// Mean speed, rad/s, signed.
+    pub mean_speed: f64,
+    /// Unevenness.
+    pub unevenness: f64,
+}
+
+/// A flywheel by one method.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FlywheelByMethod {
+    /// Name: `excess-work`, `excess-work-less-inertia`, `mertsalov`, `wittenbauer`, `exact`.
+    pub method: &'static str,
+    /// Formula and source.
+    pub formula: Text,
+    /// Moment of inertia on the flywheel's own shaft, without the rotor, kg m²; negative where the method finds that the
+    /// machine has more inertia than needed.
+    pub flywheel: f64,
+    /// (this - exact)/exact; `None` where the exact flywheel is zero.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference: Option<f64>,
+}
+
+/// How the regime was found, and the cost.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Effort {
+    /// Cycles run.
+    pub cycles: usize,
+    /// Evaluations of the mechanism.
+    pub evaluations: usize,
+    /// Panels of order 15 over the cycle.
+    pub panels: usize,
+    /// Largest residual of the equation between the nodes, part of the kinetic energy.
+    pub residual: f64,
+}
+
+/// The steady regime at one coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RegimeState {
+    /// Time since the start of the cycle, s.
+    pub time: f64,
+    /// Speed, rad/s, signed.
+    pub speed: f64,
+    /// Acceleration, rad/s², signed.
+    pub acceleration: f64,
+    /// Moment of the drive on the input link, N m, along the coordinate.
+    pub drive: f64,
+    /// Reduced moment of the loads, N m, along the coordinate.
+    pub load: f64,
+    /// Reduced inertia of the machine, without flywheel and rotor, kg m².
+    pub inertia: f64,
+    /// Its derivative with respect to the coordinate, kg m²/rad.
+    pub inertia_derivative: f64,
+}
+
+/// The cycle of the regime.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleRequest {
+    /// Coordinate at which a cycle begins, rad.
+    pub start: f64,
+    /// Its length, rad, positive.
+    pub length: f64,
+    /// Requested mean speed with its sign, rad/s: (max + min)/2.
+    pub mean_speed: f64,
+    /// The part of J(q) that does not vary, kg m²: the input link about its pin. For the methods of the textbooks.
+    pub constant_inertia: f64,
+}
+
+/// What drives, and which of its quantities are to be found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DriveRequest {
+    /// The torque.
+    pub torque: TorqueRequest,
+    /// Given flywheel, kg m² on its own shaft; `None`: find it from `unevenness`.
+    pub flywheel: Option<f64>,
+    /// The flywheel sits on the motor shaft.
+    pub flywheel_on_motor: bool,
+    /// Requested unevenness; needed if the flywheel is to be found.
+    pub unevenness: Option<f64>,
+}
+
+impl DriveRequest {
+    /// The same with another motor in the place of its own.
+    pub(crate) fn with(&self, other: &Characteristic, of_other: f64) -> Self {
+        let mut drive = *self;
+        if let TorqueRequest::Motor { characteristic, rotor, .. } = &mut drive.torque {
+            (*characteristic, *rotor) = (*other, of_other);
+        }
+        drive
+    }
+}
+
+/// Torque of the drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TorqueRequest {
+    /// None.
+    None,
+    /// The constant moment that makes the work of a cycle zero.
+    Balance,
+    /// A constant moment, N m, positive along the motion.
+    Constant(f64),
+    /// An asynchronous motor.
+    Motor {
+        /// Its characteristic.
+        characteristic: Characteristic,
+        /// Rotor, kg m² on its own shaft; 0: not modelled.
+        rotor: f64,
+        /// Given ratio; `None`: find it from the mean speed.
+        ratio: Option<f64>,
+        /// Efficiency of the reducer, (0, 1].
+        efficiency: f64,
+    },
 }

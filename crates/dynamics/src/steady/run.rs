@@ -1,9 +1,9 @@
 //! One cycle from a given kinetic energy: collocation on each panel by Newton's method, with the derivatives of the
 //! energy with respect to its initial value, the drive and the flywheel (variational equation).
 
-use super::collocation::{RULE, S, Values};
-use super::newton::{Failure, Moment, Start, solve};
-use super::path::{Coefficients, NodalCoefficients, Panel, Path};
+use super::path::{Coefficients, NodalCoefficients, Path, PathPanel};
+use super::path::{RULE, S, Values};
+use super::segment::{Failure, Moment, Start, solve};
 use super::segment::{Segment, Setup};
 use super::solution::CycleSolution;
 use crate::DynamicsError;
@@ -12,7 +12,6 @@ use crate::DynamicsError;
 const MOST_HALVINGS: usize = 12;
 
 /// A run along the path.
-#[derive(Debug)]
 struct Run<'r, 'a> {
     path: &'r mut Path<'a>,
     setup: Setup,
@@ -30,7 +29,7 @@ struct Run<'r, 'a> {
 pub(crate) fn run_cycle(
     path: &mut Path<'_>,
     setup: Setup,
-    panels: &[Panel],
+    panels: &[PathPanel],
     energy: f64,
     guess: Option<&CycleSolution>,
 ) -> Result<CycleSolution, DynamicsError> {

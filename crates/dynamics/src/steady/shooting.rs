@@ -1,13 +1,13 @@
 //! The periodic regime: a cycle that ends with the speed with which it began.
 
-use super::extremes::{Piece, extremes};
-use super::path::{Panel, Path};
-use super::report::Iteration;
+use super::path::{Path, PathPanel};
+use super::regime::Iteration;
 use super::run::run_cycle;
 use super::segment::{BY_DRIVE, Misses, Setup};
 use super::solution::{Closing, CycleSolution};
+use super::solution::{Stretch, extremes};
 use crate::DynamicsError;
-use crate::drive::Source;
+use crate::drive::TorqueSource;
 
 /// Newton steps towards a periodic cycle.
 const MOST_ITERATIONS: usize = 60;
@@ -26,10 +26,9 @@ const SPEED: f64 = 1e-9;
 const MOMENT: f64 = 1e-8;
 
 /// Finds periodic cycles of one machine.
-#[derive(Debug)]
 pub(crate) struct Shooting<'a> {
     pub(crate) path: Path<'a>,
-    pub(crate) panels: Vec<Panel>,
+    pub(crate) panels: Vec<PathPanel>,
     /// Cycles run so far.
     pub(crate) cycles: usize,
 }
@@ -54,13 +53,13 @@ impl Shooting<'_> {
     pub(crate) fn check_inertia(&self, setup: &Setup) -> Result<(), DynamicsError> {
         /// Inertia below this part of the greatest counts as none: polynomials resolve it to 1e-9.
         const NOTHING: f64 = 1e-8;
-        let piece = |panel: &Panel| Piece {
+        let piece = |panel: &PathPanel| Stretch {
             x: panel.x,
             h: panel.h,
             values: panel.coefficients.values(|node| node.inertia + setup.drive.inertia),
             slopes: panel.coefficients.values(|node| node.slope),
         };
-        let pieces: Vec<Piece> = self.panels.iter().map(piece).collect();
+        let pieces: Vec<Stretch> = self.panels.iter().map(piece).collect();
         let Some([least, greatest]) = extremes(&pieces) else { return Ok(()) };
         if least.value > NOTHING * greatest.value {
             return Ok(());
@@ -106,7 +105,7 @@ impl Shooting<'_> {
                 }
                 Closing::Moment => {
                     let step = -gap / found.derivatives[BY_DRIVE];
-                    if let Source::Constant(moment) = &mut setup.drive.source {
+                    if let TorqueSource::Constant(moment) = &mut setup.drive.source {
                         *moment += step;
                     }
                     (gap / energy).abs()
@@ -151,7 +150,7 @@ impl Shooting<'_> {
             let v = found.speed_at(panel.x + half);
             for x in [panel.x, panel.x + half] {
                 let coefficients = self.path.coefficients(x, half, v)?;
-                self.panels.push(Panel { x, h: half, coefficients });
+                self.panels.push(PathPanel { x, h: half, coefficients });
             }
         }
         Ok((worst, true))

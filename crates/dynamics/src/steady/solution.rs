@@ -1,10 +1,10 @@
 //! A solved cycle: its extreme speeds, its times, the state at any place, and its derivatives with respect to the
-//! parameters.
+//! parameters; and the extremes of any function that is known with its derivative at the nodes of panels.
 
-use super::collocation::{RULE, S, Values};
-use super::extremes::{Extreme, Piece, extremes};
-use super::path::Cycle;
-use super::report::{Iteration, RegimeState};
+use assur_number::search::bisect;
+
+use super::path::{CyclePath, RULE, S, Values};
+use super::regime::{Iteration, RegimeState};
 use super::segment::{BY_DRIVE, BY_ENERGY, BY_FLYWHEEL, PARAMETERS, Segment, Setup};
 
 /// What makes the cycle close.
@@ -21,7 +21,7 @@ pub(crate) enum Closing {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleSolution {
     pub(crate) setup: Setup,
-    pub(crate) cycle: Cycle,
+    pub(crate) cycle: CyclePath,
     /// T at the start and at the end.
     pub(crate) start: f64,
     pub(crate) end: f64,
@@ -70,13 +70,13 @@ impl CycleSolution {
     /// Least and greatest speed; `None` for a cycle without segments.
     pub(crate) fn speed_range(&self) -> Option<SpeedRange> {
         let drive = &self.setup.drive;
-        let piece = |segment: &Segment| Piece {
+        let piece = |segment: &Segment| Stretch {
             x: segment.x,
             h: segment.h,
             values: segment.half_squares(drive),
             slopes: segment.accelerations(drive),
         };
-        let pieces: Vec<Piece> = self.segments.iter().map(piece).collect();
+        let pieces: Vec<Stretch> = self.segments.iter().map(piece).collect();
         let [least, greatest] = extremes(&pieces)?;
         Some(SpeedRange { least: self.extreme_speed(least), greatest: self.extreme_speed(greatest) })
     }
@@ -87,7 +87,7 @@ impl CycleSolution {
         let inertia = segment.inertia_at(at.theta) + self.setup.drive.inertia;
         let [by_ratio, by_flywheel] = self.setup.inertia_by;
         let by_inertia = [0.0, by_ratio, by_flywheel];
-        let energies = segment.derivatives_at(at.theta);
+        let energies = segment.derivatives.map(|values| RULE.interpolate(&values, at.theta));
         // v²/2 = T/J
         let derivatives =
             std::array::from_fn(|p| (energies[p] - at.value * by_inertia[p]) / (inertia * value));
@@ -179,5 +179,74 @@ impl CycleSolution {
             inertia: at(&segment.coefficients.values(|node| node.inertia)),
             inertia_derivative: sense * at(&segment.coefficients.values(|node| node.slope)),
         }
+    }
+}
+
+/// The function on one panel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stretch {
+    /// Path coordinate of its start.
+    pub(crate) x: f64,
+    pub(crate) h: f64,
+    /// Values at the start and at the nodes.
+    pub(crate) values: Values,
+    /// Derivative with respect to x at the start and at the nodes.
+    pub(crate) slopes: Values,
+}
+
+/// An extreme value and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Extreme {
+    /// Index of the panel.
+    pub(crate) piece: usize,
+    /// Part of the panel.
+    pub(crate) theta: f64,
+    /// Path coordinate.
+    pub(crate) x: f64,
+    pub(crate) value: f64,
+}
+
+/// Least and greatest value; ends of panels, where the derivative may jump, included. Of equal values the first.
+pub(crate) fn extremes(pieces: &[Stretch]) -> Option<[Extreme; 2]> {
+    let mut found: Option<[Extreme; 2]> = None;
+    for (index, piece) in pieces.iter().enumerate() {
+        let at =
+            |theta: f64, value: f64| Extreme { piece: index, theta, x: piece.x + theta * piece.h, value };
+        let between = |theta: f64| at(theta, RULE.interpolate(&piece.values, theta));
+        note(&mut found, at(0.0, piece.values[0]));
+        for i in 1..=S {
+            let [before, after] = [piece.slopes[i - 1], piece.slopes[i]];
+            if before * after < 0.0 {
+                note(&mut found, between(piece.turning_point([RULE.c[i - 1], RULE.c[i]], before.signum())));
+            } else if after == 0.0 {
+                note(&mut found, between(RULE.c[i]));
+            }
+        }
+        note(&mut found, at(1.0, piece.values[S]));
+    }
+    found
+}
+
+fn note(found: &mut Option<[Extreme; 2]>, new: Extreme) {
+    let Some([least, greatest]) = found else {
+        *found = Some([new, new]);
+        return;
+    };
+    // Where two panels meet, rounding must not decide.
+    let slack = 4.0 * f64::EPSILON * new.value.abs();
+    if new.value < least.value - slack {
+        *least = new;
+    }
+    if new.value > greatest.value + slack {
+        *greatest = new;
+    }
+}
+
+impl Stretch {
+    /// Zero of the derivative between two parts of the panel; `sign`: sign of the derivative at the first.
+    fn turning_point(&self, [low, high]: [f64; 2], sign: f64) -> f64 {
+        let keeps_sign = |theta: f64| RULE.interpolate(&self.slopes, theta) * sign > 0.0;
+        let [low, high] = bisect(low, high, 2.0 * f64::EPSILON, keeps_sign);
+        f64::midpoint(low, high)
     }
 }

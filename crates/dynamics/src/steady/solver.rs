@@ -3,19 +3,19 @@
 use assur_integrator::EquationOfMotion;
 use assur_words::text;
 
-use super::collocation::RULE;
-use super::diagram::{FlywheelTask, WorkDiagram};
-use super::path::{Cycle, Panel, Path};
-use super::regime::{Context, Regime};
-use super::report::{Effort, Iteration};
-use super::request::{CycleRequest, DriveRequest, TorqueRequest};
+use super::diagram::WorkDiagram;
+use super::path::RULE;
+use super::path::{CyclePath, Path, PathPanel};
+use super::regime::Regime;
+use super::regime::{CycleRequest, DriveRequest, TorqueRequest};
+use super::regime::{Effort, Iteration};
 use super::segment::Setup;
 use super::shooting::Shooting;
 use super::solution::{Closing, CycleSolution};
-use super::tuning::{Target, Tuned, Tuner, Unknowns};
+use super::tuning::{Tuned, Tuner, TuningTarget, Unknowns};
 use super::tuning::{working_ratio, working_speed};
 use crate::DynamicsError;
-use crate::drive::Source;
+use crate::drive::TorqueSource;
 
 /// Accuracy to which polynomials resolve the machine before the regime is known.
 const RESOLVE: f64 = 1e-9;
@@ -24,12 +24,11 @@ const RESOLVE: f64 = 1e-9;
 /// the derivative that it misses changes over a panel.
 const OFF_THE_MIDDLE: f64 = 8.0;
 
-/// Rounds of refinement.
 const MOST_ROUNDS: usize = 12;
 
 /// Rejects a cycle after which the machine is another one than at its start: after a part of a turn of a crank, or under a
 /// load that depends on how many turns there were.
-fn check_repeats(path: &mut Path<'_>, panels: &[Panel], speed: f64) -> Result<(), DynamicsError> {
+fn check_repeats(path: &mut Path<'_>, panels: &[PathPanel], speed: f64) -> Result<(), DynamicsError> {
     /// Part of the greatest value: all are known much better, and change by much more after any cycle that is wrong.
     const SAME: f64 = 1e-6;
     let nodes = || panels.iter().flat_map(|panel| &panel.coefficients.nodes);
@@ -62,7 +61,6 @@ fn check_repeats(path: &mut Path<'_>, panels: &[Panel], speed: f64) -> Result<()
 }
 
 /// Finds steady regimes of one machine over one cycle.
-#[derive(Debug)]
 pub struct RegimeSolver<'a> {
     shooting: Shooting<'a>,
     diagram: WorkDiagram,
@@ -85,7 +83,7 @@ impl<'a> RegimeSolver<'a> {
             return Err(DynamicsError::NoCycle);
         }
         let CycleRequest { start, length, mean_speed, .. } = request;
-        let mut path = Path::new(motion, Cycle { start, sense: mean_speed.signum(), length });
+        let mut path = Path::new(motion, CyclePath { start, sense: mean_speed.signum(), length });
         let panels = path.panels(mean_speed.abs(), RESOLVE)?;
         check_repeats(&mut path, &panels, mean_speed.abs())?;
         let diagram = WorkDiagram::new(&panels, length, mean_speed.abs());
@@ -144,10 +142,10 @@ impl<'a> RegimeSolver<'a> {
             TorqueRequest::Motor { efficiency, .. } => efficiency,
             _ => 1.0,
         };
-        let context = Context {
-            flywheel_wanted: target.unevenness.is_some(),
-            required_power: self.required_power(efficiency),
-            flywheel_by_method: self.diagram.flywheels(&self.flywheel_task(&tuned, &target)),
+        let flywheel_by_method = self.diagram.flywheels(&tuned, &target, self.request.constant_inertia);
+        let required_power = self.required_power(efficiency);
+        Ok(Regime {
+            flywheel_by_method,
             first,
             iterations,
             effort: Effort {
@@ -157,8 +155,8 @@ impl<'a> RegimeSolver<'a> {
                 residual: misses.residual,
             },
             error_of_moments: OFF_THE_MIDDLE * misses.moment,
-        };
-        Ok(Regime::new(tuned, context))
+            ..Regime::new(tuned, required_power, target.unevenness.is_some())
+        })
     }
 
     /// Without a drive the loads alone determine the mean speed, and no parameter is free to change it.
@@ -173,18 +171,6 @@ impl<'a> RegimeSolver<'a> {
         Ok(())
     }
 
-    fn flywheel_task(&self, tuned: &Tuned, target: &Target) -> FlywheelTask {
-        let ratio = tuned.unknowns.ratio().unwrap_or(1.0);
-        FlywheelTask {
-            speed: tuned.range.mean(),
-            unevenness: target.unevenness.unwrap_or(tuned.range.unevenness()),
-            constant_inertia: self.request.constant_inertia,
-            rotor: ratio * ratio * target.rotor,
-            to_own_shaft: if target.on_motor { 1.0 / (ratio * ratio) } else { 1.0 },
-            exact: tuned.unknowns.flywheel,
-        }
-    }
-
     /// Runs cycle after cycle from the mean speed until the relative change of the speed at the start is below
     /// `tolerance`: the slow method, for comparison with [`solve`](Self::solve).
     ///
@@ -197,7 +183,7 @@ impl<'a> RegimeSolver<'a> {
         tolerance: f64,
         most: usize,
     ) -> Result<Vec<Iteration>, DynamicsError> {
-        let setup = regime.solution().setup;
+        let setup = regime.solution.setup;
         let mut energy = self.energy(&setup, self.request.mean_speed.abs());
         let (mut iterations, mut guess, mut residual) = (Vec::new(), None, f64::NAN);
         for number in 1..=most {
@@ -217,7 +203,7 @@ impl<'a> RegimeSolver<'a> {
     fn iterate_from_mean_speed(
         &mut self,
         tuned: &Tuned,
-        target: &Target,
+        target: &TuningTarget,
     ) -> Result<(Option<CycleSolution>, Vec<Iteration>), DynamicsError> {
         let setup = tuned.solution.setup;
         let energy = self.energy(&setup, tuned.range.mean());
@@ -234,11 +220,11 @@ impl<'a> RegimeSolver<'a> {
         0.5 * (inertia + setup.drive.inertia) * speed * speed
     }
 
-    fn target(&self, drive: &DriveRequest) -> Result<Target, DynamicsError> {
+    fn target(&self, drive: &DriveRequest) -> Result<TuningTarget, DynamicsError> {
         let mean = self.request.mean_speed.abs();
         let unevenness = drive.unevenness.filter(|_| drive.flywheel.is_none());
         let on_motor = drive.flywheel_on_motor;
-        let target = |closing, mean, rotor| Target { mean, unevenness, closing, on_motor, rotor };
+        let target = |closing, mean, rotor| TuningTarget { mean, unevenness, closing, on_motor, rotor };
         Ok(match drive.torque {
             TorqueRequest::Motor { rotor, ratio, .. } => {
                 target(Closing::Speed, if ratio.is_none() { Some(mean) } else { None }, rotor)
@@ -269,22 +255,22 @@ impl<'a> RegimeSolver<'a> {
         Ok(())
     }
 
-    fn first_guess(&self, drive: &DriveRequest, target: &Target) -> Result<Unknowns, DynamicsError> {
+    fn first_guess(&self, drive: &DriveRequest, target: &TuningTarget) -> Result<Unknowns, DynamicsError> {
         let needed = self.diagram.mean_moment;
         let mut speed = self.request.mean_speed.abs();
         let source = match drive.torque {
-            TorqueRequest::None => Source::None,
-            TorqueRequest::Balance => Source::Constant(needed),
-            TorqueRequest::Constant(moment) => Source::Constant(moment),
+            TorqueRequest::None => TorqueSource::None,
+            TorqueRequest::Balance => TorqueSource::Constant(needed),
+            TorqueRequest::Constant(moment) => TorqueSource::Constant(moment),
             TorqueRequest::Motor { characteristic, ratio: Some(ratio), efficiency, .. } => {
                 let torque =
                     if needed > 0.0 { needed / (ratio * efficiency) } else { needed * efficiency / ratio };
                 speed = working_speed(&characteristic, torque) / ratio;
-                Source::Motor { characteristic, ratio, efficiency }
+                TorqueSource::Motor { characteristic, ratio, efficiency }
             }
             TorqueRequest::Motor { characteristic, ratio: None, efficiency, .. } => {
                 let ratio = working_ratio(&characteristic, efficiency, needed, speed)?;
-                Source::Motor { characteristic, ratio, efficiency }
+                TorqueSource::Motor { characteristic, ratio, efficiency }
             }
         };
         let mut unknowns = Unknowns { source, energy: 0.0, flywheel: drive.flywheel.unwrap_or(0.0) };
@@ -301,7 +287,7 @@ impl<'a> RegimeSolver<'a> {
     }
 
     /// From the energy-mass diagram, which takes the drive as constant.
-    fn guess_flywheel(&self, target: &Target, unknowns: &Unknowns, speed: f64, unevenness: f64) -> f64 {
+    fn guess_flywheel(&self, target: &TuningTarget, unknowns: &Unknowns, speed: f64, unevenness: f64) -> f64 {
         let (total, _) = self.diagram.wittenbauer(speed, unevenness);
         let ratio = unknowns.ratio().unwrap_or(1.0);
         let rotor = ratio * ratio * target.rotor;

@@ -7,12 +7,12 @@
 use assur_motor::Characteristic;
 use assur_number::search::bisect;
 
-use super::report::Trial;
+use super::regime::Trial;
 use super::segment::Setup;
 use super::shooting::Shooting;
 use super::solution::{Closing, CycleSolution, SpeedRange};
 use crate::DynamicsError;
-use crate::drive::{InputDrive, Source};
+use crate::drive::{InputDrive, TorqueSource};
 
 /// Trials of ratio and flywheel.
 const MOST_TRIALS: usize = 60;
@@ -22,7 +22,7 @@ const ROUNDING: f64 = 2e-12;
 
 /// What is given and what is wanted. Speeds are positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Target {
+pub(crate) struct TuningTarget {
     /// Mean speed that the level is to give; `None`: any.
     pub(crate) mean: Option<f64>,
     /// Unevenness that the flywheel is to give; `None`: the flywheel is given.
@@ -36,7 +36,7 @@ pub(crate) struct Target {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Unknowns {
-    pub(crate) source: Source,
+    pub(crate) source: TorqueSource,
     /// T at the start of the cycle.
     pub(crate) energy: f64,
     /// On its own shaft.
@@ -52,7 +52,7 @@ pub(crate) struct Tuned {
     pub(crate) trials: Vec<Trial>,
 }
 
-impl Target {
+impl TuningTarget {
     pub(crate) fn setup(&self, unknowns: &Unknowns, sense: f64) -> Setup {
         let ratio = unknowns.ratio().unwrap_or(0.0);
         let flywheel = unknowns.flywheel;
@@ -75,7 +75,7 @@ impl Target {
 
 impl Unknowns {
     pub(crate) fn ratio(&self) -> Option<f64> {
-        if let Source::Motor { ratio, .. } = self.source { Some(ratio) } else { None }
+        if let TorqueSource::Motor { ratio, .. } = self.source { Some(ratio) } else { None }
     }
 
     /// The ratio where there is a motor, else the initial energy.
@@ -84,19 +84,26 @@ impl Unknowns {
     }
 
     fn set_level(&mut self, level: f64) {
-        if let Source::Motor { ratio, .. } = &mut self.source {
+        if let TorqueSource::Motor { ratio, .. } = &mut self.source {
             *ratio = level;
         } else {
             self.energy = level;
         }
     }
+
+    /// What closing the cycle found: initial energy, constant moment.
+    fn take(&mut self, solution: &CycleSolution) {
+        self.energy = solution.start;
+        if let TorqueSource::Constant(_) = self.source {
+            self.source = solution.setup.drive.source;
+        }
+    }
 }
 
 /// The search for one machine and one request.
-#[derive(Debug)]
 pub(crate) struct Tuner<'s, 'a> {
     pub(crate) shooting: &'s mut Shooting<'a>,
-    pub(crate) target: Target,
+    pub(crate) target: TuningTarget,
     pub(crate) trials: Vec<Trial>,
 }
 
@@ -234,21 +241,11 @@ impl Tuner<'_, '_> {
     /// The regime without a flywheel, if its unevenness is within what is allowed.
     fn without_flywheel(&mut self, near: &Unknowns) -> Option<Tuned> {
         let wanted = self.target.unevenness?;
-        let target = Target { unevenness: None, ..self.target };
+        let target = TuningTarget { unevenness: None, ..self.target };
         let tuner = Tuner { shooting: &mut *self.shooting, target, trials: self.trials.clone() };
         let found = tuner.tune(Unknowns { flywheel: 0.0, ..*near }).ok()?;
         self.trials.clone_from(&found.trials);
         (found.range.unevenness() <= wanted).then_some(found)
-    }
-}
-
-impl Unknowns {
-    /// What closing the cycle found: initial energy, constant moment.
-    fn take(&mut self, solution: &CycleSolution) {
-        self.energy = solution.start;
-        if let Source::Constant(_) = self.source {
-            self.source = solution.setup.drive.source;
-        }
     }
 }
 

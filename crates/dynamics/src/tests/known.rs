@@ -98,7 +98,7 @@ fn the_margin_of_a_section_is_a_part_of_the_section() {
 fn times_and_ways_of_a_cycle_add_up() {
     let (linkage, loads) = compiled(assur_fixtures::scene("shaper-drive"));
     let regime = steady(&linkage, &loads, None).unwrap().regime;
-    let shares = regime.solution().weighted_speeds();
+    let shares = regime.solution.weighted_speeds();
     let time: f64 = shares.iter().map(|(_, time)| time).sum();
     let way: f64 = shares.iter().map(|(speed, time)| speed * time).sum();
     assert!((time / regime.cycle_time - 1.0).abs() < 1e-9, "{time} of {}", regime.cycle_time);
@@ -108,7 +108,7 @@ fn times_and_ways_of_a_cycle_add_up() {
     let first = regime.first_cycle_speed(from).unwrap();
     assert!((first / regime.figures.mean_speed - 1.0).abs() < 1e-12, "{first}");
     for x in [0.0, 1.0, 4.5] {
-        let [speed, wanted] = [regime.solution().speed_at(x), regime.state(from + x).speed];
+        let [speed, wanted] = [regime.solution.speed_at(x), regime.state(from + x).speed];
         assert!((speed - wanted).abs() < 1e-12 * wanted, "{x}: {speed} {wanted}");
     }
 }

@@ -5,7 +5,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::raster::{short, whole};
 use super::{Look, Spot, draw_marks, headed, heading};
-use crate::axis::{Axis, Kind};
+use crate::axis::{Axis, AxisKind};
 use crate::model::{Cursor, Frame, Ink, Item, Panel, Point, Stroke};
 use crate::number::plain;
 use crate::trace::{Paper, stars};
@@ -97,7 +97,7 @@ fn vertical(map: &Map<'_>, language: &Language) -> Vec<Spot> {
         labels.push((zero, 0.0));
     }
     // Where equal ratios are drawn, a small number is as good as a great one.
-    let least = if map.y.kind == Kind::Logarithmic { 0.0 } else { ROUNDING * low.abs().max(high.abs()) };
+    let least = if map.y.kind == AxisKind::Logarithmic { 0.0 } else { ROUNDING * low.abs().max(high.abs()) };
     let line = (0..rows).map(|row| Spot { column: LABELS - 1, row, text: "│".to_owned(), ink: Ink::Text });
     let numbers = labels.into_iter().map(|(row, value)| {
         let text = number(plain(if value.abs() <= least { 0.0 } else { value })).render(language);
@@ -110,7 +110,7 @@ fn vertical(map: &Map<'_>, language: &Language) -> Vec<Spot> {
 /// Round values under their columns, the ends where there is no round one, and the name of the axis.
 fn horizontal(map: &Map<'_>, width: u16, height: u16, language: &Language) -> Vec<Spot> {
     let mut ticks = map.x.ticks(usize::from(map.size[0] / TICK).max(1));
-    if map.x.kind == Kind::Linear && ticks.len() < 2 {
+    if map.x.kind == AxisKind::Linear && ticks.len() < 2 {
         ticks = map.x.range.map(|at| (at, number(plain(at)))).to_vec();
     }
     let mut spots = Vec::new();

@@ -10,8 +10,8 @@ use strum::{EnumString, IntoStaticStr, VariantArray, VariantNames};
 use unicode_width::UnicodeWidthStr;
 
 use crate::bounds::Zoom;
-use crate::model::{Figure, Frame, Ink, Sign, Stroke};
-use crate::trace::{Mark, block};
+use crate::model::{Figure, Frame, Ink, Item, Point, Sign, Stroke};
+use crate::trace::block;
 use labels::{Labels, head};
 use raster::{Raster, short};
 
@@ -100,43 +100,40 @@ fn area(figure: &Figure, index: usize, [width, height]: [u16; 2]) -> [u16; 4] {
 }
 
 /// Draws marks, whose coordinates are widths of a cell; names and signs that may be left out come last.
-fn draw_marks(marks: &[Mark], size: [u16; 2], look: Look) -> (Raster, Labels) {
+fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
     let (mut raster, mut labels) = (Raster::new(size, look.marker), Labels::new(size));
     let cell = |at: [f64; 2]| [at[0], at[1] / look.ratio];
+    let cells = |points: &[Point]| points.iter().map(|at| cell(*at)).collect::<Vec<_>>();
+    let closed = |corners: &[Point]| cells(&[corners, &corners[..1.min(corners.len())]].concat());
     for mark in marks {
         match mark {
-            Mark::Line { points, stroke, ink, closed } => {
-                let first = points.first().filter(|_| *closed);
-                let points: Vec<_> = points.iter().chain(first).map(|at| cell(*at)).collect();
-                raster.polyline(&points, *stroke, *ink);
+            Item::Line { points, stroke, ink } => raster.polyline(&cells(points), *stroke, *ink),
+            Item::Area { outline, ink } => raster.polyline(&closed(outline), Stroke::Thick, *ink),
+            Item::Sign { at, along, sign: Sign::Block, ink } if look.marker != Marker::Ascii => {
+                raster.polyline(&closed(&block(*at, *along, look.ratio)), Stroke::Solid, *ink);
             }
-            Mark::Sign { at, along, sign: Sign::Block, ink } if look.marker != Marker::Ascii => {
-                let corners = block(*at, *along, look.ratio);
-                let corners: Vec<_> = corners.iter().chain(corners.first()).map(|at| cell(*at)).collect();
-                raster.polyline(&corners, Stroke::Solid, *ink);
-            }
-            Mark::Sign { at, sign: Sign::Bearing, ink, .. } => bearing(&mut raster, cell(*at), look, *ink),
+            Item::Sign { at, sign: Sign::Bearing, ink, .. } => bearing(&mut raster, cell(*at), look, *ink),
             _ => {}
         }
     }
     for mark in marks {
-        if let Mark::Sign { at, along, sign, ink } = mark {
+        if let Item::Sign { at, along, sign, ink } = mark {
             put_sign(&mut labels, cell(*at), *along, *sign, *ink);
         }
     }
     for mark in marks {
-        if let Mark::Name { at, text, ink, needed } = mark {
+        if let Item::Name { at, text, ink, needed } = mark {
             labels.beside(&raster, cell(*at), &text.render(look.language), *ink, *needed);
         }
     }
     for mark in marks {
         match mark {
-            Mark::Sign { at, along, sign: Sign::Hatch, ink } => {
+            Item::Sign { at, along, sign: Sign::Hatch, ink } => {
                 let away = 0.75 * look.ratio;
                 let at = cell([at[0] + away * along[0], at[1] + away * along[1]]);
                 labels.faint(&raster, at, HATCH, *ink);
             }
-            Mark::Sign { at, sign: Sign::Bearing, ink, .. } => {
+            Item::Sign { at, sign: Sign::Bearing, ink, .. } => {
                 let [x, y] = cell(*at);
                 for column in -2..=2 {
                     labels.faint(&raster, [x + f64::from(column), y.floor() + 1.5], HATCH, *ink);

@@ -41,12 +41,12 @@ pub(super) fn elements(rows: &[Vec<(&Key, String)>], [left, top]: Point, unit: f
                     EM
                 }
                 Sample::Line(stroke, ink) => {
-                    elements.extend(stroked(&[[x, middle], [x + SAMPLE, middle]], stroke, ink, false));
+                    elements.extend(stroked(&[[x, middle], [x + SAMPLE, middle]], stroke, ink));
                     SAMPLE
                 }
                 Sample::Arrow(length, stroke, ink) => {
                     let tip = [x + length / unit, middle];
-                    elements.extend(stroked(&[[x, middle], tip], stroke, ink, false));
+                    elements.extend(stroked(&[[x, middle], tip], stroke, ink));
                     elements.extend(sign_elements(tip, [1.0, 0.0], Sign::Head, ink));
                     length / unit
                 }

@@ -131,7 +131,6 @@ impl Bearing {
     }
 }
 
-/// The turning of a link on another.
 fn turning(link: &Body<f64>, on: &Body<f64>) -> Rate {
     Rate { first: link.w1 - on.w1, slope: link.w2 - on.w2, size: link.w1.abs() + on.w1.abs() }
 }

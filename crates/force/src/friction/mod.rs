@@ -1,11 +1,6 @@
 //! Dry friction of the pairs, compiled: which link slides on which in which sense, what friction depends on, and which groups it
 //! couples.
 
-mod bearing;
-mod coupling;
-mod free;
-mod unknown;
-
 use std::sync::Arc;
 
 use assur_group::{Body, Wrench};
@@ -14,15 +9,18 @@ use assur_mechanism::Surfaces;
 use assur_number::Real;
 use assur_words::Text;
 
-pub use bearing::Bearing;
-pub use coupling::Block;
-pub use free::{Accelerations, FreeMotion};
-pub use unknown::{Unknown, UnknownKind};
-
 use crate::breaks::cut;
 use crate::choice::Selections;
 use crate::state::Selection;
 use crate::{LoadState, Loads, Piece, Side};
+
+mod bearing;
+mod coupling;
+mod unknown;
+
+pub use bearing::Bearing;
+pub use coupling::Block;
+pub use unknown::{Unknown, UnknownKind};
 
 /// The dry friction of all pairs of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
@@ -211,4 +209,26 @@ impl Loads {
         let direction = self.direction();
         if moves { state.speed } else { direction }
     }
+}
+
+/// What acts on a mechanism whose acceleration is looked for.
+#[derive(Debug, Clone, Copy)]
+pub struct FreeMotion<'a> {
+    /// All loads on the links at acceleration 0, the inertia loads of the speed among them, about the origins of their frames.
+    pub loads: &'a [Wrench<f64>],
+    /// The inertia loads of acceleration 1 at speed 0.
+    pub inertia: &'a [Wrench<f64>],
+    /// Moment (force) of the drive on the input link, along the coordinate, N m (N).
+    pub drive: f64,
+    /// Moment of inertia (mass) that the drive adds to the input link, kg m² (kg).
+    pub drive_inertia: f64,
+}
+
+/// The accelerations that dry friction leaves possible.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Accelerations {
+    /// Each with its reactions and friction; in place of the balancing load stands the acceleration, rad/s² (m/s²).
+    pub solutions: Vec<FrictionSolution>,
+    /// Whether there are certainly no others.
+    pub proved: bool,
 }

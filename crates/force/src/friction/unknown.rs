@@ -44,7 +44,7 @@ impl Unknown {
             if bearing.rests() || bearing.coefficient == 0.0 {
                 continue;
             }
-            let mut add = |kind| all.push(Self { bearing: index, kind, pairs: joint.pairs_of(nth).to_vec() });
+            let mut add = |kind| all.push(Self { bearing: index, kind, pairs: joint.pairs[nth].clone() });
             match bearing.surfaces {
                 Surfaces::Journal { .. } => add(UnknownKind::Force),
                 Surfaces::Place => add(UnknownKind::Normal),

@@ -1,6 +1,6 @@
 //! A curve has the values of its table.
 
-use assur_mechanism::{Shape, Table};
+use assur_mechanism::{LawTable, Shape};
 use proptest::prelude::*;
 
 use super::near;
@@ -19,7 +19,7 @@ proptest! {
     #[test]
     fn a_curve_has_the_values_of_its_table(rows in rows(), linear: bool, x in -5.0..6.0f64) {
         let shape = if linear { Shape::Linear } else { Shape::Step };
-        let table = Table { rows, shape };
+        let table = LawTable { rows, shape };
         let curve = Curve::of(&table);
         for x in [x, x.round()] {
             let segment = curve.segment(x);

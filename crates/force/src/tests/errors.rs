@@ -1,5 +1,5 @@
 use assur_kinematics::Linkage;
-use assur_mechanism::{Load, Moment, Table, Value};
+use assur_mechanism::{LawTable, Load, Moment, Value};
 
 use super::{fixture, linkage};
 use crate::Loads;
@@ -35,7 +35,7 @@ fn a_point_without_a_stroke() {
 #[test]
 fn a_moment_has_no_stroke() {
     let text = error(|mechanism| {
-        let table = Table::constant(1.0);
+        let table = LawTable::constant(1.0);
         let value = Value::Stroke { axis: 0.0, forward: table.clone(), back: table };
         mechanism.loads.push(Load::new("drag", Moment { link: 1, value }));
     });

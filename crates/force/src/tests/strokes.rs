@@ -131,7 +131,7 @@ fn two_reversals_close_together_are_found() {
         (body.x, body.x1, body.x2) = (u * u * u / 3.0 - d * d * u, u * u - d * d, 2.0 * u);
         Ok::<_, PositionError>(body)
     };
-    let flat = assur_mechanism::Table::constant(1.0);
+    let flat = assur_mechanism::LawTable::constant(1.0);
     let span = Span { from: 0.0, length: 1.0, periodic: false, cells: GRID };
     let stroke = Stroke::find(&mut body, [0.0; 2], 0.0, [&flat, &flat], [&span, &span], 1.0).unwrap();
     let (piece, ends) = stroke.piece(c, 1.0);
@@ -150,7 +150,7 @@ fn a_point_that_runs_through_infinity_has_no_stroke() {
         |u| [-1.0 / u, 1.0 / (u * u), -2.0 / (u * u * u)],
         |u| [1.0 / (u * u), -2.0 / (u * u * u), 6.0 / (u * u * u * u)],
     ];
-    let flat = assur_mechanism::Table::constant(1.0);
+    let flat = assur_mechanism::LawTable::constant(1.0);
     for motion in motions {
         let mut body = |q: f64| {
             let mut body = assur_group::Body::<f64>::ground();
@@ -177,7 +177,7 @@ fn few_cells_find_the_reversals_of_many() {
         let many = Span { from: 0.0123, length: TAU, periodic: true, cells: GRID };
         let few = many.for_stroke(&linkage, at, axis);
         assert!(few.cells < many.cells, "{name}: nothing is proved");
-        let flat = assur_mechanism::Table::constant(1.0);
+        let flat = assur_mechanism::LawTable::constant(1.0);
         let [one, other] = [few, many].map(|span| {
             let mut bodies = Bodies::new(&linkage, span);
             let mut body = |q| bodies.at(q, link);

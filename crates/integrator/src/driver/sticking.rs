@@ -58,7 +58,7 @@ impl<S: Stepper> Drive<'_, S> {
         let mut stride = if left.is_finite() { left / STRIDES } else { FIRST_STRIDE };
         let mut held = 0.0;
         loop {
-            self.run.statistics.steps += 1;
+            self.run.equation.cost.steps += 1;
             if self.run.is_exhausted() {
                 self.coast(held);
                 return Err(self.too_many_steps());

@@ -4,7 +4,7 @@ use assur_group::Mode;
 
 use crate::modes::nearest_first;
 
-use super::{CourseEnd, FAR_AWAY, FARTHEST, PAIR, TOGETHER, UNSIGNED, Walk, is_turned};
+use super::{CourseEnd, FAR_AWAY, FARTHEST, ModeMeeting, PAIR, TOGETHER, UNSIGNED, Walk, is_turned};
 
 /// Modes on both sides of an event; which of those before are left, and the numbers of those after it, as far as they are known.
 struct Sides<'a> {
@@ -78,7 +78,7 @@ impl Walk<'_> {
             let (Some(one), Some(other)) = (sides.numbers[j], sides.numbers[k]) else { continue };
             let before = sides.before.iter().find(|(number, _)| *number == one);
             if before.is_some_and(|(_, mode)| self.is_passed(to, mode)) {
-                self.found.meetings.push((to, [other, one]));
+                self.found.meetings.push(ModeMeeting { at: to, ways: [other, one] });
                 (sides.numbers[j], sides.numbers[k]) = (Some(other), Some(one));
             }
         }
@@ -95,7 +95,7 @@ impl Walk<'_> {
         for [j, k] in self.pairs(|at| &sides.after[at], &after, PAIR) {
             let [one, other] = [0, 1].map(|_| self.begin(to, CourseEnd::Cycle));
             for (number, partner) in [(one, other), (other, one)] {
-                self.found.courses[number].ends[0] = CourseEnd::With(partner);
+                self.found.modes[number].begins = CourseEnd::With(partner);
             }
             (sides.numbers[j], sides.numbers[k]) = (Some(one), Some(other));
         }
@@ -104,7 +104,8 @@ impl Walk<'_> {
     /// Where a group can turn freely, each of its two modes goes on with the other sign of its determinant.
     fn turn_over(&mut self, to: f64, sides: &mut Sides<'_>) {
         let turned = self.go_on(sides, TOGETHER, false);
-        self.found.meetings.extend(turned.chunks_exact(2).map(|pair| (to, [pair[0], pair[1]])));
+        let meeting = |pair: &[usize]| ModeMeeting { at: to, ways: [pair[0], pair[1]] };
+        self.found.meetings.extend(turned.chunks_exact(2).map(meeting));
     }
 
     /// Whether a mode meets another one before the next coordinate: its determinant, which falls evenly, is zero there.

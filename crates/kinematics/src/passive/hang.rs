@@ -1,7 +1,7 @@
 //! Places a passive link by its pairs with links that are placed before it.
 
-use assur_group::plane::{cross, direction, dot, minus, perp, plus, scaled, times, vector};
-use assur_group::{Body, GroupFrame, Order, Pair, PairGeometry};
+use assur_group::plane::{cross, dot, minus, perp, plus, scaled, times};
+use assur_group::{Body, GroupFrame, Order, PinJoint, SlideJoint};
 use assur_number::Real;
 
 /// Two guides whose directions differ by less than this (the sine of the angle) place no link between them.
@@ -18,57 +18,35 @@ pub(crate) struct Hanging<T> {
 #[derive(Debug, Clone)]
 enum By<T> {
     /// A pin gives the position of the link, the direction towards another pin its angle.
-    Pins([Pin<T>; 2]),
+    Pins([PinJoint<T>; 2]),
     /// A slide gives the angle of the link, a pin its position.
-    Guided(Guide<T>, Pin<T>),
+    Guided(SlideJoint<T>, PinJoint<T>),
     /// Two slides that are not parallel give position and angle.
-    Guides([Guide<T>; 2]),
-}
-
-/// A pin on another body.
-#[derive(Debug, Clone, Copy)]
-struct Pin<T> {
-    own: [T; 2],
-    body: usize,
-    at: [T; 2],
-}
-
-/// A slide of the link along a line of another body.
-#[derive(Debug, Clone, Copy)]
-struct Guide<T> {
-    point: [T; 2],
-    body: usize,
-    through: [T; 2],
-    /// Direction of the guide, and that of the link's x axis, both in the frame of the other body.
-    along: [T; 2],
-    axis: [T; 2],
+    Guides([SlideJoint<T>; 2]),
 }
 
 impl<T: Real> Hanging<T> {
     /// Reads the pairs of a passive link; `None` where they don't place it.
     pub(crate) fn of(frame: &GroupFrame) -> Option<Self> {
         let &[link] = &frame.links[..] else { return None };
-        let own = frame.outer.iter().map(|pair| if pair.a == link { *pair } else { pair.turned_round() });
-        let (guides, pins): (Vec<Pair>, Vec<Pair>) = own.partition(Pair::is_slide);
+        let own = || frame.outer.iter().map(|pair| pair.seen_from(link));
+        let guides: Vec<SlideJoint<T>> = own().filter_map(|seen| SlideJoint::new(&seen).ok()).collect();
+        let pins: Vec<PinJoint<T>> = own().filter_map(|seen| PinJoint::new(&seen).ok()).collect();
         let by = match (&guides[..], &pins[..]) {
-            ([guide, ..], [pin, ..]) => By::Guided(Guide::of(guide)?, Pin::of(pin)?),
+            ([guide, ..], [pin, ..]) => By::Guided(*guide, *pin),
             ([], [first, others @ ..]) => {
-                let apart = |pair: &Pair| {
-                    let [a, b] = [pair, first].map(|pair| pair.places()[0].1);
-                    (a[0] - b[0]).hypot(a[1] - b[1])
+                let apart = |pin: &PinJoint<T>| {
+                    let [x, y] = minus(pin.own, first.own).map(Real::to_f64);
+                    x.hypot(y)
                 };
                 let far = others.iter().max_by(|a, b| apart(a).total_cmp(&apart(b)));
-                let far = far.filter(|far| apart(far) > 0.0)?;
-                By::Pins([Pin::of(first)?, Pin::of(far)?])
+                By::Pins([*first, *far.filter(|far| apart(far) > 0.0)?])
             }
             ([first, others @ ..], []) => {
-                let turn = |pair: &Pair| match pair.geometry {
-                    // Seen from the link itself.
-                    PairGeometry::Slide { tilt, .. } => tilt,
-                    PairGeometry::Pin { .. } => 0.0,
-                };
-                let other = others.iter().find(|other| (turn(other) - turn(first)).sin().abs() > PARALLEL)?;
-                By::Guides([Guide::of(first)?, Guide::of(other)?])
+                // Seen from the link itself.
+                let crosses =
+                    |other: &&SlideJoint<T>| (other.tilt_angle - first.tilt_angle).sin().abs() > PARALLEL;
+                By::Guides([*first, *others.iter().find(crosses)?])
             }
             ([], []) => return None,
         };
@@ -86,7 +64,7 @@ impl<T: Real> Hanging<T> {
                 let turn = times(d, [own[0], -own[1]]);
                 let arm = body.put(scaled(T::ONE / dot(turn, turn).sqrt(), turn), first.own, place);
                 if order >= Order::First {
-                    let [[first1, first2], [far1, far2]] = [first, far].map(|pin| pin.motion(bodies));
+                    let [[first1, first2], [far1, far2]] = [first, far].map(|pin| motion(pin, bodies));
                     let (d1, d2) = (minus(far1, first1), minus(far2, first2));
                     body.w1 = cross(d, d1) / square;
                     body.w2 = (cross(d, d2) - (dot(d, d1) * body.w1).twice()) / square;
@@ -95,9 +73,9 @@ impl<T: Real> Hanging<T> {
                 }
             }
             By::Guided(guide, pin) => {
-                let arm = body.put(guide.turn(bodies), pin.own, pin.place(bodies));
+                let arm = body.put(guide.carried(bodies, guide.turn), pin.own, pin.place(bodies));
                 if order >= Order::First {
-                    let [first, second] = pin.motion(bodies);
+                    let [first, second] = motion(pin, bodies);
                     (body.w1, body.w2) = (bodies[guide.body].w1, bodies[guide.body].w2);
                     body.hang_first(arm, first);
                     body.hang_second(arm, second);
@@ -110,16 +88,16 @@ impl<T: Real> Hanging<T> {
 }
 
 /// Places a link where both guides let its points be.
-fn by_guides<T: Real>(guides: &[Guide<T>; 2], bodies: &[Body<T>], body: &mut Body<T>, order: Order) {
-    [body.c, body.s] = guides[0].turn(bodies);
-    let normals = guides.map(|guide| perp(bodies[guide.body].turned(guide.along)));
+fn by_guides<T: Real>(guides: &[SlideJoint<T>; 2], bodies: &[Body<T>], body: &mut Body<T>, order: Order) {
+    [body.c, body.s] = guides[0].carried(bodies, guides[0].turn);
+    let normals = guides.map(|guide| perp(guide.guide(bodies)));
     // n1 x = r1, n2 x = r2.
     let meet = |right: [T; 2]| {
         let by = T::ONE / cross(normals[0], normals[1]);
         let [[a, b], [c, d]] = normals;
         [(right[0] * d - right[1] * b) * by, (right[1] * a - right[0] * c) * by]
     };
-    let arms = guides.map(|guide| body.arm(guide.point));
+    let arms = guides.map(|guide| body.arm(guide.own));
     let place = |k: usize| dot(normals[k], minus(bodies[guides[k].body].point(guides[k].through), arms[k]));
     [body.x, body.y] = meet([place(0), place(1)]);
     if order < Order::First {
@@ -141,32 +119,8 @@ fn by_guides<T: Real>(guides: &[Guide<T>; 2], bodies: &[Body<T>], body: &mut Bod
     [body.x2, body.y2] = meet([second(0), second(1)]);
 }
 
-impl<T: Real> Pin<T> {
-    fn of(pair: &Pair) -> Option<Self> {
-        let PairGeometry::Pin { at_a, at_b } = pair.geometry else { return None };
-        Some(Self { own: vector(at_a), body: pair.b, at: vector(at_b) })
-    }
-
-    fn place(&self, bodies: &[Body<T>]) -> [T; 2] {
-        bodies[self.body].point(self.at)
-    }
-
-    fn motion(&self, bodies: &[Body<T>]) -> [[T; 2]; 2] {
-        let body = &bodies[self.body];
-        body.motion(body.arm(self.at))
-    }
-}
-
-impl<T: Real> Guide<T> {
-    fn of(pair: &Pair) -> Option<Self> {
-        let PairGeometry::Slide { point, through, angle, tilt } = pair.geometry else { return None };
-        let along: [T; 2] = direction(angle);
-        let axis = times(along, direction(tilt));
-        Some(Self { point: vector(point), body: pair.b, through: vector(through), along, axis })
-    }
-
-    /// Direction of the link's x axis.
-    fn turn(&self, bodies: &[Body<T>]) -> [T; 2] {
-        bodies[self.body].turned(self.axis)
-    }
+/// PF1 and PF2 of a pin.
+fn motion<T: Real>(pin: &PinJoint<T>, bodies: &[Body<T>]) -> [[T; 2]; 2] {
+    let body = &bodies[pin.body];
+    body.motion(body.arm(pin.at))
 }

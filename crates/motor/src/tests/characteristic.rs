@@ -2,7 +2,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 
 use super::{kloss, linear, shaper_motor};
-use crate::{Characteristic, CharacteristicKind, RatedData, RatedDataError};
+use crate::{Characteristic, CharacteristicKind, RatedMotor};
 
 #[test]
 fn kloss_of_the_shaper_motor_by_hand() {
@@ -10,7 +10,7 @@ fn kloss_of_the_shaper_motor_by_hand() {
     // Mn = 1100 / (47 pi), sn = 0.06, sk = 0.06 (2.2 + sqrt(3.84))
     let mn = 1100.0 / (47.0 * std::f64::consts::PI);
     assert_relative_eq!(c.rated_torque, mn, max_relative = 1e-14);
-    assert_relative_eq!(c.critical_slip().unwrap(), 0.249_575_507_653_592_5, max_relative = 1e-12);
+    assert_relative_eq!(c.critical_slip.unwrap(), 0.249_575_507_653_592_5, max_relative = 1e-12);
     assert_relative_eq!(c.breakdown_torque.unwrap(), 2.2 * mn, max_relative = 1e-14);
     assert_relative_eq!(c.starting_torque().unwrap(), 7.7012, max_relative = 1e-4);
 }
@@ -44,7 +44,7 @@ fn kloss_pulls_forward_at_reversed_speed() {
         previous = now;
     }
     // The published form, s = 3 at w = -2 ws.
-    let sk = c.critical_slip().unwrap();
+    let sk = c.critical_slip.unwrap();
     let published = 2.0 * c.breakdown_torque.unwrap() / (3.0 / sk + sk / 3.0);
     assert_relative_eq!(c.torque(-2.0 * ws), published, max_relative = 1e-12);
 }
@@ -64,7 +64,7 @@ fn the_greatest_torque_is_at_the_critical_slip() {
 #[test]
 fn linear_knows_no_breakdown_point() {
     let c = linear();
-    assert_eq!((c.critical_slip(), c.breakdown_speed(), c.starting_torque()), (None, None, None));
+    assert_eq!((c.critical_slip, c.breakdown_speed(), c.starting_torque()), (None, None, None));
     // Twice the rated slip, twice the rated torque.
     let w = 2.0 * c.rated_speed - c.synchronous_speed;
     assert_relative_eq!(c.torque(w), 2.0 * c.rated_torque, max_relative = 1e-12);
@@ -72,26 +72,29 @@ fn linear_knows_no_breakdown_point() {
 
 #[test]
 fn impossible_data_are_refused() {
-    let new = |data: RatedData| Characteristic::new(CharacteristicKind::Kloss, &data).unwrap_err();
+    let why = |data: RatedMotor| {
+        let error = Characteristic::new(CharacteristicKind::Kloss, &data).unwrap_err();
+        error.0.identity().unwrap()
+    };
     let good = shaper_motor();
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(new(RatedData { power: bad, ..good }), RatedDataError::NotPositive { .. }));
-        assert!(matches!(new(RatedData { rated_speed: bad, ..good }), RatedDataError::NotPositive { .. }));
-        assert!(matches!(new(RatedData { inertia: Some(bad), ..good }), RatedDataError::NotPositive { .. }));
+        assert_eq!(why(RatedMotor { power: bad, ..good }), "motor-rated-not-positive");
+        assert_eq!(why(RatedMotor { rated_speed: bad, ..good }), "motor-rated-not-positive");
+        assert_eq!(why(RatedMotor { inertia: Some(bad), ..good }), "motor-rated-not-positive");
     }
     for bad in [1.0, 0.5, -2.0, f64::NAN, f64::INFINITY] {
-        let data = RatedData { max_torque_ratio: Some(bad), ..good };
-        assert!(matches!(new(data), RatedDataError::MaxTorqueRatio(_)));
+        let data = RatedMotor { max_torque_ratio: Some(bad), ..good };
+        assert_eq!(why(data), "motor-bad-torque-ratio");
         assert!(Characteristic::new(CharacteristicKind::Linear, &data).is_err());
     }
-    assert_eq!(new(RatedData { max_torque_ratio: None, ..good }), RatedDataError::NoMaxTorqueRatio);
-    let equal = RatedData { synchronous_speed: 100.0, rated_speed: 100.0, ..good };
-    assert!(matches!(new(equal), RatedDataError::NoSlip { .. }));
+    assert_eq!(why(RatedMotor { max_torque_ratio: None, ..good }), "motor-no-torque-ratio");
+    let equal = RatedMotor { synchronous_speed: 100.0, rated_speed: 100.0, ..good };
+    assert_eq!(why(equal), "motor-no-slip");
 }
 
 #[test]
 fn errors_say_how_much_and_what_to_do() {
-    let data = RatedData { synchronous_speed: 100.0, rated_speed: 102.5, ..shaper_motor() };
+    let data = RatedMotor { synchronous_speed: 100.0, rated_speed: 102.5, ..shaper_motor() };
     assert_eq!(
         Characteristic::new(CharacteristicKind::Linear, &data).unwrap_err().to_string(),
         "rated speed 102.5 rad/s exceeds or equals the synchronous speed 100 rad/s (by 2.5 rad/s): \
@@ -106,8 +109,8 @@ fn kinds_have_stable_names() {
 
 prop_compose! {
     /// Motors as catalogues have them, and somewhat beyond.
-    fn any_motor()(power in 10.0..1e6, ws in 30.0..400.0f64, sn in 0.002..0.2, l in 1.05..6.0) -> RatedData {
-        RatedData { power, synchronous_speed: ws, rated_speed: ws * (1.0 - sn), max_torque_ratio: Some(l), inertia: None }
+    fn any_motor()(power in 10.0..1e6, ws in 30.0..400.0f64, sn in 0.002..0.2, l in 1.05..6.0) -> RatedMotor {
+        RatedMotor { power, synchronous_speed: ws, rated_speed: ws * (1.0 - sn), max_torque_ratio: Some(l), inertia: None }
     }
 }
 
@@ -126,7 +129,7 @@ proptest! {
     #[test]
     fn kloss_agrees_with_the_published_form(data in any_motor(), x in -2.0..3.0f64) {
         let c = Characteristic::new(CharacteristicKind::Kloss, &data).unwrap();
-        let (s, sk) = (c.slip(x * data.synchronous_speed), c.critical_slip().unwrap());
+        let (s, sk) = (c.slip(x * data.synchronous_speed), c.critical_slip.unwrap());
         prop_assume!(s != 0.0);
         let published = 2.0 * c.breakdown_torque.unwrap() / (s / sk + sk / s);
         prop_assert!((c.torque(x * data.synchronous_speed) - published).abs() <= 1e-12 * published.abs());

@@ -2,7 +2,7 @@ use assur_words::name;
 use proptest::prelude::*;
 
 use super::motors;
-use crate::{LookupError, find_designation, latin_designation, normalize_designation, same_designation};
+use crate::{find_designation, latin_designation, normalize_designation, same_designation};
 
 #[test]
 fn script_case_and_spaces_do_not_matter() {
@@ -58,7 +58,7 @@ fn what_was_appended_to_a_type_may_be_left_out_where_one_row_remains() {
          give the whole designation"
     );
     // A part of a word is not a type.
-    assert!(matches!(find("LSES 8"), Err(LookupError::NotFound { .. })));
+    assert_eq!(find("LSES 8").unwrap_err().0.identity(), Some("motor-not-found"));
 }
 
 #[test]

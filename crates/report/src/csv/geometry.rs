@@ -27,24 +27,20 @@ pub fn geometry(found: &Geometry, ascii: bool) -> Result<String, CsvError> {
 }
 
 fn row(found: &Geometry, at: &AtPosition) -> Vec<CsvCell<'static>> {
-    let mut cells = vec![CsvCell::Number(at.index as f64), CsvCell::Number(at.coordinate)];
-    let place = |cells: &mut Vec<CsvCell<'static>>, place: Option<[f64; 2]>| match place {
-        Some(place) => cells.extend(place.map(CsvCell::Number)),
-        None => cells.extend([CsvCell::Empty; 2]),
-    };
+    let mut cells = vec![Some(at.index as f64), Some(at.coordinate)];
+    let both = |place: Option<[f64; 2]>| [0, 1].map(|axis| place.map(|place| place[axis]));
     for centers in at.links.values() {
         let center = if let CenterAt::Point(center) = centers.center { Some(center) } else { None };
-        for point in [center, centers.on_link, centers.inflection_pole, centers.acceleration_pole] {
-            place(&mut cells, point);
-        }
+        let all = [center, centers.on_link, centers.inflection_pole, centers.acceleration_pole];
+        cells.extend(all.into_iter().flat_map(both));
     }
     for name in found.points.keys() {
         let curvature = at.points.get(name);
-        cells.push(curvature.map_or(CsvCell::Empty, |found| CsvCell::Number(found.curvature)));
-        place(&mut cells, curvature.and_then(|found| found.center));
+        cells.push(curvature.map(|found| found.curvature));
+        cells.extend(both(curvature.and_then(|found| found.center)));
     }
-    cells.extend(at.angles.iter().map(|&angle| CsvCell::Number(angle)));
-    cells
+    cells.extend(at.angles.iter().map(|&angle| Some(angle)));
+    cells.into_iter().map(|cell| cell.map_or(CsvCell::Empty, CsvCell::Number)).collect()
 }
 
 /// Shaking force and moment, input torque, and the force with each set of counterweights, in every position, SI.

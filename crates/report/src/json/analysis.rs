@@ -1,68 +1,13 @@
 //! The results of a scene as JSON.
 
-use assur_analysis::results::{
-    Analysis, Check, Cycle, Dynamics, Failure, FrictionCycle, InputReport, Integration, StructureReport,
-    Table,
-};
+use assur_analysis::results::{Analysis, Table};
 use assur_book::catalogue;
-use assur_mechanism::Notice;
-use assur_words::Text;
-use serde::Serialize;
 
 use super::rows::{self, POSITIONS, Rows, TRAJECTORY};
 use super::{JsonError, NotFinite, serialized};
 
 /// The version of the format that is written.
 const FORMAT: u32 = 1;
-
-/// What stands before the positions.
-#[derive(Serialize)]
-struct Head<'a> {
-    format: u32,
-    title: &'a str,
-    input: &'a InputReport,
-    structure: &'a StructureReport,
-}
-
-/// What stands between positions and trajectory.
-#[derive(Serialize)]
-struct Failures<'a> {
-    #[serde(skip_serializing_if = "<[Failure]>::is_empty")]
-    failures: &'a [Failure],
-}
-
-/// What stands after the trajectory.
-#[derive(Serialize)]
-struct Tail<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    dynamics: Option<&'a Dynamics>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    integration: Option<&'a Integration>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    no_motion: Option<&'a Text>,
-    #[serde(flatten)]
-    friction: Option<&'a FrictionCycle>,
-    #[serde(skip_serializing_if = "<[Notice]>::is_empty")]
-    notes: &'a [Notice],
-    #[serde(flatten)]
-    cycle: &'a Cycle,
-    #[serde(skip_serializing_if = "<[Check]>::is_empty")]
-    checks: &'a [Check],
-}
-
-impl<'a> Tail<'a> {
-    fn of(analysis: &'a Analysis) -> Self {
-        Self {
-            dynamics: analysis.dynamics.as_ref(),
-            integration: analysis.integration.as_ref(),
-            no_motion: analysis.no_motion.as_ref(),
-            friction: analysis.friction.as_ref(),
-            notes: &analysis.notes,
-            cycle: &analysis.cycle,
-            checks: &analysis.checks,
-        }
-    }
-}
 
 /// The results, if all their numbers are finite.
 pub fn finite(analysis: &Analysis) -> Result<&Analysis, NotFinite> {
@@ -77,9 +22,7 @@ pub fn finite(analysis: &Analysis) -> Result<&Analysis, NotFinite> {
     if let Some(at) = analysis.trajectory.not_finite() {
         return Err(place("trajectory", &analysis.trajectory, at));
     }
-    super::finite(&Failures { failures: &analysis.failures })?;
-    super::finite(&Tail::of(analysis))?;
-    Ok(analysis)
+    super::finite(analysis)
 }
 
 /// The text of results around that of their positions.
@@ -95,23 +38,26 @@ pub struct Around {
 impl Around {
     /// Of an analysis; `ascii`: other characters are escaped.
     pub fn of(analysis: &Analysis, ascii: bool) -> Result<Self, JsonError> {
-        let Analysis { title, input, structure, failures, trajectory, .. } = finite(analysis)?;
-        let mut before = vec![b'{'];
-        members(&mut before, &Head { format: FORMAT, title, input, structure }, ascii)?;
-        before.extend_from_slice(b",\"positions\":[");
-        let mut end = vec![b']'];
-        members(&mut end, &Failures { failures }, ascii)?;
+        let text = serialized(finite(analysis)?, ascii)?;
+        // Only UTF-8 was written; a quotation mark within a name is escaped, so the first such key is that of the table.
+        let text = String::from_utf8_lossy(&text);
+        let rows_at = |from: usize, key: &str| {
+            let found = text[from..].find(&format!("\"{key}\":[]"));
+            found.map_or(text.len(), |at| from + at + key.len() + 4)
+        };
+        let mut at = rows_at(0, "positions");
+        let before = format!("{{\"format\":{FORMAT},{}", &text[1..at]).into_bytes();
         let mut after = Vec::new();
-        if !trajectory.is_empty() {
-            end.extend_from_slice(b",\"trajectory\":[");
-            let mut rows = Rows::new(trajectory.schema(), TRAJECTORY, ascii).text(trajectory);
+        if !analysis.trajectory.is_empty() {
+            let begin = rows_at(at, "trajectory");
+            let mut rows =
+                Rows::new(analysis.trajectory.schema(), TRAJECTORY, ascii).text(&analysis.trajectory);
             rows[0].remove(0);
-            after.push(std::mem::replace(&mut end, vec![b']']));
+            after.push(text[at..begin].into());
             after.extend(rows);
+            at = begin;
         }
-        members(&mut end, &Tail::of(analysis), ascii)?;
-        end.extend_from_slice(b"}\n");
-        after.push(end);
+        after.push(format!("{}\n", &text[at..]).into_bytes());
         let mut rows = Rows::new(analysis.positions.schema(), POSITIONS, ascii);
         rows.several(&analysis.several)?;
         Ok(Self { rows, before, after })
@@ -130,15 +76,4 @@ pub fn to_json(analysis: &Analysis, ascii: bool) -> Result<String, JsonError> {
     let text = [&before, rows.get(1..).unwrap_or_default(), &after.concat()].concat();
     // Only UTF-8 was written.
     Ok(String::from_utf8_lossy(&text).into_owned())
-}
-
-/// Adds the members of an object to the open one.
-fn members<T: Serialize>(out: &mut Vec<u8>, object: &T, ascii: bool) -> Result<(), serde_json::Error> {
-    let text = serialized(object, ascii)?;
-    let members = &text[1..text.len() - 1];
-    if !members.is_empty() && !out.ends_with(b"{") {
-        out.push(b',');
-    }
-    out.extend_from_slice(members);
-    Ok(())
 }

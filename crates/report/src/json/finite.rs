@@ -1,10 +1,10 @@
 //! Finds the first number of a result that is not finite.
 
-use std::fmt::{self, Write};
+use std::fmt::{Arguments, Error as Stop, Write};
 
 use serde::Serialize;
 use serde::ser::{
-    self, SerializeMap, SerializeSeq, SerializeStruct, SerializeStructVariant, SerializeTuple,
+    SerializeMap, SerializeSeq, SerializeStruct, SerializeStructVariant, SerializeTuple,
     SerializeTupleStruct, SerializeTupleVariant, Serializer,
 };
 
@@ -19,27 +19,9 @@ struct Finder {
     path: String,
 }
 
-/// A number is not finite.
-#[derive(Debug)]
-struct Stop;
-
-impl fmt::Display for Stop {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number is not finite")
-    }
-}
-
-impl std::error::Error for Stop {}
-
-impl ser::Error for Stop {
-    fn custom<T: fmt::Display>(_: T) -> Self {
-        Self
-    }
-}
-
 impl Finder {
     /// Goes through a part; its step stays in the path where the search ends there.
-    fn part<T: Serialize + ?Sized>(&mut self, step: fmt::Arguments<'_>, part: &T) -> Result<(), Stop> {
+    fn part<T: Serialize + ?Sized>(&mut self, step: Arguments<'_>, part: &T) -> Result<(), Stop> {
         let length = self.path.len();
         // Writing to a text does not fail.
         let _ = self.path.write_fmt(step);
@@ -57,13 +39,13 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    fn item<T: Serialize + ?Sized>(&mut self, item: &T) -> Result<(), Stop> {
+    /// Goes through the part of a key; without one, through the next item.
+    fn part<T: Serialize + ?Sized>(&mut self, key: Option<&str>, part: &T) -> Result<(), Stop> {
+        if let Some(key) = key {
+            return self.finder.part(format_args!(".{key}"), part);
+        }
         self.count += 1;
-        self.finder.part(format_args!("[{}]", self.count - 1), item)
-    }
-
-    fn field<T: Serialize + ?Sized>(&mut self, key: &str, value: &T) -> Result<(), Stop> {
-        self.finder.part(format_args!(".{key}"), value)
+        self.finder.part(format_args!("[{}]", self.count - 1), part)
     }
 }
 
@@ -137,15 +119,15 @@ impl<'a> Serializer for &'a mut Finder {
     }
 }
 
-/// Lists of all sorts.
-macro_rules! items {
-    ($($list:ident: $method:ident)*) => { $(
-        impl $list for Parts<'_> {
+/// Lists of all sorts, and structures, whose parts have keys.
+macro_rules! compounds {
+    ($($compound:ident: $method:ident($($key:ident)?))*) => { $(
+        impl $compound for Parts<'_> {
             type Ok = ();
             type Error = Stop;
 
-            fn $method<T: Serialize + ?Sized>(&mut self, item: &T) -> Result<(), Stop> {
-                self.item(item)
+            fn $method<T: Serialize + ?Sized>(&mut self, $($key: &'static str,)? part: &T) -> Result<(), Stop> {
+                self.part(None$(.or(Some($key)))?, part)
             }
 
             fn end(self) -> Result<(), Stop> {
@@ -155,32 +137,14 @@ macro_rules! items {
     )* };
 }
 
-items! {
-    SerializeSeq: serialize_element
-    SerializeTuple: serialize_element
-    SerializeTupleStruct: serialize_field
-    SerializeTupleVariant: serialize_field
+compounds! {
+    SerializeSeq: serialize_element()
+    SerializeTuple: serialize_element()
+    SerializeTupleStruct: serialize_field()
+    SerializeTupleVariant: serialize_field()
+    SerializeStruct: serialize_field(key)
+    SerializeStructVariant: serialize_field(key)
 }
-
-/// Structures of all sorts.
-macro_rules! fields {
-    ($($object:ident)*) => { $(
-        impl $object for Parts<'_> {
-            type Ok = ();
-            type Error = Stop;
-
-            fn serialize_field<T: Serialize + ?Sized>(&mut self, key: &'static str, value: &T) -> Result<(), Stop> {
-                self.field(key, value)
-            }
-
-            fn end(self) -> Result<(), Stop> {
-                Ok(())
-            }
-        }
-    )* };
-}
-
-fields! { SerializeStruct SerializeStructVariant }
 
 impl SerializeMap for Parts<'_> {
     type Ok = ();
@@ -194,7 +158,7 @@ impl SerializeMap for Parts<'_> {
 
     fn serialize_value<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Stop> {
         let key = std::mem::take(&mut self.key);
-        self.field(&key, value)
+        self.part(Some(&key), value)
     }
 
     fn end(self) -> Result<(), Stop> {

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::{JsonError, finite, quoted, serialized};
 use crate::template::{Template, Templates};
-use assur_book::catalogue::{KEYS, Step, path};
+use assur_book::catalogue::{KEYS, PathStep, path};
 
 /// Numbers that a thread writes at a time: some milliseconds of work.
 const NUMBERS: usize = 1 << 16;
@@ -33,11 +33,11 @@ pub(super) const POSITIONS: Form =
 pub(super) const TRAJECTORY: Form = Form { numbered: false, always: &["links"] };
 
 /// The path as people write it: `.points.A.pf0[1]`.
-pub(super) fn spelled(path: &[Step<'_>]) -> String {
+pub(super) fn spelled(path: &[PathStep<'_>]) -> String {
     path.iter().fold(String::new(), |mut text, step| {
         let _ = match step {
-            Step::Key(key) => write!(text, ".{key}"),
-            Step::Item(item) => write!(text, "[{item}]"),
+            PathStep::Key(key) => write!(text, ".{key}"),
+            PathStep::Item(item) => write!(text, "[{item}]"),
         };
         text
     })
@@ -57,7 +57,7 @@ impl Rows {
     pub(super) fn new(schema: &Schema, form: Form, ascii: bool) -> Self {
         let ranks = schema.columns().iter().map(|column| {
             let path = path(schema, *column)?;
-            KEYS.split(' ').position(|key| path[0] == Step::Key(key.into()))
+            KEYS.split(' ').position(|key| path[0] == PathStep::Key(key.into()))
         });
         let mut ranked: Vec<_> =
             ranks.enumerate().filter_map(|(column, rank)| Some((rank?, column))).collect();
@@ -146,18 +146,18 @@ fn template(
     let columns = columns.filter(|(column, has)| *has || is_null(schema, *column, form));
     let path_of = |(column, has): (usize, bool)| {
         let mut found = path(schema, schema.columns()[column])?;
-        if !has && matches!(found.last(), Some(Step::Item(_))) {
+        if !has && matches!(found.last(), Some(PathStep::Item(_))) {
             // A vector is null as a whole.
-            (found.pop() == Some(Step::Item(0))).then_some(())?;
+            (found.pop() == Some(PathStep::Item(0))).then_some(())?;
         }
         Some(((column, has), found))
     };
     let paths: Vec<_> = columns.filter_map(path_of).collect();
     let mut paths = paths.into_iter().peekable();
     for key in KEYS.split(' ') {
-        let under = |path: &[Step<'_>]| path[0] == Step::Key(key.into());
+        let under = |path: &[PathStep<'_>]| path[0] == PathStep::Key(key.into());
         if form.always.contains(&key) && !paths.peek().is_some_and(|(_, path)| under(path)) {
-            writer.go(vec![Step::Key(key.into())]);
+            writer.go(vec![PathStep::Key(key.into())]);
             writer.text += "{}";
         }
         while let Some(((column, has), path)) = paths.next_if(|(_, path)| under(path)) {
@@ -177,7 +177,7 @@ fn template(
 struct Writer<'a> {
     text: String,
     /// The path of the last value.
-    open: Vec<Step<'a>>,
+    open: Vec<PathStep<'a>>,
     ascii: bool,
     /// Whether the object has a value.
     any: bool,
@@ -187,12 +187,12 @@ impl<'a> Writer<'a> {
     /// Closes all objects and arrays below this depth.
     fn close(&mut self, depth: usize) {
         for step in self.open.iter().skip(depth + 1).rev() {
-            self.text.push(if matches!(step, Step::Key(_)) { '}' } else { ']' });
+            self.text.push(if matches!(step, PathStep::Key(_)) { '}' } else { ']' });
         }
     }
 
     /// Text up to the value of this path.
-    fn go(&mut self, path: Vec<Step<'a>>) {
+    fn go(&mut self, path: Vec<PathStep<'a>>) {
         let same = self.open.iter().zip(&path).take_while(|(a, b)| a == b).count();
         // The path of another value may begin with this whole one.
         let same = same.min(path.len() - 1).min(self.open.len().saturating_sub(1));
@@ -203,9 +203,9 @@ impl<'a> Writer<'a> {
         self.any = true;
         for (depth, step) in path.iter().enumerate().skip(same) {
             if depth > same {
-                self.text.push(if matches!(step, Step::Key(_)) { '{' } else { '[' });
+                self.text.push(if matches!(step, PathStep::Key(_)) { '{' } else { '[' });
             }
-            if let Step::Key(key) = step {
+            if let PathStep::Key(key) = step {
                 self.text += &quoted(key, self.ascii);
                 self.text.push(':');
             }

@@ -1,9 +1,10 @@
 //! Columns of a table side by side.
 
-use assur_words::Text;
+use assur_book::Printed;
+use assur_words::{Text, unit};
 use unicode_width::UnicodeWidthStr;
 
-use super::layout::{Kind, Line, Style, joined, wrap};
+use super::layout::{Line, LineKind, Style, joined, wrap};
 
 /// Blanks between the columns of a table.
 pub(super) const GAP: usize = 2;
@@ -19,9 +20,12 @@ pub(super) struct Ready {
 }
 
 impl Ready {
-    pub(super) fn of(head: String, unit: String, cells: Vec<String>, right: bool) -> Self {
-        let cells = cells.into_iter().map(|cell| vec![cell]).collect();
-        let mut column = Self { head: vec![head], unit, cells, width: 0, right };
+    pub(super) fn of(column: &Printed, style: Style<'_>) -> Self {
+        let cells = column.cells.iter().map(|cell| vec![style.line(cell)]).collect();
+        // Lines have no subscripts.
+        let head = vec![style.line(&column.head).replace("_{", "").replace('}', "")];
+        let (unit, right) = (style.line(&unit(column.unit)), column.is_of_numbers());
+        let mut column = Self { head, unit, cells, width: 0, right };
         column.width = column.widest(UnicodeWidthStr::width);
         column
     }
@@ -81,7 +85,7 @@ pub(super) fn total(columns: &[Ready]) -> usize {
 /// Heads, units, a line, and rows.
 pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
     let mut lines = Vec::new();
-    let mut line = |kind: Kind, cell: &dyn Fn(&Ready) -> String| {
+    let mut line = |kind: LineKind, cell: &dyn Fn(&Ready) -> String| {
         let mut text = String::new();
         for (number, column) in columns.iter().enumerate() {
             let cell = cell(column);
@@ -96,16 +100,16 @@ pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
         cell.and_then(|lines| lines.get(at)).cloned().unwrap_or_default()
     };
     for at in 0..columns.iter().map(|column| column.head.len()).max().unwrap_or(0) {
-        line(Kind::Head, &|column| part(Some(&column.head), at));
+        line(LineKind::Head, &|column| part(Some(&column.head), at));
     }
     if columns.iter().any(|column| !column.unit.is_empty()) {
-        line(Kind::Head, &|column| column.unit.clone());
+        line(LineKind::Head, &|column| column.unit.clone());
     }
-    line(Kind::Rule, &|column| "-".repeat(column.width));
+    line(LineKind::Rule, &|column| "-".repeat(column.width));
     for row in 0..rows {
         let height = columns.iter().filter_map(|column| column.cells.get(row)).map(Vec::len).max();
         (0..height.unwrap_or(1))
-            .for_each(|at| line(Kind::Row(row), &|column| part(column.cells.get(row), at)));
+            .for_each(|at| line(LineKind::Row(row), &|column| part(column.cells.get(row), at)));
     }
     lines
 }
@@ -113,14 +117,8 @@ pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
 /// Rows in aligned columns below their heads and a line; columns of numbers are flush right.
 pub fn columns(head: &[Text], rows: &[Vec<Text>], style: Style<'_>) -> String {
     let column = |(number, head): (usize, &Text)| {
-        let cells = rows.iter().map(|row| row.get(number));
-        let is_number = |cell: Option<&Text>| {
-            let english = cell.map_or_else(String::new, Text::to_string);
-            english.is_empty() || english == "-" || english.parse::<f64>().is_ok()
-        };
-        let right = cells.clone().all(is_number);
-        let cells = cells.map(|cell| cell.map_or_else(String::new, |cell| style.line(cell))).collect();
-        Ready::of(style.line(head), String::new(), cells, right)
+        let cells = rows.iter().map(|row| row.get(number).cloned().unwrap_or_default()).collect();
+        Ready::of(&Printed { head: head.clone(), unit: "", cells }, style)
     };
     let all: Vec<_> = head.iter().enumerate().map(column).collect();
     joined(&grid(&all.iter().collect::<Vec<_>>(), rows.len()))

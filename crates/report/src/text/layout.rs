@@ -36,7 +36,7 @@ pub struct Style<'l> {
 
 /// What a line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum LineKind {
     /// A heading, or the caption of a table.
     Heading,
     /// The heads of the columns of a table, and their units.
@@ -53,7 +53,7 @@ pub enum Kind {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
     /// What it is.
-    pub kind: Kind,
+    pub kind: LineKind,
     /// Its characters.
     pub text: String,
 }
@@ -113,21 +113,21 @@ impl Page<'_> {
         }
     }
 
-    fn push(&mut self, kind: Kind, text: impl Into<String>) {
+    fn push(&mut self, kind: LineKind, text: impl Into<String>) {
         self.lines.push(Line { kind, text: text.into() });
     }
 
     fn underlined(&mut self, line: String, with: &str) {
         let rule = with.repeat(line.width());
-        self.push(Kind::Heading, line);
-        self.push(Kind::Rule, rule);
+        self.push(LineKind::Heading, line);
+        self.push(LineKind::Rule, rule);
     }
 
     /// A numbered heading.
     fn section(&mut self, name: &Text) {
         self.sections += 1;
         if !self.lines.is_empty() {
-            self.push(Kind::Words, "");
+            self.push(LineKind::Words, "");
         }
         self.underlined(format!("{}. {}", self.sections, self.style.line(name)), "-");
     }
@@ -135,17 +135,17 @@ impl Page<'_> {
     /// A line that names the table below it.
     fn caption(&mut self, caption: &Text) {
         if !caption.is_empty() {
-            self.push(Kind::Words, "");
-            self.wrapped(Kind::Heading, &self.style.line(caption), 0, 2);
+            self.push(LineKind::Words, "");
+            self.wrapped(LineKind::Heading, &self.style.line(caption), 0, 2);
         }
     }
 
     /// Words, broken into lines.
     fn paragraph(&mut self, words: &Text) {
-        self.wrapped(Kind::Words, &self.style.line(words), 0, 2);
+        self.wrapped(LineKind::Words, &self.style.line(words), 0, 2);
     }
 
-    fn wrapped(&mut self, kind: Kind, words: &str, first: usize, rest: usize) {
+    fn wrapped(&mut self, kind: LineKind, words: &str, first: usize, rest: usize) {
         let lines = wrap(words, first, rest, self.width);
         self.lines.extend(lines.into_iter().map(|text| Line { kind, text }));
     }
@@ -164,7 +164,7 @@ impl Page<'_> {
                 Term::Words(text) => format!("  ({})", self.style.line(text)),
             }
         });
-        self.wrapped(Kind::Words, &line, 2, 4);
+        self.wrapped(LineKind::Words, &line, 2, 4);
     }
 
     fn facts(&mut self, caption: &Text, facts: &[Fact]) {
@@ -200,13 +200,13 @@ impl Page<'_> {
         let [what, value] = [fact.what().short(), fact.with_unit()].map(|text| self.style.line(&text));
         // A value that has a line of its own is not broken.
         if what.width() + 1 + value.width() > self.width && value.width() + 2 <= self.width {
-            self.wrapped(Kind::Words, &what, 0, 2);
-            self.wrapped(Kind::Words, &value, 2, 2);
+            self.wrapped(LineKind::Words, &what, 0, 2);
+            self.wrapped(LineKind::Words, &value, 2, 2);
         } else {
-            self.wrapped(Kind::Words, &format!("{what} {value}"), 0, 2);
+            self.wrapped(LineKind::Words, &format!("{what} {value}"), 0, 2);
         }
         if let Some(place) = place {
-            self.wrapped(Kind::Words, &self.style.line(&place), 2, 2);
+            self.wrapped(LineKind::Words, &self.style.line(&place), 2, 2);
         }
     }
 
@@ -215,9 +215,9 @@ impl Page<'_> {
     fn table(&mut self, table: &Table) {
         self.caption(&table.caption);
         let (keys, groups) = table.printed();
-        let mut keys: Vec<_> = keys.into_iter().map(|key| self.ready(key)).collect();
-        let mut groups: Vec<Vec<Ready>> =
-            groups.into_iter().map(|group| group.into_iter().map(|one| self.ready(one)).collect()).collect();
+        let ready = |columns: &Vec<Printed>| columns.iter().map(|of| Ready::of(of, self.style)).collect();
+        let mut keys: Vec<_> = ready(&keys);
+        let mut groups: Vec<Vec<Ready>> = groups.iter().map(ready).collect();
         if let [group] = &mut groups[..] {
             fold(keys.iter_mut().chain(group).collect(), self.width);
         }
@@ -249,7 +249,7 @@ impl Page<'_> {
             };
             let (what, value) = (cells(&mut keys.iter()), cells(&mut groups.iter().flatten()));
             let line = self.style.line(&text!("report-fact", what, value));
-            self.wrapped(Kind::Row(row), &line, 0, 2);
+            self.wrapped(LineKind::Row(row), &line, 0, 2);
         }
     }
 
@@ -262,24 +262,19 @@ impl Page<'_> {
         let blocks = if blocks.is_empty() { &only_keys } else { blocks };
         for (number, block) in blocks.iter().take(most).enumerate() {
             if number > 0 {
-                self.push(Kind::Words, "");
+                self.push(LineKind::Words, "");
             }
             self.lines.extend(grid(&keys.iter().chain(block).collect::<Vec<_>>(), rows));
         }
         if rows < height {
-            self.push(Kind::Words, self.style.line(&text!("report-rows-shown", shown = rows, all = height)));
+            self.push(
+                LineKind::Words,
+                self.style.line(&text!("report-rows-shown", shown = rows, all = height)),
+            );
         }
         if shown < all {
-            self.push(Kind::Words, self.style.line(&text!("report-columns-shown", shown, all)));
+            self.push(LineKind::Words, self.style.line(&text!("report-columns-shown", shown, all)));
         }
-    }
-
-    fn ready(&self, column: Printed) -> Ready {
-        let right = column.is_of_numbers();
-        let cells = column.cells.iter().map(|cell| self.style.line(cell)).collect();
-        let [head, unit] = [column.head, assur_words::unit(column.unit)].map(|text| self.style.line(&text));
-        // Lines have no subscripts.
-        Ready::of(head.replace("_{", "").replace('}', ""), unit, cells, right)
     }
 }
 

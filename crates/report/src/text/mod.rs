@@ -5,18 +5,16 @@
 mod grid;
 mod layout;
 
-use assur_analysis::StructureStudy;
 use assur_analysis::results::Analysis;
 use assur_book::Document;
-use assur_geometry::Geometry;
 use assur_kinematics::Linkage;
-use assur_shaking::Shaking;
+use serde::Serialize;
 
 use crate::json::analysis::finite as finite_analysis;
 use crate::json::{NotFinite, finite};
 use crate::topic::{self, Source};
 pub use grid::columns;
-pub use layout::{Kind, Line, Style, lines, written};
+pub use layout::{Line, LineKind, Style, lines, written};
 
 /// The text of a topic alone: of the blocks that it adds to a document.
 pub fn told(style: Style<'_>, topic: impl FnOnce(&mut Document)) -> String {
@@ -37,26 +35,18 @@ pub fn report(
     Ok(written(&topic::report(&source), style))
 }
 
-/// What was measured on the motion.
-pub fn geometry(found: &Geometry, style: Style<'_>) -> Result<String, NotFinite> {
-    let found = finite(found)?;
-    Ok(told(style, |page| topic::geometry(found, page)))
-}
-
-/// Structure, and what it would be with other inputs.
+/// What a study found as a page of its topic.
 ///
 /// # Errors
 ///
 /// [`NotFinite`] for a number that is not finite.
-pub fn structure(found: &StructureStudy, style: Style<'_>) -> Result<String, NotFinite> {
+pub fn page<T: Serialize>(
+    found: &T,
+    style: Style<'_>,
+    topic: fn(&T, &mut Document),
+) -> Result<String, NotFinite> {
     let found = finite(found)?;
-    Ok(told(style, |page| topic::structure_study(found, page)))
-}
-
-/// Shaking force and counterweights.
-pub fn shaking(found: &Shaking, style: Style<'_>) -> Result<String, NotFinite> {
-    let found = finite(found)?;
-    Ok(told(style, |page| topic::shaking(found, page)))
+    Ok(told(style, |page| topic(found, page)))
 }
 
 #[cfg(test)]

@@ -1,26 +1,22 @@
 //! The checks of the numbers.
 
 use assur_analysis::results::Check;
-use assur_book::{Cell, Column, Digits, Document, Table, Unit, row};
+use assur_book::{Column, Digits, Document, Table};
 use assur_words::{Text, list, number, text};
 
 /// The checks, one row each: name, largest residual, where, limit, whether it holds, or that nothing could be checked;
 /// below, how many positions were checked where not all were, and in which of them checks were not possible, and why.
 pub fn checks(checks: &[Check], page: &mut Document) {
-    let size = |head| Column::short(head, Unit::NONE).with(Digits::Exponent);
-    let heads = [
-        Column::of(text!("head-check")),
-        size(text!("head-residual")),
-        Column::of(text!("head-position")),
-        Column::of(text!("head-place")),
-        size(text!("head-limit")),
-        Column::of(text!("head-result")),
-    ];
-    let row = |check: &Check| {
-        let place = (!check.place.is_empty()).then(|| check.place.clone());
-        row![check.name.clone(), check.residual, check.at.map(number), place, check.limit, verdict(check)]
-    };
-    page.table(Table::list(Text::default(), heads).rows(checks.iter().map(row)));
+    let size = |head| Column::of(head).with(Digits::Exponent);
+    let place = |check: &Check| (!check.place.is_empty()).then(|| check.place.clone());
+    let table = Table::each(Text::default(), checks)
+        .column(text!("head-check"), |check| check.name.clone())
+        .add(size(text!("head-residual")), |check| check.residual)
+        .column(text!("head-position"), |check| check.at.map(number))
+        .column(text!("head-place"), |check| place(check))
+        .add(size(text!("head-limit")), |check| check.limit)
+        .column(text!("head-result"), |check| verdict(check));
+    page.table(table.table());
     sampled(checks).into_iter().chain(not_judged(checks)).for_each(|line| page.paragraph(line));
 }
 
@@ -54,12 +50,12 @@ fn thousands(number: usize) -> String {
     grouped.collect::<String>().chars().rev().collect()
 }
 
-fn verdict(check: &Check) -> Cell {
-    Cell::Text(match check.verdict() {
+fn verdict(check: &Check) -> Text {
+    match check.verdict() {
         Some(false) => text!("report-check-failed"),
         Some(true) => text!("report-check-ok"),
         None => text!("report-check-not-judged"),
-    })
+    }
 }
 
 /// In how many positions which checks were not possible, and why: one sentence for those that have both in common.

@@ -1,7 +1,7 @@
 //! The side on which guides press, and the straight line that an arc envelopes.
 
-use assur_book::{Cell, Column, Document, Table, row};
-use assur_diagram::{Enveloping, EnvelopingPoint};
+use assur_book::{Column, Document, Table};
+use assur_diagram::{Enveloping, EnvelopingPoint, SignChange};
 use assur_words::{Text, name, number, text};
 
 use super::Source;
@@ -22,34 +22,26 @@ pub fn contacts(source: &Source<'_>, page: &mut Document) {
 fn sides(source: &Source<'_>, page: &mut Document) {
     page.heading(text!("report-sides"));
     page.paragraph(text!("report-sides-text"));
-    let heads = [
-        Column::of(text!("head-guide")),
-        Column::of(text!("head-after-position")),
-        Column::short(Text::from(&source.analysis.input.link), source.units.coordinate),
-        Column::short(text!("head-before"), FORCE),
-        Column::short(text!("head-after"), FORCE),
-        Column::of(text!("head-change")),
-    ];
-    let mut table = Table::list(Text::default(), heads);
-    for (slide, changes) in &source.analysis.cycle.sign_changes {
-        if changes.is_empty() {
-            let none = || Cell::None;
-            table.row([
-                Text::from(slide).into(),
-                none(),
-                none(),
-                none(),
-                none(),
-                text!("report-one-side").into(),
-            ]);
-        }
-        for change in changes {
-            let how = if change.jump { text!("report-jumps") } else { text!("report-passes-zero") };
-            let after = number(change.after_index);
-            table.row(row![Text::from(slide), after, change.coordinate, change.before, change.after, how]);
-        }
-    }
-    page.table(table);
+    let rows = source.analysis.cycle.sign_changes.iter().flat_map(|(slide, changes)| {
+        let none = changes.is_empty().then_some(None);
+        none.into_iter().chain(changes.iter().map(Some)).map(move |change| (slide, change))
+    });
+    let how = |change: Option<&SignChange>| match change {
+        None => text!("report-one-side"),
+        Some(change) if change.jump => text!("report-jumps"),
+        Some(_) => text!("report-passes-zero"),
+    };
+    let coordinate = source.units.coordinate;
+    let table = Table::each(Text::default(), rows)
+        .column(text!("head-guide"), |(slide, _)| Text::from(*slide))
+        .column(text!("head-after-position"), |(_, change)| change.map(|change| number(change.after_index)))
+        .measured(Text::from(&source.analysis.input.link), coordinate, |(_, change)| {
+            Some((*change)?.coordinate)
+        })
+        .measured(text!("head-before"), FORCE, |(_, change)| Some((*change)?.before))
+        .measured(text!("head-after"), FORCE, |(_, change)| Some((*change)?.after))
+        .column(text!("head-change"), |(_, change)| how(*change));
+    page.table(table.table());
 }
 
 fn enveloping(source: &Source<'_>, found: &Enveloping, page: &mut Document) {

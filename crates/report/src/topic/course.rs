@@ -1,13 +1,13 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
-use assur_analysis::results::{Event, Integration, Owner, Quantity, Table as Results};
-use assur_book::{Column, Document, Table, Unit, row};
+use assur_analysis::results::{Integration, Owner, Part, Quantity, Table as Results};
+use assur_book::{Column, Document, Table, Unit};
 use assur_integrator::EventKind;
 use assur_words::{Text, name, number, text};
 
 use super::forces::{force, has_reactions, shown};
 use super::units::{FORCE, JOULE, SECOND};
-use super::{Source, Values, each, modulus};
+use super::{Source, Values, each};
 
 /// Rows of the table; of more samples every so many are shown.
 const ROWS: usize = 51;
@@ -145,19 +145,14 @@ fn holding(source: &Source<'_>, page: &mut Document) {
 }
 
 fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
-    let row = |event: &Event| {
-        let Event { kind, state } = event;
-        row![words_of(*kind), state.time, state.coordinate, state.speed]
-    };
     let shown = found.events.iter().take(EVENTS);
     let caption = text!("report-events", shown = shown.len(), all = found.events.len());
-    let heads = [
-        Column::of(text!("head-event")),
-        Column::short(text!("head-time"), SECOND),
-        Column::short(text!("head-coordinate"), source.units.coordinate),
-        Column::short(text!("head-speed"), source.units.rates[0]),
-    ];
-    page.table(Table::list(caption, heads).rows(shown.map(row)));
+    let table = Table::each(caption, shown)
+        .column(text!("head-event"), |event| words_of(event.kind))
+        .measured(text!("head-time"), SECOND, |event| event.state.time)
+        .measured(text!("head-coordinate"), source.units.coordinate, |event| event.state.coordinate)
+        .measured(text!("head-speed"), source.units.rates[0], |event| event.state.speed);
+    page.table(table.table());
 }
 
 /// What happened.
@@ -182,20 +177,16 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
         return;
     }
     let times = each(all, Values::of(Quantity::Time, Owner::Input));
-    let heads = [
-        Column::of(text!("head-pair")),
-        Column::of(text!("head-on")),
-        Column::short(text!("head-greatest-force"), FORCE),
-        Column::short(text!("head-time"), SECOND),
-    ];
-    let mut table = Table::list(text!("report-greatest-at-samples"), heads);
-    for (pair, links) in shown(all) {
-        for link in links {
-            let sizes = modulus(all, force(pair, link)).into_iter().zip(&times);
-            let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
-            let Some((size, time)) = found.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-            table.row(row![source.name(Owner::Pair(pair)), source.name(Owner::Link(link)), size, time]);
-        }
-    }
-    page.table(table);
+    let greatest = |(pair, link)| {
+        let sizes = each(all, force(pair, link).part(Part::Modulus)).into_iter().zip(&times);
+        let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
+        Some((pair, link, found.max_by(|a, b| a.0.total_cmp(&b.0))?))
+    };
+    let rows = shown(all).into_iter().filter_map(greatest);
+    let table = Table::each(text!("report-greatest-at-samples"), rows)
+        .column(text!("head-pair"), |(pair, ..)| source.name(Owner::Pair(*pair)))
+        .column(text!("head-on"), |(_, link, _)| source.name(Owner::Link(*link)))
+        .measured(text!("head-greatest-force"), FORCE, |(.., (size, _))| *size)
+        .measured(text!("head-time"), SECOND, |(.., (_, time))| *time);
+    page.table(table.table());
 }

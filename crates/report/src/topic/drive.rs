@@ -1,9 +1,7 @@
 //! Motor and flywheel.
 
-use assur_analysis::results::{
-    AdvisedRegime, Dynamics, FlywheelByMethod, MotorAdvice, MotorReport, RunnerUp,
-};
-use assur_book::{Cell, Column, Document, Fact, Table, Unit, row};
+use assur_analysis::results::{AdvisedRegime, Dynamics, MotorAdvice, MotorReport};
+use assur_book::{Document, Fact, Table, Unit};
 use assur_motor::{USUAL_SOURCE, USUAL_UNEVENNESS, rpm};
 use assur_words::{Text, joined, name, text};
 
@@ -14,6 +12,8 @@ use super::units::{INERTIA, KILOGRAM, LENGTH, MOMENT, MOVING, POWER, TURNING};
 const MOST: usize = 10;
 /// Kilowatts of a power in W.
 const KILOWATT: Unit = Unit::of("kW", 1e-3);
+/// Turns in a minute of a speed in rad/s.
+const RPM: Unit = Unit::of("rpm", rpm(1.0));
 
 /// The motor with its characteristic, the motors that would do, and the flywheel by each method and on each shaft.
 pub fn drive(source: &Source<'_>, page: &mut Document) {
@@ -99,67 +99,42 @@ pub fn flywheel_shaft(key: &'static str) -> Text {
     if key == "input" { text!("drive-input-shaft") } else { text!("drive-motor-shaft") }
 }
 
-/// Columns that say which motor it is: name, catalogue, power, speed.
-fn motor_columns() -> [Column; 4] {
-    [
-        Column::of(text!("head-motor")),
-        Column::of(text!("head-catalogue")),
-        Column::short(text!("head-power"), KILOWATT),
-        Column::short(text!("head-rated-speed"), Unit::of("rpm", rpm(1.0))),
-    ]
-}
-
 fn runners_up(motor: &MotorReport, page: &mut Document) {
     let others = motor.runners_up.iter().take(MOST);
-    let row = |other: &RunnerUp| {
-        row![&other.designation, &other.catalogue, other.power, other.rated_speed, other.ratio, other.mass]
-    };
     let caption = text!("report-runners-up", shown = others.len(), all = motor.runners_up.len());
-    let last = [Column::of(text!("head-ratio")), Column::short(text!("head-mass"), KILOGRAM)];
-    page.table(Table::list(caption, motor_columns().into_iter().chain(last)).rows(others.map(row)));
+    let table = Table::each(caption, others)
+        .column(text!("head-motor"), |other| &other.designation)
+        .column(text!("head-catalogue"), |other| &other.catalogue)
+        .measured(text!("head-power"), KILOWATT, |other| other.power)
+        .measured(text!("head-rated-speed"), RPM, |other| other.rated_speed)
+        .column(text!("head-ratio"), |other| other.ratio)
+        .measured(text!("head-mass"), KILOGRAM, |other| other.mass);
+    page.table(table.table());
 }
 
 /// The flywheel by each method, and how far from the exact one.
 pub fn flywheel_methods(found: &Dynamics) -> Table {
-    let heads = [
-        Column::of(text!("head-method")),
-        Column::short(text!("head-flywheel"), INERTIA),
-        Column::short(text!("head-from-exact"), Unit::of("%", 100.0)),
-        Column::of(text!("head-formula")),
-    ];
-    let row = |one: &FlywheelByMethod| {
-        row![flywheel_method(one.method), one.flywheel, one.difference.map(clean), one.formula.clone()]
-    };
-    Table::list(text!("report-flywheel-methods"), heads).rows(found.flywheel_methods.iter().map(row))
+    Table::each(text!("report-flywheel-methods"), &found.flywheel_methods)
+        .column(text!("head-method"), |one| flywheel_method(one.method))
+        .measured(text!("head-flywheel"), INERTIA, |one| one.flywheel)
+        .measured(text!("head-from-exact"), Unit::of("%", 100.0), |one| one.difference.map(clean))
+        .column(text!("head-formula"), |one| one.formula.clone())
+        .table()
 }
 
 /// The flywheel on each of the two shafts.
 fn flywheel_places(found: &Dynamics) -> Table {
-    let heads = [
-        Column::of(text!("head-shaft")),
-        Column::short(name("J"), INERTIA),
-        Column::short(text!("head-diameter"), LENGTH),
-        Column::short(text!("head-width"), LENGTH),
-        Column::short(text!("head-mass"), KILOGRAM),
-        Column::short(text!("head-rim-speed"), MOVING[0]),
-        Column::short(text!("head-allowed"), MOVING[0]),
-        Column::of(text!("head-result")),
-    ];
-    let mut table = Table::list(text!("report-flywheel-places"), heads);
-    for one in &found.flywheel_places {
-        let kept = if one.ok { text!("report-kept") } else { text!("report-exceeded") };
-        table.row(row![
-            flywheel_shaft(one.shaft),
-            one.inertia,
-            one.diameter,
-            one.width,
-            one.mass,
-            one.rim_speed,
-            one.admissible_rim_speed,
-            kept
-        ]);
-    }
-    table
+    let kept = |ok| if ok { text!("report-kept") } else { text!("report-exceeded") };
+    Table::each(text!("report-flywheel-places"), &found.flywheel_places)
+        .column(text!("head-shaft"), |one| flywheel_shaft(one.shaft))
+        .measured(name("J"), INERTIA, |one| one.inertia)
+        .measured(text!("head-diameter"), LENGTH, |one| one.diameter)
+        .measured(text!("head-width"), LENGTH, |one| one.width)
+        .measured(text!("head-mass"), KILOGRAM, |one| one.mass)
+        .measured(text!("head-rim-speed"), MOVING[0], |one| one.rim_speed)
+        .measured(text!("head-allowed"), MOVING[0], |one| one.admissible_rim_speed)
+        .column(text!("head-result"), |one| kept(one.ok))
+        .table()
 }
 
 /// The motors that suit a scene, the best first, out of `count`.
@@ -170,36 +145,24 @@ pub fn advice(motors: &[MotorAdvice], count: usize, page: &mut Document) {
 
 /// The table of the motors, and the usual values.
 fn compared(motors: &[MotorAdvice], page: &mut Document) {
-    let row = |motor: &MotorAdvice| {
-        let of = |value: fn(&AdvisedRegime) -> f64| motor.regime.as_ref().map(value);
-        let reserve = motor.regime.as_ref().and_then(|regime| regime.torque_reserve);
-        row![
-            &motor.designation,
-            &motor.catalogue,
-            motor.power,
-            motor.rated_speed,
-            of(|regime| regime.unevenness),
-            of(|regime| regime.ratio),
-            of(|regime| regime.flywheel),
-            reserve,
-            motor.mass
-        ]
+    let of = |motor: &MotorAdvice, value: fn(&AdvisedRegime) -> f64| motor.regime.as_ref().map(value);
+    let table = Table::each(text!("report-motors"), motors)
+        .column(text!("head-motor"), |motor| &motor.designation)
+        .column(text!("head-catalogue"), |motor| &motor.catalogue)
+        .measured(text!("head-power"), KILOWATT, |motor| motor.power)
+        .measured(text!("head-rated-speed"), RPM, |motor| motor.rated_speed)
+        .column(text!("head-unevenness"), |motor| of(motor, |regime| regime.unevenness))
+        .column(text!("head-ratio"), |motor| of(motor, |regime| regime.ratio))
+        .measured(text!("head-flywheel"), INERTIA, |motor| of(motor, |regime| regime.flywheel))
+        .column(text!("head-reserve"), |motor| motor.regime.as_ref().and_then(|regime| regime.torque_reserve))
+        .measured(text!("head-mass"), KILOGRAM, |motor| motor.mass);
+    page.table(table.table());
+    let range = |[least, most]: [f64; 2]| {
+        let [least, most] = [least, most].map(|value| Unit::NONE.number(value));
+        if least == most { least } else { text!("fact-range", least, most) }
     };
-    let last = [
-        Column::of(text!("head-unevenness")),
-        Column::of(text!("head-ratio")),
-        Column::short(text!("head-flywheel"), INERTIA),
-        Column::of(text!("head-reserve")),
-        Column::short(text!("head-mass"), KILOGRAM),
-    ];
-    let columns = motor_columns().into_iter().chain(last);
-    page.table(Table::list(text!("report-motors"), columns).rows(motors.iter().map(row)));
-    let heads = [text!("head-machine"), text!("head-unevenness")].map(Column::of);
-    let mut table = Table::list(text!("report-usual", source = name(USUAL_SOURCE)), heads);
-    for usual in &USUAL_UNEVENNESS {
-        let [least, most] = usual.range.map(|value| Unit::NONE.number(value));
-        let range: Text = if least == most { least } else { text!("fact-range", least, most) };
-        table.row([Cell::from(usual.machine.clone()), Cell::from(range)]);
-    }
-    page.table(table);
+    let table = Table::each(text!("report-usual", source = name(USUAL_SOURCE)), &USUAL_UNEVENNESS)
+        .column(text!("head-machine"), |usual| usual.machine.clone())
+        .column(text!("head-unevenness"), |usual| range(usual.range));
+    page.table(table.table());
 }

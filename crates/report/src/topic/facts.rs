@@ -140,18 +140,18 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let named = |owner| schema.named(owner).map(Text::from).unwrap_or_default();
     let mut facts = Vec::new();
     let pairs = shown(&analysis.positions);
-    let moduli = pairs.iter().flat_map(|(pair, links)| {
-        links.iter().filter_map(|link| farthest(analysis, force(*pair, *link).part(Part::Modulus)))
-    });
+    let moduli =
+        pairs.iter().filter_map(|(pair, link)| farthest(analysis, force(*pair, *link).part(Part::Modulus)));
     let floor = ROUNDING * moduli.fold(0.0, |most: f64, turn| most.max(turn.value.abs()));
-    for (pair, links) in pairs {
+    for links in pairs.chunk_by(|one, other| one.0 == other.0) {
+        let pair = links[0].0;
         let of_pair = |id: &'static str, column: Column, unit: Unit| {
             let lever = if unit == MOMENT { linkage.structure.scale } else { 1.0 };
             let turn = farthest(analysis, column).filter(|turn| turn.value.abs() > floor * lever)?;
             let fact = Fact::number(id, turn.value, unit).of("pair", named(Owner::Pair(pair)));
             Some(fact.at(&[turn.at], place).about(column))
         };
-        for link in links {
+        for &(_, link) in links {
             let column = force(pair, link).part(Part::Modulus);
             let fact = of_pair("fact-greatest-reaction", column, FORCE);
             facts.extend(fact.map(|fact| fact.of("link", named(Owner::Link(link)))));

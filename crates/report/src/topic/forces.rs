@@ -1,13 +1,12 @@
 //! Reduction, reactions with their causes, loads and the balancing load.
 
-use assur_analysis::results::{Analysis, Owner, Part, Quantity, Table as Results};
-use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name, row};
-use assur_diagram::Extreme;
+use assur_analysis::results::{Owner, Part, Quantity, Table as Results};
+use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name};
 use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
 use assur_words::{Text, name, number, text};
 
 use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
-use super::{Source, Values, each, modulus};
+use super::{Source, Values, each};
 
 /// Inertia, its derivative and the moment of the loads, reduced to the input link and to a point.
 pub fn reduction(source: &Source<'_>, page: &mut Document) {
@@ -44,31 +43,18 @@ pub fn reduction(source: &Source<'_>, page: &mut Document) {
     page.table(Table::over(text!("report-reduced-to-point", point = to, radius = r), source.keys(), columns));
 }
 
-/// All pairs that have reactions, each with the links that are shown: of two links the first that moves (the force on
+/// All pairs that have reactions, with each link that is shown: of two links the first that moves (the force on
 /// the other is opposite), of more links all.
-pub(super) fn shown(table: &Results) -> Vec<(PairId, Vec<LinkId>)> {
-    let mut pairs: Vec<(PairId, Vec<LinkId>)> = Vec::new();
-    for owner in table.schema().owners(Quantity::Force) {
-        let Owner::PairOn(pair, link) = owner else { continue };
-        match pairs.last_mut() {
-            Some((last, links)) if *last == pair => links.push(link),
-            _ => pairs.push((pair, vec![link])),
-        }
-    }
-    for (_, links) in &mut pairs {
-        if let [first, second] = links[..] {
-            *links = vec![if first == GROUND { second } else { first }];
-        }
-    }
-    pairs
-}
-
-/// The greatest value of each reaction that is [`shown`].
-pub(super) fn greatest_reactions(analysis: &Analysis) -> impl Iterator<Item = &Extreme> {
-    let of = |(pair, links): (PairId, Vec<LinkId>)| links.into_iter().map(move |link| (pair, link));
-    let all = &analysis.cycle.reaction_extremes;
-    let wanted = shown(&analysis.positions).into_iter().flat_map(of);
-    wanted.filter_map(|(pair, link)| all.iter().find(|one| one.joint.id == pair && one.on.id == link))
+pub(super) fn shown(table: &Results) -> Vec<(PairId, LinkId)> {
+    let owners = table.schema().owners(Quantity::Force).into_iter();
+    let pair_on = |owner| if let Owner::PairOn(pair, link) = owner { Some((pair, link)) } else { None };
+    let all: Vec<_> = owners.filter_map(pair_on).collect();
+    let of_pair = |links: &[(PairId, LinkId)]| match *links {
+        [(pair, GROUND), (_, moving)] => vec![(pair, moving)],
+        [first, _] => vec![first],
+        _ => links.to_vec(),
+    };
+    all.chunk_by(|one, other| one.0 == other.0).flat_map(of_pair).collect()
 }
 
 /// Whether any row has reactions.
@@ -95,9 +81,7 @@ pub fn reactions(source: &Source<'_>, page: &mut Document) {
 
 /// The reactions in the shown positions.
 pub fn reactions_at_positions(source: &Source<'_>, page: &mut Document) {
-    let groups = shown(&source.positions)
-        .into_iter()
-        .flat_map(|(pair, links)| links.into_iter().map(move |link| of_pair(source, pair, link)));
+    let groups = shown(&source.positions).into_iter().map(|(pair, link)| of_pair(source, pair, link));
     page.table(source.table(text!("report-reactions-table"), text!("head-pair-on"), groups));
 }
 
@@ -129,21 +113,17 @@ pub fn direction(force: [f64; 2]) -> Option<f64> {
 }
 
 fn greatest(source: &Source<'_>, page: &mut Document) {
-    let heads = [
-        Column::of(text!("head-pair")),
-        Column::of(text!("head-on")),
-        Column::short(text!("head-greatest-force"), FORCE),
-        Column::of(text!("head-position")),
-        Column::short(Text::from(&source.analysis.input.link), source.units.coordinate),
-        Column::short(text!("head-rms-force"), FORCE),
-    ];
-    let mut table = Table::list(text!("report-greatest-reactions"), heads);
-    for found in greatest_reactions(source.analysis) {
-        let [pair, on] = [Text::from(&found.joint), Text::from(&found.on)];
-        let position = number(found.index);
-        table.row(row![pair, on, found.greatest, position, found.coordinate, found.rms]);
-    }
-    page.table(table);
+    let all = &source.analysis.cycle.reaction_extremes;
+    let of = |(pair, link)| all.iter().find(|one| one.joint.id == pair && one.on.id == link);
+    let found = shown(&source.analysis.positions).into_iter().filter_map(of);
+    let table = Table::each(text!("report-greatest-reactions"), found)
+        .column(text!("head-pair"), |found| Text::from(&found.joint))
+        .column(text!("head-on"), |found| Text::from(&found.on))
+        .measured(text!("head-greatest-force"), FORCE, |found| found.greatest)
+        .column(text!("head-position"), |found| number(found.index))
+        .measured(Text::from(&source.analysis.input.link), source.units.coordinate, |found| found.coordinate)
+        .measured(text!("head-rms-force"), FORCE, |found| found.rms);
+    page.table(table.table());
 }
 
 impl Source<'_> {
@@ -198,15 +178,13 @@ pub fn causes(source: &Source<'_>, page: &mut Document) {
     page.paragraph(text!("report-causes-text"));
     let causes = || schema.causes.iter().enumerate().map(|(cause, of)| (Some(cause), Text::from(of)));
     let all = || causes().chain([(None, text!("report-whole"))]);
-    for (pair, links) in shown(&source.positions) {
-        for link in links {
-            let share = |(cause, owner)| Group {
-                owner,
-                columns: components(source, Values { cause, ..force(pair, link) }),
-            };
-            let caption = pair_on(source, pair, link);
-            page.table(source.table(caption, text!("head-cause"), all().map(share)));
-        }
+    for (pair, link) in shown(&source.positions) {
+        let share = |(cause, owner)| Group {
+            owner,
+            columns: components(source, Values { cause, ..force(pair, link) }),
+        };
+        let caption = pair_on(source, pair, link);
+        page.table(source.table(caption, text!("head-cause"), all().map(share)));
     }
     let unit = source.balancing_load().2;
     let share = |(cause, head)| source.column(head, unit, Values { cause, ..Values::BALANCING });
@@ -215,11 +193,8 @@ pub fn causes(source: &Source<'_>, page: &mut Document) {
 
 /// Projections and modulus.
 fn components(source: &Source<'_>, force: Values) -> Vec<Column> {
-    vec![
-        source.column(name("R_{x}"), FORCE, force.part(Part::X)),
-        source.column(name("R_{y}"), FORCE, force.part(Part::Y)),
-        Column::numbers(name("R"), FORCE, modulus(&source.positions, force)),
-    ]
+    let parts = [("R_{x}", Part::X), ("R_{y}", Part::Y), ("R", Part::Modulus)];
+    parts.into_iter().map(|(head, part)| source.column(name(head), FORCE, force.part(part))).collect()
 }
 
 /// The loads, the inertia loads of the links, and the shaking force.

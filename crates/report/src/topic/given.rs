@@ -1,24 +1,24 @@
-//! Loads, motion and drive as they are given.
+//! The task as it is given: dimensions and masses, loads, motion and drive.
 
-use assur_book::{Column, Document, Fact, Table as List, Unit, link_name, row};
+use assur_book::{Cell, Column, Document, Fact, Table, Unit, link_name, row};
 use assur_mechanism::{
-    Direction, Drive, Force, LinkId, LoadKind, Mechanism, Motion, Motor, Over, Solve, Table, Torque, Value,
+    Direction, Drive, Force, Inertia, LawTable, LinkId, LoadKind, Mechanism, Motion, MotorChoice, Over,
+    Solve, Torque, Value, VaryingInertia,
 };
 use assur_words::{Text, joined, list, name, text, unit};
 
 use super::Source;
-use super::units::{ANGLE, INERTIA, LENGTH, MOMENT, POWER, TURNING};
+use super::units::{ANGLE, INERTIA, KILOGRAM, LENGTH, MOMENT, POWER, TURNING};
 
 /// Of a longer table the first rows are shown.
 const MOST_ROWS: usize = 12;
-/// N.
 const NEWTON: &str = "N";
 
 /// Each load: where and how it acts, and the law of its value.
 pub fn loads_given(source: &Source<'_>, page: &mut Document) {
     let mechanism = source.mechanism;
     let heads = [text!("head-load"), text!("head-acts"), text!("head-value")].map(Column::of);
-    let mut rows = List::list(text!("report-given-loads"), heads);
+    let mut rows = Table::list(text!("report-given-loads"), heads);
     if let Some([x, y]) = mechanism.gravity {
         let size = Unit::of("m/s²", 1.0).show(x.hypot(y));
         rows.row(row![name("G"), text!("given-gravity"), joined(" = ", [name("g"), size])]);
@@ -114,7 +114,7 @@ fn law(mechanism: &Mechanism, value: &Value, of: &'static str) -> Text {
 }
 
 /// The rows of a table: argument, value; a constant is its value alone.
-fn pairs(table: &Table, by: Unit) -> Text {
+fn pairs(table: &LawTable, by: Unit) -> Text {
     if let [[_, value]] = table.rows[..] {
         return Unit::NONE.number(value);
     }
@@ -167,11 +167,11 @@ fn drive(drive: &Drive, moment: Unit) -> Vec<Fact> {
     facts
 }
 
-fn motor_given(motor: &Motor) -> Vec<Fact> {
+fn motor_given(motor: &MotorChoice) -> Vec<Fact> {
     match motor {
-        Motor::Auto => vec![Fact::text("given-motor", text!("given-chosen"))],
-        Motor::Designation(designation) => vec![Fact::text("given-motor", name(designation.clone()))],
-        Motor::Rated(rated) => {
+        MotorChoice::Auto => vec![Fact::text("given-motor", text!("given-chosen"))],
+        MotorChoice::Designation(designation) => vec![Fact::text("given-motor", name(designation.clone()))],
+        MotorChoice::Rated(rated) => {
             let breakdown = |ratio| Fact::number("fact-breakdown-ratio", ratio, Unit::NONE);
             let rotor = |inertia| Fact::number("fact-rotor", inertia, INERTIA);
             let some = [
@@ -191,4 +191,66 @@ fn motor_given(motor: &Motor) -> Vec<Fact> {
 pub fn task_text(source: &Source<'_>) -> Text {
     let input = link_name(source.mechanism, source.mechanism.input.link);
     text!("report-task-text", positions = source.mechanism.input.positions, link = input)
+}
+
+/// Points, slides, masses.
+pub fn dimensions(source: &Source<'_>, page: &mut Document) {
+    points(source, page);
+    slides(source, page);
+    masses(source, page);
+}
+
+fn points(source: &Source<'_>, page: &mut Document) {
+    let length = |axis| Column::short(name(axis), LENGTH);
+    let heads = [Column::of(text!("head-link")), Column::of(text!("head-point")), length("x"), length("y")];
+    let mut table = Table::list(text!("report-points"), heads);
+    for (id, link) in source.mechanism.links.iter().enumerate() {
+        for (point_id, point) in source.mechanism.points.iter().enumerate() {
+            if let Some([x, y]) = source.mechanism.place_in(point_id, id) {
+                table.row(row![&link.name, &point.name, x, y]);
+            }
+        }
+    }
+    page.table(table);
+}
+
+fn slides(source: &Source<'_>, page: &mut Document) {
+    let table = Table::each(text!("report-slides"), &source.mechanism.slides)
+        .column(text!("head-slide"), |slide| &slide.name)
+        .measured(text!("head-point-x"), LENGTH, |slide| slide.point[0])
+        .measured(name("y"), LENGTH, |slide| slide.point[1])
+        .column(text!("head-on"), |slide| link_name(source.mechanism, slide.on))
+        .measured(text!("head-through-x"), LENGTH, |slide| slide.through[0])
+        .measured(name("y"), LENGTH, |slide| slide.through[1])
+        .measured(text!("head-angle"), ANGLE, |slide| slide.angle)
+        .measured(text!("head-tilt"), ANGLE, |slide| slide.tilt);
+    page.table(table.table());
+}
+
+/// A moment of inertia: a number, or the formula by which it varies, in SI.
+fn inertia_given(inertia: &Inertia) -> Cell {
+    let Some(VaryingInertia { formula, factor }) = inertia.varying() else {
+        return inertia.constant().into();
+    };
+    let formula = name(formula.text().to_owned());
+    if factor.total_cmp(&1.0).is_eq() {
+        return formula.into();
+    }
+    let formula = joined("", [name("("), formula, name(")")]);
+    joined(" · ", [Unit::NONE.number(*factor), formula]).into()
+}
+
+fn masses(source: &Source<'_>, page: &mut Document) {
+    let heavy = source.mechanism.links.iter().skip(1).filter(|link| link.is_heavy());
+    let table = Table::each(text!("report-masses"), heavy)
+        .column(text!("head-link"), |link| &link.name)
+        .measured(text!("head-mass"), KILOGRAM, |link| link.mass)
+        .measured(text!("head-center-x"), LENGTH, |link| link.center[0])
+        .measured(name("y"), LENGTH, |link| link.center[1])
+        .measured(text!("head-inertia"), INERTIA, |link| inertia_given(&link.inertia))
+        .table();
+    if table.is_empty() {
+        return page.paragraph(text!("report-massless"));
+    }
+    page.table(table);
 }

@@ -1,7 +1,7 @@
 //! The geometry of the motion as tables.
 
-use assur_book::{Column, Document, Group, Table, Unit, row};
-use assur_geometry::{AtPosition, CenterAt, Centers, Extremes, Geometry, Stroke};
+use assur_book::{Column, Document, Group, Table, Unit};
+use assur_geometry::{AtPosition, CenterAt, Centers, Geometry, Stroke};
 use assur_mechanism::Named;
 use assur_words::{Text, name, text};
 
@@ -47,22 +47,20 @@ fn swinging(found: &Geometry) -> impl Iterator<Item = (&Named<usize>, &Stroke, U
 fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
     page.heading(text!("geometry-strokes"));
     let unit = units.coordinate;
-    let row = |(name, stroke, own, speed): (&Named<usize>, &Stroke, Unit, Unit)| {
-        let overlap = stroke.overlap.zip(stroke.intervals);
-        let overlap = overlap.map(|(angle, [way, _])| beside(angle, way));
-        let speeds = stroke.mean_speeds.map(|speeds| list(&speeds, speed));
-        let dead = list(&stroke.dead_points, unit);
-        row![Text::from(name), own.show(stroke.stroke), dead, stroke.time_ratio, overlap, speeds]
+    let overlap = |stroke: &Stroke| {
+        let (angle, [way, _]) = stroke.overlap.zip(stroke.intervals)?;
+        Some(beside(angle, way))
     };
-    let heads = [
-        Column::of(text!("head-what")),
-        Column::of(text!("head-stroke")),
-        Column::short(text!("head-dead-points"), unit),
-        Column::of(text!("head-time-ratio")),
-        Column::short(text!("head-overlap"), unit),
-        Column::of(text!("head-mean-speeds")),
-    ];
-    let table = Table::list(Text::default(), heads).rows(swinging(found).map(row));
+    let table = Table::each(Text::default(), swinging(found))
+        .column(text!("head-what"), |(name, ..)| Text::from(*name))
+        .column(text!("head-stroke"), |(_, stroke, own, _)| own.show(stroke.stroke))
+        .measured(text!("head-dead-points"), unit, |(_, stroke, ..)| list(&stroke.dead_points, unit))
+        .column(text!("head-time-ratio"), |(_, stroke, ..)| stroke.time_ratio)
+        .measured(text!("head-overlap"), unit, |(_, stroke, ..)| overlap(stroke))
+        .column(text!("head-mean-speeds"), |(_, stroke, _, speed)| {
+            stroke.mean_speeds.map(|speeds| list(&speeds, *speed))
+        })
+        .table();
     if table.is_empty() {
         return page.paragraph(text!("geometry-no-strokes"));
     }
@@ -70,29 +68,8 @@ fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
 }
 
 fn extremes(found: &Geometry, units: &Units, page: &mut Document) {
-    let place = || Column::short(text!("head-at"), units.coordinate);
-    let heads = [
-        Column::of(text!("head-of")),
-        Column::of(text!("head-quantity")),
-        Column::of(text!("head-unit")),
-        Column::of(text!("head-least")),
-        place(),
-        Column::of(text!("head-greatest")),
-        place(),
-    ];
-    let mut table = Table::list(Text::default(), heads);
-    let mut add = |of: &Named<usize>, what: Text, at: &Extremes, unit: Unit| {
-        let [least, most] = [beside(at.min, at.max), beside(at.max, at.min)].map(|value| unit.number(value));
-        table.row(row![
-            Text::from(of),
-            what,
-            assur_words::unit(unit.name),
-            least,
-            at.at_min,
-            most,
-            at.at_max
-        ]);
-    };
+    let mut rows = Vec::new();
+    let mut add = |of, what, at, unit| rows.push((of, what, at, unit));
     let (length, angle) = (units.length, units.angle);
     for (of, at) in &found.slides {
         add(of, text!("geometry-displacement"), &at.pf0, length[0]);
@@ -111,7 +88,15 @@ fn extremes(found: &Geometry, units: &Units, page: &mut Document) {
         add(of, text!("geometry-modulus", of = text!("quantity-pf2")), &at.pf2, length[2]);
     }
     page.heading(text!("geometry-extremes"));
-    page.table(table);
+    let table = Table::each(Text::default(), rows)
+        .column(text!("head-of"), |(of, ..)| Text::from(*of))
+        .column(text!("head-quantity"), |(_, what, ..)| what.clone())
+        .column(text!("head-unit"), |(.., unit)| assur_words::unit(unit.name))
+        .column(text!("head-least"), |(.., at, unit)| unit.number(beside(at.min, at.max)))
+        .measured(text!("head-at"), units.coordinate, |(.., at, _)| at.at_min)
+        .column(text!("head-greatest"), |(.., at, unit)| unit.number(beside(at.max, at.min)))
+        .measured(text!("head-at"), units.coordinate, |(.., at, _)| at.at_max);
+    page.table(table.table());
 }
 
 fn force_angles(found: &Geometry, units: &Units, page: &mut Document) {
@@ -131,10 +116,10 @@ fn rests(found: &Geometry, units: &Units, page: &mut Document) {
     let links = found.links.iter().map(|(name, at)| (name, &at.rests));
     let points = found.points.iter().map(|(name, at)| (name, &at.rests));
     let at = links.chain(points).filter(|(_, rests)| !rests.is_empty());
-    let heads =
-        [Column::of(text!("head-link-or-point")), Column::short(text!("head-rests-at"), units.coordinate)];
-    let rows = at.map(|(of, at)| row![Text::from(of), list(at, units.coordinate)]);
-    let table = Table::list(Text::default(), heads).rows(rows);
+    let table = Table::each(Text::default(), at)
+        .column(text!("head-link-or-point"), |(of, _)| Text::from(*of))
+        .measured(text!("head-rests-at"), units.coordinate, |(_, at)| list(at, units.coordinate))
+        .table();
     let always = found.links.iter().filter(|(_, at)| at.rests_always).map(|(link, _)| Text::from(link));
     let always: Vec<_> = always.collect();
     if table.is_empty() && always.is_empty() {

@@ -15,10 +15,9 @@ mod plans;
 mod regime;
 mod shaking;
 mod structure;
-mod task;
 mod units;
 
-use assur_analysis::results::{Analysis, Column as Values, Owner, Part, Quantity, Table};
+use assur_analysis::results::{Analysis, Column as Values, Owner, Quantity, Table};
 use assur_book::{Column, Document};
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
@@ -35,14 +34,13 @@ pub use forces::{
     reactions_at_positions, reduction,
 };
 pub use friction::{friction, friction_tables};
-pub use given::{loads_given, motion_given, task_text};
+pub use given::{dimensions, loads_given, motion_given, task_text};
 pub use measured::geometry;
 pub use motion::{condition, positions, rates, rates_of_links, rates_of_points, shown_positions, transfer};
 pub use plans::plans;
 pub use regime::{course as regime_over_cycle, facts as regime_facts, iteration};
 pub use shaking::shaking;
 pub use structure::{groups, mobility, pairs, passive_part, study as structure_study};
-pub use task::dimensions;
 pub(crate) use units::Units;
 
 /// What the topics are told from.
@@ -93,16 +91,12 @@ impl<'a> Source<'a> {
     }
 }
 
-/// The numbers of a column in all rows.
+/// The numbers of a column, or the moduli of two projections, in all rows.
 fn each(table: &Table, values: Values) -> Vec<Option<f64>> {
-    let found = table.schema().find(values);
-    found.map_or_else(|| vec![None; table.len()], |column| table.each(column).collect())
-}
-
-/// Modulus of a vector in all rows.
-fn modulus(table: &Table, values: Values) -> Vec<Option<f64>> {
-    let [x, y] = [Part::X, Part::Y].map(|part| each(table, values.part(part)));
-    x.into_iter().zip(y).map(|(x, y)| Some(x?.hypot(y?))).collect()
+    match table.schema().find(values) {
+        Some(column) => table.each(column).collect(),
+        None => (0..table.len()).map(|row| table.get(row, values)).collect(),
+    }
 }
 
 /// The whole report: first the results that are asked for first, then the tables.

@@ -1,12 +1,12 @@
 //! Positions, transfer functions, velocities and accelerations; nearness of the groups to singular positions.
 
 use assur_analysis::results::{Owner, Part, Quantity};
-use assur_book::{Column, Digits, Document, Group, Table, Unit};
+use assur_book::{Digits, Document, Group, Table, Unit};
 use assur_mechanism::GROUND;
 use assur_words::{Text, count, joined, name, text};
 
 use super::units::{MOVING, TURNING};
-use super::{Source, Values, modulus};
+use super::{Source, Values};
 
 /// A column of a table: its head, its unit, and what it shows of the owner.
 type Shown = (Text, Unit, Quantity, Part);
@@ -73,8 +73,9 @@ impl Source<'_> {
         Group { owner: self.name(owner), columns: shown.iter().map(column).collect() }
     }
 
-    fn groups(&self, caption: Text, kind: Text, owners: Vec<Owner>, shown: &[Shown]) -> Table {
-        self.table(caption, kind, owners.into_iter().map(|owner| self.group(owner, shown)))
+    /// Adds a table over the positions with these columns for each owner.
+    fn groups(&self, page: &mut Document, caption: Text, kind: Text, owners: Vec<Owner>, shown: &[Shown]) {
+        page.table(self.table(caption, kind, owners.into_iter().map(|owner| self.group(owner, shown))));
     }
 }
 
@@ -88,14 +89,12 @@ pub fn positions(source: &Source<'_>, page: &mut Document) {
     let (angle, length) = (source.units.angle[0], source.units.length[0]);
     page.heading(text!("report-positions"));
     let points = [(name("x"), length, place, Part::X), (name("y"), length, place, Part::Y)];
-    let moving = source.moving(place);
-    page.table(source.groups(text!("head-points"), text!("head-point"), moving, &points));
+    source.groups(page, text!("head-points"), text!("head-point"), source.moving(place), &points);
     let angles = [(name(""), angle, place, Part::Whole)];
-    let links = source.links(place);
-    page.table(source.groups(text!("report-angles"), text!("head-link"), links, &angles));
+    source.groups(page, text!("report-angles"), text!("head-link"), source.links(place), &angles);
     let displacements = [(name(""), length, place, Part::Whole)];
     let slides = source.slides(place);
-    page.table(source.groups(text!("report-displacements"), text!("head-slide"), slides, &displacements));
+    source.groups(page, text!("report-displacements"), text!("head-slide"), slides, &displacements);
 }
 
 /// Transfer functions of the first and the second order.
@@ -107,23 +106,21 @@ pub fn transfer(source: &Source<'_>, page: &mut Document) {
     let [first, second] = [Quantity::Transfer(1), Quantity::Transfer(2)];
     let of = |order: &'static str, axis: &'static str| joined(" ", [text!(order), name(axis)]);
     page.heading(text!("report-transfer"));
-    let shown = [
-        (text!("quantity-pf1"), angle[1], first, Part::Whole),
-        (text!("quantity-pf2"), angle[2], second, Part::Whole),
-    ];
-    page.table(source.groups(text!("head-links"), text!("head-link"), source.links(first), &shown));
+    let whole = |units: [Unit; 3]| {
+        [
+            (text!("quantity-pf1"), units[1], first, Part::Whole),
+            (text!("quantity-pf2"), units[2], second, Part::Whole),
+        ]
+    };
+    source.groups(page, text!("head-links"), text!("head-link"), source.links(first), &whole(angle));
     let shown = [
         (of("quantity-pf1", "x"), length[1], first, Part::X),
         (of("quantity-pf1", "y"), length[1], first, Part::Y),
         (of("quantity-pf2", "x"), length[2], second, Part::X),
         (of("quantity-pf2", "y"), length[2], second, Part::Y),
     ];
-    page.table(source.groups(text!("head-points"), text!("head-point"), source.moving(first), &shown));
-    let shown = [
-        (text!("quantity-pf1"), length[1], first, Part::Whole),
-        (text!("quantity-pf2"), length[2], second, Part::Whole),
-    ];
-    page.table(source.groups(text!("head-slides"), text!("head-slide"), source.slides(first), &shown));
+    source.groups(page, text!("head-points"), text!("head-point"), source.moving(first), &shown);
+    source.groups(page, text!("head-slides"), text!("head-slide"), source.slides(first), &whole(length));
 }
 
 /// Velocities and accelerations.
@@ -141,35 +138,28 @@ pub fn rates(source: &Source<'_>, page: &mut Document) {
     rates_of_links(source, page);
     rates_of_points(source, page);
     let shown = [(name("v"), MOVING[0], v, Part::Whole), (name("a"), MOVING[1], a, Part::Whole)];
-    page.table(source.groups(text!("report-slides-rates"), text!("head-slide"), source.slides(v), &shown));
+    source.groups(page, text!("report-slides-rates"), text!("head-slide"), source.slides(v), &shown);
 }
 
 /// Angular velocities and accelerations of the links.
 pub fn rates_of_links(source: &Source<'_>, page: &mut Document) {
     let [v, a] = [Quantity::Velocity, Quantity::Acceleration];
     let shown = [(name("ω"), TURNING[0], v, Part::Whole), (name("ε"), TURNING[1], a, Part::Whole)];
-    page.table(source.groups(text!("report-links-rates"), text!("head-link"), source.links(v), &shown));
+    source.groups(page, text!("report-links-rates"), text!("head-link"), source.links(v), &shown);
 }
 
 /// Velocities and accelerations of the points.
 pub fn rates_of_points(source: &Source<'_>, page: &mut Document) {
-    let points = source.moving(Quantity::Velocity).into_iter().map(|owner| of_point(source, owner));
-    page.table(source.table(text!("report-points-rates"), text!("head-point"), points));
-}
-
-/// Velocity and acceleration of a point, each with its modulus.
-fn of_point(source: &Source<'_>, owner: Owner) -> Group {
-    let columns = [
-        (["v_{x}", "v_{y}", "v"], Quantity::Velocity, MOVING[0]),
-        (["a_{x}", "a_{y}", "a"], Quantity::Acceleration, MOVING[1]),
+    let [v, a] = [(Quantity::Velocity, MOVING[0]), (Quantity::Acceleration, MOVING[1])];
+    let shown = [
+        ("v_{x}", v, Part::X),
+        ("v_{y}", v, Part::Y),
+        ("v", v, Part::Modulus),
+        ("a_{x}", a, Part::X),
+        ("a_{y}", a, Part::Y),
+        ("a", a, Part::Modulus),
     ]
-    .map(|([x, y, size], quantity, unit)| {
-        let values = Values::of(quantity, owner);
-        [
-            source.column(name(x), unit, values.part(Part::X)),
-            source.column(name(y), unit, values.part(Part::Y)),
-            Column::numbers(name(size), unit, modulus(&source.positions, values)),
-        ]
-    });
-    Group { owner: source.name(owner), columns: columns.into_iter().flatten().collect() }
+    .map(|(head, (quantity, unit), part)| (name(head), unit, quantity, part));
+    let points = source.moving(Quantity::Velocity);
+    source.groups(page, text!("report-points-rates"), text!("head-point"), points, &shown);
 }

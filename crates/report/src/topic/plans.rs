@@ -27,58 +27,53 @@ fn plan(plan: &VectorPlan, page: &mut Document) {
     }));
     let ends = plan.items.iter().flat_map(|item| [item.start, item.end]);
     let places = beside(ends.chain(plan.points.iter().map(|point| point.at)).flatten());
-    let row = |item: &PlanVector| {
-        let sizes = beside(plan.items.iter().filter(|one| one.unit == item.unit).map(|one| one.size));
-        let size = sizes(item.size);
+    let size = |item: &PlanVector| {
+        beside(plan.items.iter().filter(|one| one.unit == item.unit).map(|one| one.size))(item.size)
+    };
+    let angle = |item: &PlanVector| {
         let vector = [0, 1].map(|axis| item.end[axis] - item.start[axis]);
-        let angle = if size == 0.0 { Cell::None } else { degrees(vector) };
-        let [x, y] = item.start.map(&places);
-        let (own, note) = (unit(item.unit.clone()), item.note.clone());
-        row![item.name.clone(), size, own, angle, x, y, note]
+        if size(item) == 0.0 { Cell::None } else { degrees(vector) }
     };
-    let heads = [
-        Column::of(text!("head-vector")),
-        Column::of(text!("head-size")),
-        Column::of(text!("head-unit")),
-        Column::short(text!("head-direction"), Unit::of("deg", 1.0)),
-        Column::of(text!("head-from-x")),
-        Column::of(name("y")),
-        Column::of(text!("head-meaning")),
-    ];
-    page.table(Table::list(Text::default(), heads).rows(plan.items.iter().map(row)));
-    let heads = [text!("head-point"), name("x"), name("y")].map(Column::of);
-    let point = |point: &assur_diagram::PlanPoint| {
-        let [x, y] = point.at.map(&places);
-        row![point.name.clone(), x, y]
-    };
-    page.table(Table::list(Text::default(), heads).rows(plan.points.iter().map(point)));
+    let vectors = Table::each(Text::default(), &plan.items)
+        .column(text!("head-vector"), |item| item.name.clone())
+        .column(text!("head-size"), |item| size(item))
+        .column(text!("head-unit"), |item| unit(item.unit.clone()))
+        .measured(text!("head-direction"), Unit::of("deg", 1.0), |item| angle(item))
+        .column(text!("head-from-x"), |item| places(item.start[0]))
+        .column(name("y"), |item| places(item.start[1]))
+        .column(text!("head-meaning"), |item| item.note.clone());
+    page.table(vectors.table());
+    let points = Table::each(Text::default(), &plan.points)
+        .column(text!("head-point"), |point| point.name.clone())
+        .column(name("x"), |point| places(point.at[0]))
+        .column(name("y"), |point| places(point.at[1]));
+    page.table(points.table());
 }
 
 fn centers(centers: &[Center], page: &mut Document) {
-    let meters = |letter| Column::short(name(letter), Unit::of("m", 1.0));
-    let heads = [
-        Column::of(text!("head-link")),
-        Column::of(text!("head-against")),
-        meters("x"),
-        meters("y"),
-        Column::of(text!("head-remark")),
-    ];
     let places = centers.iter().filter_map(|center| match center.at {
         CenterAt::Point(place) => Some(place),
         _ => None,
     });
     let (place, direction) = (beside(places.flatten()), beside([1.0]));
-    let row = |center: &Center| {
-        let ([x, y], note) = match center.at {
-            CenterAt::Point(at) => (at.map(|x| Cell::from(place(x))), Text::default()),
-            CenterAt::Direction(along) => {
-                (along.map(|x| Cell::from(direction(x))), text!("plan-at-infinity"))
-            }
-            CenterAt::Everywhere => ([Cell::None, Cell::None], text!("plan-no-relative-motion")),
-        };
-        row![Text::from(&center.link), Text::from(&center.against), x, y, note]
+    let at = |center: &Center, axis: usize| match center.at {
+        CenterAt::Point(at) => Some(place(at[axis])),
+        CenterAt::Direction(along) => Some(direction(along[axis])),
+        CenterAt::Everywhere => None,
     };
-    page.table(Table::list(text!("plan-centers"), heads).rows(centers.iter().map(row)));
+    let remark = |center: &Center| match center.at {
+        CenterAt::Point(_) => Text::default(),
+        CenterAt::Direction(_) => text!("plan-at-infinity"),
+        CenterAt::Everywhere => text!("plan-no-relative-motion"),
+    };
+    let meter = Unit::of("m", 1.0);
+    let table = Table::each(text!("plan-centers"), centers)
+        .column(text!("head-link"), |center| Text::from(&center.link))
+        .column(text!("head-against"), |center| Text::from(&center.against))
+        .measured(name("x"), meter, |center| at(center, 0))
+        .measured(name("y"), meter, |center| at(center, 1))
+        .column(text!("head-remark"), |center| remark(center));
+    page.table(table.table());
 }
 
 /// Reactions by cause: for each cause and for the whole a row of each joint and link, and the balancing load.

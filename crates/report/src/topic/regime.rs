@@ -1,9 +1,7 @@
 //! The periodic regime: its numbers, how it was found, its course over the cycle.
 
-use assur_analysis::results::{
-    Analysis, Dynamics, Iteration, MotorReport, Owner, Quantity, RegimePoint, RegimeReport, Trial,
-};
-use assur_book::{Column, Digits, Document, Fact, Table, Unit, row};
+use assur_analysis::results::{Analysis, Dynamics, MotorReport, Owner, Quantity, RegimePoint, RegimeReport};
+use assur_book::{Column, Digits, Document, Fact, Table, Unit};
 use assur_words::{Text, name, number, text};
 
 use super::units::{INERTIA, JOULE, POWER, SECOND};
@@ -97,26 +95,20 @@ pub fn iteration(source: &Source<'_>, page: &mut Document) {
     ));
     let rate = source.units.rates[0];
     let long = |head: Text, unit: Unit| Column::short(head, unit).with(Digits::Long);
-    let row = |turn: &Iteration| row![number(turn.number), turn.speed_start, turn.speed_end, turn.residual];
-    let heads = [
-        Column::of(text!("head-cycle")),
-        long(text!("head-start-speed"), rate),
-        long(text!("head-end-speed"), rate),
-        Column::short(text!("head-difference"), rate).with(Digits::Exponent),
-    ];
-    page.table(Table::list(text!("report-iteration"), heads).rows(regime.iteration.iter().map(row)));
+    let table = Table::each(text!("report-iteration"), &regime.iteration)
+        .column(text!("head-cycle"), |turn| number(turn.number))
+        .add(long(text!("head-start-speed"), rate), |turn| turn.speed_start)
+        .add(long(text!("head-end-speed"), rate), |turn| turn.speed_end)
+        .add(Column::short(text!("head-difference"), rate).with(Digits::Exponent), |turn| turn.residual);
+    page.table(table.table());
     if regime.trials.len() > 1 {
-        let row = |trial: &Trial| {
-            row![number(trial.number), trial.ratio, trial.flywheel, trial.mean_speed, trial.unevenness]
-        };
-        let heads = [
-            Column::of(text!("head-trial")),
-            long(text!("head-ratio"), Unit::NONE),
-            long(text!("head-flywheel"), INERTIA),
-            long(text!("head-mean-speed"), rate),
-            long(text!("head-unevenness"), Unit::NONE),
-        ];
-        page.table(Table::list(text!("report-trials"), heads).rows(regime.trials.iter().map(row)));
+        let table = Table::each(text!("report-trials"), &regime.trials)
+            .column(text!("head-trial"), |trial| number(trial.number))
+            .add(long(text!("head-ratio"), Unit::NONE), |trial| trial.ratio)
+            .add(long(text!("head-flywheel"), INERTIA), |trial| trial.flywheel)
+            .add(long(text!("head-mean-speed"), rate), |trial| trial.mean_speed)
+            .add(long(text!("head-unevenness"), Unit::NONE), |trial| trial.unevenness);
+        page.table(table.table());
     }
 }
 

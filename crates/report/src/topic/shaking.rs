@@ -1,6 +1,6 @@
 //! Shaking force, its harmonics and counterweights as tables.
 
-use assur_book::{Column, Digits, Document, Table, Unit, row};
+use assur_book::{Column, Digits, Document, Table, Unit};
 use assur_shaking::{AtPosition, Balanced, Criterion, Harmonic, Shaking, Size};
 use assur_words::{Text, list, name, number, text};
 
@@ -32,24 +32,17 @@ fn sizes(found: &Shaking, page: &mut Document) {
     page.paragraph(text!("shaking-sizes-text"));
     let before = (text!("shaking-no-counterweight"), &found.before);
     let after = found.balances.iter().map(|balance| (balance_name(balance), &balance.after));
-    let row = |(what, size): (Text, &Size)| {
-        let of = |value: fn(&Size) -> f64| beside(value(&found.before), value(size));
-        row![
-            what,
-            of(|size| size.greatest_force),
-            of(|size| size.rms_force),
-            of(|size| size.greatest_moment),
-            of(|size| size.rms_moment)
-        ]
+    let of = |value: fn(&Size) -> f64| {
+        let before = value(&found.before);
+        move |(_, size): &(Text, &Size)| beside(before, value(size))
     };
-    let heads = [
-        Column::of(text!("head-counterweights")),
-        Column::short(text!("head-greatest-force"), FORCE),
-        Column::short(text!("head-rms-force"), FORCE),
-        Column::short(text!("head-greatest-moment"), MOMENT),
-        Column::short(text!("head-rms-moment"), MOMENT),
-    ];
-    page.table(Table::list(Text::default(), heads).rows(std::iter::once(before).chain(after).map(row)));
+    let table = Table::each(Text::default(), std::iter::once(before).chain(after))
+        .column(text!("head-counterweights"), |(what, _)| what.clone())
+        .measured(text!("head-greatest-force"), FORCE, of(|size| size.greatest_force))
+        .measured(text!("head-rms-force"), FORCE, of(|size| size.rms_force))
+        .measured(text!("head-greatest-moment"), MOMENT, of(|size| size.greatest_moment))
+        .measured(text!("head-rms-moment"), MOMENT, of(|size| size.rms_moment));
+    page.table(table.table());
     proofs(found, page);
 }
 
@@ -59,16 +52,13 @@ fn beside(before: f64, value: f64) -> f64 {
 }
 
 fn proofs(found: &Shaking, page: &mut Document) {
-    let row = |balance: &Balanced| {
-        let proof = balance.proof?;
-        Some(row![balance_name(balance), beside(found.before.greatest_force, proof.bound), proof.gap])
-    };
-    let heads = [
-        Column::of(text!("head-counterweights")),
-        Column::short(text!("head-bound"), FORCE),
-        Column::of(text!("head-gap")).with(Digits::Exponent),
-    ];
-    let table = Table::list(Text::default(), heads).rows(found.balances.iter().filter_map(row));
+    let proved = found.balances.iter().filter_map(|balance| Some((balance, balance.proof?)));
+    let bound = |bound| beside(found.before.greatest_force, bound);
+    let table = Table::each(Text::default(), proved)
+        .column(text!("head-counterweights"), |(balance, _)| balance_name(balance))
+        .measured(text!("head-bound"), FORCE, |(_, proof)| bound(proof.bound))
+        .add(Column::of(text!("head-gap")).with(Digits::Exponent), |(_, proof)| proof.gap)
+        .table();
     if !table.is_empty() {
         page.paragraph(text!("shaking-proof"));
     }
@@ -81,22 +71,15 @@ fn counterweights(found: &Shaking, page: &mut Document) {
         return page.paragraph(text!("shaking-no-pivot"));
     }
     page.paragraph(text!("shaking-counterweights-text"));
-    let heads = [
-        Column::of(text!("head-counterweights")),
-        Column::of(text!("head-link")),
-        Column::short(text!("head-mass-radius"), Unit::of("kg·m", 1.0)),
-        Column::short(text!("head-direction"), ANGLE),
-        Column::short(text!("head-radius"), LENGTH),
-        Column::short(text!("head-mass"), KILOGRAM),
-    ];
-    let mut table = Table::list(Text::default(), heads);
-    for balance in &found.balances {
-        for one in &balance.counterweights {
-            let link = Text::from(&one.link);
-            table.row(row![balance_name(balance), link, one.product, one.angle, one.radius, one.mass]);
-        }
-    }
-    page.table(table);
+    let weights = found.balances.iter().flat_map(|of| of.counterweights.iter().map(move |one| (of, one)));
+    let table = Table::each(Text::default(), weights)
+        .column(text!("head-counterweights"), |(balance, _)| balance_name(balance))
+        .column(text!("head-link"), |(_, one)| Text::from(&one.link))
+        .measured(text!("head-mass-radius"), Unit::of("kg·m", 1.0), |(_, one)| one.product)
+        .measured(text!("head-direction"), ANGLE, |(_, one)| one.angle)
+        .measured(text!("head-radius"), LENGTH, |(_, one)| one.radius)
+        .measured(text!("head-mass"), KILOGRAM, |(_, one)| one.mass);
+    page.table(table.table());
 }
 
 /// A part of a harmonic.

@@ -1,9 +1,9 @@
 //! Structure: mobility, pairs and groups.
 
-use assur_analysis::results::{GroupReport, PassiveReport, StructureReport};
-use assur_analysis::{GroupModes, Meeting, ModeCourse, PossibleInput, StructureStudy};
+use assur_analysis::results::{PassiveReport, StructureReport};
+use assur_analysis::{GroupModes, PossibleInput, StructureStudy};
 use assur_book::{Block, Column, Document, Table, Term, Unit, link_name, row};
-use assur_kinematics::{CourseEnd, Unlisted};
+use assur_kinematics::{CourseEnd, ModeMeeting, Unlisted};
 use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
@@ -108,36 +108,18 @@ pub fn groups(source: &Source<'_>, page: &mut Document) {
 }
 
 fn groups_of(structure: &StructureReport, page: &mut Document) {
-    let heads = [
-        text!("head-group"),
-        text!("head-kind"),
-        text!("head-class"),
-        text!("head-type"),
-        text!("head-order"),
-        text!("head-links"),
-        text!("head-inner"),
-        text!("head-outer"),
-        text!("head-mode"),
-        text!("head-modes"),
-    ];
-    let of = |(index, group): (usize, &GroupReport)| {
-        row![
-            index + 1,
-            &group.kind,
-            name(roman(group.class)),
-            (group.number > 0).then(|| number(group.number)),
-            number(group.order),
-            named(&group.links),
-            named(&group.inner),
-            named(&group.outer),
-            group.mode.map(number),
-            group.mode_count.map(number),
-        ]
-    };
-    let columns = heads.map(|head| Column::short(head, Unit::NONE));
-    page.table(
-        Table::list(text!("report-groups"), columns).rows(structure.groups.iter().enumerate().map(of)),
-    );
+    let table = Table::each(text!("report-groups"), structure.groups.iter().enumerate())
+        .column(text!("head-group"), |(index, _)| index + 1)
+        .column(text!("head-kind"), |(_, group)| &group.kind)
+        .column(text!("head-class"), |(_, group)| name(roman(group.class)))
+        .column(text!("head-type"), |(_, group)| (group.number > 0).then(|| number(group.number)))
+        .column(text!("head-order"), |(_, group)| number(group.order))
+        .column(text!("head-links"), |(_, group)| named(&group.links))
+        .column(text!("head-inner"), |(_, group)| named(&group.inner))
+        .column(text!("head-outer"), |(_, group)| named(&group.outer))
+        .column(text!("head-mode"), |(_, group)| group.mode.map(number))
+        .column(text!("head-modes"), |(_, group)| group.mode_count.map(number));
+    page.table(table.table());
 }
 
 /// The answer of `assur structure`.
@@ -164,7 +146,7 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         kind = name(group.kind.clone()),
         links = named(&group.links)
     );
-    let (Some(circuits), Some(branches)) = (group.circuits, group.branches) else {
+    let (Some(circuits), Some(branches)) = (group.courses.circuits, group.courses.branches) else {
         let unlisted = match group.unlisted {
             Some(Unlisted::At(place)) => {
                 text!("report-modes-together", group = named, coordinate = unit.show(place))
@@ -173,22 +155,16 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
         };
         return page.paragraph(unlisted);
     };
-    let of = |mode: &ModeCourse| {
-        let [begins, ends] = [mode.begins, mode.ends].map(mode_end);
-        row![number(mode.way), mode.from, mode.to, begins, ends, number(mode.circuit), number(mode.branch)]
-    };
-    let text = |head: Text| Column::of(head);
-    let columns = [
-        text(text!("head-mode")),
-        Column::short(text!("head-from"), unit),
-        Column::short(text!("head-to"), unit),
-        text(text!("head-begins")),
-        text(text!("head-ends")),
-        text(text!("head-circuit")),
-        text(text!("head-branch")),
-    ];
-    page.table(Table::list(named, columns).rows(group.modes.iter().map(of)));
-    let counts = group.counts.iter().map(|count| {
+    let table = Table::each(named, &group.courses.modes)
+        .column(text!("head-mode"), |mode| number(mode.way))
+        .measured(text!("head-from"), unit, |mode| mode.from)
+        .measured(text!("head-to"), unit, |mode| mode.to)
+        .column(text!("head-begins"), |mode| mode_end(mode.begins))
+        .column(text!("head-ends"), |mode| mode_end(mode.ends))
+        .column(text!("head-circuit"), |mode| number(mode.circuit))
+        .column(text!("head-branch"), |mode| number(mode.branch));
+    page.table(table.table());
+    let counts = group.courses.counts.iter().map(|count| {
         text!("report-modes-from", count = number(count.modes), coordinate = unit.show(count.from))
     });
     page.paragraph(text!("report-modes-count", counts = joined("; ", counts)));
@@ -196,12 +172,12 @@ fn modes(group: &GroupModes, unit: Unit, page: &mut Document) {
     if let Some(way) = group.way {
         page.paragraph(text!("report-modes-present", mode = number(way)));
     }
-    let meeting = |meeting: &Meeting| {
+    let meeting = |meeting: &ModeMeeting| {
         let [one, other] = meeting.ways.map(number);
         text!("report-modes-meeting", one = one, other = other, coordinate = unit.show(meeting.at))
     };
-    if !group.meetings.is_empty() {
-        let meetings = joined("; ", group.meetings.iter().map(meeting));
+    if !group.courses.meetings.is_empty() {
+        let meetings = joined("; ", group.courses.meetings.iter().map(meeting));
         page.paragraph(text!("report-modes-meet", meetings = meetings));
     }
 }
@@ -217,8 +193,7 @@ fn mode_end(end: CourseEnd) -> Text {
 
 /// What the structure would be with each possible input.
 fn possible_inputs(found: &StructureStudy, page: &mut Document) {
-    let heads = [text!("head-input"), text!("head-pair"), text!("head-class"), text!("head-structure")];
-    let of = |input: &PossibleInput| {
+    let structure = |input: &PossibleInput| {
         let structure = input.formula.as_ref().map(|formula| {
             let parts = list(input.passive.iter().cloned());
             if input.passive.is_empty() {
@@ -227,12 +202,14 @@ fn possible_inputs(found: &StructureStudy, page: &mut Document) {
                 text!("report-formula-without", formula = formula, parts = parts)
             }
         });
-        let structure = structure.or_else(|| input.why.clone());
-        let class = input.class.map(|class| name(roman(class)));
-        row![Text::from(&input.link), Text::from(&input.pair), class, structure]
+        structure.or_else(|| input.why.clone())
     };
-    let table = Table::list(text!("report-inputs"), heads.map(Column::of));
-    page.table(table.rows(found.inputs.iter().map(of)));
+    let table = Table::each(text!("report-inputs"), &found.inputs)
+        .column(text!("head-input"), |input| Text::from(&input.link))
+        .column(text!("head-pair"), |input| Text::from(&input.pair))
+        .column(text!("head-class"), |input| input.class.map(|class| name(roman(class))))
+        .column(text!("head-structure"), |input| structure(input));
+    page.table(table.table());
     let simpler: Vec<Text> = found.simpler().map(|input| Text::from(&input.link)).collect();
     if !simpler.is_empty() {
         page.paragraph(text!("report-simpler-inputs", count = simpler.len(), links = list(simpler)));

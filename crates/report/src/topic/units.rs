@@ -20,25 +20,15 @@ pub(crate) struct Units {
     pub(crate) reduced: [Unit; 3],
 }
 
-/// kg.
 pub(crate) const KILOGRAM: Unit = Unit::of("kg", 1.0);
-/// s.
 pub(crate) const SECOND: Unit = Unit::of("s", 1.0);
-/// N m.
 pub(crate) const MOMENT: Unit = Unit::of("N·m", 1.0);
-/// J.
 pub(crate) const JOULE: Unit = Unit::of("J", 1.0);
-/// kg m².
 pub(crate) const INERTIA: Unit = Unit::of("kg·m²", 1.0);
-/// N.
 pub(crate) const FORCE: Unit = Unit::of("N", 1.0);
-/// mm.
 pub(crate) const LENGTH: Unit = Unit::of("mm", 1e3);
-/// W.
 pub(crate) const POWER: Unit = Unit::of("W", 1.0);
-/// deg.
 pub(crate) const ANGLE: Unit = Unit::of("deg", DEG);
-/// Turns.
 pub(crate) const TURN: Unit = Unit::of("rev", 1.0);
 /// Speed and acceleration of links.
 pub(crate) const TURNING: [Unit; 2] = [Unit::of("rad/s", 1.0), Unit::of("rad/s²", 1.0)];

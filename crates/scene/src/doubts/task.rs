@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use assur_mechanism::{
-    InputPair, Load, LoadKind, Mechanism, Motion, Motor, Notice, Over, Point, Range, Solve, Surfaces, Torque,
-    Value,
+    InputPair, Load, LoadKind, Mechanism, Motion, MotorChoice, Notice, Over, Point, Range, Solve, Surfaces,
+    Torque, Value,
 };
 use assur_words::{Text, quantity, text};
 
@@ -133,7 +133,7 @@ fn turned_by_frame_and_from(mechanism: &Mechanism) -> Option<(&str, f64)> {
 /// A given ratio that takes a motor of given data far from its speed, and the one that would not.
 fn odd_ratio(mechanism: &Mechanism, speed: f64) -> Option<(f64, f64)> {
     let drive = mechanism.drive.as_ref()?;
-    let (Solve::Given(ratio), Torque::Motor { motor: Motor::Rated(motor), .. }) =
+    let (Solve::Given(ratio), Torque::Motor { motor: MotorChoice::Rated(motor), .. }) =
         (drive.ratio, &drive.torque)
     else {
         return None;

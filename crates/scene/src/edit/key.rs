@@ -23,17 +23,17 @@ pub(super) enum Step {
 /// # Examples
 ///
 /// ```
-/// use assur_scene::edit::Key;
+/// use assur_scene::edit::KeyPath;
 ///
-/// let key = Key::parse("force.cutting.value").unwrap();
+/// let key = KeyPath::parse("force.cutting.value").unwrap();
 /// assert_eq!(key.to_string(), "force.cutting.value");
-/// assert_eq!(Key::parse("moment.brake.value.table[*][1]").unwrap().to_string(), "moment.brake.value.table[*][1]");
-/// assert!(Key::parse("link[x]").unwrap_err().to_string().starts_with("`[x]` is no element: write a whole number from 0"));
+/// assert_eq!(KeyPath::parse("moment.brake.value.table[*][1]").unwrap().to_string(), "moment.brake.value.table[*][1]");
+/// assert!(KeyPath::parse("link[x]").unwrap_err().to_string().starts_with("`[x]` is no element: write a whole number from 0"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Key(pub(super) Vec<Step>);
+pub struct KeyPath(pub(super) Vec<Step>);
 
-impl Key {
+impl KeyPath {
     /// Reads a key.
     ///
     /// # Errors
@@ -44,7 +44,7 @@ impl Key {
     }
 }
 
-impl std::fmt::Display for Key {
+impl std::fmt::Display for KeyPath {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&shown(&self.0))
     }

@@ -1,6 +1,6 @@
 //! The list of values, other numbers in their place, and that nothing else is touched.
 
-use super::{Key, ParsedText, SceneValue, replaced};
+use super::{KeyPath, ParsedText, SceneValue, replaced};
 use crate::tests::{BASE, fixtures};
 
 const SCENE: &str = r#"# A crank.
@@ -62,7 +62,7 @@ fn every_key_of_the_list_finds_its_value() {
         let values = document.values();
         assert!(values.len() > 5, "{name}");
         for value in values {
-            let found = document.find(&Key::parse(&value.key).unwrap()).unwrap();
+            let found = document.find(&KeyPath::parse(&value.key).unwrap()).unwrap();
             assert_eq!(found.len(), 1, "{name}: {}", value.key);
             assert_eq!(found[0].span, value.span, "{name}: {}", value.key);
             assert_eq!(text[value.span.clone()], value.written, "{name}: {}", value.key);
@@ -74,7 +74,7 @@ fn every_key_of_the_list_finds_its_value() {
 fn a_key_names_a_cell_a_part_of_a_column_or_a_column_of_a_table() {
     let document = ParsedText::of(SCENE);
     let written = |key: &str| -> Result<Vec<&str>, assur_words::Text> {
-        let found = document.find(&Key::parse(key)?)?;
+        let found = document.find(&KeyPath::parse(key)?)?;
         Ok(found.into_iter().map(|place| &SCENE[place.span]).collect())
     };
     assert_eq!(written("force.load.value.table[1][1]").unwrap(), ["40"]);

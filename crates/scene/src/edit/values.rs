@@ -8,12 +8,12 @@ use toml::de::{DeTable, DeValue};
 use super::find::element_name;
 use super::key::{Step, shown};
 use super::replaced;
-use crate::units::is_unit;
+use crate::units::{is_unit, number_length};
 
 /// A number of a scene, with or without a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneValue {
-    /// Its key, as [`Key`](super::Key) reads it.
+    /// Its key, as [`KeyPath`](super::KeyPath) reads it.
     pub key: String,
     /// Bytes of the file that the value takes, quotes included.
     pub span: Range<usize>,
@@ -178,16 +178,11 @@ fn number(value: &DeValue<'_>, written: &str) -> Option<(f64, String)> {
 
 /// A number and the unit that follows it: "100 mm" is (100, "mm").
 pub fn split(text: &str) -> Option<(f64, String)> {
-    let text = text.replace('\u{2212}', "-");
-    let number = |end: &usize| {
-        let head = text[..*end].trim();
-        let digits = head.ends_with(|c: char| c.is_ascii_digit() || c == '.');
-        head.parse().ok().filter(|value: &f64| digits && value.is_finite()).map(|value| (value, *end))
-    };
-    let mut ends = text.char_indices().map(|(at, c)| at + c.len_utf8()).rev();
-    let (value, end) = ends.find_map(|end| number(&end))?;
-    let unit: Vec<&str> = text[end..].split_whitespace().collect();
-    Some((value, unit.join(" ")))
+    let text = text.trim();
+    let (number, unit) = text.split_at(number_length(text));
+    let value: f64 = number.replace('\u{2212}', "-").parse().ok()?;
+    let unit: Vec<&str> = unit.split_whitespace().collect();
+    value.is_finite().then(|| (value, unit.join(" ")))
 }
 
 /// Rounds to the 15 digits that every double keeps, so decimal steps remain decimal: 0.12, not 0.12000000000000001.

@@ -1,65 +1,64 @@
-//! The reference of the scene: every key that the reader accepts, described once. From here come the keys that an error lists,
-//! `assur keys`, `docs/scene.md`, and the manual page.
+//! The reference of the scene: every key that the reader accepts, described once, in `keys.txt`. From here come the quantity,
+//! the limits and the default of a number that is read, the keys that an error lists, `assur keys`, `docs/scene.md`, and the
+//! manual page.
 
-mod loads;
-mod model;
-mod task;
 #[cfg(test)]
 mod tests;
 
+use std::sync::LazyLock;
+
 use assur_words::{Describe, Language, Text, joined, name, text};
 
+use crate::numbers::Bound;
 use crate::units::Dimension;
 
-pub(crate) use loads::{BRAKE, CONTACT, CONTACT_FRICTION, FORCE, FRICTION, INERTIA, MOMENT, SPRING, VALUE};
-pub(crate) use model::{GROUND, INPUT, LINK, SCENE, SLIDE};
-pub(crate) use task::{BALANCE, DRIVE, MOTION, MOTOR, NOTE, OUTPUT};
-
 /// All tables in the order of the reference.
-pub const TABLES: [&Table; 21] = [
-    &SCENE,
-    &GROUND,
-    &LINK,
-    &INERTIA,
-    &SLIDE,
-    &INPUT,
-    &model::ASSEMBLY,
-    &FORCE,
-    &MOMENT,
-    &SPRING,
-    &CONTACT,
-    &CONTACT_FRICTION,
-    &BRAKE,
-    &VALUE,
-    &FRICTION,
-    &BALANCE,
-    &MOTION,
-    &DRIVE,
-    &MOTOR,
-    &OUTPUT,
-    &NOTE,
-];
+pub static TABLES: LazyLock<Vec<KeyTable>> = LazyLock::new(|| {
+    let lines = include_str!("keys.txt").lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let mut tables = Vec::<KeyTable>::new();
+    for line in lines {
+        if let Some((header, what)) = line.split_once(" : ") {
+            tables.push(KeyTable { header: of(header), what, keys: Vec::new() });
+        } else if let (Some(table), Some(key)) = (tables.last_mut(), SceneKey::read(line)) {
+            table.keys.push(key);
+        }
+    }
+    tables
+});
+
+/// What stands in a column, `-` for nothing.
+fn of(column: &'static str) -> &'static str {
+    if column == "-" { "" } else { column }
+}
+
+/// The table of a header; without keys where there is none, which tests exclude.
+pub(crate) fn table(header: &str) -> &'static KeyTable {
+    static NONE: KeyTable = KeyTable { header: "", what: "scene-a-table", keys: Vec::new() };
+    TABLES.iter().find(|table| table.header == header).unwrap_or(&NONE)
+}
 
 /// A table of the scene and its keys.
 #[derive(Debug)]
-pub struct Table {
+pub struct KeyTable {
     /// How it is written: `[link.NAME]`, `[[slide]]`; of the file as a whole empty.
     pub header: &'static str,
     /// The identity of what it is, with an article: a link.
     pub what: &'static str,
     /// Its keys.
-    pub keys: &'static [Key],
+    pub keys: Vec<SceneKey>,
 }
 
 /// A key of a table.
-#[derive(Debug, Clone, Copy)]
-pub struct Key {
+#[derive(Debug)]
+pub struct SceneKey {
     /// How it is written; a name in capitals stands for one that the user chooses.
     pub name: &'static str,
     /// What its value may be, one of these.
-    pub kinds: &'static [Kind],
+    pub kinds: Vec<ValueKind>,
+    /// The limits of its number.
+    pub(crate) limits: Bound,
     /// What holds without it.
-    pub default: Default,
+    pub default: KeyDefault,
     /// A value as it is written.
     pub example: &'static str,
     /// The identity of a sentence that says what it is.
@@ -71,8 +70,8 @@ pub struct Key {
 }
 
 /// What a value may be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+#[derive(Debug, PartialEq, Eq)]
+pub enum ValueKind {
     /// A number in SI, or a text of a number and a unit.
     Quantity(Dimension),
     /// A quantity of the first dimension where the input turns, of the second where it slides.
@@ -92,9 +91,9 @@ pub enum Kind {
     /// Names of points with their places.
     Points,
     /// Two values of one kind.
-    Two(&'static Self),
+    Two(Box<Self>),
     /// A list of values of one kind.
-    List(&'static Self),
+    List(Box<Self>),
     /// Rows of two numbers.
     Rows,
     /// A table with this header in the reference, or several.
@@ -103,7 +102,7 @@ pub enum Kind {
 
 /// What holds where a key is left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Default {
+pub enum KeyDefault {
     /// The table is refused without the key.
     Needed,
     /// The thing is absent, or as the sentence on the key says.
@@ -112,29 +111,41 @@ pub enum Default {
     Is(&'static str),
 }
 
-const fn key(name: &'static str, kinds: &'static [Kind], about: &'static str, example: &'static str) -> Key {
-    Key { name, kinds, default: Default::Absent, example, about, also: "", sorts: "" }
-}
-
-impl Key {
-    const fn needed(mut self) -> Self {
-        self.default = Default::Needed;
-        self
+impl SceneKey {
+    /// Reads a line of the reference.
+    fn read(line: &'static str) -> Option<Self> {
+        let columns: Vec<_> = line.split(" | ").map(of).collect();
+        let [name, kinds, limits, default, sorts, example, about, also] = columns[..] else { return None };
+        let kinds = kinds.split("; ").map(ValueKind::read).collect::<Option<_>>()?;
+        let limits = match limits {
+            "" => Bound::Any,
+            ">= 0" => Bound::NotNegative,
+            "> 0" => Bound::Positive,
+            "direction" => Bound::Direction,
+            _ => return None,
+        };
+        let default = match default {
+            "" => KeyDefault::Absent,
+            "needed" => KeyDefault::Needed,
+            value => KeyDefault::Is(value),
+        };
+        Some(Self { name, kinds, limits, default, example, about, also, sorts })
     }
 
-    const fn or(mut self, value: &'static str) -> Self {
-        self.default = Default::Is(value);
-        self
+    /// The quantity that it may be; `coordinate`: what the input coordinate is, `None` where that is not known.
+    pub(crate) fn dimension(&self, coordinate: Option<Dimension>) -> Option<Dimension> {
+        self.kinds.iter().find_map(|kind| match *kind {
+            ValueKind::Quantity(dimension) => Some(dimension),
+            ValueKind::ByInput(turning, sliding) => {
+                coordinate.map(|coordinate| if coordinate == Dimension::Angle { turning } else { sliding })
+            }
+            _ => None,
+        })
     }
 
-    const fn also(mut self, words: &'static str) -> Self {
-        self.also = words;
-        self
-    }
-
-    const fn of(mut self, sorts: &'static str) -> Self {
-        self.sorts = sorts;
-        self
+    /// The words that it may be.
+    pub(crate) fn words(&self) -> impl Iterator<Item = &'static str> {
+        self.kinds.iter().filter_map(|kind| if let ValueKind::Word(word) = kind { Some(*word) } else { None })
     }
 
     /// What its value may be, in words.
@@ -144,10 +155,8 @@ impl Key {
 
     /// Whether it, or the sentence on it, contains a word.
     fn speaks_of(&self, word: &str, language: &Language) -> bool {
-        let names = || self.also.split(", ").chain([self.name]);
-        let words =
-            self.kinds.iter().filter_map(|kind| if let Kind::Word(word) = kind { Some(*word) } else { None });
-        names().chain(words).any(|own| own.to_lowercase().contains(word))
+        let names = self.also.split(", ").chain([self.name]);
+        names.chain(self.words()).any(|own| own.to_lowercase().contains(word))
             || text!(self.about).render(language).to_lowercase().contains(word)
     }
 }
@@ -158,7 +167,39 @@ fn either(mut texts: Vec<Text>) -> Text {
     if texts.is_empty() { last } else { text!("scene-either", these = joined(", ", texts), last = last) }
 }
 
-impl Describe for Kind {
+impl ValueKind {
+    /// Reads a kind as the reference writes it.
+    fn read(text: &'static str) -> Option<Self> {
+        let within = |of: &str| text.strip_prefix(of);
+        Some(match text {
+            "count" => Self::Count,
+            "flag" => Self::Flag,
+            "text" => Self::Text,
+            "place" => Self::Place,
+            "points" => Self::Points,
+            "rows" => Self::Rows,
+            _ => {
+                if let Ok(dimension) = text.parse() {
+                    Self::Quantity(dimension)
+                } else if let Some(part) = within("name of ") {
+                    Self::Named(part)
+                } else if let Some(of) = within("two of ") {
+                    Self::Two(Box::new(Self::read(of)?))
+                } else if let Some(of) = within("list of ") {
+                    Self::List(Box::new(Self::read(of)?))
+                } else if let Some(word) = within("\"") {
+                    Self::Word(word.strip_suffix('"')?)
+                } else if let Some((turning, sliding)) = text.split_once('/') {
+                    Self::ByInput(turning.parse().ok()?, sliding.parse().ok()?)
+                } else {
+                    Self::Table(text)
+                }
+            }
+        })
+    }
+}
+
+impl Describe for ValueKind {
     fn describe(&self) -> Text {
         match self {
             Self::Quantity(dimension) => dimension.with_units(),
@@ -180,7 +221,7 @@ impl Describe for Kind {
     }
 }
 
-impl Table {
+impl KeyTable {
     /// The name of the table as it stands in keys: `link`, `drive.motor`; of the file as a whole empty.
     pub fn name(&self) -> &'static str {
         let inner = self.header.trim_matches(['[', ']']);
@@ -189,26 +230,31 @@ impl Table {
 
     /// Names of its keys; with a sort those that a table of this sort has.
     pub(crate) fn names(&self, sort: Option<&str>) -> impl Iterator<Item = &'static str> {
-        let has = move |key: &&Key| {
+        let has = move |key: &&SceneKey| {
             key.sorts.is_empty() || sort.is_none_or(|sort| key.sorts.split(", ").any(|own| own == sort))
         };
         self.keys.iter().filter(has).map(|key| key.name)
     }
 
+    /// A key of it.
+    pub(crate) fn key(&self, name: &str) -> Option<&SceneKey> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+
     /// The sorts of this table that have a key; `None` where all of them do, or none.
     pub(crate) fn sorts(&self, word: &str) -> Option<&'static str> {
-        self.keys.iter().find(|key| key.name == word).map(|key| key.sorts).filter(|sorts| !sorts.is_empty())
+        self.key(word).map(|key| key.sorts).filter(|sorts| !sorts.is_empty())
     }
 
     /// Where this key is found in another table.
     pub(crate) fn elsewhere(word: &str) -> Vec<&'static str> {
-        let has = |table: &&&Table| table.keys.iter().any(|key| key.name == word);
+        let has = |table: &&KeyTable| table.key(word).is_some();
         TABLES.iter().filter(has).map(|table| table.header).filter(|header| !header.is_empty()).collect()
     }
 
     /// Whether a table is the value of a key of this one, as its header says: `value = { ... }`.
     fn holds(&self, header: &str) -> bool {
-        header.split_once(" = ").is_some_and(|(key, _)| self.keys.iter().any(|own| own.name == key))
+        header.split_once(" = ").is_some_and(|(key, _)| self.key(key).is_some())
     }
 
     /// The tables that have a key of this name: those in this one, or else all.
@@ -220,15 +266,12 @@ impl Table {
 
     /// Whether this key stands before all tables.
     pub(crate) fn is_of_the_file(word: &str) -> bool {
-        TABLES
-            .iter()
-            .filter(|table| table.header.is_empty())
-            .any(|table| table.names(None).any(|key| key == word))
+        table("").key(word).is_some()
     }
 
     /// The key that people mean by another word.
     pub(crate) fn meant(&self, word: &str) -> Option<&'static str> {
-        let meant = |key: &&Key| key.also.split(", ").any(|also| also.eq_ignore_ascii_case(word));
+        let meant = |key: &&SceneKey| key.also.split(", ").any(|also| also.eq_ignore_ascii_case(word));
         self.keys.iter().find(meant).map(|key| key.name)
     }
 }
@@ -237,16 +280,16 @@ impl Table {
 pub fn search<'w>(
     word: &'w str,
     language: &'w Language,
-) -> impl Iterator<Item = (&'static Table, Vec<&'static Key>)> + 'w {
+) -> impl Iterator<Item = (&'static KeyTable, Vec<&'static SceneKey>)> + 'w {
     let (word, whole) = (word.trim().trim_matches(['[', ']']).to_lowercase(), word.is_empty());
     // The name of a table stands for the table and for keys of that name, not for every sentence in which it occurs.
     let names_table = TABLES.iter().any(|table| !table.header.is_empty() && table.name() == word);
-    TABLES.into_iter().filter_map(move |table| {
+    TABLES.iter().filter_map(move |table| {
         let (owner, own) = word.rsplit_once('.').unwrap_or(("", &word));
         let is_table = table.name() == word
             || (table.header.contains(".NAME") && table.name() == owner && own == "name");
-        let of_table = |key: &Key| !owner.is_empty() && table.name() == owner && key.name == own;
-        let found = |key: &&Key| {
+        let of_table = |key: &SceneKey| !owner.is_empty() && table.name() == owner && key.name == own;
+        let found = |key: &&SceneKey| {
             let speaks = if names_table { key.name == word } else { key.speaks_of(&word, language) };
             whole || is_table || of_table(key) || speaks
         };

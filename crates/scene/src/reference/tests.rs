@@ -6,15 +6,15 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{Default, Describe, Key, Kind, SCENE, TABLES, Table, search};
+use super::{Describe, KeyDefault, KeyTable, SceneKey, TABLES, ValueKind, search, table};
 use crate::tests::fixtures;
 use crate::units::quantity;
 
 /// A key of the reference where a scene has it.
 struct Found<'s> {
     scene: &'s str,
-    table: &'static Table,
-    key: &'static Key,
+    table: &'static KeyTable,
+    key: &'static SceneKey,
     /// Bytes of the key and its value.
     whole: Range<usize>,
     value: Range<usize>,
@@ -29,16 +29,16 @@ impl Found<'_> {
 }
 
 /// The keys of a table of a scene, and of the tables in it.
-fn keys<'s>(scene: &'s str, table: &'static Table, toml: &DeTable<'_>, found: &mut Vec<Found<'s>>) {
+fn keys<'s>(scene: &'s str, table: &'static KeyTable, toml: &DeTable<'_>, found: &mut Vec<Found<'s>>) {
     for (name, value) in toml {
-        let own = |key: &&Key| key.name == name.get_ref().as_ref() || key.name == "POINT";
+        let own = |key: &&SceneKey| key.name == name.get_ref().as_ref() || key.name == "POINT";
         let key = table.keys.iter().find(own).unwrap_or_else(|| panic!("`{name}` of {}", table.header));
         let (whole, value_span) = (name.span().start..value.span().end, value.span());
         found.push(Found { scene, table, key, whole, value: value_span });
         for header in key
             .kinds
             .iter()
-            .filter_map(|kind| if let Kind::Table(header) = kind { Some(header) } else { None })
+            .filter_map(|kind| if let ValueKind::Table(header) = kind { Some(header) } else { None })
         {
             let inner =
                 TABLES.iter().find(|table| table.header == *header).unwrap_or_else(|| panic!("{header}"));
@@ -49,7 +49,7 @@ fn keys<'s>(scene: &'s str, table: &'static Table, toml: &DeTable<'_>, found: &m
 
 fn within<'s>(
     scene: &'s str,
-    table: &'static Table,
+    table: &'static KeyTable,
     value: &Spanned<DeValue<'_>>,
     named: bool,
     found: &mut Vec<Found<'s>>,
@@ -68,7 +68,7 @@ fn within<'s>(
 fn all(scenes: &[(String, String)]) -> Vec<Found<'_>> {
     let mut found = Vec::new();
     for (_, scene) in scenes {
-        keys(scene, &SCENE, DeTable::parse(scene).unwrap().get_ref(), &mut found);
+        keys(scene, table(""), DeTable::parse(scene).unwrap().get_ref(), &mut found);
     }
     found
 }
@@ -79,6 +79,20 @@ fn shipped() -> Vec<(String, String)> {
 
 fn label(found: &Found<'_>) -> String {
     format!("{} {}", found.table.header, found.key.name)
+}
+
+#[test]
+fn every_line_of_the_reference_is_read() {
+    let lines = include_str!("keys.txt").lines().filter(|line| !line.starts_with('#'));
+    let keys: usize = TABLES.iter().map(|table| table.keys.len()).sum();
+    assert_eq!(lines.clone().filter(|line| line.contains(" | ")).count(), keys);
+    assert_eq!(lines.filter(|line| line.contains(" : ")).count(), TABLES.len());
+    let headers = |kind: &ValueKind| if let ValueKind::Table(header) = kind { Some(*header) } else { None };
+    let named =
+        TABLES.iter().flat_map(|table| &table.keys).flat_map(|key| key.kinds.iter().filter_map(headers));
+    for header in named {
+        assert_eq!(table(header).header, header);
+    }
 }
 
 #[test]
@@ -94,12 +108,12 @@ fn every_key_stands_in_a_shipped_scene() {
 }
 
 /// What a fault of a value that is of no kind must name.
-fn named(kind: &Kind) -> Vec<String> {
+fn named(kind: &ValueKind) -> Vec<String> {
     match kind {
-        Kind::Quantity(dimension) => vec![dimension.describe().to_string()],
-        Kind::Word(word) => vec![(*word).to_owned()],
-        Kind::Count => vec!["a whole number".to_owned()],
-        Kind::Flag => vec!["true or false".to_owned()],
+        ValueKind::Quantity(dimension) => vec![dimension.describe().to_string()],
+        ValueKind::Word(word) => vec![(*word).to_owned()],
+        ValueKind::Count => vec!["a whole number".to_owned()],
+        ValueKind::Flag => vec!["true or false".to_owned()],
         _ => Vec::new(),
     }
 }
@@ -116,14 +130,22 @@ fn the_reader_wants_what_the_reference_says() {
         // A date is of no kind.
         let mut scene = found.scene.to_owned();
         scene.replace_range(found.value.clone(), "1979-05-27");
-        if found.key.kinds.iter().any(|kind| matches!(kind, Kind::Table(header) if header.starts_with('['))) {
+        if found
+            .key
+            .kinds
+            .iter()
+            .any(|kind| matches!(kind, ValueKind::Table(header) if header.starts_with('[')))
+        {
             continue;
         }
         let errors = crate::read("a", &scene).map(|_| ()).expect_err(&name).to_string();
         let kinds = || found.key.kinds.iter();
-        if !kinds()
-            .any(|kind| matches!(kind, Kind::Quantity(_) | Kind::ByInput(..) | Kind::Named(_) | Kind::Text))
-        {
+        if !kinds().any(|kind| {
+            matches!(
+                kind,
+                ValueKind::Quantity(_) | ValueKind::ByInput(..) | ValueKind::Named(_) | ValueKind::Text
+            )
+        }) {
             let wanted: Vec<_> = kinds().flat_map(named).collect();
             assert!(wanted.iter().all(|word| errors.contains(word)), "{name} wants {wanted:?}: {errors}");
         }
@@ -133,8 +155,8 @@ fn the_reader_wants_what_the_reference_says() {
             scene.replace_range(found.value.clone(), written);
             let errors = crate::read("a", &scene).map_or_else(|errors| errors.to_string(), |_| String::new());
             let wanted =
-                kinds().filter(|kind| matches!(kind, Kind::Quantity(_)) == is_number).flat_map(named);
-            let open = kinds().any(|kind| matches!(kind, Kind::Named("plugin" | "motor")));
+                kinds().filter(|kind| matches!(kind, ValueKind::Quantity(_)) == is_number).flat_map(named);
+            let open = kinds().any(|kind| matches!(kind, ValueKind::Named("plugin" | "motor")));
             let lacking: Vec<_> = wanted.filter(|word| !open && !errors.contains(word.as_str())).collect();
             assert!(lacking.is_empty(), "{name} wants {lacking:?}: {errors}");
         }
@@ -159,9 +181,9 @@ fn a_default_is_what_holds_without_its_key() {
         let name = label(&found);
         let left_out = crate::read_with_note("a", &without(&found));
         match found.key.default {
-            Default::Needed => assert!(left_out.is_err(), "{name} is needed"),
-            Default::Absent => {}
-            Default::Is(default) => {
+            KeyDefault::Needed => assert!(left_out.is_err(), "{name} is needed"),
+            KeyDefault::Absent => {}
+            KeyDefault::Is(default) => {
                 let mut scene = found.scene.to_owned();
                 scene.replace_range(found.value.clone(), default);
                 // A key that others need can be neither left out nor have its default in that scene.
@@ -179,43 +201,43 @@ fn a_default_is_what_holds_without_its_key() {
     }
     let wanted = TABLES
         .iter()
-        .flat_map(|table| table.keys)
-        .filter(|key| matches!(key.default, Default::Is(_)))
+        .flat_map(|table| &table.keys)
+        .filter(|key| matches!(key.default, KeyDefault::Is(_)))
         .count();
     assert!(judged.len() * 10 >= wanted * 8, "{} of {wanted}: {judged:?}", judged.len());
 }
 
 /// Whether a value is of a kind.
-fn is_of(kind: &Kind, value: &DeValue<'_>) -> bool {
+fn is_of(kind: &ValueKind, value: &DeValue<'_>) -> bool {
     let text = value.as_str();
     match kind {
-        Kind::Quantity(dimension) => {
+        ValueKind::Quantity(dimension) => {
             text.is_none_or(|text| quantity(text, *dimension).is_ok()) && !value.is_table()
         }
-        Kind::ByInput(turns, slides) => {
-            [turns, slides].iter().any(|kind| is_of(&Kind::Quantity(**kind), value))
+        ValueKind::ByInput(turns, slides) => {
+            [turns, slides].iter().any(|kind| is_of(&ValueKind::Quantity(**kind), value))
         }
-        Kind::Count => value.is_integer(),
-        Kind::Flag => value.is_bool(),
-        Kind::Text | Kind::Named(_) => text.is_some(),
-        Kind::Word(word) => text == Some(word),
-        Kind::Place => !value.is_table(),
-        Kind::Points => value.is_table(),
-        Kind::Rows => value.is_array(),
-        Kind::Two(kind) => value
+        ValueKind::Count => value.is_integer(),
+        ValueKind::Flag => value.is_bool(),
+        ValueKind::Text | ValueKind::Named(_) => text.is_some(),
+        ValueKind::Word(word) => text == Some(word),
+        ValueKind::Place => !value.is_table(),
+        ValueKind::Points => value.is_table(),
+        ValueKind::Rows => value.is_array(),
+        ValueKind::Two(kind) => value
             .as_array()
             .is_some_and(|list| list.len() == 2 && list.iter().all(|one| is_of(kind, one.get_ref()))),
-        Kind::List(kind) => {
+        ValueKind::List(kind) => {
             value.as_array().is_some_and(|list| list.iter().all(|one| is_of(kind, one.get_ref())))
         }
-        Kind::Table(header) => value.is_table() || header.starts_with("[[") && value.is_array(),
+        ValueKind::Table(header) => value.is_table() || header.starts_with("[[") && value.is_array(),
     }
 }
 
 #[test]
 fn every_example_is_of_a_kind_of_its_key() {
-    for table in TABLES {
-        for key in table.keys {
+    for table in TABLES.iter() {
+        for key in &table.keys {
             let toml = format!("x = {}", key.example);
             let toml = DeTable::parse(&toml).unwrap_or_else(|error| panic!("{}: {error}", key.name));
             let value = toml.get_ref().get("x").unwrap().get_ref();
@@ -265,7 +287,9 @@ fn a_word_finds_the_keys_that_it_is_about() {
     };
     assert!(names("omega").contains(&"motion.speed".to_owned()));
     assert_eq!(names("link.mass"), ["link.mass"]);
-    assert!(super::SLIDE.keys.iter().all(|key| names("[[slide]]").contains(&format!("slide.{}", key.name))));
+    assert!(
+        table("[[slide]]").keys.iter().all(|key| names("[[slide]]").contains(&format!("slide.{}", key.name)))
+    );
     assert!(names("kloss").contains(&"drive.characteristic".to_owned()));
     assert!(names("nothing like it").is_empty());
 }

@@ -6,8 +6,8 @@ use std::f64::consts::{PI, TAU};
 
 use approx::assert_relative_eq as close;
 use assur_mechanism::{
-    Balance, Characteristic, Direction, FlywheelPlace, InputPair, Mechanism, Motion, Motor, Over, PairId,
-    Range, Sense, Shape, Solve, StepLength, Table, Torque, Until, Value,
+    Balance, CharacteristicKind, Direction, FlywheelPlace, InputPair, LawTable, Mechanism, Motion,
+    MotorChoice, Over, PairId, Range, Sense, Shape, Solve, StepLength, Torque, Until, Value,
 };
 
 use super::{BASE, fixture, fixtures, steady};
@@ -75,9 +75,11 @@ fn input_motion_and_force_of_the_shaper() {
     let force = scene.loads[0].kind.force().unwrap();
     assert_eq!((scene.loads[0].name.as_str(), force.at.link, force.at.at), ("cutting", 5, [0.25, -0.05]));
     assert_eq!(force.direction, Direction::Ground(0.0));
-    let forward =
-        Table { rows: vec![[0.05, 0.0], [0.05, 1500.0], [0.95, 1500.0], [0.95, 0.0]], shape: Shape::Linear };
-    assert_eq!(force.value, Value::Stroke { axis: PI, forward, back: Table::constant(0.0) });
+    let forward = LawTable {
+        rows: vec![[0.05, 0.0], [0.05, 1500.0], [0.95, 1500.0], [0.95, 0.0]],
+        shape: Shape::Linear,
+    };
+    assert_eq!(force.value, Value::Stroke { axis: PI, forward, back: LawTable::constant(0.0) });
 }
 
 #[test]
@@ -87,12 +89,12 @@ fn drive_of_the_shaper() {
     let drive = scene.drive.unwrap();
     assert_eq!((drive.ratio, drive.efficiency), (Solve::Wanted, 0.95));
     assert_eq!((drive.flywheel, drive.flywheel_on), (Some(Solve::Wanted), FlywheelPlace::Crank));
-    let Torque::Motor { motor: Motor::Rated(motor), catalogue: None, max_speed: None, characteristic } =
+    let Torque::Motor { motor: MotorChoice::Rated(motor), catalogue: None, max_speed: None, characteristic } =
         drive.torque
     else {
         panic!("{:?}", drive.torque)
     };
-    assert_eq!(characteristic, Characteristic::Kloss);
+    assert_eq!(characteristic, CharacteristicKind::Kloss);
     assert_eq!((motor.power, motor.max_torque_ratio, motor.inertia), (1100.0, Some(2.2), Some(0.0045)));
     close!(motor.synchronous_speed, 50.0 * PI, max_relative = 1e-15);
     close!(motor.rated_speed, 47.0 * PI, max_relative = 1e-15);
@@ -229,7 +231,7 @@ fn loads_in_links_springs_and_tables() {
     assert_eq!((spring.ends[1].link, spring.ends[1].at), (5, [0.05, 0.1]));
     assert_eq!((spring.stiffness, spring.length, spring.damping), (800.0, 0.3, 25.0));
     assert_eq!(last.name, "spring 1");
-    let table = Table { rows: vec![[0.0, 0.0], [PI, 40.0], [TAU, 0.0]], shape: Shape::Linear };
+    let table = LawTable { rows: vec![[0.0, 0.0], [PI, 40.0], [TAU, 0.0]], shape: Shape::Linear };
     let law = first_law(&fixture("flywheel.toml"));
     assert_eq!(law, Value::Table { over: Over::Coordinate, table, repeat: true });
     assert!(matches!(first_law(&fixture("run-up.toml")), Value::Table { repeat: false, .. }));
@@ -302,24 +304,24 @@ fn wishes_and_the_other_drives() {
     );
     assert_eq!(drive.flywheel_on, FlywheelPlace::Motor);
     let Torque::Motor { motor, catalogue, max_speed, characteristic } = drive.torque else { panic!() };
-    assert_eq!((motor, catalogue.as_deref()), (Motor::Designation("4A100L4".to_owned()), Some("4A")));
+    assert_eq!((motor, catalogue.as_deref()), (MotorChoice::Designation("4A100L4".to_owned()), Some("4A")));
     close!(max_speed.unwrap(), 50.0 * PI, max_relative = 1e-15);
-    assert_eq!(characteristic, Characteristic::Linear);
+    assert_eq!(characteristic, CharacteristicKind::Linear);
     let torque = |line: &str| good(&(steady() + "[drive]\n" + line)).drive.unwrap().torque;
     assert_eq!(torque("torque = \"balance\""), Torque::Balance);
     assert_eq!(torque("torque = \"25 N*m\""), Torque::Constant(25.0));
     assert_eq!(torque("flywheel = 2"), Torque::None);
-    assert!(matches!(torque("motor = \"auto\""), Torque::Motor { motor: Motor::Auto, .. }));
+    assert!(matches!(torque("motor = \"auto\""), Torque::Motor { motor: MotorChoice::Auto, .. }));
 }
 
 #[test]
 fn tables_over_time_speed_and_steps() {
     let value = |text: &str| first_law(&good(&BASE.replace("value = 700", &format!("value = {text}"))));
-    let table = Table { rows: vec![[0.0, 1.0], [0.5, 2000.0]], shape: Shape::Step };
+    let table = LawTable { rows: vec![[0.0, 1.0], [0.5, 2000.0]], shape: Shape::Step };
     let read = value("{ over = \"time\", table = [[0, 1], [\"500 ms\", \"2 kN\"]], shape = \"step\" }");
     assert_eq!(read, Value::Table { over: Over::Time, table, repeat: false });
     let read = value("{ over = \"speed\", table = [[0, 60], [\"60 rpm\", 0]] }");
-    let table = Table { rows: vec![[0.0, 60.0], [TAU, 0.0]], shape: Shape::Linear };
+    let table = LawTable { rows: vec![[0.0, 60.0], [TAU, 0.0]], shape: Shape::Linear };
     assert_eq!(read, Value::Table { over: Over::Speed, table, repeat: false });
 }
 

@@ -7,7 +7,8 @@ use assur_words::{Describe, Text, name, text};
 pub(crate) type Powers = [i32; 4];
 
 /// A kind of quantity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::VariantArray)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::VariantArray, strum::EnumString)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Dimension {
     /// A plain number.

@@ -6,6 +6,7 @@ mod parse;
 mod tests;
 
 pub use dimension::{Dimension, LEAST};
+pub(crate) use parse::number_length;
 
 use assur_words::{Describe, Text, name, text};
 
@@ -14,77 +15,57 @@ use crate::text::shown;
 /// Why a text is no quantity of the wanted dimension. The text of an error continues the name of what was read:
 /// "`mass` " + "wants a mass (kg, g, t), got `mm`, a length".
 #[derive(Debug, Clone, PartialEq)]
+pub struct UnitError {
+    /// What is wrong.
+    pub fault: UnitFault,
+    /// The text, or its unit, or the part of it that is unknown.
+    pub text: String,
+    /// What was wanted.
+    pub wanted: Dimension,
+}
+
+/// What is wrong with a text that should be a quantity.
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum UnitError {
-    /// The text does not begin with a number.
-    NotANumber {
-        /// The text.
-        text: String,
-        /// What was wanted.
-        wanted: Dimension,
-    },
-    /// The number contains a comma (the text).
-    Comma(String),
-    /// The digits of the number stand in groups (the text).
-    Grouped(String),
-    /// The number is so great that results would have no correct digits.
-    TooLarge {
-        /// The text.
-        text: String,
-        /// What was wanted.
-        wanted: Dimension,
-    },
-    /// The number is not 0, but smaller than anything that can be measured.
-    TooSmall {
-        /// The text.
-        text: String,
-        /// What was wanted.
-        wanted: Dimension,
-    },
-    /// No unit of this name is known.
-    UnknownUnit {
-        /// The unit, or the part of it that is unknown.
-        unit: String,
-        /// A known unit with nearly the same spelling.
-        near: Option<String>,
-        /// What was wanted.
-        wanted: Dimension,
-    },
-    /// The unit measures something else.
-    WrongDimension {
-        /// The unit.
-        unit: String,
-        /// What it measures, if a scene has such a quantity.
-        found: Option<Dimension>,
-        /// What was wanted.
-        wanted: Dimension,
-    },
+pub enum UnitFault {
+    /// It does not begin with a number.
+    NotANumber,
+    /// Its number contains a comma.
+    Comma,
+    /// The digits of its number stand in groups.
+    Grouped,
+    /// Its number is so great that results would have no correct digits.
+    TooLarge,
+    /// Its number is not 0, but smaller than anything that can be measured.
+    TooSmall,
+    /// No unit of this name is known; a known one may have nearly the same spelling.
+    UnknownUnit(Option<String>),
+    /// The unit measures something else; what, if a scene has such a quantity.
+    WrongDimension(Option<Dimension>),
+}
+
+impl UnitError {
+    fn new(fault: UnitFault, text: &str, wanted: Dimension) -> Self {
+        Self { fault, text: text.to_owned(), wanted }
+    }
 }
 
 assur_words::errors!(UnitError);
 
 impl Describe for UnitError {
     fn describe(&self) -> Text {
-        let wants =
-            |wanted: &Dimension, got: Text| text!("scene-wants", wanted = wanted.with_units(), got = got);
-        match self {
-            Self::NotANumber { text, wanted } => {
-                wants(wanted, text!("scene-got-no-number", text = shown(text)))
-            }
-            Self::Comma(number) => text!("scene-comma", number = shown(number)),
-            Self::Grouped(number) => text!("scene-grouped-digits", text = shown(number)),
-            Self::TooLarge { text, wanted } => {
-                let most = name(format!("{:e} {}", wanted.most(), wanted.si()));
-                text!("scene-too-large", text = shown(text), most = most)
-            }
-            Self::TooSmall { text, wanted } => {
-                let least = name(format!("{:e} {}", dimension::LEAST, wanted.si()));
-                text!("scene-too-small", text = shown(text), least = least)
-            }
-            Self::UnknownUnit { unit, wanted, .. } => {
-                wants(wanted, text!("scene-got-unknown-unit", unit = shown(unit)))
-            }
-            Self::WrongDimension { unit, found, wanted } => wants(wanted, measures(unit, *found)),
+        let Self { fault, text, wanted } = self;
+        let wants = |got: Text| text!("scene-wants", wanted = wanted.with_units(), got = got);
+        let limit = |size: f64| name(format!("{size:e} {}", wanted.si()));
+        let text = shown(text);
+        match fault {
+            UnitFault::NotANumber => wants(text!("scene-got-no-number", text)),
+            UnitFault::Comma => text!("scene-comma", number = text),
+            UnitFault::Grouped => text!("scene-grouped-digits", text),
+            UnitFault::TooLarge => text!("scene-too-large", text, most = limit(wanted.most())),
+            UnitFault::TooSmall => text!("scene-too-small", text, least = limit(LEAST)),
+            UnitFault::UnknownUnit(_) => wants(text!("scene-got-unknown-unit", unit = text)),
+            UnitFault::WrongDimension(found) => wants(measures(&self.text, *found)),
         }
     }
 }
@@ -98,12 +79,11 @@ pub(crate) fn measures(unit: &str, found: Option<Dimension>) -> Text {
 ///
 /// # Errors
 ///
-/// [`UnitError::TooLarge`], [`UnitError::TooSmall`].
+/// [`UnitFault::TooLarge`], [`UnitFault::TooSmall`].
 pub(crate) fn within(value: f64, text: &str, wanted: Dimension) -> Result<f64, UnitError> {
-    let text = || text.to_owned();
     match value.abs() {
-        size if size > wanted.most() => Err(UnitError::TooLarge { text: text(), wanted }),
-        size if size > 0.0 && size < dimension::LEAST => Err(UnitError::TooSmall { text: text(), wanted }),
+        size if size > wanted.most() => Err(UnitError::new(UnitFault::TooLarge, text, wanted)),
+        size if size > 0.0 && size < LEAST => Err(UnitError::new(UnitFault::TooSmall, text, wanted)),
         _ => Ok(value),
     }
 }
@@ -124,14 +104,12 @@ impl Unit {
         }
         let scale = parse::unit(name, wanted)?;
         if wanted == Dimension::AngularSpeed && parse::is_count_by_time(&scale) {
-            let near = Some("rpm".to_owned());
-            return Err(UnitError::UnknownUnit { unit: name.to_owned(), near, wanted });
+            return Err(UnitError::new(UnitFault::UnknownUnit(Some("rpm".to_owned())), name, wanted));
         }
         if wanted.accepts(scale.powers) {
             return Ok(Self(scale));
         }
-        let found = Dimension::of(scale.powers);
-        Err(UnitError::WrongDimension { unit: name.to_owned(), found, wanted })
+        Err(UnitError::new(UnitFault::WrongDimension(Dimension::of(scale.powers)), name, wanted))
     }
 
     /// The SI value of a number of this unit.

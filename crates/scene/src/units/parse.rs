@@ -1,7 +1,7 @@
 //! Number and unit of a quantity. A unit is a product of named units with exponents, so that `kg*mm^2` needs no entry.
 
-use super::UnitError;
 use super::dimension::{Dimension, Powers};
+use super::{UnitError, UnitFault};
 use crate::text::nearest;
 
 /// A unit: `up / down * pi^turns` times the SI unit with these powers.
@@ -118,27 +118,21 @@ fn spoken(text: &str, wanted: Dimension) -> Option<String> {
 /// The number that a text begins with, and the unit after it, both without white space around.
 pub(super) fn split(text: &str, wanted: Dimension) -> Result<(f64, &str), UnitError> {
     let text = text.trim();
+    let fault = |fault| UnitError::new(fault, text, wanted);
     let (number, unit) = text.split_at(number_length(text));
     let unit = unit.trim();
     if unit.starts_with(',') && !number.is_empty() {
-        return Err(UnitError::Comma(text.to_owned()));
+        return Err(fault(UnitFault::Comma));
     }
     if unit.starts_with(|c: char| c.is_ascii_digit()) && !unit.starts_with("1/") && !number.is_empty() {
-        return Err(UnitError::Grouped(text.to_owned()));
+        return Err(fault(UnitFault::Grouped));
     }
-    let value: f64 = number
-        .replace('\u{2212}', "-")
-        .parse()
-        .map_err(|_| UnitError::NotANumber { text: text.to_owned(), wanted })?;
-    if value.is_finite() {
-        Ok((value, unit))
-    } else {
-        Err(UnitError::TooLarge { text: text.to_owned(), wanted })
-    }
+    let value: f64 = number.replace('\u{2212}', "-").parse().map_err(|_| fault(UnitFault::NotANumber))?;
+    if value.is_finite() { Ok((value, unit)) } else { Err(fault(UnitFault::TooLarge)) }
 }
 
 /// Length in bytes of the number at the beginning: sign, digits with a point, exponent.
-fn number_length(text: &str) -> usize {
+pub(crate) fn number_length(text: &str) -> usize {
     let digits = |at: usize| text[at..].bytes().take_while(u8::is_ascii_digit).count();
     let sign = |at: usize| {
         let first = text[at..].chars().next().filter(|c| matches!(c, '+' | '-' | '\u{2212}'));
@@ -223,5 +217,5 @@ fn unknown_unit(part: &str, whole: &str, wanted: Dimension) -> UnitError {
     let kin = NAMED.iter().filter(|named| wanted.accepts(named.4)).map(|named| named.0);
     let near = nearest(whole, wanted.units().split(", ").chain(kin));
     let near = spoken(whole, wanted).or_else(|| near.map(str::to_owned));
-    UnitError::UnknownUnit { unit: unit.to_owned(), near, wanted }
+    UnitError::new(UnitFault::UnknownUnit(near), unit, wanted)
 }

@@ -88,7 +88,7 @@ fn bad_quantities() {
 #[test]
 fn near_units_are_suggested() {
     let near = |text, dimension| match quantity(text, dimension) {
-        Err(UnitError::UnknownUnit { near, .. }) => near,
+        Err(UnitError { fault: UnitFault::UnknownUnit(near), .. }) => near,
         other => panic!("{text}: {other:?}"),
     };
     assert_eq!(near("3 Kg", D::Mass).as_deref(), Some("kg"));

@@ -1,8 +1,10 @@
 use assur_testkit::Rng;
 use nalgebra::DVector;
 
+mod scaling;
+
 use super::least_maximum;
-use crate::proof::LinearForce;
+use crate::cone::LinearForce;
 
 /// The center of the smallest circle around points: a force is the way to a point.
 fn around(points: &[[f64; 2]]) -> (f64, f64) {

@@ -2,7 +2,7 @@
 
 use assur_figure::cells::{self, Look, Marker};
 use assur_figure::{
-    Axis, Figure, Frame, Ink, Item, Key, Kind, Panel, Point, Sample, Sign, Stroke, Zoom, extent,
+    Axis, AxisKind, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke, Zoom, extent,
 };
 use assur_report::text::{Style, columns};
 use assur_words::{Describe, Text, name, number, text, unit};
@@ -35,7 +35,7 @@ fn panel(data: &ChartData, stage: Stage) -> Option<Panel> {
         let [low, high] = extent(rows.iter().map(|(_, place)| place[at]))?;
         // Whole powers of ten.
         let range = [10.0_f64.powf(low.log10().floor()), 10.0_f64.powf(high.log10().floor() + 1.0)];
-        Some(Axis { label, range, kind: Kind::Logarithmic })
+        Some(Axis { label, range, kind: AxisKind::Logarithmic })
     };
     let time = text!("chart-time-axis", work = stage.work(), unit = unit("s"));
     let (x, y) = (axis(time, 0)?, axis(text!("chart-error-axis"), 1)?);

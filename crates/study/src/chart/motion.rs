@@ -4,7 +4,7 @@ pub(in crate::chart) mod reference;
 
 use std::hint::black_box;
 
-use assur_dynamics::{Driven, Machine};
+use assur_dynamics::Driven;
 use assur_integrator::{EquationOfMotion, FixedStep, IntegratorPlugin, Knob, Request, integrators};
 use assur_words::{Describe, text};
 
@@ -17,7 +17,7 @@ use reference::References;
 /// A motion that integrators are to find.
 #[derive(Debug, Clone)]
 pub(crate) struct Task<'a> {
-    pub(crate) motion: Driven<Machine<'a>>,
+    pub(crate) motion: Driven<'a>,
     pub(crate) request: Request,
 }
 

@@ -5,7 +5,7 @@ mod flywheel;
 mod settling;
 
 use assur_dynamics::{
-    CycleRequest, DriveRequest, Driven, Machine, Regime, RegimeSolver, Source, TorqueRequest, steady,
+    CycleRequest, DriveRequest, Driven, Machine, Regime, RegimeSolver, TorqueRequest, TorqueSource, steady,
 };
 use assur_force::Loads;
 use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, Request, State, Until};
@@ -59,9 +59,9 @@ impl<'a> Cycle<'a> {
     fn drive(&self) -> DriveRequest {
         let drive = self.regime.drive();
         let torque = match drive.source {
-            Source::None => TorqueRequest::None,
-            Source::Constant(_) => TorqueRequest::Balance,
-            Source::Motor { characteristic, ratio, efficiency } => {
+            TorqueSource::None => TorqueRequest::None,
+            TorqueSource::Constant(_) => TorqueRequest::Balance,
+            TorqueSource::Motor { characteristic, ratio, efficiency } => {
                 TorqueRequest::Motor { characteristic, rotor: 0.0, ratio: Some(ratio), efficiency }
             }
         };

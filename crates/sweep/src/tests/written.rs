@@ -5,6 +5,8 @@ use std::num::NonZeroUsize;
 use super::{SLIDER, failures, requested, rows, run, sweep};
 use assur_report::csv::CsvCell;
 
+use assur_words::Text;
+
 use crate::{Measure, Rows, SweepError, SweepRequest};
 
 const GRID: [&str; 2] = ["link.crank.points.A=100 mm..400 mm:7", "link.rod.points.B=200 mm..400 mm:5"];
@@ -64,10 +66,10 @@ fn the_writer_can_end_a_run() {
     let mut blocks = 0;
     let accept = |_: Rows| {
         blocks += 1;
-        if blocks == 3 { Err(SweepError::Nothing) } else { Ok(()) }
+        if blocks == 3 { Err(SweepError::Request(Text::default())) } else { Ok(()) }
     };
     let ended = grid.run(&(0..grid.points()), NonZeroUsize::new(2).unwrap(), |rows| rows, accept);
-    assert_eq!((ended, blocks), (Err(SweepError::Nothing), 3));
+    assert_eq!((ended, blocks), (Err(SweepError::Request(Text::default())), 3));
 }
 
 #[test]

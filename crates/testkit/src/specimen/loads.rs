@@ -4,8 +4,8 @@ use assur_formula::Formula;
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_mechanism::{
-    Balance, Contact, Direction, Force, GROUND, Inertia, Input, LinkId, Load, Mechanism, Moment, Motion,
-    Over, Place, Point, Range, Shape, Spring, Table, Value, VaryingInertia,
+    Balance, Contact, Direction, Force, GROUND, Inertia, Input, LawTable, LinkId, Load, Mechanism, Moment,
+    Motion, Over, Place, Point, Range, Shape, Spring, Value, VaryingInertia,
 };
 
 use super::draft::Draft;
@@ -131,7 +131,7 @@ fn value(draft: &mut Draft, mechanism: &Mechanism, unit: f64, point: bool) -> Va
     let shape = if draft.rng.chance(0.7) { Shape::Linear } else { Shape::Step };
     let table = |from: f64, step: f64| {
         let rows = [0.0, 1.0, 2.0, 2.0].iter().zip(sizes).map(|(k, y)| [from + k * step, y]).collect();
-        Table { rows, shape }
+        LawTable { rows, shape }
     };
     let input = &mechanism.input;
     // Odd steps avoid a position on a jump, where two values are right.
@@ -150,8 +150,8 @@ fn value(draft: &mut Draft, mechanism: &Mechanism, unit: f64, point: bool) -> Va
         (2, Some(_), _) => Value::Table { over: Over::Time, table: table(-0.011_3, 0.031_7), repeat: false },
         (3, ..) if point && matches!(input.range, Range::Cycle(_)) => {
             let rows = vec![[0.05, 0.0], [0.05, sizes[0]], [0.95, sizes[1]], [0.95, 0.0]];
-            let forward = Table { rows, shape };
-            Value::Stroke { axis: draft.rng.angle(), forward, back: Table::constant(sizes[2]) }
+            let forward = LawTable { rows, shape };
+            Value::Stroke { axis: draft.rng.angle(), forward, back: LawTable::constant(sizes[2]) }
         }
         _ => Value::Constant(sizes[0]),
     }

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use assur_mechanism::{
-    Balance, Contact, Direction, GROUND, Inertia, LinkId, LoadKind, Mechanism, Motion, Name, Over, Place,
-    Range, Sense, Shape, Table, Value, VaryingInertia,
+    Balance, Contact, Direction, GROUND, Inertia, LawTable, LinkId, LoadKind, Mechanism, Motion, Name, Over,
+    Place, Range, Sense, Shape, Value, VaryingInertia,
 };
 
 /// The text of a scene, all numbers in SI with all their digits.
@@ -84,7 +84,7 @@ fn write_input(text: &mut String, m: &Mechanism) -> Out {
     }
 }
 
-fn rows(table: &Table) -> String {
+fn rows(table: &LawTable) -> String {
     let rows: Vec<_> = table.rows.iter().map(|row| pair(*row)).collect();
     format!("[{}]", rows.join(", "))
 }
@@ -115,7 +115,7 @@ fn value(m: &Mechanism, value: &Value) -> String {
         }
         Value::Stroke { axis, forward, back } => {
             // A table of one row is written as a number, with the default shape.
-            let side = |table: &Table| match table.rows[..] {
+            let side = |table: &LawTable| match table.rows[..] {
                 [[_, size]] => format!("{size:?}"),
                 _ => rows(table),
             };

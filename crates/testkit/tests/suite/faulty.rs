@@ -2,8 +2,8 @@
 
 use assur_group::PairSort::Pin;
 use assur_group::{
-    AssurGroup, Body, BuildError, Builders, Closed, ForceAngle, GroupError, GroupFrame, GroupKind,
-    GroupPlugin, Number, Order, Pattern, Ways, Wrench, inventory,
+    Assemblies, AssurGroup, Body, BuildError, Builders, Closed, ForceAngle, GroupError, GroupFrame,
+    GroupKind, GroupPlugin, Number, Order, Pattern, Wrench, inventory,
 };
 use assur_group_rrr::Rrr;
 use assur_number::Real;
@@ -122,7 +122,7 @@ macro_rules! faulty {
                 summary: TEST,
                 pattern: Some(Pattern { links: 2, inner: &[([0, 1], Pin)], outer: &[(0, Pin), (1, Pin)] }),
                 rank: 10,
-                ways: Ways { most: 2, varies: false, words: TEST },
+                ways: Assemblies { most: 2, varies: false, words: TEST },
                 iterates: false,
                 singular: TEST,
                 force_angle: ForceAngle::DEFAULT,

@@ -4,10 +4,10 @@ use proptest::prelude::*;
 use serde_json::Value;
 
 use super::{compile, difference, fixture, reactions};
-use crate::{Form, Longitudinal};
+use crate::Longitudinal;
 
-const STABLE: Longitudinal = Longitudinal { form: Form::Stable };
-const PUBLISHED: Longitudinal = Longitudinal { form: Form::Published };
+const STABLE: Longitudinal = Longitudinal::Stable;
+const PUBLISHED: Longitudinal = Longitudinal::Published;
 
 /// A slider-crank or four-bar with loads on every link, all geometry oblique.
 fn oblique(third: &str, numbers: [f64; 6]) -> String {
@@ -55,10 +55,10 @@ proptest! {
     }
 }
 
-fn setting(linkage: &assur_kinematics::Linkage, q: f64) -> crate::setting::Setting {
+fn setting(linkage: &assur_kinematics::Linkage, q: f64) -> crate::layout::Setting {
     let (position, loads) = super::loaded(linkage, q);
     let layout = crate::layout::Layout::of(linkage).unwrap();
-    crate::setting::Setting::of(&layout, &position.bodies, &loads)
+    crate::layout::Setting::of(&layout, &position.bodies, &loads)
 }
 
 fn press_full_turn() -> String {
@@ -101,15 +101,14 @@ fn published_form_fails_exactly_across_the_guide_and_says_so() {
 #[test]
 fn published_form_tells_how_much_it_magnifies_rounding() {
     let linkage = compile(&press_full_turn());
-    let condition =
-        |form: Form, q: f64| Longitudinal { form }.condition(&linkage, &super::loaded(&linkage, q).0);
-    assert!((condition(Form::Stable, 0.001) - 1.0).abs() < f64::EPSILON);
+    let condition = |form: Longitudinal, q: f64| form.condition(&linkage, &super::loaded(&linkage, q).0);
+    assert!((condition(Longitudinal::Stable, 0.001) - 1.0).abs() < f64::EPSILON);
     // The crank makes the angle q with the normal to the guide.
-    assert!((condition(Form::Published, 0.001) * 0.001_f64.sin() - 1.0).abs() < 1e-12);
+    assert!((condition(Longitudinal::Published, 0.001) * 0.001_f64.sin() - 1.0).abs() < 1e-12);
     for q in [1e-6, 1e-4, 1e-3, 1e-2] {
         let whole = reactions(&NewtonEuler, &linkage, q).unwrap();
         let off = difference(&linkage, &reactions(&PUBLISHED, &linkage, q).unwrap(), &whole);
-        assert!(off < 64.0 * f64::EPSILON * condition(Form::Published, q), "{q} {off}");
+        assert!(off < 64.0 * f64::EPSILON * condition(Longitudinal::Published, q), "{q} {off}");
     }
 }
 

@@ -3,9 +3,9 @@ use assur_group::plane::{cross, dot, minus, plus};
 use assur_kinematics::Linkage;
 
 use super::{compile, fixture, loaded};
-use crate::{Form, Longitudinal};
+use crate::Longitudinal;
 
-const STABLE: Longitudinal = Longitudinal { form: Form::Stable };
+const STABLE: Longitudinal = Longitudinal::Stable;
 
 fn drawn(linkage: &Linkage, q: f64) -> Construction {
     let (position, _) = loaded(linkage, q);

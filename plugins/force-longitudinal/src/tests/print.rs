@@ -3,7 +3,7 @@ use serde_json::Value;
 
 use super::press::{Answer, Press};
 use super::{compile, fixture, reactions};
-use crate::{Form, Longitudinal};
+use crate::Longitudinal;
 
 pub(super) const PRESS: Press =
     Press { crank: 0.04, rod: 0.16, center: 0.64, radius: 0.75, force: 20e3, friction: 0.1 };
@@ -54,8 +54,8 @@ fn both_forms_give_what_the_print_gives_for_both_scenes() {
         for (index, degrees) in way().enumerate() {
             let wanted = at(alpha, degrees);
             let q = linkage.mechanism.input.coordinate(index);
-            for form in [Form::Stable, Form::Published] {
-                let found = reactions(&Longitudinal { form }, &linkage, q).unwrap();
+            for form in [Longitudinal::Stable, Longitudinal::Published] {
+                let found = reactions(&form, &linkage, q).unwrap();
                 let (a, b) = (of(&found, "A"), of(&found, "B"));
                 assert!((a[0].hypot(a[1]) - wanted.ra).abs() < 1e-10 * 2e4, "{name} {degrees}");
                 assert!((b[0] + wanted.r3).abs() < 1e-10 * 2e4, "{name} {degrees}: {b:?} {}", wanted.r3);

@@ -1,10 +1,10 @@
 use assur_force::ForceAnalyzer;
 
 use super::{compile, fixture};
-use crate::{Form, Longitudinal};
+use crate::Longitudinal;
 
 fn refusal(scene: &str) -> String {
-    Longitudinal { form: Form::Stable }.supports(&compile(scene)).unwrap_err().to_string()
+    Longitudinal::Stable.supports(&compile(scene)).unwrap_err().to_string()
 }
 
 const FOUR_BAR: &str = "[ground]\npoints = { O = 0, C = 0.4 }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n\
@@ -22,7 +22,7 @@ fn a_balancing_load_elsewhere() {
     let scene = format!("{FOUR_BAR}[balance]\nlink = 'rocker'\n");
     assert_eq!(refusal(&scene), "`[balance]` puts the balancing load elsewhere than on the crank `crank`");
     let on_crank = format!("{FOUR_BAR}[balance]\nlink = 'crank'\n");
-    assert_eq!(Longitudinal { form: Form::Published }.supports(&compile(&on_crank)), Ok(()));
+    assert_eq!(Longitudinal::Published.supports(&compile(&on_crank)), Ok(()));
 }
 
 #[test]
@@ -67,14 +67,14 @@ fn a_crank_without_length() {
     let crank_pin = mechanism.points.iter_mut().find(|point| point.name == "A").unwrap();
     crank_pin.places[0].at = [0.0, 0.0];
     let linkage = assur_kinematics::Linkage::compile(mechanism).unwrap();
-    let refusal = Longitudinal { form: Form::Stable }.supports(&linkage).unwrap_err();
+    let refusal = Longitudinal::Stable.supports(&linkage).unwrap_err();
     assert_eq!(refusal.to_string(), "the crank `crank` has no length");
 }
 
 #[test]
 fn solving_a_mechanism_that_is_not_supported_is_an_error() {
     let linkage = compile(&fixture("stephenson3.toml"));
-    let error = super::reactions(&Longitudinal { form: Form::Published }, &linkage, 0.6).unwrap_err();
+    let error = super::reactions(&Longitudinal::Published, &linkage, 0.6).unwrap_err();
     assert_eq!(
         error.to_string(),
         "force analyzer `longitudinal-published` can't treat this mechanism: it has 2 groups; the method needs one"

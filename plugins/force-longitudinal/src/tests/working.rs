@@ -6,10 +6,10 @@ use assur_worksheet::Entry;
 
 use super::print::{CONSTANT, PRESS};
 use super::{compile, fixture};
-use crate::Form;
+use crate::Longitudinal;
 
 /// The working of a position by a form of the method.
-fn worked(linkage: &assur_kinematics::Linkage, index: usize, form: Form) -> Working {
+fn worked(linkage: &assur_kinematics::Linkage, index: usize, form: Longitudinal) -> Working {
     let loads = Loads::compile(linkage).unwrap();
     let state = LoadState::prescribed(&linkage.mechanism, linkage.mechanism.input.coordinate(index));
     let (place, analyzer) = (PositionOrSample::Position(index), Some(form.name()));
@@ -32,7 +32,7 @@ fn every_number_of_the_equations_is_that_of_the_print() {
     for index in 0..linkage.mechanism.input.positions {
         let f1 = linkage.mechanism.input.coordinate(index) + std::f64::consts::FRAC_PI_2;
         let printed = PRESS.at(f1, CONSTANT(f1.to_degrees()));
-        let working = worked(&linkage, index, Form::Published);
+        let working = worked(&linkage, index, Longitudinal::Published);
         let found = values(&working, working.sections.len() - 2);
         for (symbol, wanted) in [
             ("φ_1", f1),
@@ -64,7 +64,7 @@ fn the_working_is_proved_against_the_groups() {
     for name in ["press.toml", "press-compression.toml", "slider-crank.toml", "four-bar.toml"] {
         let linkage = compile(&fixture(name));
         for index in 0..linkage.mechanism.input.positions {
-            for form in [Form::Stable, Form::Published] {
+            for form in [Longitudinal::Stable, Longitudinal::Published] {
                 let working = worked(&linkage, index, form);
                 let last = working.sections.len() - 1;
                 let size = working
@@ -75,12 +75,12 @@ fn the_working_is_proved_against_the_groups() {
                 let differences = values(&working, last);
                 if differences.is_empty() {
                     // Only the published form has positions without a solution.
-                    assert_eq!(form, Form::Published, "{name} {index}");
+                    assert_eq!(form, Longitudinal::Published, "{name} {index}");
                     continue;
                 }
                 assert_eq!(differences.len(), 9, "{name} {index}: four pairs and the balancing moment");
                 // Near a pole at infinity the published form loses digits.
-                let limit = if form == Form::Stable { 1e-10 } else { 1e-6 };
+                let limit = if form == Longitudinal::Stable { 1e-10 } else { 1e-6 };
                 for (symbol, difference) in differences {
                     assert!(difference.abs() <= limit * size, "{name} {index} {symbol}: {difference}");
                     compared += 1;

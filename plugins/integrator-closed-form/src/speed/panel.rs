@@ -9,12 +9,12 @@ const FURTHEST: f64 = 3.0;
 
 /// A panel over x in [-1, 1].
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Panel {
+pub(super) struct SpeedPanel {
     /// Speed at x = -1.
     start: f64,
     /// Half of the length, with the sign of the direction.
     half: f64,
-    pole: Option<Pole>,
+    pub(super) pole: Option<Pole>,
     /// Without a pole 1/e, with one (w - pole)/e: with respect to the parameter x.
     slowness: Series,
     /// Integrals from x = -1: the time and the displacement, without the share of the pole.
@@ -48,7 +48,7 @@ pub(super) struct Place {
     pub(super) way_rate: f64,
 }
 
-impl Panel {
+impl SpeedPanel {
     /// Fits a panel of that length (with the sign of the acceleration) from a state.
     pub(super) fn fit(
         equation: &mut CountedEquation<'_>,
@@ -73,7 +73,8 @@ impl Panel {
             error: [f64::INFINITY; 2],
             vanishing: None,
         };
-        match first_change(&values, half) {
+        // The first node at which the acceleration no longer leads along the panel.
+        match (1..NODES).find(|j| values[*j] * half.signum() <= 0.0) {
             Some(node) => panel.with_pole(&fit, &values, node),
             None => panel.without_pole(&fit, &values),
         }
@@ -137,10 +138,6 @@ impl Panel {
         let of_pole = tail(fit) * most + 4.0 * f64::EPSILON * self.half.abs();
         self.error = [lost / least + of_pole, lost + of_pole * least];
         self.vanishing = Some(x).filter(|x| *x < 0.5);
-    }
-
-    pub(super) fn pole(&self) -> Option<Pole> {
-        self.pole
     }
 
     /// The length from the same start that just includes the speed at which the moment vanishes, if that is near.
@@ -224,11 +221,6 @@ fn root_beyond(series: &Series) -> Option<f64> {
     Some(x).filter(|x| *x > 1.0 && *x < FURTHEST && (p * bend).abs() < CERTAIN * slope * slope)
 }
 
-/// The first node at which the acceleration no longer leads along the panel.
-fn first_change(values: &[f64; NODES], half: f64) -> Option<usize> {
-    (1..NODES).find(|j| values[*j] * half.signum() <= 0.0)
-}
-
 /// The parameter at which a growing function (given with its derivative) has a value; the last bound may be infinite.
 fn solve([mut low, mut high]: [f64; 2], wanted: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
     /// A correction d leaves an error of about d².
@@ -245,7 +237,7 @@ fn solve([mut low, mut high]: [f64; 2], wanted: f64, function: impl Fn(f64) -> (
 /// The motion through a panel.
 #[derive(Debug, Clone)]
 pub(crate) struct Passage {
-    pub(super) panel: Box<Panel>,
+    pub(super) panel: Box<SpeedPanel>,
     /// Parameters at its ends; the last may be infinite.
     pub(super) ends: [f64; 2],
 }

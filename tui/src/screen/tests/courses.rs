@@ -335,7 +335,7 @@ fn a_jump_of_a_load_is_a_vertical_step() {
         let series = |short: &str| found.series.iter().find(|series| series.short == short).unwrap();
         let own = &series(&format!("load {load}")).course;
         let jumps: Vec<_> =
-            own.steps().filter(|step| (step.values[1] - step.values[0]).abs() > 1.0).collect();
+            own.jumps().filter(|step| (step.values[1] - step.values[0]).abs() > 1.0).collect();
         // At the beginning and at the end of the cut the whole force comes and goes.
         assert_eq!(jumps.len(), 2, "{name}: {jumps:?}");
         for jump in &jumps {
@@ -351,7 +351,7 @@ fn a_jump_of_a_load_is_a_vertical_step() {
         let scene = state.scene.as_ref().unwrap();
         let ram = scene.series.iter().find(|series| series.short == "ram/ground'").unwrap();
         for jump in &jumps {
-            let step = balancing.steps().find(|step| step.at.to_bits() == jump.at.to_bits()).unwrap();
+            let step = balancing.jumps().find(|step| step.at.to_bits() == jump.at.to_bits()).unwrap();
             let size = (step.values[1] - step.values[0]).abs();
             let wanted = height * ram.course.between(jump.at).unwrap().abs();
             assert!((size - wanted).abs() < 0.02 * wanted, "{name}: {size} {wanted}");

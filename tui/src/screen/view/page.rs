@@ -1,7 +1,7 @@
 //! What the report and the note tell, in the lines of a view: blocks of a document in the width of the terminal.
 
 use assur_book::{Block, Document, Fact};
-use assur_report::text::{Kind, Line, Style, lines};
+use assur_report::text::{Line, LineKind, Style, lines};
 use assur_words::{Text, joined};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -16,7 +16,7 @@ pub(super) fn told(state: &State, width: u16, topic: impl FnOnce(&mut Document))
     page.blocks.retain(|block| !matches!(block, Block::Title(_) | Block::Heading(_)));
     let style = Style { language: state.language(), ascii: false };
     let all = lines(&page.blocks, style, width.into()).into_iter();
-    all.filter(|line| line.kind != Kind::Rule).skip_while(|line| line.text.is_empty()).collect()
+    all.filter(|line| line.kind != LineKind::Rule).skip_while(|line| line.text.is_empty()).collect()
 }
 
 /// The facts that have one of these identities, in lines of a width.
@@ -42,10 +42,10 @@ pub(super) fn draw(
     let mut before = None;
     for (row, line) in lines.iter().take(area.height.into()).enumerate() {
         let role = match line.kind {
-            Kind::Heading => Role::Header,
-            Kind::Head => Role::Dim,
-            Kind::Row(number) => of_row(number),
-            Kind::Words | Kind::Rule => Role::Plain,
+            LineKind::Heading => Role::Header,
+            LineKind::Head => Role::Dim,
+            LineKind::Row(number) => of_row(number),
+            LineKind::Words | LineKind::Rule => Role::Plain,
         };
         put(buffer, area, 1, short(row), &line.text, state.look.theme.style(role));
         if role == Role::Cursor && before != Some(line.kind) {
@@ -72,7 +72,7 @@ pub(super) fn draw_chosen(
     let (rest, pinned) = rest.split_at(rest.len() - last.min(height));
     let height = height - pinned.len();
     // What stands below the rows is in sight with the last one.
-    let next = rest.iter().position(|line| line.kind == Kind::Row(chosen + 1));
+    let next = rest.iter().position(|line| line.kind == LineKind::Row(chosen + 1));
     let skip = next.unwrap_or(rest.len()).saturating_sub(height);
     let shown = head.iter().chain(rest.iter().skip(skip).take(height)).chain(pinned);
     let shown: Vec<Line> = shown.cloned().collect();
@@ -91,5 +91,5 @@ pub(super) fn draw_from(state: &State, lines: &[Line], from: usize, area: Rect, 
 
 /// What stands above the rows of a table, and the rows.
 fn parts(lines: &[Line]) -> (&[Line], &[Line]) {
-    lines.split_at(lines.iter().take_while(|line| !matches!(line.kind, Kind::Row(_))).count())
+    lines.split_at(lines.iter().take_while(|line| !matches!(line.kind, LineKind::Row(_))).count())
 }

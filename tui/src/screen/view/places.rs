@@ -3,7 +3,7 @@
 use assur_analysis::results::Dynamics;
 use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_mechanism::InputPair;
-use assur_motor::{FlywheelSize, Motor, RatedData, catalogues};
+use assur_motor::{FlywheelSize, Motor, RatedMotor, catalogues};
 use assur_report::topic::flywheel_shaft;
 use assur_words::{Text, joined, list, name, number, quantity, text};
 
@@ -140,7 +140,7 @@ fn size_of(motor: &Motor) -> Option<[f64; 2]> {
 
 /// A motor of a catalogue with the same rated power and synchronous speed that has sizes: the lightest one, by which a motor of
 /// which only rated data are known is drawn.
-fn alike(rated: &RatedData) -> Option<&'static Motor> {
+fn alike(rated: &RatedMotor) -> Option<&'static Motor> {
     let same = |own: f64, other: f64| (own - other).abs() <= SAME * other;
     let all =
         catalogues().unwrap_or_default().into_iter().filter_map(|catalogue| catalogue.rows().ok()).flatten();

@@ -1,7 +1,7 @@
 //! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
 use assur_book::{Course, Node};
-use assur_figure::{Axis, Bounds, Cursor, Frame, Ink, Item, Kind, Panel, Point, Sign, Stroke};
+use assur_figure::{Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_words::{Text, joined, name, number, text, unit};
 
 use crate::number::digits;
@@ -25,7 +25,7 @@ pub(super) fn coordinate_axis(scene: &Scene) -> Axis {
     let series = &scene.series[0];
     let last = scene.positions() - usize::from(!scene.is_cycle());
     let ends = [0.0, last as f64].map(|at| scene.coordinate_at(at));
-    let kind = if series.unit == "deg" { Kind::Degrees } else { Kind::Linear };
+    let kind = if series.unit == "deg" { AxisKind::Degrees } else { AxisKind::Linear };
     Axis { kind, ..Axis::around(text!("chart-coordinate", unit = unit(series.unit.clone())), ends, 0.0) }
 }
 

@@ -4,8 +4,8 @@
 use assur_analysis::results::{
     Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
 };
-use assur_book::{Course, Step};
-use assur_figure::{Axis, Bounds, Frame, Ink, Item, Key, Kind, Panel, Point, Sample, Sign, Stroke};
+use assur_book::{Course, Jump};
+use assur_figure::{Axis, AxisKind, Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
 use super::plots;
@@ -49,8 +49,8 @@ pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &Regi
     let drive = |sign: f64| over(regime, |row| Some(sign * sense * row.drive));
     let load = |sign: f64| {
         let factor = sign * sense;
-        let step = |step: Step| step.values.map(|value| [step.at, factor * value]);
-        over(regime, |row| Some(factor * row.load)).with_between(jumps.steps().flat_map(step).collect())
+        let step = |step: Jump| step.values.map(|value| [step.at, factor * value]);
+        over(regime, |row| Some(factor * row.load)).with_between(jumps.jumps().flat_map(step).collect())
     };
     let mean = |sign: f64| (text!("regime-mean"), over(regime, |_| Some(sign * regime.mean_resistance)));
     let against = || text!("regime-against", load = text!("regime-resistance"));
@@ -211,7 +211,7 @@ pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
         (text!(told), Course::from_points(points))
     };
     let panel = |title: &'static str, label: &'static str, count: usize, curves| {
-        let x = Axis { kind: Kind::Whole, ..Axis::around(text!(label), [1.0, count.max(2) as f64], 0.0) };
+        let x = Axis { kind: AxisKind::Whole, ..Axis::around(text!(label), [1.0, count.max(2) as f64], 0.0) };
         plots::curves(text!(title), curves, (x, 1.0), None)
     };
     let (turns, trials) = (&regime.iteration, &regime.trials);

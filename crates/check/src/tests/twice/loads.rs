@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use assur_force::Loads;
 use assur_kinematics::Linkage;
-use assur_mechanism::{LoadKind, Mechanism, Spring, Table, Value};
+use assur_mechanism::{LawTable, LoadKind, Mechanism, Spring, Value};
 
 use super::{Trial, Width, named};
 use crate::check::Check;
@@ -38,7 +38,7 @@ impl<'a> Changed<'a> {
 /// A change of the scene by a factor; whether there is anything to change.
 type Change = fn(&mut Mechanism, f64) -> bool;
 
-fn table(table: &mut Table, factor: f64) {
+fn table(table: &mut LawTable, factor: f64) {
     table.rows.iter_mut().for_each(|row| row[1] *= factor);
 }
 

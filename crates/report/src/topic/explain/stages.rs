@@ -3,12 +3,24 @@
 use assur_analysis::Methods;
 use assur_analysis::plan::Plan;
 use assur_book::link_name;
-use assur_mechanism::{Balance, Characteristic, Drive, InputPair, Mechanism, Motion, Motor, Solve, Torque};
+use assur_group::Order;
+use assur_mechanism::{
+    Balance, CharacteristicKind, Drive, InputPair, Mechanism, Motion, MotorChoice, Solve, Torque,
+};
 use assur_structure::Structure;
 use assur_words::{Text, joined, list, name, text};
 
-use super::kinematics;
-use crate::topic::explain::{Stage, left_out, run};
+use super::others;
+
+/// A stage that is run: why, and by which method.
+fn run(stage: Text, reason: Text, method: Text) -> Text {
+    text!("explain-run", stage, reason, method)
+}
+
+/// A stage that is not run: why not, and what would make it run.
+fn left_out(stage: Text, reason: Text) -> Text {
+    text!("explain-left-out", stage, reason)
+}
 
 pub(super) fn stages(
     mechanism: &Mechanism,
@@ -16,12 +28,12 @@ pub(super) fn stages(
     methods: &Methods,
     equation: Option<&Text>,
     plan: &Plan,
-) -> Vec<Stage> {
+) -> Vec<Text> {
     vec![
         structure_stage(plan),
-        kinematics::positions(mechanism, structure, plan),
-        kinematics::transfer(structure, plan),
-        kinematics::velocities(mechanism, plan),
+        positions(mechanism, structure, plan),
+        transfer(structure, plan),
+        velocities(mechanism, plan),
         reduction(mechanism, plan),
         motion(mechanism, methods, equation),
         drive(mechanism),
@@ -37,13 +49,83 @@ fn asks_for_no_reaction(mechanism: &Mechanism) -> bool {
     mechanism.output.as_ref().is_some_and(|output| output.reactions.is_empty())
 }
 
-fn structure_stage(plan: &Plan) -> Stage {
+fn structure_stage(plan: &Plan) -> Text {
     let method =
         if plan.is_partial() { text!("explain-matching") } else { text!("explain-matching-and-rank") };
     run(text!("explain-stage-structure"), text!("explain-structure"), method)
 }
 
-fn reduction(mechanism: &Mechanism, plan: &Plan) -> Stage {
+/// How many groups are solved.
+fn solved(plan: &Plan) -> usize {
+    plan.groups_needed.iter().filter(|needed| **needed).count()
+}
+
+fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Text {
+    let left = plan
+        .is_partial()
+        .then(|| text!("explain-not-solved", groups = others(mechanism, structure, &plan.groups_needed)));
+    let reason = text!(
+        "explain-positions",
+        positions = mechanism.input.positions,
+        over = coordinate(mechanism),
+        needed = solved(plan),
+        groups = structure.groups.len()
+    );
+    let mut kinds: Vec<&'static str> = Vec::new();
+    for (group, _) in structure.groups.iter().zip(&plan.groups_needed).filter(|(_, needed)| **needed) {
+        if !kinds.contains(&group.plugin.name) {
+            kinds.push(group.plugin.name);
+        }
+    }
+    let method = if kinds.is_empty() {
+        text!("explain-input-alone")
+    } else {
+        text!("explain-group-by-group", kinds = list(kinds.into_iter().map(name)))
+    };
+    run(text!("explain-stage-positions"), joined("; ", std::iter::once(reason).chain(left)), method)
+}
+
+fn transfer(structure: &Structure, plan: &Plan) -> Text {
+    let stage = text!("explain-stage-transfer");
+    let needed = || structure.groups.iter().zip(&plan.groups_needed).filter(|(_, needed)| **needed);
+    let iterating = needed().filter(|(group, _)| group.plugin.iterates).count();
+    let method = match solved(plan) {
+        0 => text!("explain-derivatives-input"),
+        all if iterating == all => text!("explain-derivatives-constraints"),
+        _ if iterating > 0 => text!("explain-derivatives-both"),
+        _ => text!("explain-derivatives-closed"),
+    };
+    let needed_for = || joined("; ", plan.order_for.iter().cloned());
+    match plan.order {
+        Order::Place => left_out(stage, text!("explain-order-0", groups = solved(plan))),
+        Order::First => {
+            run(stage, text!("explain-order-1", what = needed_for(), groups = solved(plan)), method)
+        }
+        Order::Second => run(stage, text!("explain-order-2", what = needed_for()), method),
+    }
+}
+
+fn velocities(mechanism: &Mechanism, plan: &Plan) -> Text {
+    let stage = text!("explain-stage-velocities");
+    if plan.velocities {
+        return run(stage, text!("explain-has-motion"), text!("explain-rates"));
+    }
+    if mechanism.motion.is_none() {
+        return left_out(stage, text!("explain-add-motion"));
+    }
+    left_out(stage, text!("explain-no-rates-asked"))
+}
+
+/// What the input coordinate is.
+fn coordinate(mechanism: &Mechanism) -> Text {
+    let link = link_name(mechanism, mechanism.input.link);
+    match mechanism.input.pair {
+        InputPair::Pin(_) => text!("explain-angle-of", link),
+        InputPair::Slide(_) => text!("explain-displacement-of", link),
+    }
+}
+
+fn reduction(mechanism: &Mechanism, plan: &Plan) -> Text {
     let stage = text!("explain-stage-reduction");
     if plan.reduction {
         return run(stage, reduction_reason(mechanism, plan), text!("explain-sums"));
@@ -65,7 +147,7 @@ fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> Text {
     text!("explain-reduced-constant", links = super::links(mechanism, &heavy))
 }
 
-fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&Text>) -> Stage {
+fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&Text>) -> Text {
     let stage = text!("explain-stage-motion");
     match &mechanism.motion {
         None => left_out(stage, text!("explain-no-motion")),
@@ -81,7 +163,7 @@ fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&Text>) -> 
     }
 }
 
-fn drive(mechanism: &Mechanism) -> Stage {
+fn drive(mechanism: &Mechanism) -> Text {
     let stage = text!("explain-stage-drive");
     let Some(drive) = &mechanism.drive else { return left_out(stage, text!("explain-no-drive")) };
     let found = mechanism.has_equation_of_motion();
@@ -95,7 +177,7 @@ fn drive(mechanism: &Mechanism) -> Stage {
 /// Which quantities of the drive are given and which are to be found.
 fn drive_reason(drive: &Drive) -> Text {
     let motor = matches!(drive.torque, Torque::Motor { .. });
-    let auto = matches!(drive.torque, Torque::Motor { motor: Motor::Auto, .. });
+    let auto = matches!(drive.torque, Torque::Motor { motor: MotorChoice::Auto, .. });
     let all = [
         (matches!(drive.torque, Torque::Balance), text!("explain-wanted-moment")),
         (auto, text!("explain-wanted-motor")),
@@ -114,12 +196,12 @@ fn drive_method(drive: &Drive) -> Text {
     let mut methods = Vec::new();
     match &drive.torque {
         Torque::Motor { motor, characteristic, .. } => {
-            if *motor == Motor::Auto {
+            if *motor == MotorChoice::Auto {
                 methods.push(text!("explain-least-motor"));
             }
             methods.push(match characteristic {
-                Characteristic::Kloss => text!("explain-kloss"),
-                Characteristic::Linear => text!("explain-linear"),
+                CharacteristicKind::Kloss => text!("explain-kloss"),
+                CharacteristicKind::Linear => text!("explain-linear"),
             });
         }
         Torque::Constant(_) | Torque::Balance => methods.push(text!("explain-constant-moment")),
@@ -131,7 +213,7 @@ fn drive_method(drive: &Drive) -> Text {
     joined("; ", methods)
 }
 
-fn inertia(mechanism: &Mechanism, plan: &Plan) -> Stage {
+fn inertia(mechanism: &Mechanism, plan: &Plan) -> Text {
     let stage = text!("explain-stage-inertia");
     if plan.inertia_loads {
         return run(stage, text!("explain-inertia"), text!("explain-dalembert"));
@@ -148,7 +230,7 @@ fn inertia(mechanism: &Mechanism, plan: &Plan) -> Stage {
     )
 }
 
-fn reactions(mechanism: &Mechanism, structure: &Structure, methods: &Methods, plan: &Plan) -> Stage {
+fn reactions(mechanism: &Mechanism, structure: &Structure, methods: &Methods, plan: &Plan) -> Text {
     let stage = text!("explain-stage-reactions");
     if plan.forces {
         let reason = if mechanism.has_loads() {
@@ -172,7 +254,7 @@ fn reactions(mechanism: &Mechanism, structure: &Structure, methods: &Methods, pl
 fn idle(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Option<Text> {
     let (carrying, all) = (&plan.groups_carrying, structure.groups.len());
     let idle = carrying.iter().filter(|carrying| !**carrying).count();
-    let names = super::others(mechanism, structure, carrying);
+    let names = others(mechanism, structure, carrying);
     match (idle, plan.by_groups) {
         (0, _) => None,
         (_, false) => Some(text!("explain-idle-as-one-system", groups = names)),
@@ -180,7 +262,7 @@ fn idle(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Option<Tex
     }
 }
 
-fn balancing(mechanism: &Mechanism, plan: &Plan) -> Stage {
+fn balancing(mechanism: &Mechanism, plan: &Plan) -> Text {
     let stage = text!("explain-stage-balancing");
     if !plan.forces {
         return left_out(stage, text!("explain-with-reactions"));
@@ -196,7 +278,7 @@ fn balancing(mechanism: &Mechanism, plan: &Plan) -> Stage {
     run(stage, reason, text!("explain-equilibrium-of-input"))
 }
 
-fn checks(plan: &Plan) -> Stage {
+fn checks(plan: &Plan) -> Text {
     let stage = text!("explain-stage-checks");
     if plan.is_partial() {
         return left_out(stage, text!("explain-checks-need-all"));

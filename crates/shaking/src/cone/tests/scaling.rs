@@ -1,4 +1,4 @@
-use super::{Scaling, inner, most};
+use crate::cone::{Scaling, inner, most};
 
 #[test]
 fn a_scaling_makes_slack_and_dual_one() {

@@ -33,7 +33,7 @@ fn acceleration_follows_from_moment_and_change_of_inertia() {
     assert_eq!(equation.acceleration(&at(2.0, 2.0)).unwrap(), -5.0);
     assert_eq!(equation.work(&at(2.0, 2.0)).unwrap(), (4.0, -18.0));
     equation.enter(&at(0.0, 1.0)).unwrap();
-    let counted = equation.counted(SolutionCost::default());
+    let counted = equation.cost;
     assert_eq!((counted.evaluations, counted.pieces, counted.jacobians), (2, 1, 0));
     assert!(matches!(equation.acceleration(&at(-2.0, 0.0)), Err(MotionError::Inertia(_))));
     assert!(matches!(equation.work(&at(-3.0, 0.0)), Err(MotionError::Inertia(_))));
@@ -54,7 +54,7 @@ fn partial_derivatives_are_differences_and_give_the_eigenvalue() {
     assert!((equation.eigenvalue(&here).unwrap() - 1.5).abs() < 1e-6);
     // At q = -1, w = 1: e = 11.5, by coordinate -19.5, by speed -7: complex roots of modulus sqrt(19.5).
     assert!((equation.eigenvalue(&at(-1.0, 1.0)).unwrap() - 19.5_f64.sqrt()).abs() < 1e-6);
-    assert_eq!(equation.counted(SolutionCost::default()).jacobians, 3);
+    assert_eq!(equation.cost.jacobians, 3);
 }
 
 #[test]

@@ -1,29 +1,23 @@
-//! The published form: the pole P in plain coordinates (L eqs. 1-12, for any load on the coupler and any line 3).
+//! The two forms of the solution. The stable one: R3 from moments about A, which never goes to infinity.
+//!
+//! The published one: the pole P in plain coordinates (L eqs. 1-12, for any load on the coupler and any line 3).
 //!
 //! Axes as in L: origin O, x along line 3 (across the guide), y along the guide, away from the slider; f1 is the angle of OA from
 //! -y towards x. K and B are taken from the position, not from the printed (8), (9), which apply to the press alone.
 
 use assur_force::ForceError;
 use assur_group::LEAST_HEALTH;
-use assur_group::plane::{cross, dot, minus, perp, plus, scaled};
+use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_kinematics::Linkage;
 use assur_words::{Text, text};
 
 use crate::layout::{End, Layout};
-use crate::setting::{Setting, Unknowns};
-use crate::{Form, singular};
+use crate::layout::{Setting, Unknowns};
+use crate::{Longitudinal, singular};
 
 /// |cos f1| at or below this counts as zero: a pole this many crank lengths away leaves four significant digits at
 /// most.
 const PARALLEL: f64 = 1e-12;
-
-/// Solution of the equations.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Published {
-    /// Pole P, m, in the ground's frame.
-    pub(crate) pole: [f64; 2],
-    pub(crate) unknowns: Unknowns,
-}
 
 /// Why the equations have no solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +33,7 @@ pub(crate) enum Failure {
 /// # Errors
 ///
 /// [`Failure`] where P or the ratios are not determined.
-pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
+pub(crate) fn published(at: &Setting) -> Result<Unknowns, Failure> {
     let (x, y) = (at.line, perp(at.line));
     let (along, r1) = at.crank();
     let (sin, cos) = (dot(along, x), -dot(along, y));
@@ -67,9 +61,7 @@ pub(crate) fn solve(at: &Setting) -> Result<Published, Failure> {
     let r3 = fx - fb * cos + r1 * sin; // L eq. (11), from (1), (4): Fx - Fb cos f1 + R1 sin f1 - R3 = 0
     let vector = |u: f64, v: f64| plus(scaled(u, x), scaled(v, y));
     // RA = |Fb + R1| and RB = R3 of L eq. (12) follow where the reactions in the pairs are stored.
-    let unknowns =
-        Unknowns { fb: vector(-fb * cos, -fb * sin), r1: vector(r1 * sin, -r1 * cos), r3: vector(-r3, 0.0) };
-    Ok(Published { pole: plus(at.o, vector(xp, yp)), unknowns })
+    Ok(Unknowns { fb: vector(-fb * cos, -fb * sin), r1: vector(r1 * sin, -r1 * cos), r3: vector(-r3, 0.0) })
 }
 
 impl Failure {
@@ -77,7 +69,7 @@ impl Failure {
         match self {
             Self::Parallel(angle) => {
                 let lines = lines(linkage, layout);
-                ForceError::Parallel { coordinate, lines, angle, instead: Form::Stable.name() }
+                ForceError::Parallel { coordinate, lines, angle, instead: Longitudinal::Stable.name() }
             }
             Self::Singular(health) => singular(linkage, coordinate, health),
         }
@@ -91,4 +83,27 @@ fn lines(linkage: &Linkage, layout: &Layout) -> Text {
         End::Guide(_) => text!("force-longitudinal-lines-guide", crank, third),
         End::Pin(_) => text!("force-longitudinal-lines-rocker", crank, third),
     }
+}
+
+/// Solves for the unknowns.
+///
+/// This is the published system with P in homogeneous coordinates: only the ratio of the moments about A enters, so the
+/// weight of P, which is zero for a pole at infinity, cancels.
+///
+/// # Errors
+///
+/// The sine of the angle between coupler and line 3 where it is zero: the group itself is singular.
+pub(crate) fn stable(at: &Setting) -> Result<Unknowns, f64> {
+    let rod = minus(at.b, at.a);
+    let arm = cross(rod, at.line);
+    let health = arm.abs() / rod[0].hypot(rod[1]);
+    if health.is_nan() || health < LEAST_HEALTH {
+        return Err(health);
+    }
+    let r3 = scaled(-at.moment_a / arm, at.line);
+    // The remaining force at the pin A, in components across and along the crank.
+    let at_a = opposite(plus(at.force, r3));
+    let (along, _) = at.crank();
+    let across = perp(along);
+    Ok(Unknowns { fb: scaled(dot(at_a, across), across), r1: scaled(dot(at_a, along), along), r3 })
 }
