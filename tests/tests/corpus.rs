@@ -176,8 +176,12 @@ fn calculated(scene: &str) -> Result<(Value, Vec<String>), String> {
         return Err(message.to_string());
     }
     let checks = found.checks(Coverage::Sample, &mut unwatched).map_err(|error| error.to_string())?;
-    let failed =
-        checks.all.iter().filter(|check| check.failed()).map(|check| check.name.to_string()).collect();
+    let failed = checks
+        .all
+        .iter()
+        .filter(|check| check.finding.failed())
+        .map(|check| check.name.to_string())
+        .collect();
     let text = assur_report::json::analysis::to_json(&analysis, false).map_err(|error| error.to_string())?;
     Ok((serde_json::from_str(&text).map_err(|error| error.to_string())?, failed))
 }

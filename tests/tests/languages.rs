@@ -295,7 +295,7 @@ fn checks_notes_and_failures_of_shipped_scenes() {
         let told = found
             .checks
             .iter()
-            .flat_map(|check| [&check.name, &check.place, &check.reason, &check.why_left_out]);
+            .flat_map(|check| [&check.name, &check.finding.place, &check.reason, &check.finding.why]);
         hold(told, &allowed);
         hold(
             found

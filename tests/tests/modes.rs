@@ -220,11 +220,11 @@ fn mechanisms_of_all_classes_are_solved_in_every_group() {
                 }
             }
         }
-        failed.extend(
-            checks(&linkage).iter().filter(|check| !check.ok).map(|check| {
-                format!("seed {seed}: {} {:e} of {:e}", check.name, check.residual, check.limit)
-            }),
-        );
+        failed.extend(checks(&linkage).iter().filter(|check| check.finding.holds != Some(true)).map(
+            |check| {
+                format!("seed {seed}: {} {:e} of {:e}", check.name, check.finding.error, check.finding.bound)
+            },
+        ));
     }
     assert!(failed.is_empty(), "{failed:#?}");
     assert!(higher > MIXED, "{higher}");

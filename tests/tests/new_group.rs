@@ -142,9 +142,13 @@ fn the_decomposition_uses_it_and_every_check_holds() {
     let all = checks(&linkage);
     for check in &all {
         assert!(
-            check.ok,
+            check.finding.holds == Some(true),
             "{} at {:?}, {}: {:e} of {:e}",
-            check.name, check.at, check.place, check.residual, check.limit
+            check.name,
+            check.at,
+            check.finding.place,
+            check.finding.error,
+            check.finding.bound
         );
         assert_eq!(check.left_out, 0, "{}", check.name);
     }

@@ -107,7 +107,13 @@ fn number(value: &Value) -> f64 {
 fn all_checks_hold(analysis: &Analysis) {
     assert!(!analysis.checks.is_empty());
     for check in &analysis.checks {
-        assert!(check.ok, "{} {:e} > {:e}", check.name, check.residual, check.limit);
+        assert!(
+            check.finding.holds == Some(true),
+            "{} {:e} > {:e}",
+            check.name,
+            check.finding.error,
+            check.finding.bound
+        );
     }
 }
 

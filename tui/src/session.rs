@@ -138,7 +138,7 @@ impl Session {
         let plan = plan(&self.mechanism, &self.structure, options);
         let linkage =
             if plan.is_partial() { Arc::new(self.compiled(&plan.groups_needed)?) } else { self.linkage()? };
-        Calculation::planned(linkage, plan, options, watch)
+        Calculation::planned(linkage, plan, None, options, watch)
     }
 
     /// An error of a calculation, at the line of the scene that it concerns if there is one.

@@ -40,12 +40,12 @@ impl Verdict {
         let writable = not_finite.is_none();
         losses.extend(not_finite.map(|problem| text!("cli-error", problem = problem.describe())));
         let all = &analysis.checks;
-        let judged = all.is_empty() || all.iter().any(|check| check.verdict().is_some());
+        let judged = all.is_empty() || all.iter().any(|check| check.finding.holds.is_some());
         let mut checks = checks(all);
         if !judged {
             checks.push(text!("verdict-nothing-judged"));
         }
-        Self { losses, checks, unproved: !judged || all.iter().any(Check::failed), writable }
+        Self { losses, checks, unproved: !judged || all.iter().any(|check| check.finding.failed()), writable }
     }
 
     /// Of the motion of a scene, for a command that calculates a single position or sample.
@@ -126,9 +126,9 @@ fn no_motion(calculation: &Calculation, session: Option<&Session>) -> Option<Tex
 
 fn checks(all: &[Check]) -> Vec<Text> {
     let told = |id: &'static str, check: &Check, reason: &Text| text!(id, check = &check.name, reason);
-    let failed = all.iter().filter(|check| check.failed());
+    let failed = all.iter().filter(|check| check.finding.failed());
     let failed = failed.map(|check| told("verdict-failed", check, &check.reason));
-    let open = all.iter().filter(|check| check.verdict().is_none());
-    let open = open.map(|check| told("verdict-not-judged", check, &check.why_left_out));
+    let open = all.iter().filter(|check| check.finding.holds.is_none());
+    let open = open.map(|check| told("verdict-not-judged", check, &check.finding.why));
     failed.chain(open).collect()
 }

@@ -1,13 +1,13 @@
 //! The positions block by block, by all threads, in their order.
 
 use assur_check::Notable;
-use assur_dynamics::Instant;
 use assur_force::ForceError;
 use assur_kinematics::PositionError;
 use assur_number::Lanes;
 use assur_words::{Describe, text};
 use rayon::prelude::*;
 
+use crate::edges::instant;
 use crate::families::Columns;
 use crate::filler::{Filler, Obstacle};
 use crate::friction::jammed;
@@ -67,29 +67,22 @@ impl<'a> Blocks<'a> {
         let input = &mechanism.input;
         filler.notable = Notable::default();
         for first in (number * self.rows..end).step_by(Lanes::WIDTH) {
-            let instants = std::array::from_fn(|lane| Instant {
-                state: self.calculation.state(input.coordinate((first + lane).min(end - 1))),
-                holding: None,
-                friction: 0.0,
-            });
+            let state = |lane: usize| self.calculation.state(input.coordinate((first + lane).min(end - 1)));
+            let instants = std::array::from_fn(|lane| instant(state(lane)));
             for (index, obstacle) in filler.add(first, &instants, end - first, &mut table) {
                 let at = |error| text!("analysis-at-position", number = index, error);
-                let (mut key, mut limit) = (None, None);
-                let message = match obstacle {
-                    Obstacle::Unsolved(error) => PositionError { index: Some(index), ..error }.describe(),
-                    Obstacle::Forceless(ForceError::ChangePoint(_)) => {
+                let (message, key, limit) = match obstacle {
+                    Obstacle::Unsolved(error) => {
+                        (PositionError { index: Some(index), ..error }.describe(), None, None)
+                    }
+                    Obstacle::Forceless(ForceError::ChangePoint(_), _) => {
                         at_change_points.push(index);
                         continue;
                     }
-                    Obstacle::Jammed(error, found) => {
-                        limit = found;
-                        at(jammed(mechanism, error.describe(), found))
-                    }
-                    Obstacle::Forceless(error) => {
-                        if let ForceError::Load(load) = &error {
-                            key = load.key(mechanism);
-                        }
-                        at(error.describe())
+                    Obstacle::Forceless(error, limit) => {
+                        let key =
+                            if let ForceError::Load(load) = &error { load.key(mechanism) } else { None };
+                        (at(jammed(mechanism, error.describe(), limit)), key, limit)
                     }
                 };
                 failures.push(Failure { index, coordinate: input.coordinate(index), message, key, limit });

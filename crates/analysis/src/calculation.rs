@@ -70,17 +70,7 @@ impl Calculation {
         let structure = decompose(&mechanism).map_err(assur_kinematics::CompileError::from)?;
         let plan = plan(&mechanism, &structure, options);
         let linkage = Linkage::compile_for(mechanism, structure, &plan.groups_needed)?;
-        Self::planned(Arc::new(linkage), plan, options, watch)
-    }
-
-    /// The calculation of a plan on a linkage that is compiled for the groups that the plan needs.
-    pub fn planned(
-        linkage: Arc<Linkage>,
-        plan: Plan,
-        options: &Options,
-        watch: &mut Watch<'_>,
-    ) -> Result<Self, AnalysisError> {
-        Self::prepared(linkage, plan, None, options, watch)
+        Self::planned(Arc::new(linkage), plan, None, options, watch)
     }
 
     /// The calculation of a mechanism that differs in numbers only, with what it has in common with this one: structure and
@@ -97,13 +87,13 @@ impl Calculation {
         let (linkage, before, same) = Arc::unwrap_or_clone(linkage).varied(mechanism, &plan.groups_needed)?;
         let same_positions = same && plan.order == order;
         let earlier = loads.as_ref().filter(|_| same).map(|loads| (&before, loads));
-        let calculation = Self::prepared(Arc::new(linkage), plan, earlier, options, watch)?;
+        let calculation = Self::planned(Arc::new(linkage), plan, earlier, options, watch)?;
         Ok(Varied { calculation, before, same_positions })
     }
 
-    /// Compiles the loads of a planned linkage, and finds its motion; `earlier`: a mechanism with the same positions, and its
-    /// loads.
-    fn prepared(
+    /// The calculation of a plan on a linkage that is compiled for the groups that the plan needs; `earlier`: a mechanism with the
+    /// same positions, and its loads.
+    pub fn planned(
         linkage: Arc<Linkage>,
         plan: Plan,
         earlier: Option<(&Mechanism, &Loads)>,

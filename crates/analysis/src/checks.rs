@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use assur_check::{Check, Chosen, Coverage, ForceResiduals, InputLoad, Residuals, Subject, methods};
+use assur_check::{Check, Chosen, Coverage, Finding, ForceResiduals, InputLoad, Residuals, Subject, methods};
 use assur_dynamics::{InputDrive, Regime, Steady, Transient, section_margin};
 use assur_force::{LoadState, Side};
 use assur_group::Order;
@@ -23,14 +23,20 @@ impl Calculation {
     /// of these; none where the plan leaves out groups.
     pub fn checks(&self, coverage: Coverage, watch: &mut Watch<'_>) -> Result<Checks, Stopped> {
         if self.plan.is_partial() || coverage == Coverage::None {
-            return Ok(Checks::none());
+            return Ok(Checks::default());
         }
         let checked = Checked::of(self, coverage, watch)?;
         let mut of_motion = Vec::new();
         let (mut all, residuals) = match &self.motion {
             InputMotion::Prescribed => self.position_checks(&checked, watch),
             motion => rayon::in_place_scope(|scope| {
-                scope.spawn(|_| of_motion = self.motion_checks(motion));
+                scope.spawn(|_| {
+                    of_motion = match motion {
+                        InputMotion::Prescribed => Vec::new(),
+                        InputMotion::Transient(found) => self.transient_checks(found),
+                        InputMotion::Steady(found) => self.steady_checks(found),
+                    }
+                });
                 self.position_checks(&checked, watch)
             }),
         }?;
@@ -56,14 +62,6 @@ impl Calculation {
         };
         let found = subject.checks(&mut |done, total| watch(Progress::Checks { done, total }));
         found.continue_value().ok_or(Stopped)
-    }
-
-    fn motion_checks(&self, motion: &InputMotion) -> Vec<Check> {
-        match motion {
-            InputMotion::Prescribed => Vec::new(),
-            InputMotion::Transient(found) => self.transient_checks(found),
-            InputMotion::Steady(found) => self.steady_checks(found),
-        }
     }
 
     fn is_regular(&self, state: &LoadState) -> bool {
@@ -122,13 +120,8 @@ impl Calculation {
             let steps = 4.0 * found.error_of_fixed_steps();
             let own = (100.0 * self.tolerance()).max(1e-10) + steps;
             let limit = own * found.energy.by_speed + found.energy.rounding;
-            rows.push(Check::of(
-                text!("analysis-energy"),
-                found.energy.change,
-                limit,
-                text!("analysis-kinetic-and-potential"),
-                text!("analysis-energy.reason"),
-            ));
+            let change = Finding::of(text!("analysis-kinetic-and-potential"), found.energy.change, limit);
+            rows.push(Check::of(text!("analysis-energy"), text!("analysis-energy.reason"), change));
         }
         rows.extend(self.work_check(found));
         rows
@@ -141,8 +134,8 @@ impl Calculation {
         // Without iterations (the machine stalls in its first cycle from the mean speed) only the cycle in time is checked.
         if let Some(last) = regime.iterations.last() {
             let left = (last.residual / last.speed_end).abs();
-            let [name, reason] = [text!("analysis-periodicity"), text!("analysis-periodicity.reason")];
-            rows.push(Check::of(name, left, 1e-9, text!("analysis-speed-over-cycle"), reason));
+            let left = Finding::of(text!("analysis-speed-over-cycle"), left, 1e-9);
+            rows.push(Check::of(text!("analysis-periodicity"), text!("analysis-periodicity.reason"), left));
         }
         let Some(Motion::Steady { mean_speed, unevenness }) = self.linkage.mechanism.motion else {
             return rows;
@@ -154,27 +147,23 @@ impl Calculation {
         let fixed = matches!(drive.map(|drive| &drive.torque), Some(Torque::Constant(_)));
         if !fixed && (regime.figures.ratio.is_none() || wanted(drive.map(|drive| drive.ratio))) {
             let miss = ((regime.figures.mean_speed - mean_speed) / mean_speed).abs();
-            let [name, reason] = [text!("analysis-mean-speed"), text!("analysis-mean-speed.reason")];
-            rows.push(Check::of(name, miss, 1e-9, assur_words::name("(max + min) / 2"), reason));
+            let miss = Finding::of(assur_words::name("(max + min) / 2"), miss, 1e-9);
+            rows.push(Check::of(text!("analysis-mean-speed"), text!("analysis-mean-speed.reason"), miss));
         }
         if let (Some(Solve::Given(wanted_unevenness)), true, false) =
             (unevenness, wanted(drive.and_then(|drive| drive.flywheel)), regime.flywheel_needless)
         {
             let miss = ((regime.figures.unevenness - wanted_unevenness) / wanted_unevenness).abs();
-            let [name, reason] = [text!("analysis-unevenness"), text!("analysis-unevenness.reason")];
-            rows.push(Check::of(name, miss, 1e-8, text!("analysis-of-extremes"), reason));
+            let miss = Finding::of(text!("analysis-of-extremes"), miss, 1e-8);
+            rows.push(Check::of(text!("analysis-unevenness"), text!("analysis-unevenness.reason"), miss));
         }
         rows.extend(found.motor.as_ref().filter(|_| unevenness == Some(Solve::Wanted)).map(|motor| {
             let margin = section_margin(regime, &motor.motor.characteristic);
             // Without a flywheel the motor may stay well inside.
             let miss = if regime.flywheel_needless { (-margin).max(0.0) } else { margin.abs() };
-            Check::of(
-                text!("analysis-unevenness-of-motor"),
-                miss,
-                1e-8,
-                text!("analysis-stable-section"),
-                text!("analysis-unevenness-of-motor.reason"),
-            )
+            let miss = Finding::of(text!("analysis-stable-section"), miss, 1e-8);
+            let reason = text!("analysis-unevenness-of-motor.reason");
+            Check::of(text!("analysis-unevenness-of-motor"), reason, miss)
         }));
         rows
     }

@@ -3,7 +3,7 @@
 use assur_force::{LoadError, RegistryError};
 use assur_kinematics::CompileError;
 use assur_mechanism::Mechanism;
-use assur_words::{Describe, Text, name, number, text};
+use assur_words::{Describe, Text, name, text};
 
 use crate::Stopped;
 
@@ -62,12 +62,6 @@ impl From<assur_dynamics::DynamicsError> for AnalysisError {
 }
 
 impl AnalysisError {
-    /// There is no speed or acceleration at a coordinate, rad or m.
-    pub(crate) fn infinite(coordinate: f64) -> Self {
-        let message = text!("analysis-infinite", coordinate = number(format_args!("{coordinate:.6}")));
-        Self::Motion { message, usage: false, key: Some(&["motion"]) }
-    }
-
     /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
     pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
         match self {

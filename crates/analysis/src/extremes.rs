@@ -1,8 +1,8 @@
 //! Extremes and means of a quantity between the positions: the points of its curve show between which coordinates an extreme lies,
 //! and the calculation at further ones finds it.
 
-use assur_number::Lanes;
 use assur_number::panel::chebyshev::{INSIDE, NODES, integral, value};
+use assur_number::{Lanes, Statistic};
 
 use crate::Calculation;
 use crate::edges::instant;
@@ -42,6 +42,11 @@ impl Turn {
     /// A value at a coordinate, with its sign.
     pub const fn at(at: f64, value: f64) -> Self {
         Self { at, value, is_greatest: value >= 0.0, within: [at; 2] }
+    }
+
+    /// Extremes of all values.
+    pub fn statistic(all: &[Self]) -> Statistic {
+        all.iter().map(|turn| turn.value).enumerate().collect()
     }
 }
 

@@ -31,10 +31,9 @@ pub(crate) struct Filler<'a> {
 pub(crate) enum Obstacle {
     /// The position has no solution.
     Unsolved(PositionError),
-    /// No forces are found: a load has no value, it is at a change point, or the method finds none there.
-    Forceless(ForceError),
-    /// With friction there is no solution; up to which part of the coefficients there is one.
-    Jammed(ForceError, Option<f64>),
+    /// No forces are found: a load has no value, it is at a change point, or the method finds none there; where it jams by
+    /// friction, up to which part of the coefficients there is a solution.
+    Forceless(ForceError, Option<f64>),
 }
 
 impl<'a> Filler<'a> {
@@ -111,7 +110,7 @@ impl<'a> Filler<'a> {
                 let bodies: Vec<_> = self.position.bodies.iter().map(|body| body.lane(lane)).collect();
                 let finite = loads.finite(&linkage.mechanism, &states[lane], &bodies);
                 if let (Err(error), true) = (finite, std::mem::take(&mut rows[lane])) {
-                    obstacles.push((lane, Obstacle::Forceless(error.into())));
+                    obstacles.push((lane, Obstacle::Forceless(error.into(), None)));
                 }
             }
         }
@@ -149,17 +148,15 @@ impl<'a> Filler<'a> {
         let (mut determined, mut balancing) = (rows, forces.reactions.balancing.0.map(Some));
         let obstacle = |(lane, error): (usize, ForceError)| {
             (determined[lane], balancing[lane]) = (false, None);
+            let mut limit = None;
             match error {
-                ForceError::Jammed { .. } => {
-                    (lane, Obstacle::Jammed(error, forces.jamming_limit(lane, &states[lane], position)))
+                ForceError::Jammed { .. } => limit = forces.jamming_limit(lane, &states[lane], position),
+                ForceError::ChangePoint(_) => {
+                    balancing[lane] = forces.balancing_alone(lane, &states[lane], position);
                 }
-                error => {
-                    if let ForceError::ChangePoint(_) = error {
-                        balancing[lane] = forces.balancing_alone(lane, &states[lane], position);
-                    }
-                    (lane, Obstacle::Forceless(error))
-                }
+                _ => {}
             }
+            (lane, Obstacle::Forceless(error, limit))
         };
         let refused = refused.into_iter().filter(|(lane, _)| rows[*lane]).map(obstacle).collect();
         (determined, balancing, refused)

@@ -131,50 +131,39 @@ impl Cycle<'_> {
     /// Work by unit of travel in the direction of motion: of the balancing load, then of the friction of each pair; or how the
     /// mechanism is instead.
     fn powers(&mut self, coordinate: f64) -> Result<Vec<f64>, State> {
-        self.powers_at(coordinate, false)
-    }
-
-    fn powers_at(&mut self, coordinate: f64, beside: bool) -> Result<Vec<f64>, State> {
         let Calculation { linkage, .. } = self.calculation;
-        linkage.solve(coordinate, Order::Second, &mut self.position).map_err(|_| State::Absent)?;
-        let state = self.calculation.state(coordinate);
-        match self.forces.solve(&state, &self.position) {
-            Ok(()) => {}
-            // Where the balancing load does no work it is as just after.
-            Err(ForceError::IdleBalance { .. }) if !beside => {
-                let way = if state.speed < 0.0 { -1.0 } else { self.loads.speed_of_friction(&state, false) };
-                return self.powers_at(coordinate + way * BESIDE, true);
-            }
-            Err(ForceError::Jammed { .. }) => return Err(State::Dead),
-            Err(_) => return Err(State::Absent),
-        }
-        let bodies = &self.position.bodies;
-        let way = if state.speed == 0.0 {
-            self.loads.speed_of_friction(&state, false)
-        } else {
-            state.speed.signum()
+        let mut solve = |coordinate| {
+            let solved = linkage.solve(coordinate, Order::Second, &mut self.position);
+            solved.map_err(|_| State::Absent)?;
+            let state = self.calculation.state(coordinate);
+            let way = if state.speed == 0.0 {
+                self.loads.speed_of_friction(&state, false)
+            } else {
+                state.speed.signum()
+            };
+            Ok((way, self.forces.solve(&state, &self.position)))
         };
+        let (mut way, mut solved) = solve(coordinate)?;
+        if let Err(ForceError::IdleBalance { .. }) = solved {
+            // Where the balancing load does no work it is as just after.
+            (way, solved) = solve(coordinate + way * BESIDE)?;
+        }
+        solved.map_err(|error| match error {
+            ForceError::Jammed { .. } => State::Dead,
+            _ => State::Absent,
+        })?;
+        let bodies = &self.position.bodies;
         let lever = UnitBalance::of(&linkage.mechanism).map_or(1.0, |unit| unit.power(bodies));
         let mut powers = vec![self.forces.reactions.balancing * lever * way];
         if let Some(friction) = &self.forces.reactions.friction {
             let of = |pair: PairId| {
-                let bearings = friction
-                    .frictions
-                    .bearings
-                    .iter()
-                    .zip(&friction.forces)
-                    .filter(|(bearing, _)| bearing.pair == pair);
-                bearings
-                    .map(|(bearing, force)| (force * bearing.relative(bodies) * way).min(0.0))
-                    .sum::<f64>()
+                let all = friction.frictions.bearings.iter().zip(&friction.forces);
+                let own = all.filter(|(bearing, _)| bearing.pair == pair);
+                own.map(|(bearing, force)| (force * bearing.relative(bodies) * way).min(0.0)).sum::<f64>()
             };
             powers.extend(linkage.mechanism.frictions.iter().map(|friction| of(friction.pair)));
         }
         Ok(powers)
-    }
-
-    fn state(&mut self, coordinate: f64) -> State {
-        self.sample(coordinate).state
     }
 
     fn sample(&mut self, coordinate: f64) -> Sample {
@@ -250,7 +239,7 @@ impl Cycle<'_> {
         for Sample { coordinate: place, state: now, .. } in samples {
             let mut start = place;
             if let Some((last, state)) = before.filter(|(_, state)| *state != now) {
-                let [end, begin] = bisect(last, place, 0.0, |q| self.state(q) == state);
+                let [end, begin] = bisect(last, place, 0.0, |q| self.sample(q).state == state);
                 if let Some(piece) = pieces.last_mut() {
                     piece.1[1] = end;
                 }
@@ -294,14 +283,12 @@ impl Cycle<'_> {
             .filter(|ends| ends[1] > ends[0])
             .collect();
         let mut sums = vec![0.0; self.calculation.linkage.mechanism.frictions.len() + 1];
-        let mut coarse = Vec::new();
+        let mut left = Vec::new();
         for ends in pieces {
-            coarse.push((ends, self.panel(ends)?));
+            left.push((ends, self.panel(ends)?, 0));
         }
-        let size =
-            coarse.iter().flat_map(|(_, (whole, _))| whole).fold(0.0_f64, |most, work| most.max(work.abs()));
-        let accuracy = ACCURACY * size;
-        let mut left: Vec<_> = coarse.into_iter().map(|(ends, found)| (ends, found, 0)).collect();
+        let works = left.iter().flat_map(|(_, (whole, _), _)| whole);
+        let accuracy = ACCURACY * works.fold(0.0_f64, |most, work| most.max(work.abs()));
         while let Some((ends, (whole, error), depth)) = left.pop() {
             if error <= accuracy || depth >= HALVINGS {
                 sums.iter_mut().zip(whole).for_each(|(sum, work)| *sum += work);

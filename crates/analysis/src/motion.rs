@@ -37,10 +37,10 @@ impl InputMotion {
         watch: &mut Watch<'_>,
     ) -> Result<Self, AnalysisError> {
         let Some(loads) = loads else { return Ok(Self::Prescribed) };
-        let mut counter = Counter::new(&linkage.mechanism);
+        let mut progress = counter(&linkage.mechanism);
         let mut stopped = false;
         let mut watcher = |state: &State| {
-            let flow = watch(counter.progress(state));
+            let flow = watch(progress(state));
             stopped |= flow.is_break();
             flow
         };
@@ -51,7 +51,11 @@ impl InputMotion {
         }
         let found = found?;
         match found.infinite_at(&linkage.mechanism) {
-            Some(coordinate) => Err(AnalysisError::infinite(coordinate)),
+            Some(coordinate) => {
+                let message =
+                    text!("analysis-infinite", coordinate = number(format_args!("{coordinate:.6}")));
+                Err(AnalysisError::Motion { message, usage: false, key: Some(&["motion"]) })
+            }
             None => Ok(found),
         }
     }
@@ -109,30 +113,20 @@ impl InputMotion {
 }
 
 /// Converts the states in which a motion is evaluated into progress.
-struct Counter {
-    steady: bool,
-    start: f64,
-    period: Option<f64>,
-    evaluations: usize,
-}
-
-impl Counter {
-    fn new(mechanism: &Mechanism) -> Self {
-        let steady = matches!(mechanism.motion, Some(Motion::Steady { .. }));
-        Self { steady, start: mechanism.input.from, period: mechanism.input.period(), evaluations: 0 }
-    }
-
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a count that is shown: not negative, and beyond the largest number nobody counts"
-    )]
-    fn progress(&mut self, state: &State) -> Progress {
-        self.evaluations += 1;
-        if self.steady {
-            return Progress::Regime { evaluations: self.evaluations };
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a count that is shown: not negative, and beyond the largest number nobody counts"
+)]
+fn counter(mechanism: &Mechanism) -> impl FnMut(&State) -> Progress {
+    let is_steady = matches!(mechanism.motion, Some(Motion::Steady { .. }));
+    let (start, period, mut evaluations) = (mechanism.input.from, mechanism.input.period(), 0);
+    move |state| {
+        evaluations += 1;
+        if is_steady {
+            return Progress::Regime { evaluations };
         }
-        let cycles = self.period.map_or(0.0, |period| ((state.coordinate - self.start) / period).abs());
+        let cycles = period.map_or(0.0, |period| ((state.coordinate - start) / period).abs());
         Progress::Motion { time: state.time, cycles: cycles as usize }
     }
 }

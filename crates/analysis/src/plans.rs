@@ -1,5 +1,8 @@
 //! Plans of a position, reactions by cause and over the cycle, geometry of the contacts.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use crate::results::{Analysis, Column, Cycle, Owner, Part, Quantity, Schema, Survey, Table};
 use assur_diagram::{
     DiagramError, Enveloping, Hodograph, PlanSheet, Share, SignChange, Sizes, Solver, constructions,
@@ -77,9 +80,9 @@ impl Calculation {
             }
             let state = self.state(self.linkage.mechanism.input.coordinate(index));
             self.linkage.solve_index(index, Order::Second, &mut solved)?;
-            shares.add(row, &split(&self.linkage, &solved, loads, &state, instance)?.shares);
+            shares.add(index, &split(&self.linkage, &solved, loads, &state, instance)?.shares);
         }
-        shares.extend(positions);
+        positions.join(&shares.table(Schema::new(&self.linkage.mechanism)));
         analysis.cycle.hodographs = self.hodographs(positions);
         Ok(())
     }
@@ -87,9 +90,10 @@ impl Calculation {
     /// Results from the reactions of all positions, and the geometry of the contacts.
     pub(crate) fn cycle(&self, survey: &Survey) -> Cycle {
         let mechanism = &self.linkage.mechanism;
-        let closed = mechanism.input.is_cycle();
+        let input = &mechanism.input;
         let extreme = |(pair, link, sizes): &(PairId, LinkId, Sizes)| {
-            sizes.extreme(mechanism.named_pair(*pair), mechanism.named_link(*link), closed)
+            let places = (|index| input.coordinate(index), input.is_cycle());
+            sizes.extreme(mechanism.named_pair(*pair), mechanism.named_link(*link), places)
         };
         Cycle {
             reaction_extremes: survey.sizes.iter().filter_map(extreme).collect(),
@@ -173,42 +177,43 @@ fn greatest(survey: &Survey, wanted: impl Fn(PairId) -> bool) -> f64 {
     pairs.map(|(.., sizes)| sizes.greatest()).fold(0.0, f64::max)
 }
 
-/// Columns of the shares of single causes, for the reactions of a table.
+/// The shares of single causes in the reactions of some positions.
 struct Shares {
     /// Owners of the forces and moments, in the order of the reactions.
     wanted: Vec<(Column, PairId, Option<LinkId>)>,
-    rows: usize,
     causes: Vec<Name>,
-    /// By cause, whether a row has its share.
-    present: Vec<Vec<bool>>,
-    /// By cause, its columns: the wanted ones, then the balancing load.
-    columns: Vec<Vec<Vec<f64>>>,
+    /// The number of a position, and by cause its numbers: the wanted ones, then the balancing load.
+    rows: Vec<(usize, BTreeMap<usize, Vec<f64>>)>,
 }
 
 impl Shares {
     fn new(positions: &Table) -> Self {
-        let schema = positions.schema();
-        let wanted = schema.columns().iter().filter_map(|column| match (column.quantity, column.owner) {
+        let wanted = positions.schema().columns().iter();
+        let wanted = wanted.filter_map(|column| match (column.quantity, column.owner) {
             (Quantity::Force, Owner::PairOn(pair, link)) => Some((*column, pair, Some(link))),
             (Quantity::Moment, Owner::Pair(pair)) => Some((*column, pair, None)),
             _ => None,
         });
-        let (wanted, rows) = (wanted.collect(), positions.len());
-        Self { wanted, rows, causes: Vec::new(), present: Vec::new(), columns: Vec::new() }
+        Self { wanted: wanted.collect(), causes: Vec::new(), rows: Vec::new() }
     }
 
-    fn add(&mut self, row: usize, shares: &[Share]) {
-        let mut names: Vec<Name> = Vec::new();
+    fn add(&mut self, number: usize, shares: &[Share]) {
+        let mut row = BTreeMap::new();
         for share in shares {
             let mut name = Name::from(share.cause.clone());
             // A load may be called `weight` too.
-            while names.contains(&name) {
+            let cause = loop {
+                let known = self.causes.iter().position(|known| *known == name);
+                let cause = known.unwrap_or(self.causes.len());
+                if !row.contains_key(&cause) {
+                    break cause;
+                }
                 name = text!("analysis-load-named", name).into();
+            };
+            if cause == self.causes.len() {
+                self.causes.push(name);
             }
-            let cause = self.cause(&name);
-            self.present[cause][row] = true;
-            let columns = &mut self.columns[cause];
-            for (values, (column, pair, on)) in columns.iter_mut().zip(&self.wanted) {
+            let value = |(column, pair, on): &(Column, PairId, Option<LinkId>)| {
                 let mut of_pair = share.reactions.iter().filter(|reaction| reaction.joint.id == *pair);
                 let value = match on {
                     Some(on) => of_pair
@@ -216,26 +221,15 @@ impl Shares {
                         .map(|reaction| reaction.force[usize::from(column.part == Part::Y)]),
                     None => of_pair.find_map(|reaction| reaction.moment),
                 };
-                values[row] = value.unwrap_or(0.0);
-            }
-            columns[self.wanted.len()][row] = share.balancing;
-            names.push(name);
+                value.unwrap_or(0.0)
+            };
+            row.insert(cause, self.wanted.iter().map(value).chain([share.balancing]).collect());
         }
+        self.rows.push((number, row));
     }
 
-    /// The index of a cause, which is added where it is new.
-    fn cause(&mut self, name: &Name) -> usize {
-        self.causes.iter().position(|known| known == name).unwrap_or_else(|| {
-            self.causes.push(name.clone());
-            self.present.push(vec![false; self.rows]);
-            self.columns.push(vec![vec![0.0; self.rows]; self.wanted.len() + 1]);
-            self.causes.len() - 1
-        })
-    }
-
-    /// Adds the columns to the table.
-    fn extend(self, positions: &mut Table) {
-        let mut schema = Schema::clone(positions.schema());
+    /// Their columns under the schema of the positions.
+    fn table(self, mut schema: Schema) -> Table {
         schema.causes = self.causes;
         for cause in 0..schema.causes.len() {
             let section = schema.section();
@@ -243,6 +237,13 @@ impl Shares {
             let forces = self.wanted.iter().map(|(column, ..)| Column { cause: Some(cause), ..*column });
             schema.add(section, forces.chain([balancing]));
         }
-        positions.extend(schema, self.columns.into_iter().flatten().collect(), self.present);
+        let (causes, count) = (schema.causes.len(), self.wanted.len() + 1);
+        let mut table = Table::new(Arc::new(schema));
+        for (number, row) in self.rows {
+            let of = |cause| (0..count).map(move |column| (cause, column));
+            table
+                .push(number, (0..causes).flat_map(of).map(|(cause, column)| Some(row.get(&cause)?[column])));
+        }
+        table
     }
 }

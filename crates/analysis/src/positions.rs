@@ -57,7 +57,7 @@ impl Calculation {
         let samples = self.trajectory(watch)?;
         self.notable.get_or_init(|| [positions.notable.numbers(), samples.notable.numbers()]);
         let mut notes = self.notes(&positions.at_change_points, &samples.without);
-        notes.extend(self.nearly_singular(&positions.survey.worst_conditions).into_iter().map(Into::into));
+        notes.extend(self.nearly_singular(&positions.survey).into_iter().map(Into::into));
         notes.extend(self.friction_notes(&positions.several));
         if let Some(more) = positions.survey.failures.checked_sub(MOST_FAILURES).filter(|more| *more > 0) {
             notes.push(text!("analysis-more-failures", more).into());

@@ -1,6 +1,6 @@
 //! Independent checks of motions: work against energy, and a cycle repeated by steps in time.
 
-use assur_check::Check;
+use assur_check::{Check, Finding};
 use assur_dynamics::{Driven, Machine, Regime, Steady, Transient};
 use assur_integrator::{
     AUTO, EquationOfMotion, Piece, Request, Sample, Solution, State, Trajectory, Until, solve,
@@ -28,33 +28,20 @@ impl Calculation {
     /// Change of the kinetic energy against the work of all moments, by quadrature over a finer trajectory.
     pub(crate) fn work_check(&self, found: &Transient) -> Option<Check> {
         let loads = self.loads.as_ref()?;
-        let (mut check, mut widest) = (None, Text::default());
+        let mut worst = None;
         for samples in INTERVALS {
             let (mut motion, trajectory) = self.solved_again(loads, found, samples)?;
             let balance = Balance::of(&mut motion, &trajectory, samples > INTERVALS[0])?;
             let steps = (trajectory.statistics.steps + 1) as f64;
             let own = 2.0 * (self.tolerance() * steps + found.error_of_fixed_steps());
-            let worst = balance.worst(own);
-            let Worst { residual, limit, .. } = worst;
-            widest = worst.widest;
-            let made = Check::of(
-                text!("analysis-work"),
-                residual,
-                limit,
-                text!("check-input-link"),
-                text!("analysis-work.reason"),
-            );
+            let found = worst.insert(balance.worst(own));
             // The error of the quadrature is no greater than that of the motion; of more instants it is less.
-            let tells = limit <= 2.0 * (own + ROUNDING) || samples > INTERVALS[0];
-            let gains = !made.judged && widest == Worst::OF_QUADRATURE;
-            let ends = residual <= limit && tells && !gains;
-            check = Some(made);
-            if ends {
+            let tells = found.bound <= 2.0 * (own + ROUNDING) || samples > INTERVALS[0];
+            if found.error <= found.bound && tells && found.why != OF_QUADRATURE {
                 break;
             }
         }
-        let check = check?;
-        Some(if check.judged { check } else { Check { why_left_out: widest, ..check } })
+        Some(Check::of(text!("analysis-work"), text!("analysis-work.reason"), worst?))
     }
 
     /// One cycle from the state of the regime by an integrator in time: it must come back, and take the same time.
@@ -73,8 +60,8 @@ impl Calculation {
         let limits = counted(regime, [input.from, end]).map(|times| times * own + regime.effort.residual);
         let by_limit = |one: &(f64, f64), other: &(f64, f64)| (one.0 / one.1).total_cmp(&(other.0 / other.1));
         let (residual, limit) = [back, time].into_iter().zip(limits).max_by(by_limit)?;
-        let place = name(integrator.name);
-        Some(Check::of(text!("analysis-cycle"), residual, limit, place, text!("analysis-cycle.reason")))
+        let found = Finding::of(name(integrator.name), residual, limit);
+        Some(Check::of(text!("analysis-cycle"), text!("analysis-cycle.reason"), found))
     }
 }
 
@@ -113,19 +100,10 @@ struct Balance {
     between: Vec<Between>,
 }
 
-/// The residual nearest to its limit, and the reason if that proves nothing.
-#[derive(Debug, Clone)]
-struct Worst {
-    residual: f64,
-    limit: f64,
-    widest: Text,
-}
-
-impl Worst {
-    const OF_QUADRATURE: Text = text!("analysis-wide-quadrature");
-    const OF_ROUNDING: Text = text!("analysis-wide-rounding");
-    const OF_MOTION: Text = text!("analysis-wide-motion");
-}
+/// Why a residual may prove nothing: what its limit mostly consists of.
+const OF_QUADRATURE: Text = text!("analysis-wide-quadrature");
+const OF_ROUNDING: Text = text!("analysis-wide-rounding");
+const OF_MOTION: Text = text!("analysis-wide-motion");
 
 /// What the power does between two instants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -205,10 +183,10 @@ impl Balance {
     }
 
     /// The residual nearest to its limit, both as parts of the largest energy; `own`: error of the motion itself.
-    fn worst(&self, own: f64) -> Worst {
+    fn worst(&self, own: f64) -> Finding {
         let (mut work, mut error, mut size) = (0.0_f64, 0.0_f64, 0.0_f64);
         let scale = self.kinetic.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let mut worst = Worst { residual: 0.0, limit: own + ROUNDING, widest: Worst::OF_MOTION };
+        let (mut worst, mut widest) = ([0.0, own + ROUNDING], OF_MOTION);
         for start in (0..self.power.len().saturating_sub(4)).step_by(4) {
             let (fine, uncertain) = self.panel(start);
             work += fine;
@@ -218,18 +196,18 @@ impl Balance {
             let residual = (self.kinetic[start + 4] - self.kinetic[0] - work).abs() / total;
             let of_motion = own * (self.by_speed[start + 4] / total).max(1.0);
             let limit = (error + self.unresolved) / total + of_motion + ROUNDING;
-            if residual / limit >= worst.residual / worst.limit {
+            if residual / limit >= worst[0] / worst[1] {
                 let parts = [
-                    (error / total, Worst::OF_QUADRATURE),
-                    (self.unresolved / total, Worst::OF_ROUNDING),
-                    (of_motion, Worst::OF_MOTION),
+                    (error / total, OF_QUADRATURE),
+                    (self.unresolved / total, OF_ROUNDING),
+                    (of_motion, OF_MOTION),
                 ];
                 let greatest = parts.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
-                worst =
-                    Worst { residual, limit, widest: greatest.map_or_else(Text::default, |(_, why)| why) };
+                (worst, widest) = ([residual, limit], greatest.map_or_else(Text::default, |(_, why)| why));
             }
         }
-        worst
+        let found = Finding::of(text!("check-input-link"), worst[0], worst[1]);
+        if found.holds.is_none() { Finding { why: widest, ..found } } else { found }
     }
 
     /// The work over four steps by Simpson's rule, and its greatest error.

@@ -160,7 +160,7 @@ fn forces_of_a_pair_sum_to_zero() {
 fn checks_hold_and_belong_to_the_whole() {
     let study_whole = study(&text("shaper")).unwrap();
     let checks = study_whole.checks(Coverage::Sample, &mut unwatched).unwrap().all;
-    assert!(checks.len() > 5 && checks.iter().all(|check| check.ok));
+    assert!(checks.len() > 5 && checks.iter().all(|check| check.finding.holds == Some(true)));
     assert!(
         study(&(text("shaper") + "\n[output]\nlinks = [\"rocker\"]\n"))
             .unwrap()
@@ -193,8 +193,12 @@ fn residuals_belong_to_their_positions() {
             let column = Column::of(Quantity::Residual(residual), owner);
             let check = analysis.checks.iter().find(|check| check.name.to_string() == name).unwrap();
             let found = all.get(all.row_of(check.at.unwrap()).unwrap(), column).unwrap();
-            let same = found.to_bits() == check.residual.to_bits();
-            assert!(same || name.starts_with("TestPf") && found > 0.0, "{name}: {found} {}", check.residual);
+            let same = found.to_bits() == check.finding.error.to_bits();
+            assert!(
+                same || name.starts_with("TestPf") && found > 0.0,
+                "{name}: {found} {}",
+                check.finding.error
+            );
             let numbers = all.each(all.schema().find(column).unwrap()).flatten();
             assert_eq!(numbers.count(), sampled, "{name}");
         }
@@ -324,7 +328,7 @@ fn a_drive_at_rest_is_judged_at_a_bend_but_not_on_a_jump() {
         let checks = study(&scene).unwrap().checks(Coverage::Sample, &mut unwatched).unwrap().all;
         let check =
             checks.iter().find(|check| check.name.to_string() == "drive against force analysis").unwrap();
-        assert!(check.ok, "{check:?}");
+        assert!(check.finding.holds == Some(true), "{check:?}");
         check.left_out
     };
     for bend in ["[-1, 5], [0, 5], [1, 90]", "[-1, 90], [0, 5], [1, 5]"] {

@@ -7,6 +7,7 @@ use assur_number::Lanes;
 use assur_words::{Describe, Text};
 
 use crate::angles::Angles;
+use crate::edges::instant;
 use crate::filler::{Filler, Obstacle};
 use crate::motion::CYCLE_INTERVALS;
 use crate::progress::{Stopped, Watch, step};
@@ -35,8 +36,8 @@ impl WithoutForces {
         match obstacle {
             // Does not occur in a state that an integrator has reached.
             Obstacle::Unsolved(_) => {}
-            Obstacle::Forceless(ForceError::ChangePoint(_)) => self.at_change_points += 1,
-            Obstacle::Forceless(why) | Obstacle::Jammed(why, _) => {
+            Obstacle::Forceless(ForceError::ChangePoint(_), _) => self.at_change_points += 1,
+            Obstacle::Forceless(why, _) => {
                 self.refused += 1;
                 self.reason.get_or_insert_with(|| why.describe());
             }
@@ -62,7 +63,7 @@ impl Calculation {
                     let state = self.state(input.from + cycle * (f64::from(i) / f64::from(CYCLE_INTERVALS)));
                     // The end of the cycle is its start, one cycle later.
                     let time = if i == CYCLE_INTERVALS { end } else { state.time };
-                    Instant { state: LoadState { time, ..state }, holding: None, friction: 0.0 }
+                    instant(LoadState { time, ..state })
                 });
                 each.collect()
             }

@@ -164,10 +164,10 @@ fn turn(mechanism: &mut Mechanism) {
 fn failing(calculation: &Calculation) -> Vec<String> {
     let checks = calculation.checks(Coverage::Sample, &mut unwatched).expect("nobody stops them").all;
     assert!(checks.len() > 8, "only {} checks", checks.len());
-    let failed = checks.iter().filter(|check| check.failed());
+    let failed = checks.iter().filter(|check| check.finding.failed());
     let words = failed.map(|check| {
-        let (name, residual, limit) = (&check.name, check.residual, check.limit);
-        format!("{name} {residual:.1e}/{limit:.1e} {:?} {}", check.at, check.place)
+        let (name, residual, limit) = (&check.name, check.finding.error, check.finding.bound);
+        format!("{name} {residual:.1e}/{limit:.1e} {:?} {}", check.at, check.finding.place)
     });
     words.collect()
 }

@@ -1,6 +1,6 @@
 //! A quantity over its own coordinates.
 
-use assur_analysis::results::{Column, Edges, Table, Turn};
+use assur_analysis::results::{Column, Edges, Statistic, Table, Turn};
 
 /// A value this small compared with the greatest one of its course counts as zero.
 const ROUNDING: f64 = 1e-14;
@@ -41,21 +41,6 @@ pub struct Jump {
     pub at: f64,
     /// The values just before and just after it, SI.
     pub values: [f64; 2],
-}
-
-/// The values at the positions in a few numbers; of equal extremes the first.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Summary {
-    /// The greatest value.
-    pub greatest: Node,
-    /// The least value.
-    pub least: Node,
-    /// The value of greatest modulus.
-    pub farthest: Node,
-    /// Mean over the positions.
-    pub mean: f64,
-    /// Root of the mean square over the positions.
-    pub rms: f64,
 }
 
 impl Course {
@@ -240,27 +225,9 @@ impl Course {
 
     /// The highest and the lowest point of the line, coordinate and value, the first of equal ones; `None` where nothing is drawn.
     pub fn highest_and_lowest(&self) -> Option<[[f64; 2]; 2]> {
-        let known = || self.line.iter().copied().filter(|at| !at[1].is_nan());
-        let highest = known().reduce(|best, next| if next[1] > best[1] { next } else { best })?;
-        let lowest = known().reduce(|best, next| if next[1] < best[1] { next } else { best })?;
-        Some([highest, lowest])
-    }
-
-    /// Extremes and means over the positions; `None` where no position has a value.
-    pub fn summary(&self) -> Option<Summary> {
-        let extreme = |better: &dyn Fn(f64, f64) -> bool| {
-            let take = |best: Node, next: &Node| if better(next.value, best.value) { *next } else { best };
-            Some(self.nodes.iter().skip(1).fold(*self.nodes.first()?, take))
-        };
-        let count = self.nodes.len() as f64;
-        let sum = |of: fn(f64) -> f64| self.nodes.iter().map(|node| of(node.value)).sum::<f64>() / count;
-        Some(Summary {
-            greatest: extreme(&|next, best| next > best)?,
-            least: extreme(&|next, best| next < best)?,
-            farthest: extreme(&|next, best| next.abs() > best.abs())?,
-            mean: sum(|value| value),
-            rms: sum(|value| value * value).sqrt(),
-        })
+        let known = self.line.iter().enumerate().filter(|(_, at)| !at[1].is_nan());
+        let found: Statistic = known.map(|(place, at)| (place, at[1])).collect();
+        Some([found.greatest()?, found.least()?].map(|extreme| self.line[extreme.number]))
     }
 }
 

@@ -12,7 +12,7 @@ mod number;
 mod peaks;
 mod table;
 
-pub use course::{Course, Jump, Node, Summary};
+pub use course::{Course, Jump, Node};
 pub use document::{Block, Document, Fact, Term, Value, link_name};
 pub use number::{Digits, Unit};
 pub use peaks::{Range, peaks, range};

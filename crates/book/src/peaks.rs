@@ -1,7 +1,9 @@
 //! Values of greatest modulus over the positions and between them.
 
 use assur_analysis::Calculation;
-use assur_analysis::results::{Column, Edges, Owner, Part, Peaks, Quantity, Schema, Table, Turn};
+use assur_analysis::results::{
+    Column, Edges, Extreme, Owner, Part, Peaks, Quantity, Schema, Statistic, Table, Turn,
+};
 use assur_kinematics::continuous_angle;
 use assur_mechanism::GROUND;
 
@@ -9,8 +11,6 @@ use crate::Course;
 
 /// Extremes of a curve that are not farther from the greatest one than this part of it may be the greatest.
 const NEAR: f64 = 0.02;
-/// Relative difference below which two extremes are equal, and the first of them is reported.
-const TIE: f64 = 1e-9;
 
 /// The greatest values of a calculation, found between its positions too; `edges`: what lies between them.
 pub fn peaks(calculation: &Calculation, positions: &Table, edges: &Edges) -> Peaks {
@@ -60,24 +60,22 @@ fn farthest(
     course: &Course,
     read: &dyn Fn(&Table, usize) -> Option<f64>,
 ) -> Option<Turn> {
-    most(calculation, course, read, f64::abs)
+    most(calculation, course, read, Statistic::farthest)
 }
 
-/// The value that is most by a measure; of a constant its first one.
+/// One of the extremes of a course, found between its places too; of a constant its first value.
 fn most(
     calculation: &Calculation,
     course: &Course,
     read: &dyn Fn(&Table, usize) -> Option<f64>,
-    measure: fn(f64) -> f64,
+    pick: fn(&Statistic) -> Option<Extreme>,
 ) -> Option<Turn> {
-    let (turns, size) = (course.turns(), course.size());
-    let most = turns.iter().map(|turn| measure(turn.value)).fold(f64::NEG_INFINITY, f64::max);
-    let least = most - NEAR * size.max(most.abs());
-    let near: Vec<Turn> = turns.into_iter().filter(|turn| measure(turn.value) >= least).collect();
-    let greater = |best: Turn, next: Turn| {
-        if measure(next.value) > measure(best.value) + TIE * best.value.abs() { next } else { best }
-    };
-    let found = calculation.refined(&near, read).into_iter().reduce(greater);
+    let turns = course.turns();
+    let best = pick(&Turn::statistic(&turns)).map_or(0.0, |best| best.value.abs());
+    let far = NEAR * course.size().max(best);
+    let near: Vec<Turn> = turns.into_iter().filter(|turn| (turn.value.abs() - best).abs() <= far).collect();
+    let found = calculation.refined(&near, read);
+    let found = pick(&Turn::statistic(&found)).map(|best| found[best.number]);
     let first = || course.nodes().first().map(|node| Turn::at(node.at, node.value));
     found.or_else(first)
 }
@@ -103,8 +101,8 @@ pub fn range(calculation: &Calculation, course: &Course, column: Column) -> Opti
         }
         Some(continuous_angle(value, course.between(table.get(row, Column::COORDINATE)?)?))
     };
-    let greatest = most(calculation, course, &read, |value| value)?;
-    let least = most(calculation, course, &read, |value| -value)?;
+    let greatest = most(calculation, course, &read, Statistic::greatest)?;
+    let least = most(calculation, course, &read, Statistic::least)?;
     Some(Range { greatest, least, means: means(calculation, course, &read) })
 }
 

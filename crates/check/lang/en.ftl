@@ -45,3 +45,6 @@ check-load-on = { $load } on { $link }
 check-all-loads = all loads
 check-all-links = all links
 check-input-link = input link
+check-ok = ok
+check-failed = FAILED
+check-not-judged = not judged

@@ -45,3 +45,6 @@ check-load-on = { $load } на звене { $link }
 check-all-loads = все нагрузки
 check-all-links = все звенья
 check-input-link = входное звено
+check-ok = выполнено
+check-failed = НЕ ВЫПОЛНЕНО
+check-not-judged = не оценено

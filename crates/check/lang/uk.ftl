@@ -45,3 +45,6 @@ check-load-on = { $load } на ланці { $link }
 check-all-loads = усі навантаження
 check-all-links = усі ланки
 check-input-link = вхідна ланка
+check-ok = виконано
+check-failed = НЕ ВИКОНАНО
+check-not-judged = не оцінено

@@ -4,94 +4,107 @@ use assur_number::greater;
 use assur_words::{Text, text};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
+/// How far a number is from what it must equal, and what that proves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// Pair, link, group or point.
+    pub place: Text,
+    /// The deviation, relative to what is compared; NaN where there is no number.
+    pub error: f64,
+    /// The greatest error that rounding, or the method, may make.
+    pub bound: f64,
+    /// Whether the error keeps its bound; `None` where that is not judged.
+    pub holds: Option<bool>,
+    /// Why it is not judged, or not everywhere; or more about a failure.
+    pub why: Text,
+}
+
+impl Finding {
+    /// Nothing is found yet.
+    pub fn within(place: Text, bound: f64) -> Self {
+        Self { place, error: f64::NAN, bound, holds: None, why: Text::default() }
+    }
+
+    /// One number. With a bound as large as what is compared only an error that exceeds it is conclusive.
+    pub fn of(place: Text, error: f64, bound: f64) -> Self {
+        // The comparison is written so that NaN fails.
+        let holds = error <= bound;
+        if holds && bound > JUDGES {
+            return Self { error, why: LIMIT_TOO_WIDE, ..Self::within(place, bound) };
+        }
+        Self { error, holds: Some(holds), ..Self::within(place, bound) }
+    }
+
+    /// Whether the error exceeds its bound, or there is no number where there must be one.
+    pub fn failed(&self) -> bool {
+        self.holds == Some(false)
+    }
+
+    /// The error, where it is a number.
+    pub fn number(&self) -> Option<f64> {
+        Some(self.error).filter(|error| error.is_finite())
+    }
+}
+
+/// What was found, in a word.
+pub fn verdict(holds: Option<bool>) -> Text {
+    match holds {
+        Some(true) => text!("check-ok"),
+        Some(false) => text!("check-failed"),
+        None => text!("check-not-judged"),
+    }
+}
+
 /// One check over all positions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
     /// Name, by a stable identity.
     pub name: Text,
-    /// The residual that comes closest to its limit, or exceeds it most. Dimensionless.
-    pub residual: f64,
-    /// Its limit.
-    pub limit: f64,
-    /// Number of the position of this residual; absent where it belongs to none.
+    /// What comes closest to its bound, or exceeds it most. It is judged if an error exceeds its bound, or if at least one position
+    /// could be checked in full; its reason is that of the first position that could not.
+    pub finding: Finding,
+    /// Number of the position of the finding; absent where it belongs to none.
     pub at: Option<usize>,
-    /// Pair, link or point of this residual.
-    pub place: Text,
     /// What is compared, and where the limit comes from.
     pub reason: Text,
     /// Where not all positions (samples of a motion) were checked: how many were, and out of how many.
     pub sample: Option<[usize; 2]>,
     /// Positions that could not be checked, or not in full (too close to the limit of assembly, or singular).
     pub left_out: usize,
-    /// The reason for the first of them; empty where all were checked.
-    pub why_left_out: Text,
-    /// Whether the check is conclusive: a residual exceeds its limit, or at least one position could be checked in
-    /// full. Otherwise it is neither [`ok`](Self::ok) nor [`failed`](Self::failed).
-    pub judged: bool,
-    /// Whether the check is conclusive, and every residual that could be checked keeps its limit.
-    pub ok: bool,
 }
 
 impl Check {
-    /// A check of one number that belongs to no position; residual and limit relative to the compared quantity. With a
-    /// limit as large as that quantity only a residual that exceeds it is conclusive.
-    pub fn of(name: Text, residual: f64, limit: f64, place: Text, reason: Text) -> Self {
-        let proves_nothing = residual <= limit && limit > JUDGES;
-        Self {
-            name,
-            residual,
-            limit,
-            at: None,
-            place,
-            reason,
-            sample: None,
-            left_out: 0,
-            why_left_out: if proves_nothing { LIMIT_TOO_WIDE } else { Text::default() },
-            judged: !proves_nothing,
-            ok: residual <= limit && !proves_nothing,
-        }
-    }
-
-    fn show(&mut self, Residual { size, limit, at, place }: Residual) {
-        (self.residual, self.limit, self.at, self.place) = (size, limit, Some(at), place);
-    }
-
-    /// Whether every residual keeps its limit; `None` where the check is not conclusive, and
-    /// [`why_left_out`](Self::why_left_out) says why.
-    pub fn verdict(&self) -> Option<bool> {
-        self.judged.then_some(self.ok)
-    }
-
-    /// Whether a residual exceeds its limit. A check that could check no position does not fail.
-    pub fn failed(&self) -> bool {
-        self.judged && !self.ok
+    /// A check of one number that belongs to no position.
+    pub fn of(name: Text, reason: Text, finding: Finding) -> Self {
+        Self { name, finding, at: None, reason, sample: None, left_out: 0 }
     }
 }
 
 impl Serialize for Check {
     /// As results show it: `ok` is null where the check is not conclusive, and `why` says why it is not.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Finding { place, error, bound, holds, why } = &self.finding;
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("name", &self.name)?;
-        map.serialize_entry("residual", &self.residual)?;
-        map.serialize_entry("limit", &self.limit)?;
+        map.serialize_entry("residual", error)?;
+        map.serialize_entry("limit", bound)?;
         if let Some(at) = self.at {
             map.serialize_entry("at", &at)?;
         }
-        if !self.place.is_empty() {
-            map.serialize_entry("place", &self.place)?;
+        if !place.is_empty() {
+            map.serialize_entry("place", place)?;
         }
         map.serialize_entry("reason", &self.reason)?;
         if let Some(sample) = self.sample {
             map.serialize_entry("sample", &sample)?;
         }
         map.serialize_entry("left_out", &self.left_out)?;
-        if !self.why_left_out.is_empty() {
-            map.serialize_entry("why_left_out", &self.why_left_out)?;
+        if !why.is_empty() {
+            map.serialize_entry("why_left_out", why)?;
         }
-        map.serialize_entry("judged", &self.judged)?;
-        map.serialize_entry("ok", &self.verdict())?;
-        map.serialize_entry("why", &(!self.judged).then_some(&self.why_left_out))?;
+        map.serialize_entry("judged", &holds.is_some())?;
+        map.serialize_entry("ok", holds)?;
+        map.serialize_entry("why", &holds.is_none().then_some(why))?;
         map.end()
     }
 }
@@ -111,15 +124,6 @@ fn share(residual: f64, limit: f64) -> f64 {
     if share.is_nan() { f64::INFINITY } else { share }
 }
 
-/// One residual with its limit and its place.
-#[derive(Debug)]
-struct Residual {
-    size: f64,
-    limit: f64,
-    at: usize,
-    place: Text,
-}
-
 /// Collects the residuals of one check.
 #[derive(Debug)]
 pub(crate) struct Collector {
@@ -129,12 +133,12 @@ pub(crate) struct Collector {
     last: [Option<usize>; 2],
     positions: usize,
     /// The position with the widest limit of all that could not be checked.
-    widest: Option<Residual>,
+    widest: Option<(usize, Finding)>,
 }
 
 impl Collector {
     pub(crate) fn new(name: Text, reason: Text) -> Self {
-        let check = Check::of(name, 0.0, 0.0, Text::default(), reason);
+        let check = Check::of(name, reason, Finding::of(Text::default(), 0.0, 0.0));
         Self { check, offers: 0, last: [None; 2], positions: 0, widest: None }
     }
 
@@ -158,46 +162,48 @@ impl Collector {
         let holds = residual <= limit;
         if holds && limit > JUDGES * size {
             self.leave_out(at, TOO_WIDE);
-            if self.widest.as_ref().is_none_or(|widest| limit > widest.limit) {
-                self.widest = Some(Residual { size: residual, limit, at, place: place() });
+            if self.widest.as_ref().is_none_or(|(_, widest)| limit > widest.bound) {
+                self.widest = Some((at, Finding { error: residual, ..Finding::within(place(), limit) }));
             }
             return;
         }
         self.enter(at);
         if self.is_worse(residual, limit, holds) {
-            self.set(Residual { size: residual, limit, at, place: place() }, holds);
+            self.set(at, Finding { error: residual, holds: Some(holds), ..Finding::within(place(), limit) });
         }
         self.offers += 1;
     }
 
     /// Whether a residual is nearer to its limit, or exceeds it more, than all that were offered.
     fn is_worse(&self, residual: f64, limit: f64, holds: bool) -> bool {
-        match (self.check.ok, holds) {
-            (true, false) => true,
-            (false, true) => false,
-            _ => self.offers == 0 || share(residual, limit) > share(self.check.residual, self.check.limit),
+        let worst = &self.check.finding;
+        match (worst.failed(), holds) {
+            (false, false) => true,
+            (true, true) => false,
+            _ => self.offers == 0 || share(residual, limit) > share(worst.error, worst.bound),
         }
     }
 
-    fn set(&mut self, worst: Residual, holds: bool) {
-        self.check.ok &= holds;
-        self.check.show(worst);
+    /// Shows another finding; the reason of the first position that could not be checked stays.
+    fn set(&mut self, at: usize, worst: Finding) {
+        let why = std::mem::take(&mut self.check.finding.why);
+        (self.check.at, self.check.finding) = (Some(at), Finding { why, ..worst });
     }
 
     /// Adds what was collected over the positions after these.
     pub(crate) fn append(&mut self, next: Self) {
         let Self { check, offers, positions, widest, .. } = next;
         self.check.left_out += check.left_out;
-        if self.check.why_left_out.is_empty() {
-            self.check.why_left_out = check.why_left_out;
+        if self.check.finding.why.is_empty() {
+            self.check.finding.why.clone_from(&check.finding.why);
         }
-        let Check { residual, limit, at, place, ok, .. } = check;
-        if let Some(at) = at.filter(|_| self.is_worse(residual, limit, ok)) {
-            self.set(Residual { size: residual, limit, at, place }, ok);
+        let Finding { error, bound, .. } = check.finding;
+        if let Some(at) = check.at.filter(|_| self.is_worse(error, bound, !check.finding.failed())) {
+            self.set(at, check.finding);
         }
         self.offers += offers;
         self.positions += positions;
-        let limit = |of: &Option<Residual>| of.as_ref().map(|residual| residual.limit);
+        let limit = |of: &Option<(usize, Finding)>| of.as_ref().map(|(_, widest)| widest.bound);
         if limit(&widest) > limit(&self.widest) {
             self.widest = widest;
         }
@@ -219,23 +225,24 @@ impl Collector {
         }
         self.last[1] = Some(at);
         self.check.left_out += 1;
-        if self.check.why_left_out.is_empty() {
-            self.check.why_left_out = why;
+        if self.check.finding.why.is_empty() {
+            self.check.finding.why = why;
         }
     }
 
     /// The check, if it applied to any position.
-    pub(crate) fn into_check(self) -> Option<Check> {
-        let Self { mut check, positions, widest, .. } = self;
-        if positions == 0 {
+    pub(crate) fn into_check(mut self) -> Option<Check> {
+        if self.positions == 0 {
             return None;
         }
-        check.judged = !check.ok || positions > check.left_out;
-        check.ok &= check.judged;
-        if let Some(widest) = widest.filter(|_| !check.judged) {
-            check.show(widest);
+        let is_judged = self.check.finding.failed() || self.positions > self.check.left_out;
+        if !is_judged {
+            self.check.finding.holds = None;
+            if let Some((at, widest)) = self.widest.take() {
+                self.set(at, widest);
+            }
         }
-        Some(check)
+        Some(self.check)
     }
 }
 

@@ -29,10 +29,8 @@ mod written;
 
 assur_words::resources!();
 
-pub use check::Check;
-pub use check::{ForceResiduals, Residuals};
-pub use coverage::Notable;
-pub use coverage::{Chosen, Coverage, SAMPLE};
+pub use check::{Check, Finding, ForceResiduals, Residuals, verdict};
+pub use coverage::{Chosen, Coverage, Notable, SAMPLE};
 pub use run::checks;
 pub use subject::{InputLoad, Subject, methods};
 

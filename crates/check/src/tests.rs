@@ -1,7 +1,7 @@
 use assur_all as _;
 use assur_kinematics::Linkage;
 
-use crate::{Check, checks};
+use crate::{Check, checks, verdict};
 
 mod coverage;
 mod differences;
@@ -20,19 +20,18 @@ mod units;
 /// The report of a failure.
 fn show(all: &[Check]) -> String {
     let line = |c: &Check| {
-        let verdict = match (c.ok, c.judged) {
-            (true, _) => "ok",
-            (false, true) => "FAILED",
-            (false, false) => "not judged",
-        };
+        let verdict = verdict(c.finding.holds);
         let at = c.at;
-        format!("{:26} {:10.3e} {:10.3e} {at:?} {} {verdict}", c.name, c.residual, c.limit, c.place)
+        format!(
+            "{:26} {:10.3e} {:10.3e} {at:?} {} {verdict}",
+            c.name, c.finding.error, c.finding.bound, c.finding.place
+        )
     };
     all.iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
 fn hold(all: &[Check]) -> bool {
-    all.iter().all(|check| check.ok)
+    all.iter().all(|check| check.finding.holds == Some(true))
 }
 
 fn scene(text: &str) -> Linkage {

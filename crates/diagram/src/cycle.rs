@@ -1,6 +1,7 @@
 //! A reaction over the cycle: its polar diagram, its greatest value and root mean square.
 
 use assur_mechanism::{LinkId, Named, PairId};
+use assur_number::{Extreme, Statistic};
 use serde::Serialize;
 
 use crate::plan::length;
@@ -37,16 +38,10 @@ pub struct Hodograph {
     pub closed: bool,
 }
 
-/// Relative difference below which moduli count as equal.
-const TIE: f64 = 1e-9;
-
 /// The size of one reaction as its positions are added, in their order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Sizes {
-    /// Moduli that are greater than all before them and near the greatest: size, position, coordinate.
-    records: Vec<(f64, usize, f64)>,
-    count: usize,
-    sum_of_squares: f64,
+    modulus: Statistic,
     /// Integral of the square over the coordinate, by trapezoids.
     integral: f64,
     first: f64,
@@ -59,40 +54,34 @@ impl Sizes {
     pub fn add(&mut self, index: usize, coordinate: f64, force: [f64; 2]) {
         let size = length(force);
         let square = size * size;
-        let greatest = self.greatest();
-        if self.count == 0 || size > greatest {
-            self.records.retain(|record| record.0 >= size * (1.0 - TIE));
-            self.records.push((size, index, coordinate));
-        }
-        if self.count == 0 {
+        if self.modulus.is_empty() {
             self.first = coordinate;
         } else {
             self.integral += 0.5 * (self.last[1] + square) * (coordinate - self.last[0]);
         }
-        self.sum_of_squares += square;
         self.last = [coordinate, square];
-        self.count += 1;
+        self.modulus.push(index, size);
     }
 
     /// The greatest modulus, N.
     pub fn greatest(&self) -> f64 {
-        self.records.last().map_or(0.0, |record| record.0)
+        self.modulus.greatest().map_or(0.0, |greatest| greatest.value)
     }
 
-    /// Greatest modulus, the first position that has it, and root mean square; `None` without positions. `closed`:
-    /// whether the positions make a whole cycle.
+    /// Greatest modulus, the first position that has it, and root mean square; `None` without positions. `input`: the coordinate of
+    /// a position by its number, and whether the positions make a whole cycle.
     ///
     /// Over a whole cycle of equal steps the mean of the squares is the arithmetic one; over a range it is by
     /// trapezoids.
-    pub fn extreme(&self, joint: Named<PairId>, on: Named<LinkId>, closed: bool) -> Option<ReactionExtreme> {
-        // A cycle often has two equal maxima; rounding must not decide between them.
-        let (_, index, coordinate) = *self.records.first()?;
+    pub fn extreme(
+        &self,
+        joint: Named<PairId>,
+        on: Named<LinkId>,
+        (coordinate, closed): (impl Fn(usize) -> f64, bool),
+    ) -> Option<ReactionExtreme> {
+        let Extreme { value: greatest, number: index } = self.modulus.greatest()?;
         let range = self.last[0] - self.first;
-        let mean = if closed || range == 0.0 {
-            self.sum_of_squares / self.count as f64
-        } else {
-            self.integral / range
-        };
-        Some(ReactionExtreme { joint, on, greatest: self.greatest(), index, coordinate, rms: mean.sqrt() })
+        let rms = if closed || range == 0.0 { self.modulus.rms()? } else { (self.integral / range).sqrt() };
+        Some(ReactionExtreme { joint, on, greatest, index, coordinate: coordinate(index), rms })
     }
 }

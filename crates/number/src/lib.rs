@@ -3,7 +3,8 @@
 //! A formula is written once, over [`Real`]: `f64` is the usual number, `f32` shows the effect of single precision,
 //! [`Dd`] (about 32 digits) gives references for the accuracy charts, [`Lanes`] computes several positions of the
 //! mechanism at once, and [`Intervals`] enclose a quantity between positions. [`search`] has bisection, bracketed roots and golden
-//! sections along one variable, and [`panel`] what a function on an interval is approximated by.
+//! sections along one variable, and [`panel`] what a function on an interval is approximated by. A [`Statistic`] gathers extremes and
+//! means.
 
 mod dd;
 mod intervals;
@@ -12,11 +13,13 @@ pub mod panel;
 mod real;
 pub mod search;
 mod sine;
+mod statistic;
 
 pub use dd::Dd;
 pub use intervals::Intervals;
 pub use lanes::Lanes;
 pub use real::Real;
+pub use statistic::{Extreme, Statistic};
 
 /// The greater of two numbers; NaN if one is, so that a number without a value is not hidden by others.
 pub fn greater(a: f64, b: f64) -> f64 {

@@ -1,4 +1,5 @@
 mod search;
+mod statistic;
 
 use proptest::prelude::*;
 

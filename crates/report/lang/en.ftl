@@ -337,9 +337,6 @@ report-enveloping-text = Path of the lowest point of the arc from { $from } to {
 report-notes = Notes
 report-failures = Positions without a solution
 report-checks = Checks
-report-check-ok = ok
-report-check-failed = FAILED
-report-check-not-judged = not judged
 report-checked-in = checked in { $checked } of { $of }: { $checks }
 report-not-judged-in = not judged in { $count ->
         [one] { $count } position

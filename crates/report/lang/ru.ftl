@@ -341,9 +341,6 @@ report-enveloping-text = Траектория нижней точки дуги �
 report-notes = Примечания
 report-failures = Положения без решения
 report-checks = Проверки
-report-check-ok = выполнено
-report-check-failed = НЕ ВЫПОЛНЕНО
-report-check-not-judged = не оценено
 report-checked-in = проверено в { $checked } из { $of }: { $checks }
 report-not-judged-in = не оценено в { $count ->
         [one] { $count } положении

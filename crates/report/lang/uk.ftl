@@ -341,9 +341,6 @@ report-enveloping-text = Траєкторія найнижчої точки ду
 report-notes = Примітки
 report-failures = Положення без розв'язку
 report-checks = Перевірки
-report-check-ok = виконано
-report-check-failed = НЕ ВИКОНАНО
-report-check-not-judged = не оцінено
 report-checked-in = перевірено в { $checked } з { $of }: { $checks }
 report-not-judged-in = не оцінено в { $count ->
         [one] { $count } положенні

@@ -70,7 +70,7 @@ fn analysis(angle: f64) -> Analysis {
             pairs: 1,
             groups: Vec::new(),
         },
-        survey: Survey::of(&positions),
+        survey: Survey::over(&positions),
         starts: Starts::default(),
         peaks: Peaks::default(),
         positions,

@@ -57,8 +57,10 @@ fn a_group_that_is_found_by_iteration_keeps_its_bounds_and_margins() {
     assert!(found.is_ok(), "{}", found.text(Language::english()));
     assert_eq!(found.groups.len(), 1);
     for distance in DISTANCES {
-        let rows =
-            found.rows.iter().filter(|row| row.distance.total_cmp(&distance).is_eq() && row.error.is_some());
+        let rows = found
+            .rows
+            .iter()
+            .filter(|row| row.distance.total_cmp(&distance).is_eq() && row.finding.number().is_some());
         assert!(rows.count() >= 4, "{distance}: {}", found.text(Language::english()));
     }
     // The crank turns fully while 4 + 1 <= rod + 3 (Grashof).

@@ -34,7 +34,6 @@ mod points;
 mod positions;
 mod reach;
 mod rows;
-mod statistics;
 mod sweep;
 mod variants;
 mod vary;

@@ -4,13 +4,13 @@ use assur_analysis::results::FrictionCycle;
 use assur_dynamics::{Instant, Steady};
 use assur_geometry::{Extremes, PartCourses};
 use assur_mechanism::{Input, PairId};
+use assur_number::{Extreme, Statistic};
 use assur_shaking::Size;
 use assur_words::{Describe, Text, list, name as words, text};
 
 use crate::SweepError;
 use crate::between::{acceleration, shaking, speed, stroke, time_ratio, transfer};
 use crate::layout::{Layout, Sought};
-use crate::statistics::Statistics;
 
 /// What is found only where a measure needs it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,22 +70,22 @@ pub const MEASURES: &[Measure] = &[
 #[derive(Debug)]
 pub(crate) struct Measured {
     /// Least determinant of all groups.
-    pub(crate) health: Statistics,
+    pub(crate) health: Statistic,
     /// Least transmission angle of all groups.
-    pub(crate) transmission: Statistics,
-    pub(crate) balancing: Statistics,
+    pub(crate) transmission: Statistic,
+    pub(crate) balancing: Statistic,
     /// Modulus of the balancing load.
-    pub(crate) load: Statistics,
+    pub(crate) load: Statistic,
     /// Of each joint: square of the greatest force on one of its links.
-    pub(crate) forces: Vec<Statistics>,
+    pub(crate) forces: Vec<Statistic>,
     /// Of each joint: modulus of its moment.
-    pub(crate) moments: Vec<Statistics>,
-    pub(crate) points: Vec<[Statistics; 2]>,
+    pub(crate) moments: Vec<Statistic>,
+    pub(crate) points: Vec<[Statistic; 2]>,
     /// The distances of points from places between positions; empty where the cycle has a part without a solution.
     pub(crate) distances: Vec<Extremes>,
-    pub(crate) slides: Vec<Statistics>,
+    pub(crate) slides: Vec<Statistic>,
     /// Angles of links.
-    pub(crate) links: Vec<Statistics>,
+    pub(crate) links: Vec<Statistic>,
     /// The input, which gives the coordinates of the positions.
     pub(crate) input: Option<Input>,
     /// The last state of a transient motion.
@@ -102,28 +102,22 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    /// Coordinate of the position of a number, rad or m.
-    fn coordinate(&self, of: &Statistics, position: fn(&Statistics) -> f64) -> Option<f64> {
-        let input = self.input.as_ref().filter(|_| of.is_known())?;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "the number of a position"
-        )]
-        Some(input.coordinate(position(of) as usize))
+    /// Coordinate of an extreme, rad or m.
+    fn coordinate(&self, extreme: Option<Extreme>) -> Option<f64> {
+        Some(self.input.as_ref()?.coordinate(extreme?.number))
     }
 
     /// Memory for what is measured.
     pub(crate) fn new(layout: &Layout) -> Self {
-        let many = |count: usize| vec![Statistics::NONE; count];
+        let many = |count: usize| vec![Statistic::default(); count];
         Self {
-            health: Statistics::NONE,
-            transmission: Statistics::NONE,
-            balancing: Statistics::NONE,
-            load: Statistics::NONE,
+            health: Statistic::default(),
+            transmission: Statistic::default(),
+            balancing: Statistic::default(),
+            load: Statistic::default(),
             forces: many(layout.joints.len()),
             moments: many(layout.joints.len()),
-            points: vec![[Statistics::NONE; 2]; layout.points.len()],
+            points: vec![[Statistic::default(); 2]; layout.points.len()],
             distances: Vec::new(),
             slides: many(layout.slides.len()),
             links: many(layout.links.len()),
@@ -140,19 +134,19 @@ impl Measured {
     /// Forgets what belongs to the positions whatever the loads.
     pub(crate) fn clear_positions(&mut self) {
         let Self { health, transmission, points, distances, slides, links, input, courses, .. } = self;
-        (*health, *transmission, *input, *courses) = (Statistics::NONE, Statistics::NONE, None, None);
-        points.fill([Statistics::NONE; 2]);
+        (*health, *transmission, *input, *courses) = (Statistic::default(), Statistic::default(), None, None);
+        points.fill([Statistic::default(); 2]);
         distances.clear();
-        slides.fill(Statistics::NONE);
-        links.fill(Statistics::NONE);
+        slides.fill(Statistic::default());
+        links.fill(Statistic::default());
     }
 
     /// Forgets what belongs to loads and motion.
     pub(crate) fn clear_forces(&mut self) {
         let Self { balancing, load, forces, moments, last, steady, shaking, friction, .. } = self;
-        (*balancing, *load) = (Statistics::NONE, Statistics::NONE);
-        forces.fill(Statistics::NONE);
-        moments.fill(Statistics::NONE);
+        (*balancing, *load) = (Statistic::default(), Statistic::default());
+        forces.fill(Statistic::default());
+        moments.fill(Statistic::default());
         (*last, *steady, *shaking, *friction) = (None, None, None, None);
     }
 }
@@ -233,44 +227,43 @@ impl Sink<'_> {
             }
         }
     }
+}
 
-    /// The statistic of a quantity that was found at some position.
-    fn of(&mut self, from: &Statistics, value: fn(&Statistics) -> f64, name: impl FnOnce() -> String) {
-        self.put(from.is_known().then(|| value(from)), name);
-    }
+fn value(extreme: Option<Extreme>) -> Option<f64> {
+    extreme.map(|extreme| extreme.value)
 }
 
 fn health(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.groups {
-        sink.of(&found.health, Statistics::least, || "smallest_health".to_owned());
+        sink.put(value(found.health.least()), || "smallest_health".to_owned());
         let name = || format!("smallest_health_at_{}", layout.units.coordinate);
-        sink.put(found.coordinate(&found.health, Statistics::at_least), name);
+        sink.put(found.coordinate(found.health.least()), name);
     }
 }
 
 fn transmission(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.groups {
         let name = || "least_transmission_angle_rad".to_owned();
-        sink.of(&found.transmission, Statistics::least, name);
+        sink.put(value(found.transmission.least()), name);
         let name = || format!("least_transmission_angle_at_{}", layout.units.coordinate);
-        sink.put(found.coordinate(&found.transmission, Statistics::at_least), name);
+        sink.put(found.coordinate(found.transmission.least()), name);
     }
 }
 
 fn balancing(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.balancing {
         let unit = layout.units.balancing;
-        sink.of(&found.load, Statistics::greatest, || format!("balancing_greatest_{unit}"));
+        sink.put(value(found.load.greatest()), || format!("balancing_greatest_{unit}"));
         let name = || format!("balancing_greatest_at_{}", layout.units.coordinate);
-        sink.put(found.coordinate(&found.load, Statistics::at_greatest), name);
-        sink.of(&found.balancing, Statistics::mean, || format!("balancing_mean_{unit}"));
-        sink.of(&found.load, Statistics::mean, || format!("balancing_mean_modulus_{unit}"));
+        sink.put(found.coordinate(found.load.greatest()), name);
+        sink.put(found.balancing.mean(), || format!("balancing_mean_{unit}"));
+        sink.put(found.load.mean(), || format!("balancing_mean_modulus_{unit}"));
     }
 }
 
 fn balancing_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.balancing {
-        sink.of(&found.balancing, Statistics::rms, || format!("balancing_rms_{}", layout.units.balancing));
+        sink.put(found.balancing.rms(), || format!("balancing_rms_{}", layout.units.balancing));
     }
 }
 
@@ -278,9 +271,9 @@ fn reactions(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
     for ((joint, force), moment) in each.filter(|((joint, _), _)| joint.reached) {
         let name = &joint.name;
-        sink.of(force, |square| square.greatest().sqrt(), || format!("reaction_{name}_greatest_N"));
+        sink.put(value(force.greatest()).map(f64::sqrt), || format!("reaction_{name}_greatest_N"));
         if matches!(joint.id.id, PairId::Slide(_)) {
-            sink.of(moment, Statistics::greatest, || format!("reaction_{name}_moment_greatest_Nm"));
+            sink.put(value(moment.greatest()), || format!("reaction_{name}_moment_greatest_Nm"));
         }
     }
 }
@@ -289,9 +282,9 @@ fn reaction_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
     for ((joint, force), moment) in each {
         let name = &joint.name;
-        sink.of(force, |square| square.mean().sqrt(), || format!("reaction_{name}_rms_N"));
+        sink.put(force.mean().map(f64::sqrt), || format!("reaction_{name}_rms_N"));
         if matches!(joint.id.id, PairId::Slide(_)) {
-            sink.of(moment, Statistics::rms, || format!("reaction_{name}_moment_rms_Nm"));
+            sink.put(moment.rms(), || format!("reaction_{name}_moment_rms_Nm"));
         }
     }
 }
@@ -299,18 +292,20 @@ fn reaction_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
 fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     for (point, place) in layout.points.iter().zip(&found.points).filter(|(point, _)| point.reached) {
         for (axis, of) in ["x", "y"].into_iter().zip(place) {
-            sink.of(of, Statistics::least, || format!("{}_{axis}_min_m", point.name));
-            sink.of(of, Statistics::greatest, || format!("{}_{axis}_max_m", point.name));
+            sink.put(value(of.least()), || format!("{}_{axis}_min_m", point.name));
+            sink.put(value(of.greatest()), || format!("{}_{axis}_max_m", point.name));
         }
     }
     for (slide, displacement) in layout.slides.iter().zip(&found.slides).filter(|(slide, _)| slide.reached) {
-        sink.of(displacement, Statistics::least, || format!("{}_min_m", slide.name));
-        sink.of(displacement, Statistics::greatest, || format!("{}_max_m", slide.name));
-        sink.of(displacement, Statistics::range, || format!("{}_travel_m", slide.name));
+        sink.put(value(displacement.least()), || format!("{}_min_m", slide.name));
+        sink.put(value(displacement.greatest()), || format!("{}_max_m", slide.name));
+        let range =
+            displacement.greatest().zip(displacement.least()).map(|(most, least)| most.value - least.value);
+        sink.put(range, || format!("{}_travel_m", slide.name));
     }
     for (link, angle) in layout.links.iter().zip(&found.links).filter(|(link, _)| link.reached) {
-        sink.of(angle, Statistics::least, || format!("{}_angle_min_rad", link.name));
-        sink.of(angle, Statistics::greatest, || format!("{}_angle_max_rad", link.name));
+        sink.put(value(angle.least()), || format!("{}_angle_min_rad", link.name));
+        sink.put(value(angle.greatest()), || format!("{}_angle_max_rad", link.name));
     }
 }
 

@@ -15,7 +15,6 @@ use crate::Status;
 use crate::measure::Need;
 use crate::point::Worker;
 use crate::rows::Failure;
-use crate::statistics::Valid;
 
 /// Most blocks of eight positions that are kept from one point to the next: some ten times what fits into a fast cache, and
 /// for all threads together far less than a sweep may take.
@@ -180,7 +179,7 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
         let healths = needed().map(|(group, _)| position.health[group].abs());
         let least = healths.fold(Lanes::from_f64(f64::INFINITY), lesser);
-        self.worker.found.health.add(block.valid, block.numbers(), least);
+        self.worker.found.health.add(block.valid, block.first, least);
         if self.wants(Need::Transmission) {
             let least = Lanes::of(|lane| {
                 position.copy_lane(lane, &mut self.single);
@@ -191,7 +190,7 @@ impl<'a, 'w> Positions<'a, 'w> {
                 };
                 needed().map(|(group, _)| of_group(group)).fold(f64::INFINITY, f64::min)
             });
-            self.worker.found.transmission.add(block.valid, block.numbers(), least);
+            self.worker.found.transmission.add(block.valid, block.first, least);
         }
     }
 
@@ -199,21 +198,21 @@ impl<'a, 'w> Positions<'a, 'w> {
         let Calculation { linkage, plan, .. } = self.calculation;
         let angles = self.wants(Need::Angles);
         let (found, layout) = (&mut self.worker.found, &self.worker.sweep.layout);
-        let (bodies, numbers) = (&position.bodies, block.numbers());
+        let bodies = &position.bodies;
         for ((_, place), extent) in plan.wanted.points.iter().zip(&mut found.points) {
             let at = bodies[place.link].point(vector(place.at));
-            (0..2).for_each(|axis| extent[axis].add(block.valid, numbers, at[axis]));
+            (0..2).for_each(|axis| extent[axis].add(block.valid, block.first, at[axis]));
         }
         for (slide, displacement) in layout.slides.iter().zip(&mut found.slides) {
             let along = along(&linkage.mechanism.slides[slide.id], bodies);
-            displacement.add(block.valid, numbers, along);
+            displacement.add(block.valid, block.first, along);
         }
         for lane in (0..Lanes::WIDTH).filter(|&lane| angles && block.valid[lane]) {
             let pose = |body: &Body<Lanes>| [body.c, body.s, body.w1].map(|number| number.0[lane]);
             let poses = layout.links.iter().map(|link| (link.id, pose(&bodies[link.id])));
             let angles = self.worker.angles.follow(linkage, position.coordinates.0[lane], poses);
             for ([angle, _], extent) in angles.iter().zip(&mut found.links) {
-                extent.add_one(lane, numbers.0[lane], *angle);
+                extent.push(block.first + lane, *angle);
             }
         }
     }
@@ -229,17 +228,17 @@ impl<'a, 'w> Positions<'a, 'w> {
             valid[*lane] = false;
         }
         let found = &mut self.worker.found;
-        let (reactions, numbers) = (&forces.reactions, block.numbers());
-        found.balancing.add(valid, numbers, reactions.balancing);
-        found.load.add(valid, numbers, reactions.balancing.abs());
+        let (reactions, first) = (&forces.reactions, block.first);
+        found.balancing.add(valid, first, reactions.balancing);
+        found.load.add(valid, first, reactions.balancing.abs());
         let joints = self.worker.sweep.layout.joints.iter().map(|joint| &joint.id);
         for ((joint, force), moment) in joints.zip(&mut found.forces).zip(&mut found.moments) {
             // Beside passive parts what is not determined has no greatest value.
             let open = joint.open(&reactions.open).iter().fold(Lanes::ZERO, |all, open| all + *open);
             let valid = std::array::from_fn(|lane| valid[lane] && open.0[lane] == 0.0);
-            force.add(valid, numbers, greatest_square(joint, &reactions.pairs));
+            force.add(valid, first, greatest_square(joint, &reactions.pairs));
             if let Some(size) = joint.moment(&reactions.pairs) {
-                moment.add(valid, numbers, size.abs());
+                moment.add(valid, first, size.abs());
             }
         }
         failures.retain(|(lane, error)| {
@@ -247,8 +246,8 @@ impl<'a, 'w> Positions<'a, 'w> {
             let state = &states[*lane];
             let alone = change_point.then(|| forces.balancing_alone(*lane, state, position)).flatten();
             if let Some(balancing) = alone {
-                found.balancing.add_one(*lane, numbers.0[*lane], balancing);
-                found.load.add_one(*lane, numbers.0[*lane], balancing.abs());
+                found.balancing.push(first + lane, balancing);
+                found.load.push(first + lane, balancing.abs());
             }
             !change_point
         });
@@ -265,17 +264,13 @@ struct Block {
     /// Number of the first one.
     first: usize,
     /// Those that have what is added.
-    valid: Valid,
+    valid: [bool; Lanes::WIDTH],
 }
 
 impl Block {
     /// The positions from `first` on, of `count` in all.
     fn new(first: usize, count: usize) -> Self {
         Self { first, valid: std::array::from_fn(|lane| first + lane < count) }
-    }
-
-    fn numbers(&self) -> Lanes {
-        Lanes::of(|lane| (self.first + lane) as f64)
     }
 }
 

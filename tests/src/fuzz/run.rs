@@ -124,14 +124,14 @@ fn written(calculation: &Calculation, analysis: &Analysis, scene: &str) -> Resul
 
 /// What became of a calculation: a check that fails must be confirmed by 32 digits.
 fn judged(calculation: &Calculation, analysis: &Analysis) -> Result<Outcome, Finding> {
-    let failed = analysis.checks.iter().find(|check| check.failed());
+    let failed = analysis.checks.iter().find(|check| check.finding.failed());
     match failed {
         // What a passive part that does not fit misses by, the checks find too.
         Some(_) if !calculation.linkage.misfits.iter().all(Misfit::fits) => Ok(Outcome::Unsolved),
         Some(check) => {
             let detail = format!(
                 "{} at {:?} {}: {:e} of {:e}",
-                check.name, check.at, check.place, check.residual, check.limit
+                check.name, check.at, check.finding.place, check.finding.error, check.finding.bound
             );
             if exact::places_are_right(&calculation.linkage) {
                 return Err(Finding::new("check FAILED where 32 digits find the places right", detail));

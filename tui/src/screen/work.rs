@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use assur_analysis::results::Checks;
 use assur_analysis::{Coverage, Options};
 use assur_study::chart;
 use assur_study::stability::stability;
@@ -84,7 +83,7 @@ fn analyze(request: &CalculationRequest, watch: &mut Watch<'_>, tell: &dyn Fn(Ou
     }
     tell(found);
     let checks = whole.checks(Coverage::Sample, &mut watch);
-    Outcome::Checks(checks.unwrap_or_else(|_| Checks::none()))
+    Outcome::Checks(checks.unwrap_or_default())
 }
 
 /// Measures the methods; finished measurements are kept after a stop.

@@ -38,9 +38,9 @@ fn one(all: &[Check], name: &str) -> Option<Check> {
 
 /// Whether a check holds as it is and fails with twice its limit.
 fn assert_caught(what: &str, sound: &Check, wrong: &Check) {
-    assert!(sound.ok, "{what}: {sound:?}");
-    assert!(wrong.failed(), "{what}: twice the limit is not caught: {wrong:?}");
-    let share = wrong.residual / wrong.limit;
+    assert!(sound.finding.holds == Some(true), "{what}: {sound:?}");
+    assert!(wrong.finding.failed(), "{what}: twice the limit is not caught: {wrong:?}");
+    let share = wrong.finding.error / wrong.finding.bound;
     assert!((1.0..=3.1).contains(&share), "{what}: {share}: {wrong:?} after {sound:?}");
 }
 
@@ -85,10 +85,10 @@ fn energy_that_changes_by_twice_the_limit_is_caught() {
             wrong.energy.change += energy;
             one(&calculation.transient_checks(&wrong), name)
         };
-        let Some(sound) = check(0.0).filter(|check| check.judged) else { continue };
+        let Some(sound) = check(0.0).filter(|check| check.finding.holds.is_some()) else { continue };
         // A motion in a tenth of a second is known to a millionth of its energy at least.
-        assert!(sound.limit < 1e-6, "seed {seed}: {sound:?}");
-        assert_caught(&format!("{name}, seed {seed}"), &sound, &check(2.0 * sound.limit).unwrap());
+        assert!(sound.finding.bound < 1e-6, "seed {seed}: {sound:?}");
+        assert_caught(&format!("{name}, seed {seed}"), &sound, &check(2.0 * sound.finding.bound).unwrap());
         caught += 1;
         if caught == MECHANISMS {
             return;
@@ -135,8 +135,8 @@ fn a_regime_that_is_wrong_by_twice_the_limits_is_caught() {
         let Some(limits) = names.iter().map(|name| one(&sound, name)).collect::<Option<Vec<_>>>() else {
             continue;
         };
-        let [cycle, periodicity, mean, unevenness] = [0, 1, 2, 3].map(|k| 2.0 * limits[k].limit);
-        assert!(limits.iter().all(|check| check.limit < 1e-6), "seed {seed}: {limits:?}");
+        let [cycle, periodicity, mean, unevenness] = [0, 1, 2, 3].map(|k| 2.0 * limits[k].finding.bound);
+        assert!(limits.iter().all(|check| check.finding.bound < 1e-6), "seed {seed}: {limits:?}");
         let mut wrong = Steady::clone(found);
         wrong.regime.cycle_time *= 1.0 + cycle;
         let last = wrong.regime.iterations.last_mut().unwrap();
@@ -182,7 +182,10 @@ fn a_cycle_in_time_is_judged_by_where_it_is_slow() {
         calculation.cycle_check(found).unwrap()
     };
     let slow = cycle(include_str!("../tests/nearly-stalls.toml"));
-    assert!(slow.ok && slow.judged && slow.limit < 1e-4, "{slow:?}");
+    assert!(
+        slow.finding.holds == Some(true) && slow.finding.holds.is_some() && slow.finding.bound < 1e-4,
+        "{slow:?}"
+    );
     let even = cycle(assur_fixtures::scene("flywheel"));
-    assert!(even.ok && even.limit < 1.1e-9, "{even:?}");
+    assert!(even.finding.holds == Some(true) && even.finding.bound < 1.1e-9, "{even:?}");
 }

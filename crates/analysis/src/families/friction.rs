@@ -19,14 +19,8 @@ fn wanted(calculation: &Calculation) -> Vec<(PairId, Vec<(usize, &Bearing)>)> {
     let mechanism = &calculation.linkage.mechanism;
     let pairs = mechanism.frictions.iter().map(|friction| friction.pair);
     let pairs = pairs.filter(|pair| calculation.plan.wanted.reactions.contains(pair));
-    pairs
-        .map(|pair| {
-            (
-                pair,
-                frictions.bearings.iter().enumerate().filter(|(_, bearing)| bearing.pair == pair).collect(),
-            )
-        })
-        .collect()
+    let bearings = |pair| frictions.bearings.iter().enumerate().filter(move |(_, one)| one.pair == pair);
+    pairs.map(|pair| (pair, bearings(pair).collect())).collect()
 }
 
 fn applies(calculation: &Calculation) -> bool {
@@ -42,8 +36,8 @@ pub(super) const FRICTION: Family = Family {
     applies: has_friction,
     columns: |calculation, schema| {
         let mut section = schema.section();
+        let apart = calculation.rests_leave_unknown();
         for (index, (pair, bearings)) in wanted(calculation).into_iter().enumerate() {
-            let apart = calculation.rests_leave_unknown();
             if index > 0 && apart {
                 section = schema.section();
             }
@@ -126,7 +120,7 @@ pub(super) const EFFICIENCY: Family = Family {
         let found: [Option<f64>; Lanes::WIDTH] = std::array::from_fn(|lane| {
             efficiency(driving.0[lane], -power.0[lane]).filter(|_| determined[lane])
         });
-        cells.put(Lanes(found.map(Option::unwrap_or_default)), found.map(|found| found.is_some()));
+        put(cells, found);
         for group in super::solved(rows.calculation) {
             let radius = friction.certificates[group];
             let has = std::array::from_fn(|lane| determined[lane] && radius.0[lane].is_finite());

@@ -6,6 +6,7 @@ use assur_words::{Describe, Text, joined, list, number, quantity, text};
 
 use super::Listed;
 use crate::Calculation;
+use crate::results::{Extreme, Owner, Survey};
 
 /// Change points of several groups nearer than this count as one, rad or m.
 const SAME: f64 = 1e-6;
@@ -16,21 +17,27 @@ const ILL: f64 = 1e3;
 
 impl Calculation {
     /// Groups that are nearly singular in a position and not interpolated there: two of their modes meet or begin next to it.
-    pub(crate) fn nearly_singular(&self, worst: &[(usize, (usize, f64))]) -> Vec<Text> {
+    pub(crate) fn nearly_singular(&self, survey: &Survey) -> Vec<Text> {
         let linkage = &self.linkage;
         let mut found = linkage.position();
         let mut notes = Vec::new();
-        for (group, (index, condition)) in worst.iter().filter(|(_, (_, condition))| *condition > ILL) {
-            let coordinate = linkage.mechanism.input.coordinate(*index);
+        let worst = survey.statistics.iter().filter_map(|(column, of)| match column.owner {
+            Owner::Group(group) => Some((group, of.greatest()?)),
+            _ => None,
+        });
+        for (group, Extreme { value: condition, number: index }) in
+            worst.filter(|(_, worst)| worst.value > ILL)
+        {
+            let coordinate = linkage.mechanism.input.coordinate(index);
             if linkage.is_interpolated(coordinate)
-                || linkage.solve_index(*index, Order::Place, &mut found).is_err()
+                || linkage.solve_index(index, Order::Place, &mut found).is_err()
             {
                 continue;
             }
-            let name = linkage.structure.group_name(&linkage.mechanism, *group);
+            let name = linkage.structure.group_name(&linkage.mechanism, group);
             let (position, place) = (number(index), self.show(coordinate));
             let condition = number(format_args!("{condition:.3e}"));
-            let modes = linkage.modes(*group, &found).ok().flatten();
+            let modes = linkage.modes(group, &found).ok().flatten();
             notes.push(
                 match modes.and_then(|modes| {
                     Some([modes.present, modes.rival(linkage)?].map(|index| modes.number(index)))

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use assur_force::{Cause, LoadState, power};
 use assur_group::{Body, Order};
-use assur_kinematics::Position;
+use assur_kinematics::{Position, ScalarMotion};
 use assur_mechanism::{GROUND, LoadId, Mechanism, Motion, Notice};
 use assur_words::{Text, joined, name, quantity, text};
 
@@ -226,14 +226,7 @@ impl<'m> Seen<'m> {
             *moves |= body.x1.hypot(body.y1) > least || body.w1.abs() * self.size > least;
         }
         for (moves, slide) in self.slides.iter_mut().zip(&self.mechanism.slides) {
-            let (link, on) = (&bodies[slide.link], &bodies[slide.on]);
-            let [point, through] = [link.arm(slide.point), on.arm(slide.through)];
-            let [one, other] = [link.first(point), on.first(through)];
-            let axis = on.arm([slide.angle.cos(), slide.angle.sin()]);
-            let ([px, py], [qx, qy]) = (link.point(slide.point), on.point(slide.through));
-            let turned = on.w1 * (axis[0] * (py - qy) - axis[1] * (px - qx));
-            let along = axis[0] * (one[0] - other[0]) + axis[1] * (one[1] - other[1]) + turned;
-            *moves |= along.abs() > least;
+            *moves |= ScalarMotion::of_slide(slide, bodies).pf1.abs() > least;
         }
     }
 

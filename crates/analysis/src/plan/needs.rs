@@ -9,24 +9,15 @@ use crate::plan::{Plan, Wanted};
 
 /// The results that an output names, or all, without repetition and in the order of the scene.
 pub(crate) fn wanted(mechanism: &Mechanism, structure: &Structure, output: Option<&Output>) -> Wanted {
-    let Some(output) = output else { return everything(mechanism, structure) };
+    let named =
+        |ids: fn(&Output) -> &Vec<usize>, id: &usize| output.is_none_or(|output| ids(output).contains(id));
+    let points = (0..mechanism.points.len()).filter(|id| named(|output| &output.points, id));
+    let is_wanted = |pair: &PairId| output.is_none_or(|output| output.reactions.contains(pair));
     Wanted {
-        links: (1..mechanism.links.len()).filter(|id| output.links.contains(id)).collect(),
-        points: (0..mechanism.points.len())
-            .filter(|id| output.points.contains(id))
-            .map(|id| (id, earliest(mechanism, structure, id)))
-            .collect(),
-        slides: (0..mechanism.slides.len()).filter(|id| output.slides.contains(id)).collect(),
-        reactions: pairs(mechanism).into_iter().filter(|pair| output.reactions.contains(pair)).collect(),
-    }
-}
-
-fn everything(mechanism: &Mechanism, structure: &Structure) -> Wanted {
-    Wanted {
-        links: (1..mechanism.links.len()).collect(),
-        points: (0..mechanism.points.len()).map(|id| (id, earliest(mechanism, structure, id))).collect(),
-        slides: (0..mechanism.slides.len()).collect(),
-        reactions: pairs(mechanism),
+        links: (1..mechanism.links.len()).filter(|id| named(|output| &output.links, id)).collect(),
+        points: points.map(|id| (id, earliest(mechanism, structure, id))).collect(),
+        slides: (0..mechanism.slides.len()).filter(|id| named(|output| &output.slides, id)).collect(),
+        reactions: pairs(mechanism).into_iter().filter(is_wanted).collect(),
     }
 }
 

@@ -219,7 +219,7 @@ impl Residual {
 }
 
 /// Checks, and the residuals of the positions and samples that they went through.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Checks {
     /// The checks.
     pub all: Vec<Check>,
@@ -227,13 +227,6 @@ pub struct Checks {
     pub(crate) of_positions: Table,
     /// Residuals of the checked samples of a transient motion.
     pub(crate) of_trajectory: Table,
-}
-
-impl Checks {
-    /// No checks.
-    pub fn none() -> Self {
-        Self { all: Vec::new(), of_positions: Table::default(), of_trajectory: Table::default() }
-    }
 }
 
 impl Analysis {

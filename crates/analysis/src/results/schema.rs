@@ -50,7 +50,7 @@ impl Schema {
             links: mechanism.links.iter().map(|link| link.name.clone()).collect(),
             points: mechanism.points.iter().map(|point| point.name.clone()).collect(),
             slides: mechanism.slides.iter().map(|slide| slide.name.clone()).collect(),
-            loads: loads(mechanism),
+            loads: mechanism.loads.iter().map(|load| (load.name.clone(), load.kind.unit())).collect(),
             angular: mechanism.input.is_angle(),
             balances_by_moment: mechanism.balances_by_moment(),
             ..Self::default()
@@ -151,9 +151,4 @@ impl Schema {
     pub fn unit_of_load(&self, load: usize) -> &'static str {
         self.loads[load].1
     }
-}
-
-/// Names and units of the loads of a scene.
-fn loads(mechanism: &Mechanism) -> Vec<(Name, &'static str)> {
-    mechanism.loads.iter().map(|load| (load.name.clone(), load.kind.unit())).collect()
 }

@@ -2,6 +2,7 @@
 
 use assur_diagram::Sizes;
 use assur_mechanism::{LinkId, PairId};
+use assur_number::Statistic;
 
 use super::{Column, Owner, Part, Quantity, Schema, Section, Table};
 
@@ -12,43 +13,14 @@ pub struct Survey {
     pub rows: usize,
     /// Failures: positions without a solution, or without forces.
     pub failures: usize,
-    /// The balancing load of greatest modulus, N m or N, the first of those that are equal up to rounding (a cycle often
-    /// has two), with the number of its position.
-    pub greatest_balancing: Option<(usize, f64)>,
-    /// By guide, its moment of greatest modulus, N m, likewise.
-    pub greatest_moments: Vec<(PairId, (usize, f64))>,
-    /// By group, its greatest condition number, likewise.
-    pub worst_conditions: Vec<(usize, (usize, f64))>,
+    /// Of the balancing load, and of the condition number of each group.
+    pub(crate) statistics: Vec<(Column, Statistic)>,
     /// The first number that is not finite: its place among the rows and its column.
     pub not_finite: Option<(usize, usize)>,
     /// By section, whether any row has its numbers.
     present: Vec<bool>,
     /// Sizes of the reactions, by pair and link.
     pub(crate) sizes: Vec<(PairId, LinkId, Sizes)>,
-}
-
-/// Relative difference below which balancing loads count as equal.
-const TIE: f64 = 1e-9;
-
-/// The number of greatest modulus in a column with that of its position: that of earlier rows unless one of these is greater.
-fn farthest(rows: &Table, column: Column, earlier: Option<(usize, f64)>) -> Option<(usize, f64)> {
-    let Some(column) = rows.schema().find(column) else { return earlier };
-    let each = rows.numbers().iter().zip(rows.each(column));
-    let known = each.filter_map(|(number, value)| Some((*number, value?)));
-    known.fold(earlier, |most, next| {
-        let is_greater = most.is_none_or(|(_, value)| next.1.abs() > value.abs() * (1.0 + TIE));
-        if is_greater { Some(next) } else { most }
-    })
-}
-
-/// Raises the greatest number of an owner by that of more rows.
-fn raise<O: PartialEq>(known: &mut Vec<(O, (usize, f64))>, owner: O, rows: &Table, column: Column) {
-    let before = known.iter().position(|(other, _)| *other == owner);
-    match (before, farthest(rows, column, before.map(|at| known[at].1))) {
-        (Some(at), Some(found)) => known[at].1 = found,
-        (None, Some(found)) => known.push((owner, found)),
-        (_, None) => {}
-    }
 }
 
 impl Survey {
@@ -58,11 +30,15 @@ impl Survey {
             Owner::PairOn(pair, link) => Some((pair, link, Sizes::default())),
             _ => None,
         });
-        Self { present: vec![false; schema.sections], sizes: sizes.collect(), ..Self::default() }
+        let is_watched =
+            |column: &&Column| **column == Column::BALANCING || column.quantity == Quantity::Condition;
+        let watched = schema.columns().iter().filter(is_watched);
+        let statistics = watched.map(|column| (*column, Statistic::default())).collect();
+        Self { statistics, present: vec![false; schema.sections], sizes: sizes.collect(), ..Self::default() }
     }
 
     /// Of positions that are all kept.
-    pub fn of(positions: &Table) -> Self {
+    pub fn over(positions: &Table) -> Self {
         let mut survey = Self::new(positions.schema());
         survey.add(positions, positions.not_finite());
         survey
@@ -76,14 +52,13 @@ impl Survey {
             *any |= rows.present(Section(section)).contains(&true);
         }
         let schema = rows.schema();
-        self.greatest_balancing = farthest(rows, Column::BALANCING, self.greatest_balancing);
-        for owner in schema.owners(Quantity::Moment) {
-            let Owner::Pair(pair) = owner else { continue };
-            raise(&mut self.greatest_moments, pair, rows, Column::of(Quantity::Moment, owner));
-        }
-        for owner in schema.owners(Quantity::Condition) {
-            let Owner::Group(group) = owner else { continue };
-            raise(&mut self.worst_conditions, group, rows, Column::of(Quantity::Condition, owner));
+        for (column, statistic) in &mut self.statistics {
+            let values = schema.find(*column).into_iter().flat_map(|column| rows.each(column));
+            for (number, value) in rows.numbers().iter().zip(values) {
+                if let Some(value) = value {
+                    statistic.push(*number, value);
+                }
+            }
         }
         let Some(coordinate) = schema.find(Column::COORDINATE) else { return };
         for (pair, link, sizes) in &mut self.sizes {
@@ -97,6 +72,11 @@ impl Survey {
                 sizes.add(rows.numbers()[row], coordinates[row], [x_values[row], y_values[row]]);
             }
         }
+    }
+
+    /// The statistic of a column; `None` where none is gathered.
+    pub fn of(&self, column: Column) -> Option<&Statistic> {
+        self.statistics.iter().find(|(known, _)| *known == column).map(|(_, statistic)| statistic)
     }
 
     /// Adds the columns that are joined to the kept positions.

@@ -101,6 +101,7 @@ impl Table {
         }
         let rows: Vec<Option<usize>> = self.numbers.iter().map(|number| other.row_of(*number)).collect();
         let mut schema = Schema::clone(&self.schema);
+        schema.causes.extend(other.schema.causes.iter().cloned());
         let sections: Vec<Section> = (1..other.present.len()).map(|_| schema.section()).collect();
         for (index, column) in other.schema.columns().iter().enumerate() {
             schema.add(sections[other.schema.section_of(index).0 - 1], [*column]);

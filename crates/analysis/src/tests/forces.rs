@@ -26,7 +26,7 @@ fn failing(change: impl FnOnce(&mut Mechanism)) -> Vec<String> {
     change(&mut mechanism);
     calculation.loads = Some(Loads::compile(&Linkage::compile(mechanism).unwrap()).unwrap());
     let checks = calculation.checks(Coverage::Sample, &mut unwatched).unwrap().all;
-    checks.iter().filter(|check| check.failed()).map(|check| check.name.to_string()).collect()
+    checks.iter().filter(|check| check.finding.failed()).map(|check| check.name.to_string()).collect()
 }
 
 /// A change of the scene that stands for a mistake in the compiled loads.

@@ -91,7 +91,7 @@ fn at_rest_friction_and_what_depends_on_it_are_not_known() {
     assert_eq!(rows[1], [None, Some(0.0)]);
     assert_eq!(table.get(4, Column::BALANCING), None);
     assert!((energy(&found, 4, Quantity::FrictionWork) + 9.0).abs() < 1e-12);
-    let failed: Vec<_> = found.checks.iter().filter(|check| check.failed()).collect();
+    let failed: Vec<_> = found.checks.iter().filter(|check| check.finding.failed()).collect();
     assert!(failed.is_empty(), "{failed:?}");
 }
 
@@ -119,7 +119,7 @@ fn failing(motion: &str, factor: f64) -> Vec<String> {
     let other = study(&scene(motion, 0.1 * factor)).unwrap();
     calculation.loads = Some(Loads::compile(&other.linkage).unwrap());
     let found = calculation.checks(Coverage::All, &mut unwatched).unwrap();
-    found.all.iter().filter(|check| check.failed()).map(|check| check.name.to_string()).collect()
+    found.all.iter().filter(|check| check.finding.failed()).map(|check| check.name.to_string()).collect()
 }
 
 #[test]

@@ -42,7 +42,10 @@ fn of_equal_residuals_the_first_is_shown() {
     failing.offer(1, 3e-8, 1e-8, Text::default);
     failing.offer(2, 3e-8, 1e-8, Text::default);
     let check = failing.into_check().unwrap();
-    assert_eq!((check.at, check.judged, check.ok), (Some(1), true, false));
+    assert_eq!(
+        (check.at, check.finding.holds.is_some(), check.finding.holds == Some(true)),
+        (Some(1), true, false)
+    );
 }
 
 #[test]
@@ -50,9 +53,24 @@ fn what_could_be_checked_nowhere_is_neither_right_nor_wrong() {
     let mut collector = Collector::new(name("name"), name("reason"));
     collector.leave_out(0, name("left out"));
     let check = collector.into_check().unwrap();
-    assert_eq!((check.ok, check.judged, check.failed(), check.left_out), (false, false, false, 1));
+    assert_eq!(
+        (
+            check.finding.holds == Some(true),
+            check.finding.holds.is_some(),
+            check.finding.failed(),
+            check.left_out
+        ),
+        (false, false, false, 1)
+    );
     let mut wide = Collector::new(name("name"), name("reason"));
     wide.offer(0, 0.1, 0.5, || name("wide"));
     let check = wide.into_check().unwrap();
-    assert_eq!((check.ok, check.judged, check.place.to_string().as_str()), (false, false, "wide"));
+    assert_eq!(
+        (
+            check.finding.holds == Some(true),
+            check.finding.holds.is_some(),
+            check.finding.place.to_string().as_str()
+        ),
+        (false, false, "wide")
+    );
 }

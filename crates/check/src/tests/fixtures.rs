@@ -5,7 +5,7 @@ use assur_force::{LoadState, Loads};
 use assur_group::Order;
 
 use super::{checks, hold, names, scene, show};
-use crate::{Check, Chosen, InputLoad, Subject, methods};
+use crate::{Check, Chosen, Finding, InputLoad, Subject, methods};
 
 #[test]
 fn every_fixture_holds() {
@@ -61,21 +61,12 @@ fn a_position_on_a_jump_within_rounding_holds() {
 
 #[test]
 fn a_limit_of_the_size_of_what_is_compared_judges_only_what_exceeds_it() {
-    let of = |residual, limit| {
-        let check = Check::of(
-            assur_words::Text::default(),
-            residual,
-            limit,
-            assur_words::Text::default(),
-            assur_words::Text::default(),
-        );
-        (check.judged, check.ok, check.failed())
-    };
-    assert_eq!(of(1e-12, 1e-9), (true, true, false));
-    assert_eq!(of(1e-3, 1e-9), (true, false, true));
-    assert_eq!(of(0.3, 0.96), (false, false, false));
-    assert_eq!(of(1.2, 0.96), (true, false, true));
-    assert_eq!(of(f64::NAN, 0.96), (true, false, true));
+    let of = |error, bound| Finding::of(assur_words::Text::default(), error, bound).holds;
+    assert_eq!(of(1e-12, 1e-9), Some(true));
+    assert_eq!(of(1e-3, 1e-9), Some(false));
+    assert_eq!(of(0.3, 0.96), None);
+    assert_eq!(of(1.2, 0.96), Some(false));
+    assert_eq!(of(f64::NAN, 0.96), Some(false));
 }
 
 /// The equation of motion says which moment at the input the prescribed motion needs.
@@ -111,9 +102,12 @@ fn a_drive_that_differs_by_a_billionth_is_caught() {
         (check, [most(|at| at.dynamics), most(|at| at.global)])
     };
     let (check, residuals) = found(1.0);
-    assert!(check.ok && residuals.iter().all(|residual| *residual < 1e-14), "{check:?} {residuals:?}");
+    assert!(
+        check.finding.holds == Some(true) && residuals.iter().all(|residual| *residual < 1e-14),
+        "{check:?} {residuals:?}"
+    );
     let (check, residuals) = found(1.0 + 1e-9);
-    assert!(check.failed());
+    assert!(check.finding.failed());
     // The curves of both residuals show it: those of a wrong moment of the drive, as of a wrong acceleration.
     assert!(residuals.iter().all(|residual| (1e-11..1e-9).contains(residual)), "{residuals:?}");
 }
@@ -144,13 +138,13 @@ fn drive_at_rest(coordinate: f64, value: f64) -> Check {
 fn a_drive_at_rest_is_judged_but_on_a_jump() {
     for (coordinate, needed) in [(0.3, -5.0), (0.7, 3.0), (1.5, -7.0)] {
         let check = drive_at_rest(coordinate, needed);
-        assert!(check.ok && check.limit < 1e-12, "{coordinate}: {check:?}");
-        assert!(drive_at_rest(coordinate, 1.0 + needed).failed(), "{coordinate}");
+        assert!(check.finding.holds == Some(true) && check.finding.bound < 1e-12, "{coordinate}: {check:?}");
+        assert!(drive_at_rest(coordinate, 1.0 + needed).finding.failed(), "{coordinate}");
     }
     // Within the accuracy of the motion on either side.
     for coordinate in [0.5 - 5e-10, 0.5, 0.5 + 5e-10] {
         let check = drive_at_rest(coordinate, 0.0);
-        assert_eq!((check.judged, check.left_out), (false, 1), "{coordinate}: {check:?}");
+        assert_eq!((check.finding.holds.is_some(), check.left_out), (false, 1), "{coordinate}: {check:?}");
     }
-    assert!(drive_at_rest(0.5 + 5e-9, 0.0).failed());
+    assert!(drive_at_rest(0.5 + 5e-9, 0.0).finding.failed());
 }

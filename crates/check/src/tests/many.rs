@@ -19,7 +19,7 @@ fn thousands_of_equal_loads_keep_the_limits_and_few_do_not_widen_them() {
     let limit = |count: usize| {
         let all = checks(&scene(&springs(count)));
         assert!(hold(&all), "{count} springs\n{}", show(&all));
-        all.iter().find(|check| check.name.to_string() == "Lagrange-d'Alembert").unwrap().limit
+        all.iter().find(|check| check.name.to_string() == "Lagrange-d'Alembert").unwrap().finding.bound
     };
     let few = limit(10);
     assert!(limit(60) < 1.1 * few);

@@ -47,8 +47,11 @@ pub(super) fn failed(linkage: &Linkage, loads: &Loads, methods: Vec<AnalyzerPlug
         methods,
     };
     let ControlFlow::Continue((all, _)) = subject.checks(&mut |_, _| ControlFlow::<Infallible>::Continue(()));
-    let mut failed: Vec<_> =
-        all.iter().filter(|check| !check.ok).map(|check| check.name.to_string()).collect();
+    let mut failed: Vec<_> = all
+        .iter()
+        .filter(|check| check.finding.holds != Some(true))
+        .map(|check| check.name.to_string())
+        .collect();
     let mut position = linkage.position();
     let positions = 0..linkage.mechanism.input.positions;
     if positions.into_iter().any(|i| linkage.solve_index(i, Order::Second, &mut position).is_err()) {

@@ -83,7 +83,11 @@ fn sound_results_pass_as_close_as_they_are_calculated() {
         for power in 1..=14 {
             let linkage = scene(&text(0.1_f64.powi(power)));
             let all = checks(&linkage);
-            assert!(all.iter().all(|check| check.ok || !check.judged), "{kind} 1e-{power}\n{}", show(&all));
+            assert!(
+                all.iter().all(|check| check.finding.holds == Some(true) || check.finding.holds.is_none()),
+                "{kind} 1e-{power}\n{}",
+                show(&all)
+            );
             // A group whose ways meet keeps half of the digits only.
             let judged = if matches!(kind, "RRR" | "RRP") { 10 } else { 8 };
             assert!(power > judged || hold(&all), "{kind} 1e-{power}\n{}", show(&all));
@@ -150,7 +154,10 @@ fn test_pf_alone_sees_a_millionth_at_a_distance_of_1e_4() {
             // The slider of an RRP does not turn.
             let linkage = mutant(&sound, slip(wanted), usize::from(kind != "RRP"));
             let check = one(&checks(&linkage), name);
-            assert!(check.judged && !check.ok, "{kind}: {wanted}: {check:?}");
+            assert!(
+                check.finding.holds.is_some() && check.finding.holds != Some(true),
+                "{kind}: {wanted}: {check:?}"
+            );
         }
     }
 }
@@ -164,8 +171,11 @@ fn limits_grow_towards_the_singular_position() {
             // What fails worst shows its limit, so that the same number is seen at every distance.
             let forgotten = mutant(&sound, slip("PF2: w2 forgotten"), usize::from(*kind != "RRP"));
             let check = one(&checks(&forgotten), "TestPf PF2");
-            assert!(!check.ok && check.limit > 3.0 * before, "{kind} 1e-{power}: {check:?} after {before:e}");
-            before = check.limit;
+            assert!(
+                check.finding.holds != Some(true) && check.finding.bound > 3.0 * before,
+                "{kind} 1e-{power}: {check:?} after {before:e}"
+            );
+            before = check.finding.bound;
         }
     }
 }
@@ -176,12 +186,18 @@ fn a_check_that_can_judge_nothing_says_so() {
     let all = checks(&scene(&prp(1e-14)));
     for name in ["TestPf PF1", "TestPf PF2"] {
         let check = one(&all, name);
-        assert_eq!((check.judged, check.ok, check.left_out), (false, false, 1), "{check:?}");
+        assert_eq!(
+            (check.finding.holds.is_some(), check.finding.holds == Some(true), check.left_out),
+            (false, false, 1),
+            "{check:?}"
+        );
         assert!(
-            check.why_left_out.to_string().contains("limit exceeds a tenth") && check.limit > 0.1,
+            check.finding.why.to_string().contains("limit exceeds a tenth") && check.finding.bound > 0.1,
             "{check:?}"
         );
     }
     // Where there are digits, nothing is left out.
-    assert!(checks(&scene(&prp(1e-6))).iter().all(|check| check.judged && check.left_out == 0));
+    assert!(
+        checks(&scene(&prp(1e-6))).iter().all(|check| check.finding.holds.is_some() && check.left_out == 0)
+    );
 }

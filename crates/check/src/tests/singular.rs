@@ -27,7 +27,7 @@ fn positions_that_are_hardly_determined_are_left_out_and_counted() {
     // The derivatives are numbers still, but not a digit of theirs is sure.
     let all = checks(&scene(&near_the_end(2e-13)));
     let test_pf = all.iter().find(|check| check.name.to_string() == "TestPf PF2").unwrap();
-    assert!(test_pf.left_out > 0 && !test_pf.why_left_out.is_empty(), "{}", show(&all));
+    assert!(test_pf.left_out > 0 && !test_pf.finding.why.is_empty(), "{}", show(&all));
     assert!(all.iter().any(|check| check.name.to_string() == "closure PF2"));
 }
 

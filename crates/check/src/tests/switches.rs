@@ -102,7 +102,7 @@ fn fault(mechanism: &Mechanism, at: f64) -> Result<bool, String> {
     let state = |off: f64| LoadState::prescribed(mechanism, at + off);
     let beside = [0.0, -4e-16, 4e-16, -1e-13, 1e-13, -1e-9, 1e-9, -1e-3, 1e-3].map(state);
     let all = checked(&linkage, &loads, &beside);
-    if all.iter().any(|check| !check.ok && check.judged) {
+    if all.iter().any(|check| check.finding.holds != Some(true) && check.finding.holds.is_some()) {
         return Err(show(&all));
     }
     // The value on the switch continues that just ahead, in the direction of the motion.

@@ -89,13 +89,13 @@ impl Width {
     /// Plants errors: `check` gives the check of a mechanism with an error of so many parts of a number; `None` where the
     /// mechanism has nothing of the sort.
     fn add(&mut self, what: &str, check: impl Fn(f64) -> Option<Check>) {
-        let Some(sound) = check(0.0).filter(|check| check.judged) else { return };
-        assert!(sound.ok, "{what}: {sound:?}");
+        let Some(sound) = check(0.0).filter(|check| check.finding.holds.is_some()) else { return };
+        assert!(sound.finding.holds == Some(true), "{what}: {sound:?}");
         let Some(error) = twice_the_limit(what, &check) else { return };
         self.mechanisms += 1;
         self.error = self.error.max(error);
-        if sound.limit > 0.0 {
-            self.share = self.share.max(sound.residual / sound.limit);
+        if sound.finding.bound > 0.0 {
+            self.share = self.share.max(sound.finding.error / sound.finding.bound);
         }
     }
 
@@ -117,15 +117,15 @@ impl Width {
 /// force on a point that is at rest).
 fn twice_the_limit(what: &str, check: &impl Fn(f64) -> Option<Check>) -> Option<f64> {
     let at = |error| check(error).unwrap();
-    let gross = [GROSS, 1e3 * GROSS, 1e6 * GROSS].into_iter().find(|error| at(*error).failed())?;
+    let gross = [GROSS, 1e3 * GROSS, 1e6 * GROSS].into_iter().find(|error| at(*error).finding.failed())?;
     let first = at(gross);
-    let error = 2.0 * gross * first.limit / first.residual;
+    let error = 2.0 * gross * first.finding.bound / first.finding.error;
     let found = at(error);
-    if (1.5..3.0).contains(&(found.residual / found.limit)) {
-        assert!(found.failed(), "{what}: twice the limit is not caught: {found:?}");
-        let grown = first.limit / found.limit;
+    if (1.5..3.0).contains(&(found.finding.error / found.finding.bound)) {
+        assert!(found.finding.failed(), "{what}: twice the limit is not caught: {found:?}");
+        let grown = first.finding.bound / found.finding.bound;
         assert!(
-            first.place != found.place || grown < 2.0,
+            first.finding.place != found.finding.place || grown < 2.0,
             "{what}: {gross:e} widens its own limit {grown} times"
         );
         return Some(error);
@@ -137,17 +137,20 @@ fn twice_the_limit(what: &str, check: &impl Fn(f64) -> Option<Check>) -> Option<
 /// limits, of coarse and of fine differences. Twice the greatest error that passes must be caught, and all beyond it.
 fn twice_what_passes(what: &str, at: &impl Fn(f64) -> Check, gross: f64) -> f64 {
     let (mut low, mut high) = (1e-9 * gross, gross);
-    if at(low).failed() {
+    if at(low).finding.failed() {
         // Zero against zero: there is nothing to round.
         return low;
     }
     while high > 1.5 * low {
         let middle = (low * high).sqrt();
-        *if at(middle).failed() { &mut high } else { &mut low } = middle;
+        *if at(middle).finding.failed() { &mut high } else { &mut low } = middle;
     }
     for factor in [2.0, 3.0, 5.0, 10.0, 100.0] {
         let found = at(factor * low);
-        assert!(found.failed(), "{what}: {factor} times an error that passes is not caught: {found:?}");
+        assert!(
+            found.finding.failed(),
+            "{what}: {factor} times an error that passes is not caught: {found:?}"
+        );
     }
     2.0 * low
 }

@@ -117,10 +117,10 @@ fn limits_are_the_same_in_all_units() {
         let here = found(mechanism.clone());
         let there = found(in_units(&mechanism, units[number % 2]));
         for (one, other) in here.iter().zip(&there) {
-            assert_eq!((&one.name, &one.place), (&other.name, &other.place), "seed {seed}");
+            assert_eq!((&one.name, &one.finding.place), (&other.name, &other.finding.place), "seed {seed}");
             // Both are zero where nothing moves.
-            let apart = (one.limit - other.limit).abs();
-            assert!(apart <= 1e-6 * one.limit, "seed {seed}, {}: {one:?} and {other:?}", one.name);
+            let apart = (one.finding.bound - other.finding.bound).abs();
+            assert!(apart <= 1e-6 * one.finding.bound, "seed {seed}, {}: {one:?} and {other:?}", one.name);
             *compared.entry(one.name.to_string()).or_insert(0) += 1;
         }
     }

@@ -75,7 +75,8 @@ fn extreme(curve: &Hodograph, first: usize) -> ReactionExtreme {
     for (index, (coordinate, force)) in curve.coordinates.iter().zip(&curve.points).enumerate() {
         sizes.add(first + index, *coordinate, *force);
     }
-    sizes.extreme(curve.joint.clone(), curve.on.clone(), curve.closed).unwrap()
+    let coordinate = |index: usize| curve.coordinates[index - first];
+    sizes.extreme(curve.joint.clone(), curve.on.clone(), (coordinate, curve.closed)).unwrap()
 }
 
 #[test]

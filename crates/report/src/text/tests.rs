@@ -4,7 +4,7 @@ use super::columns;
 use super::layout::wrap;
 use super::{Style, told, written};
 use assur_all as _;
-use assur_analysis::results::Check;
+use assur_analysis::results::{Check, Finding};
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_book::{Column, Document, Table, Unit, row};
 use assur_diagram::{PlanSheet, PlanVector, VectorKind, VectorPlan};
@@ -37,17 +37,19 @@ fn words_break_at_the_width_and_are_never_lost() {
 
 fn check(name: &'static str, left_out: usize, judged: bool, ok: bool) -> Check {
     Check {
-        name: assur_words::name(name),
-        residual: 1e-12,
-        limit: 1e-9,
+        finding: Finding {
+            error: 1e-12,
+            holds: judged.then_some(ok),
+            why: assur_words::name(if left_out > 0 { "too close" } else { "" }),
+            ..Finding::within(assur_words::name("link rod"), 1e-9)
+        },
         at: Some(3),
-        place: assur_words::name("link rod"),
-        reason: assur_words::Text::default(),
-        sample: None,
         left_out,
-        why_left_out: assur_words::name(if left_out > 0 { "too close" } else { "" }),
-        judged,
-        ok,
+        ..Check::of(
+            assur_words::name(name),
+            assur_words::Text::default(),
+            Finding::within(assur_words::Text::default(), 0.0),
+        )
     }
 }
 
@@ -67,7 +69,7 @@ fn what_could_not_be_judged_is_neither_ok_nor_failed_and_is_counted() {
         below,
         ["not judged in 2 positions: PF1, PF2: too close", "not judged in 1 position: J: too close"]
     );
-    assert_eq!(rows.map(|row| row.failed()), [false, false, false, true]);
+    assert_eq!(rows.map(|row| row.finding.failed()), [false, false, false, true]);
 }
 
 #[test]
@@ -87,7 +89,8 @@ fn a_check_in_json_is_ok_failed_or_null_with_the_reason() {
 
 #[test]
 fn a_number_that_is_not_finite_is_found_behind_an_empty_one_and_never_printed() {
-    let bad = Check { residual: f64::NAN, ..check("PF2", 1, false, false) };
+    let mut bad = check("PF2", 1, false, false);
+    bad.finding.error = f64::NAN;
     let rows = vec![check("PF1", 1, false, false), bad];
     assert_eq!(crate::json::finite(&rows).unwrap_err().place, "[1].residual");
     let nested = std::collections::BTreeMap::from([("a", Some((1, [0.0, f64::INFINITY])))]);

@@ -1,6 +1,6 @@
 //! The checks of the numbers.
 
-use assur_analysis::results::Check;
+use assur_analysis::results::{Check, verdict};
 use assur_book::{Column, Digits, Document, Table};
 use assur_words::{Text, list, number, text};
 
@@ -8,14 +8,17 @@ use assur_words::{Text, list, number, text};
 /// below, how many positions were checked where not all were, and in which of them checks were not possible, and why.
 pub fn checks(checks: &[Check], page: &mut Document) {
     let size = |head| Column::of(head).with(Digits::Exponent);
-    let place = |check: &Check| (!check.place.is_empty()).then(|| check.place.clone());
+    let place = |check: &Check| {
+        let place = &check.finding.place;
+        (!place.is_empty()).then(|| place.clone())
+    };
     let table = Table::each(Text::default(), checks)
         .column(text!("head-check"), |check| check.name.clone())
-        .add(size(text!("head-residual")), |check| check.residual)
+        .add(size(text!("head-residual")), |check| check.finding.error)
         .column(text!("head-position"), |check| check.at.map(number))
         .column(text!("head-place"), |check| place(check))
-        .add(size(text!("head-limit")), |check| check.limit)
-        .column(text!("head-result"), |check| verdict(check));
+        .add(size(text!("head-limit")), |check| check.finding.bound)
+        .column(text!("head-result"), |check| verdict(check.finding.holds));
     page.table(table.table());
     sampled(checks).into_iter().chain(not_judged(checks)).for_each(|line| page.paragraph(line));
 }
@@ -50,19 +53,11 @@ fn thousands(number: usize) -> String {
     grouped.collect::<String>().chars().rev().collect()
 }
 
-fn verdict(check: &Check) -> Text {
-    match check.verdict() {
-        Some(false) => text!("report-check-failed"),
-        Some(true) => text!("report-check-ok"),
-        None => text!("report-check-not-judged"),
-    }
-}
-
 /// In how many positions which checks were not possible, and why: one sentence for those that have both in common.
 pub fn not_judged(checks: &[Check]) -> Vec<Text> {
     let mut kinds: Vec<(usize, Text, Vec<Text>)> = Vec::new();
     for check in checks.iter().filter(|check| check.left_out > 0) {
-        let (count, why) = (check.left_out, check.why_left_out.clone());
+        let (count, why) = (check.left_out, check.finding.why.clone());
         match kinds.iter_mut().find(|kind| kind.0 == count && kind.1 == why) {
             Some((_, _, names)) => names.push(check.name.clone()),
             None => kinds.push((count, why, vec![check.name.clone()])),
@@ -71,9 +66,9 @@ pub fn not_judged(checks: &[Check]) -> Vec<Text> {
     let sentence = |(count, why, names): (usize, Text, Vec<Text>)| {
         text!("report-not-judged-in", count, checks = list(names), reason = why)
     };
-    let alone = checks.iter().filter(|check| check.verdict().is_none() && check.left_out == 0);
+    let alone = checks.iter().filter(|check| check.finding.holds.is_none() && check.left_out == 0);
     let alone = alone.map(|check| {
-        text!("report-not-judged", check = check.name.clone(), reason = check.why_left_out.clone())
+        text!("report-not-judged", check = check.name.clone(), reason = check.finding.why.clone())
     });
     kinds.into_iter().map(sentence).chain(alone).collect()
 }

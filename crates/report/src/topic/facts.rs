@@ -87,8 +87,8 @@ fn farthest(analysis: &Analysis, column: Column) -> Option<Turn> {
     analysis.peaks.of(column).or_else(|| {
         let table = &analysis.positions;
         let value = |row| Some(Turn::at(table.get(row, Column::COORDINATE)?, table.get(row, column)?));
-        let greater = |best: Turn, next: Turn| if next.value.abs() > best.value.abs() { next } else { best };
-        (0..table.len()).filter_map(value).reduce(greater)
+        let found: Vec<Turn> = (0..table.len()).filter_map(value).collect();
+        Turn::statistic(&found).farthest().map(|best| found[best.number])
     })
 }
 
@@ -205,11 +205,11 @@ pub fn checks_fact(analysis: &Analysis) -> Option<Fact> {
         return None;
     }
     let failed: Vec<_> =
-        checks.iter().filter(|check| check.failed()).map(|check| check.name.clone()).collect();
+        checks.iter().filter(|check| check.finding.failed()).map(|check| check.name.clone()).collect();
     if !failed.is_empty() {
         return Some(Fact::text("fact-checks-fail", list(failed)));
     }
-    let judged = checks.iter().filter(|check| check.verdict().is_some()).count();
+    let judged = checks.iter().filter(|check| check.finding.holds.is_some()).count();
     let whole = analysis.survey.failures == 0 && analysis.no_motion.is_none();
     let id = if whole { "fact-checks-hold" } else { "fact-checks-hold-partly" };
     Some(Fact::text(id, joined(" / ", [judged, checks.len()].map(count))))

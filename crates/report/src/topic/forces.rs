@@ -1,6 +1,6 @@
 //! Reduction, reactions with their causes, loads and the balancing load.
 
-use assur_analysis::results::{Owner, Part, Quantity, Table as Results};
+use assur_analysis::results::{Owner, Part, Quantity, Statistic, Table as Results};
 use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name};
 use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
 use assur_words::{Text, name, number, text};
@@ -139,13 +139,18 @@ impl Source<'_> {
 
 /// The balancing load in each position, and the greatest one.
 pub fn balancing(source: &Source<'_>, page: &mut Document) {
-    let Some((number, greatest)) = source.analysis.survey.greatest_balancing else { return };
+    let Some(greatest) =
+        source.analysis.survey.of(assur_analysis::results::Column::BALANCING).and_then(Statistic::farthest)
+    else {
+        return;
+    };
+    let number = greatest.number;
     let (heading, _, unit) = source.balancing_load();
     page.heading(heading);
     balancing_at_positions(source, page);
     page.paragraph(text!(
         "report-greatest-balancing",
-        load = unit.show(greatest),
+        load = unit.show(greatest.value),
         position = assur_words::number(number),
         at = source.units.coordinate.show(source.mechanism.input.coordinate(number))
     ));

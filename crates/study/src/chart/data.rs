@@ -46,38 +46,32 @@ impl Stage {
     pub const ALL: [Self; 6] =
         [Self::Kinematics, Self::Forces, Self::Friction, Self::Motion, Self::Flywheel, Self::Steady];
 
+    /// Its name in JSON and CSV, its heading, and what its times are of.
+    fn texts(self) -> (&'static str, Text, Text) {
+        let position = text!("chart-one-position");
+        match self {
+            Self::Kinematics => ("kinematics", text!("chart-kinematics"), position),
+            Self::Forces => ("forces", text!("chart-forces"), position),
+            Self::Friction => ("friction", text!("chart-friction"), position),
+            Self::Motion => ("motion", text!("chart-motion"), text!("chart-one-run")),
+            Self::Flywheel => ("flywheel", text!("chart-flywheel"), text!("chart-one-flywheel")),
+            Self::Steady => ("steady", text!("chart-steady"), text!("chart-one-regime")),
+        }
+    }
+
     /// The name in JSON and CSV.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Kinematics => "kinematics",
-            Self::Forces => "forces",
-            Self::Friction => "friction",
-            Self::Motion => "motion",
-            Self::Flywheel => "flywheel",
-            Self::Steady => "steady",
-        }
+        self.texts().0
     }
 
     /// A heading.
     pub fn heading(self) -> Text {
-        match self {
-            Self::Kinematics => text!("chart-kinematics"),
-            Self::Forces => text!("chart-forces"),
-            Self::Friction => text!("chart-friction"),
-            Self::Motion => text!("chart-motion"),
-            Self::Flywheel => text!("chart-flywheel"),
-            Self::Steady => text!("chart-steady"),
-        }
+        self.texts().1
     }
 
     /// What the times are of: one position, one run.
     pub fn work(self) -> Text {
-        match self {
-            Self::Kinematics | Self::Forces | Self::Friction => text!("chart-one-position"),
-            Self::Motion => text!("chart-one-run"),
-            Self::Flywheel => text!("chart-one-flywheel"),
-            Self::Steady => text!("chart-one-regime"),
-        }
+        self.texts().2
     }
 
     /// What one unit of work is: one position of the mechanism, or one whole run.

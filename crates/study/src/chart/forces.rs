@@ -74,15 +74,15 @@ impl<'a> Loaded<'a> {
         let mut other = Vec::with_capacity(self.positions.len());
         for (index, bodies) in self.work.truth.iter().enumerate() {
             let coordinate = self.work.coordinates[index];
-            let solve = |forms| {
+            let solve = |generally| {
                 let mut own = vec![Wrench::ZERO; bodies.len()];
                 let mut out = Reactions::new(linkage);
-                solve(linkage, groups, bodies, &self.loads[index], forms, &mut own, &mut out)
+                solve(linkage, groups, bodies, &self.loads[index], generally, &mut own, &mut out)
                     .map_err(|_| ChartError::NoReference { coordinate })?;
                 Ok::<_, ChartError>(out)
             };
-            self.truth.push(solve(Forms::General)?);
-            other.push(solve(Forms::Closed)?);
+            self.truth.push(solve(true)?);
+            other.push(solve(false)?);
         }
         self.sizes = sizes(&self.truth, linkage.structure.scale);
         let errors =
@@ -134,8 +134,8 @@ pub(crate) fn field<'a>(loaded: &'a Loaded<'a>) -> Result<Field<'a>, ChartError>
     }
     let by_rank = all.iter().filter(|plugin| plugin.by_groups).min_by_key(|plugin| plugin.rank);
     let name = by_rank.map_or("by groups", |plugin| plugin.name);
-    entries.push(loaded.work.entry(row(name, "f32"), 1, by_groups::<f32>(loaded, Forms::Closed)?));
-    let general = by_groups::<f64>(loaded, Forms::General)?;
+    entries.push(loaded.work.entry(row(name, "f32"), 1, by_groups::<f32>(loaded, false)?));
+    let general = by_groups::<f64>(loaded, true)?;
     entries.push(loaded.work.entry(row("groups-general", "f64"), 1, general));
     Ok(Field { reference: loaded.reference.clone(), entries })
 }
@@ -161,10 +161,10 @@ fn registered<'a>(
     }
 }
 
-/// Group by group in another number or form.
+/// Group by group in another number or form, see [`solve`].
 fn by_groups<'a, T: Number>(
     loaded: &'a Loaded<'a>,
-    forms: Forms,
+    generally: bool,
 ) -> Result<impl FnMut(usize, bool) -> Result<f64, Text> + 'a, ChartError> {
     let linkage = loaded.work.linkage;
     let groups = Chain::<T>::compile(&linkage.mechanism, &linkage.structure)?.groups;
@@ -173,36 +173,32 @@ fn by_groups<'a, T: Number>(
     let mut own = vec![Wrench::ZERO; linkage.structure.links];
     let mut out = Reactions::new(linkage);
     Ok(move |index: usize, judged| {
-        let solved = solve(linkage, &groups, &bodies[index], &loaded.loads[index], forms, &mut own, &mut out);
+        let solved =
+            solve(linkage, &groups, &bodies[index], &loaded.loads[index], generally, &mut own, &mut out);
         solved.map_err(|reason| reason.explain(linkage, loaded.work.coordinates[index]).describe())?;
         Ok(if judged { loaded.deviation(index, &out.pairs, out.balancing) } else { 0.0 })
     })
 }
 
-/// The source of the reactions of a group.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Forms {
-    /// The closed forms of its kind.
-    Closed,
-    /// The transposed linear system of its constraints.
-    General,
-}
-
-/// Solves one position. `loads`: about the origins of the bodies; `own`: scratch memory, one wrench for each body.
+/// Solves one position. `loads`: about the origins of the bodies; `generally`: the reactions of a group from the transposed linear
+/// system of its constraints, otherwise by the closed forms of its kind; `own`: scratch memory, one wrench for each body.
 pub(crate) fn solve<T: Number>(
     linkage: &Linkage,
     groups: &[Box<dyn AssurGroup<T>>],
     bodies: &[Body<T>],
     loads: &[Wrench<f64>],
-    forms: Forms,
+    generally: bool,
     own: &mut [Wrench<T>],
     out: &mut Reactions<T>,
 ) -> Result<(), Unsolved> {
     for (own, load) in own.iter_mut().zip(loads) {
         *own = load.map(T::from_f64);
     }
-    group_by_group(linkage, groups, bodies, own, out, |group, bodies, loads, pairs| match forms {
-        Forms::Closed => group.reactions(bodies, loads, pairs),
-        Forms::General => reactions_generally(group.frame(), bodies, loads, pairs),
+    group_by_group(linkage, groups, bodies, own, out, |group, bodies, loads, pairs| {
+        if generally {
+            reactions_generally(group.frame(), bodies, loads, pairs)
+        } else {
+            group.reactions(bodies, loads, pairs)
+        }
     })
 }

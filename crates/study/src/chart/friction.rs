@@ -1,7 +1,8 @@
 //! Dry friction: the methods that solve it, against the textbook iteration after so many steps and against a regularized law.
 
 use assur_force::{
-    AnalyzerPlugin, Frictions, Kinetostatics, LoadState, Loads, Reactions, Unknown, analyzers, choose,
+    AnalyzerPlugin, Frictions, Kinetostatics, LoadState, Loads, Reactions, RegistryError, Unknown, analyzers,
+    choose,
 };
 use assur_kinematics::{Linkage, Position};
 use assur_words::{Describe, Text, text};
@@ -64,16 +65,12 @@ impl<'a> FrictionMethods<'a> {
             truth: Vec::new(),
             reference: Reference { how: text!("chart-reference-friction"), error: 0.0 },
         };
-        let treating = || {
-            analyzers().map(|all| {
-                all.into_iter().filter(|plugin| plugin.treats_friction && plugin.supports(linkage).is_ok())
-            })
-        };
+        let treating = treating(linkage)?;
         // The last in rank is independent of the one that is used.
-        let Some(judge) = treating()?.max_by_key(|plugin| plugin.rank) else { return Ok(None) };
+        let Some(judge) = treating.iter().max_by_key(|plugin| plugin.rank) else { return Ok(None) };
         let mut forces = found.method(judge);
         found.truth = (0..found.states.len()).map(|index| found.solved(&mut forces, index).ok()).collect();
-        if let Some(other) = treating()?.min_by_key(|plugin| plugin.rank) {
+        if let Some(other) = treating.iter().min_by_key(|plugin| plugin.rank) {
             let mut forces = found.method(other);
             let each = (0..found.states.len()).filter_map(|index| {
                 let own = found.solved(&mut forces, index).ok()?;
@@ -95,10 +92,7 @@ impl<'a> FrictionMethods<'a> {
 
     /// Forces of friction and the balancing load of a position.
     fn solved(&self, forces: &mut Kinetostatics<'_>, index: usize) -> Result<Vec<f64>, Text> {
-        let solved = forces.solve(&self.states[index], &self.loaded.positions[index]);
-        solved.map_err(|error| error.describe())?;
-        let friction = forces.reactions.friction.iter().flat_map(|friction| &friction.forces);
-        Ok(friction.copied().chain([forces.reactions.balancing]).collect())
+        friction_and_balancing(forces, &self.states[index], &self.loaded.positions[index])
     }
 
     /// Greatest deviation of the balancing load, as part of what friction makes of it; 0 where there is no reference.
@@ -141,14 +135,29 @@ impl<'a> FrictionMethods<'a> {
     }
 }
 
+/// The methods that treat the friction of a mechanism.
+pub(crate) fn treating(linkage: &Linkage) -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
+    let mut all = analyzers()?;
+    all.retain(|plugin| plugin.treats_friction && plugin.supports(linkage).is_ok());
+    Ok(all)
+}
+
+/// The forces of friction, then the balancing load.
+pub(crate) fn friction_and_balancing(
+    forces: &mut Kinetostatics<'_>,
+    state: &LoadState,
+    position: &Position,
+) -> Result<Vec<f64>, Text> {
+    forces.solve(state, position).map_err(|error| error.describe())?;
+    let friction = forces.reactions.friction.iter().flat_map(|friction| &friction.forces);
+    Ok(friction.copied().chain([forces.reactions.balancing]).collect())
+}
+
 /// The methods that treat friction, and those of textbooks and of multibody programs.
 pub(crate) fn field<'a>(methods: &'a FrictionMethods<'a>) -> Result<Field<'a>, ChartError> {
     let row = |method: &str, setting| Measurement::new(Stage::Friction, method, setting);
     let mut entries = Vec::new();
-    for plugin in analyzers()?
-        .into_iter()
-        .filter(|plugin| plugin.treats_friction && plugin.supports(methods.linkage()).is_ok())
-    {
+    for plugin in treating(methods.linkage())? {
         let mut forces = methods.method(plugin);
         entries.push(methods.loaded.work.entry(
             row(plugin.name, Setting::default()),

@@ -13,7 +13,7 @@ use super::work::Work;
 use super::{ChartError, ChartOptions, Measurement, Setting, Stage};
 
 use differences::{Differentiator, Stencil};
-use general::{Places, general};
+use general::general;
 
 /// All methods that can give transfer functions.
 pub(crate) fn field<'a>(work: &'a Work<'a>, options: ChartOptions) -> Result<Field<'a>, ChartError> {
@@ -23,9 +23,9 @@ pub(crate) fn field<'a>(work: &'a Work<'a>, options: ChartOptions) -> Result<Fie
         work.entry(number("closed-form", "f32"), 1, closed::<f32>(work)?),
         general::entry(work, number("closed-form", "f64x8")),
     ];
-    for (places, name) in [(Places::Closed, "general-derivatives"), (Places::Newton, "newton")] {
-        entries.push(work.entry(number(name, "f64"), 1, general::<f64>(work, places)?));
-        entries.push(work.entry(number(name, "f32"), 1, general::<f32>(work, places)?));
+    for (by_newton, name) in [(false, "general-derivatives"), (true, "newton")] {
+        entries.push(work.entry(number(name, "f64"), 1, general::<f64>(work, by_newton)?));
+        entries.push(work.entry(number(name, "f32"), 1, general::<f32>(work, by_newton)?));
     }
     for stencil in Stencil::ALL {
         for step in options.decades(-1, -10) {

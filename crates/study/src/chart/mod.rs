@@ -12,7 +12,7 @@
 mod data;
 mod figure;
 mod forces;
-mod friction;
+pub(crate) mod friction;
 pub(crate) mod kinematics;
 mod motion;
 mod race;

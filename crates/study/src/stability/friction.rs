@@ -6,15 +6,17 @@
 
 use std::ops::ControlFlow;
 
-use assur_force::{AnalyzerPlugin, Kinetostatics, Loads, analyzers};
+use assur_check::Finding;
+use assur_force::{AnalyzerPlugin, Kinetostatics, Loads};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
-use assur_words::{Describe, Text, name, number, text};
+use assur_words::{Text, name, number, text};
 use serde::Serialize;
 
 use super::nearest;
-use super::row::{Comparison, DISTANCES, FACTOR, FRICTION, Subject};
+use super::row::{Comparison, DISTANCES, FACTOR, FRICTION};
 use super::walk::growth;
+use crate::chart::friction::{friction_and_balancing, treating};
 use crate::chart::state;
 
 /// Each of so many coordinates of the survey of healths is tried.
@@ -54,8 +56,8 @@ impl FrictionHealth {
 
 /// The methods that treat the friction of a mechanism, the one that is used first.
 fn methods(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
-    let mut all = analyzers().unwrap_or_default();
-    all.retain(|plugin| plugin.treats_friction && plugin.gives_reactions && plugin.supports(linkage).is_ok());
+    let mut all = treating(linkage).unwrap_or_default();
+    all.retain(|plugin| plugin.gives_reactions);
     all.sort_by_key(|plugin| plugin.rank);
     all
 }
@@ -81,11 +83,8 @@ impl Scaled {
 
     /// The forces of friction and the balancing load.
     fn found(&self, method: &AnalyzerPlugin, position: &Position) -> Result<Vec<f64>, Text> {
-        let mut forces = self.by(method);
-        let solved = forces.solve(&state(&self.linkage.mechanism, position.coordinate), position);
-        solved.map_err(|error| error.describe())?;
-        let friction = forces.reactions.friction.iter().flat_map(|friction| &friction.forces);
-        Ok(friction.copied().chain([forces.reactions.balancing]).collect())
+        let state = state(&self.linkage.mechanism, position.coordinate);
+        friction_and_balancing(&mut self.by(method), &state, position)
     }
 }
 
@@ -169,14 +168,10 @@ fn walk(
                 .zip(&known)
                 .fold(0.0, |most, (a, b)| assur_number::greater(most, (a - b).abs() / size))
         });
-        let subject = Subject {
-            place: text!("stability-place", group, kind = text!("stability-jamming")),
-            method: name(used.name),
-            quantity: FRICTION,
-            distance,
-            health: distance,
-            bound: FACTOR * f64::EPSILON * all * all / distance,
-        };
-        rows.push(subject.row(outcome));
+        let place = text!("stability-place", group, kind = text!("stability-jamming"));
+        let bound = FACTOR * f64::EPSILON * all * all / distance;
+        let (method, finding) = (name(used.name), Finding::within(place, bound));
+        let row = Comparison { method, quantity: FRICTION, distance, health: distance, finding };
+        rows.push(row.judged(outcome));
     }
 }

@@ -97,7 +97,7 @@ pub fn stability(
 impl Stability {
     /// Whether the mechanism assembles, and every row keeps its bound or may have no result.
     pub fn is_ok(&self) -> bool {
-        self.failure.is_none() && self.rows.iter().all(|row| row.ok)
+        self.failure.is_none() && !self.rows.iter().any(|row| row.finding.failed())
     }
 
     /// As one JSON object in one line.

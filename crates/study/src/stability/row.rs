@@ -1,7 +1,8 @@
 //! One method at one distance from a singular position, and its assessment.
 
+use assur_check::Finding;
 use assur_words::{Text, name, number, text};
-use serde::Serialize;
+use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 /// Distances of the stops of a walk, dimensionless.
 pub const DISTANCES: [f64; 15] =
@@ -26,11 +27,8 @@ const NEARLY_SINGULAR: f64 = 1e-4;
 const NO_DIGIT: f64 = 0.5;
 
 /// One method, one quantity, one distance.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
-    /// The group and the kind of singular position, as `group 1 (RRR rod, rocker), change point`.
-    #[serde(rename = "where")]
-    pub place: Text,
     /// The method.
     pub method: Text,
     /// `pf0`, `pf1`, `pf2`, `reactions` or `friction`.
@@ -39,14 +37,10 @@ pub struct Comparison {
     pub distance: f64,
     /// Dimensionless determinant there; with friction the distance.
     pub health: f64,
-    /// Largest relative deviation from the reference; `None` if the method has no result.
-    pub error: Option<f64>,
-    /// Largest error that a backward-stable method may have.
-    pub bound: f64,
-    /// Whether the method keeps the bound, or has no result where few digits or none could remain.
-    pub ok: bool,
-    /// Why there is no number, or why the row failed.
-    pub reason: Option<Text>,
+    /// Largest relative deviation from the reference against the largest error that a backward-stable method may have, with the
+    /// group and the kind of singular position as `group 1 (RRR rod, rocker), change point`. It is not judged where a method may
+    /// have no result, since few digits or none could remain.
+    pub finding: Finding,
 }
 
 impl Comparison {
@@ -58,52 +52,49 @@ impl Comparison {
             other => name(other),
         }
     }
-}
 
-/// The subject of a row: everything but the outcome.
-#[derive(Debug, Clone)]
-pub(crate) struct Subject {
-    pub(crate) place: Text,
-    pub(crate) method: Text,
-    pub(crate) quantity: &'static str,
-    pub(crate) distance: f64,
-    pub(crate) health: f64,
-    pub(crate) bound: f64,
-}
-
-impl Subject {
-    /// The row of an outcome (the error, or why there is no number). The method may have no result where few digits
+    /// The same with its outcome (the error, or why there is no number). The method may have no result where few digits
     /// could remain or the position is nearly singular.
-    pub(crate) fn row(self, outcome: Result<f64, Text>) -> Comparison {
-        let may_refuse = self.bound > FEW_DIGITS || self.health < NEARLY_SINGULAR;
-        self.row_or(outcome, may_refuse)
+    pub(crate) fn judged(self, outcome: Result<f64, Text>) -> Self {
+        let may_refuse = self.finding.bound > FEW_DIGITS || self.health < NEARLY_SINGULAR;
+        self.judged_or(outcome, may_refuse)
     }
 
-    /// The row of an outcome, where the caller knows whether the method may have no result. An infinite error stands
+    /// The same with its outcome, where the caller knows whether the method may have no result. An infinite error stands
     /// for a result where none exists.
-    pub(crate) fn row_or(self, outcome: Result<f64, Text>, may_refuse: bool) -> Comparison {
-        let (error, ok, reason) = match outcome {
-            Ok(error) if error.is_nan() => (None, false, Some(text!("stability-not-a-number"))),
-            Ok(error) if error.is_infinite() => (None, false, Some(text!("stability-not-finite"))),
-            Ok(error) if error > self.bound => {
-                let factor = number(format_args!("{:.1}", error / self.bound));
-                (Some(error), false, Some(text!("stability-times-bound", factor)))
+    pub(crate) fn judged_or(mut self, outcome: Result<f64, Text>, may_refuse: bool) -> Self {
+        let bound = self.finding.bound;
+        let (error, holds, why) = match outcome {
+            Ok(error) if error.is_nan() => (error, Some(false), text!("stability-not-a-number")),
+            Ok(error) if error.is_infinite() => (error, Some(false), text!("stability-not-finite")),
+            Ok(error) if error > bound => {
+                let factor = number(format_args!("{:.1}", error / bound));
+                (error, Some(false), text!("stability-times-bound", factor))
             }
-            Ok(error) if error > NO_DIGIT => (Some(error), false, Some(text!("stability-no-digit"))),
-            Ok(error) => (Some(error), true, None),
-            Err(reason) => (None, may_refuse, Some(reason)),
+            Ok(error) if error > NO_DIGIT => (error, Some(false), text!("stability-no-digit")),
+            Ok(error) => (error, Some(true), Text::default()),
+            Err(why) => (f64::NAN, (!may_refuse).then_some(false), why),
         };
-        Comparison {
-            place: self.place,
-            method: self.method,
-            quantity: self.quantity,
-            distance: self.distance,
-            health: self.health,
-            error,
-            bound: self.bound,
-            ok,
-            reason,
-        }
+        self.finding = Finding { error, holds, why, ..self.finding };
+        self
+    }
+}
+
+impl Serialize for Comparison {
+    /// As results show it: what is not judged is `ok`.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Finding { place, bound, why, .. } = &self.finding;
+        let mut row = serializer.serialize_struct("Comparison", 9)?;
+        row.serialize_field("where", place)?;
+        row.serialize_field("method", &self.method)?;
+        row.serialize_field("quantity", self.quantity)?;
+        row.serialize_field("distance", &self.distance)?;
+        row.serialize_field("health", &self.health)?;
+        row.serialize_field("error", &self.finding.number())?;
+        row.serialize_field("bound", bound)?;
+        row.serialize_field("ok", &!self.finding.failed())?;
+        row.serialize_field("reason", &(!why.is_empty()).then_some(why))?;
+        row.end()
     }
 }
 
@@ -111,8 +102,8 @@ impl Subject {
 /// determinant is the root of a difference of lengths, so it gives a result where the closed forms, and with them the
 /// program, give an error.
 pub(crate) fn accept_without_digits(row: &mut Comparison) {
-    if !row.ok && row.error.is_some_and(|error| error <= row.bound || row.bound >= 1.0) {
-        row.ok = true;
-        row.reason = Some(text!("stability-no-digit-left"));
+    let found = &mut row.finding;
+    if found.failed() && found.number().is_some_and(|error| error <= found.bound || found.bound >= 1.0) {
+        (found.holds, found.why) = (None, text!("stability-no-digit-left"));
     }
 }

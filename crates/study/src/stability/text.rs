@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use assur_check::verdict;
 use assur_words::{Language, Text, joined, list, name, number, quantity, text};
 
 use super::report::Stability;
@@ -23,9 +24,10 @@ struct Walk<'a> {
 
 impl Walk<'_> {
     fn take(&mut self, row: &Comparison) {
-        self.ok &= row.ok;
-        if let Some(error) = row.error {
-            self.factor = self.factor.max(if error > 0.0 { error / row.bound } else { 0.0 });
+        let found = &row.finding;
+        self.ok &= !found.failed();
+        if let Some(error) = found.number() {
+            self.factor = self.factor.max(if error > 0.0 { error / found.bound } else { 0.0 });
         } else {
             let [least, most] = self.refuses.unwrap_or([row.distance; 2]);
             self.refuses = Some([least.min(row.distance), most.max(row.distance)]);
@@ -41,10 +43,9 @@ impl Walk<'_> {
             }
         });
         let factor = number(format_args!("{:.3}", self.factor));
-        let verdict = if self.ok { text!("stability-ok") } else { text!("stability-failed") };
-        let Comparison { place, method, .. } = self.first;
-        let subject = joined("; ", [place.clone(), method.clone(), self.first.quantity()]);
-        joined(": ", [subject, list(std::iter::once(factor).chain(refuses)), verdict])
+        let Comparison { finding, method, .. } = self.first;
+        let subject = joined("; ", [finding.place.clone(), method.clone(), self.first.quantity()]);
+        joined(": ", [subject, list(std::iter::once(factor).chain(refuses)), verdict(Some(self.ok))])
     }
 }
 
@@ -170,16 +171,15 @@ impl Stability {
             let change = millimeters(change);
             lines.line(&text!("stability-critical", length = &least.length, change));
         }
-        let failed: Vec<&Comparison> = self.rows.iter().filter(|row| !row.ok).collect();
+        let failed: Vec<&Comparison> = self.rows.iter().filter(|row| row.finding.failed()).collect();
         lines.line(&match self.rows.len() {
             0 => text!("stability-no-walk"),
             all => text!("stability-kept", kept = number(all - failed.len()), all = number(all)),
         });
         for row in failed.into_iter().take(MOST_FAILED) {
-            let Comparison { place, method, distance, reason, .. } = row;
-            let what = list([place.clone(), method.clone(), row.quantity(), power(*distance)]);
-            let reason = reason.clone().unwrap_or_default();
-            lines.line(&joined(": ", [text!("stability-failed"), what, reason]));
+            let Comparison { finding, method, distance, .. } = row;
+            let what = list([finding.place.clone(), method.clone(), row.quantity(), power(*distance)]);
+            lines.line(&joined(": ", [verdict(finding.holds), what, finding.why.clone()]));
         }
     }
 }
@@ -198,7 +198,7 @@ fn millimeters(length: f64) -> Text {
 fn walks_of(rows: &[Comparison]) -> Vec<Walk<'_>> {
     let mut found: BTreeMap<(String, String, &str), Walk<'_>> = BTreeMap::new();
     for row in rows {
-        let walk = found.entry((row.place.to_string(), row.method.to_string(), row.quantity));
+        let walk = found.entry((row.finding.place.to_string(), row.method.to_string(), row.quantity));
         walk.or_insert(Walk { first: row, factor: 0.0, refuses: None, ok: true }).take(row);
     }
     found.into_values().collect()

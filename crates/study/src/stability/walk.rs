@@ -1,5 +1,6 @@
 //! Walks of the whole mechanism along its coordinate towards places where a group is nearly singular.
 
+use assur_check::Finding;
 use assur_force::{AnalyzerPlugin, Reactions, applicable};
 use assur_group::{Order, Wrench, plane};
 use assur_kinematics::{Linkage, Position};
@@ -8,7 +9,7 @@ use assur_words::{Describe, Text, name, text};
 
 use super::exact::{Exact, Reference};
 use super::exact::{ORDERS, reactions, size, transfer};
-use super::row::{Comparison, DISTANCES, FACTOR, REACTIONS, Subject, accept_without_digits};
+use super::row::{Comparison, DISTANCES, FACTOR, REACTIONS, accept_without_digits};
 use super::target::Target;
 
 /// What the distance of a row is, by its identity.
@@ -185,15 +186,14 @@ impl<'a> Walk<'a> {
                 }
                 Err(error) => Err(error.clone()),
             };
-            let subject = Subject {
-                place: place.clone(),
+            let row = Comparison {
                 method: text!("stability-closed-forms"),
                 quantity,
                 distance: at.distance,
                 health: reference.health[group],
-                bound: at.rounding() * growth * lost,
+                finding: Finding::within(place.clone(), at.rounding() * growth * lost),
             };
-            rows.push(subject.row(outcome));
+            rows.push(row.judged(outcome));
         }
     }
 
@@ -222,15 +222,14 @@ impl<'a> Walk<'a> {
         for plugin in &self.analyzers {
             let condition = plugin.instance.condition(self.linkage, position);
             let growth = (all * condition).min(MOST_GROWTH);
-            let subject = Subject {
-                place: place.clone(),
+            let row = Comparison {
                 method: name(plugin.name),
                 quantity: REACTIONS,
                 distance: at.distance,
                 health: least.min(1.0 / condition),
-                bound: at.rounding() * growth * growth,
+                finding: Finding::within(place.clone(), at.rounding() * growth * growth),
             };
-            rows.push(subject.row(self.reactions(plugin, position, reference)));
+            rows.push(row.judged(self.reactions(plugin, position, reference)));
         }
     }
 

@@ -85,10 +85,11 @@ const AT_POSITION: f64 = 1e-6;
 pub(super) fn greatest(state: &mut State) {
     let Some(series) = state.main_series() else { return state.say(Role::Plain, text!("say-no-extreme")) };
     let is_sense = assur_book::catalogue::sign_is_sense(series.column);
-    let size = |turn: &Turn| if is_sense { turn.value.abs() } else { turn.value };
-    let turns = series.course.turns().into_iter();
-    let found = turns.reduce(|best, next| if size(&next) > size(&best) { next } else { best });
-    to_extreme(state, if is_sense { "say-extreme-farthest" } else { "say-extreme-greatest" }, found);
+    let turns = series.course.turns();
+    let all = Turn::statistic(&turns);
+    let found = if is_sense { all.farthest() } else { all.greatest() };
+    let told = if is_sense { "say-extreme-farthest" } else { "say-extreme-greatest" };
+    to_extreme(state, told, found.map(|best| turns[best.number]));
 }
 
 /// Goes on to the next extreme of the quantity that the view is about, after the last one the first.

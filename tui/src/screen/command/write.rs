@@ -138,8 +138,10 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
         (View::Checks, _, Some(found)) => {
             let header = ["check", "residual", "limit", "where", "position", "ok"];
             let checks = &found.analysis.checks;
-            let words: Vec<_> =
-                checks.iter().map(|check| [&check.name, &check.place].map(ToString::to_string)).collect();
+            let words: Vec<_> = checks
+                .iter()
+                .map(|check| [&check.name, &check.finding.place].map(ToString::to_string))
+                .collect();
             let rows = checks.iter().zip(&words).map(|(check, words)| row(check, words));
             bytes(csv::write(&header, rows, false))
         }
@@ -160,9 +162,10 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
 
 /// A check as a row; the last cell is empty where the check is not conclusive.
 fn row<'a>(check: &Check, [name, place]: &'a [String; 2]) -> [CsvCell<'a>; 6] {
-    let ok = check.verdict().map_or(CsvCell::Empty, |ok| CsvCell::Text(if ok { "true" } else { "false" }));
+    let ok =
+        check.finding.holds.map_or(CsvCell::Empty, |ok| CsvCell::Text(if ok { "true" } else { "false" }));
     let at = check.at.map_or(CsvCell::Empty, |at| CsvCell::Number(at as f64));
-    let [residual, limit] = [check.residual, check.limit].map(finite);
+    let [residual, limit] = [check.finding.error, check.finding.bound].map(finite);
     [CsvCell::Text(name), residual, limit, CsvCell::Text(place), at, ok]
 }
 

@@ -63,7 +63,7 @@ fn positions(linkage: &Linkage) -> Result<(Table, Edges), AnalysisError> {
     let options = Options { whole: true, ..Options::default() };
     let mut plan = plan(mechanism, &bare.structure, &options);
     plan.reduction = false;
-    let calculation = Calculation::planned(Arc::new(bare), plan, &options, &mut unwatched)?;
+    let calculation = Calculation::planned(Arc::new(bare), plan, None, &options, &mut unwatched)?;
     let table = calculation.analyze(&mut unwatched)?.positions;
     let edges = calculation.edges(&table);
     Ok((table, edges))

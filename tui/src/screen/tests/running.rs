@@ -51,7 +51,7 @@ fn an_analysis_that_is_stopped_ends_and_its_answer_is_dropped() {
         let answer = work::run(&job, &|report| panic!("{report:?}"));
         assert!(matches!(&answer, Report::Calculated(_, Outcome::Found(Err(_)))), "{answer:?}");
         assert!(!command::take(&mut state, answer));
-        assert!(!command::take(&mut state, Report::Calculated(number, Outcome::Checks(Checks::none()))));
+        assert!(!command::take(&mut state, Report::Calculated(number, Outcome::Checks(Checks::default()))));
         // What was found before stays.
         assert!(!state.scene.as_ref().unwrap().found.as_ref().unwrap().analysis.checks.is_empty());
     }

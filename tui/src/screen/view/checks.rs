@@ -25,7 +25,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let rows = short(lines.len()) + 1;
     let below = if area.height >= rows + CURVE { area.height - rows } else { 0 };
     let [table, below] = Layout::vertical([Constraint::Min(0), Constraint::Length(below)]).areas(area);
-    let of_row = |row: usize| match checks.get(row).and_then(assur_analysis::results::Check::verdict) {
+    let of_row = |row: usize| match checks.get(row).and_then(|check| check.finding.holds) {
         Some(true) => Role::Good,
         Some(false) => Role::Bad,
         None => Role::Plain,

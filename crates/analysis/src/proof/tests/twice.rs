@@ -4,7 +4,7 @@ use assur_check::Check;
 use assur_dynamics::Transient;
 use assur_words::Text;
 
-use super::super::{Balance, INTERVALS, Worst};
+use super::super::{Balance, INTERVALS};
 use crate::Calculation;
 
 /// An error that no limit allows for, of the largest energy, which it must not change.
@@ -16,10 +16,7 @@ pub(crate) fn twice_the_limit(calculation: &Calculation, found: &Transient) -> O
         calculation.solved_again(calculation.loads.as_ref()?, found, INTERVALS[0])?;
     let mut balance = Balance::of(&mut motion, &trajectory, false)?;
     let own = 2.0 * calculation.tolerance() * (trajectory.statistics.steps + 1) as f64;
-    let check = |balance: &Balance| {
-        let Worst { residual, limit, .. } = balance.worst(own);
-        Check::of(Text::default(), residual, limit, Text::default(), Text::default())
-    };
+    let check = |balance: &Balance| Check::of(Text::default(), Text::default(), balance.worst(own));
     let sound = check(&balance);
     let size = balance.kinetic.iter().copied().fold(0.0, f64::max);
     let end = *balance.kinetic.last()?;
@@ -29,6 +26,6 @@ pub(crate) fn twice_the_limit(calculation: &Calculation, found: &Transient) -> O
     };
     // What is missed at the end shows the limit there: errors of the quadrature add up.
     let gross = with(GROSS)?;
-    let wrong = with(GROSS * 2.0 * gross.limit / gross.residual)?;
-    sound.judged.then_some([sound, wrong])
+    let wrong = with(GROSS * 2.0 * gross.finding.bound / gross.finding.error)?;
+    sound.finding.holds.is_some().then_some([sound, wrong])
 }

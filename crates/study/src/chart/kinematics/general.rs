@@ -16,30 +16,22 @@ use crate::chart::{ChartError, Measurement};
 /// in some 300 steps per turn.
 const BACK: f64 = 0.02;
 
-/// The source of the positions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Places {
-    /// Closed forms.
-    Closed,
-    /// Newton's method on the constraints.
-    Newton,
-}
-
-/// The general solution in one number type, as a method over all positions.
+/// The general solution in one number type, as a method over all positions; `by_newton`: the places by Newton's method on the
+/// constraints, otherwise by the closed forms.
 pub(super) fn general<'a, T: Number>(
     work: &'a Work<'a>,
-    places: Places,
+    by_newton: bool,
 ) -> Result<impl FnMut(usize, bool) -> Result<f64, Text> + 'a, ChartError> {
     let chain = Chain::<T>::compile(&work.linkage.mechanism, &work.linkage.structure)?;
     let starts: Vec<_> = work.coordinates.iter().map(|q| start(work, &chain, *q)).collect();
     let mut bodies = chain.bodies();
-    let kept = if places == Places::Closed { kept(work) } else { None };
+    let kept = if by_newton { None } else { kept(work) };
     Ok(move |index: usize, judged| {
         let q = work.coordinates[index];
         if let Some(kept) = &kept {
             bodies.clone_from_slice(&kept[index]);
         }
-        let starts = (places == Places::Newton).then(|| &starts[index][..]);
+        let starts = by_newton.then(|| &starts[index][..]);
         let solved = solve_generally(work.linkage, &chain, q, starts, &mut bodies);
         solved.map_err(|error| failure(work.linkage, q, &error))?;
         Ok(if judged { work.deviation(index, &bodies) } else { 0.0 })

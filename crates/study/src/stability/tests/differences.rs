@@ -1,5 +1,6 @@
 //! Numerical differentiation at ever smaller steps.
 
+use assur_check::Finding;
 use assur_group::{Body, Order};
 use assur_kinematics::{Chain, Linkage};
 use assur_number::{Dd, Real};
@@ -7,7 +8,7 @@ use assur_number::{Dd, Real};
 use super::Law;
 use crate::chart::kinematics::differences::{Differentiator, Stencil};
 use crate::stability::exact::{ORDERS, transfer};
-use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject};
+use crate::stability::row::{Comparison, DISTANCES, FACTOR};
 use crate::stability::walk::growth;
 
 pub(super) static LAW: Law = Law {
@@ -72,15 +73,14 @@ impl Exact<'_> {
                 Ok(middle) => Ok(transfer(&middle.bodies, &bodies, &links, derivative, scale, floor)),
                 Err(why) => Err(why.clone()),
             };
-            let subject = Subject {
-                place: assur_words::name(name.to_owned()),
+            let subject = Comparison {
                 method: assur_words::name(stencil.name),
                 quantity: ORDERS[derivative],
                 distance: step,
                 health: health.iter().fold(1.0, |least, health| health.abs().to_f64().min(least)),
-                bound,
+                finding: Finding::within(assur_words::name(name.to_owned()), bound),
             };
-            rows.push(without_digits(subject.row_or(outcome, false)));
+            rows.push(without_digits(subject.judged_or(outcome, false)));
         }
     }
 
@@ -126,11 +126,10 @@ impl Exact<'_> {
 
 /// At steps so small nothing is left, as the bound says; the program takes no derivative this way.
 fn without_digits(mut row: Comparison) -> Comparison {
-    if row.error.is_some_and(|error| error <= row.bound) && !row.ok {
-        row.ok = true;
-        row.reason = Some(assur_words::name(
-            "no digit is left, as the bound says: the step is too small, or too great",
-        ));
+    if row.finding.number().is_some_and(|error| error <= row.finding.bound) && row.finding.failed() {
+        row.finding.holds = None;
+        row.finding.why =
+            assur_words::name("no digit is left, as the bound says: the step is too small, or too great");
     }
     row
 }

@@ -67,7 +67,7 @@ fn healthiest(linkage: &Linkage) -> Option<f64> {
 /// Rows as those of a mechanism of this name that approaches what the words say.
 fn named(mut rows: Vec<Comparison>, name: &str, words: &str) -> Vec<Comparison> {
     for row in &mut rows {
-        row.place = assur_words::name(format!("{name}, {words}"));
+        row.finding.place = assur_words::name(format!("{name}, {words}"));
     }
     rows
 }

@@ -167,7 +167,7 @@ fn random_mechanisms_keep_every_bound() {
             rows.extend(differences::rows(&linkage, q, "whole mechanism"));
             rows.extend(scales::rows(&linkage, q, "whole mechanism"));
         }
-        if let Some(row) = rows.iter().find(|row| !row.ok) {
+        if let Some(row) = rows.iter().find(|row| row.finding.failed()) {
             panic!("seed {seed}: {row:?}");
         }
         count += rows.len();

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use assur_structure::Structure;
 use assur_testkit::specimen::{Recipe, kinds};
-use assur_words::{Text, text};
+use assur_words::text;
 
 use super::bench::{MOST_TURNS, sections};
 use super::{Section, walk_group};
@@ -71,13 +71,15 @@ fn table(section: &Section) -> String {
     let heads = columns(&section.rows);
     let mut lines: BTreeMap<(String, String, &str), Line> = BTreeMap::new();
     for row in &section.rows {
-        let line = lines.entry((row.place.to_string(), row.method.to_string(), row.quantity)).or_default();
-        line.factor =
-            line.factor.max(row.error.filter(|error| *error > 0.0).map_or(0.0, |error| error / row.bound));
+        let line =
+            lines.entry((row.finding.place.to_string(), row.method.to_string(), row.quantity)).or_default();
+        line.factor = line.factor.max(
+            row.finding.number().filter(|error| *error > 0.0).map_or(0.0, |error| error / row.finding.bound),
+        );
         let Some(column) = heads.iter().position(|head| head.total_cmp(&row.distance).is_eq()) else {
             continue;
         };
-        let found = row.error.map(digits);
+        let found = row.finding.number().map(digits);
         let kept = line.digits.entry(column).or_insert(found);
         *kept = (*kept).zip(found).map(|(a, b)| a.min(b));
     }
@@ -101,8 +103,8 @@ fn table(section: &Section) -> String {
 /// The first refusal of each method, as it says it.
 fn refusals(section: &Section) -> String {
     let mut first: BTreeMap<String, (usize, String)> = BTreeMap::new();
-    for row in section.rows.iter().filter(|row| row.error.is_none()) {
-        let reason = || row.reason.as_ref().map_or_else(String::new, Text::to_string);
+    for row in section.rows.iter().filter(|row| row.finding.number().is_none()) {
+        let reason = || row.finding.why.to_string();
         first.entry(row.method.to_string()).or_insert_with(|| (0, reason())).0 += 1;
     }
     if first.is_empty() {
@@ -121,8 +123,10 @@ fn chapter(sections: &[&Section]) -> String {
     let (mut all, mut refused, mut worst) = (0, 0, 0.0_f64);
     for row in rows {
         all += 1;
-        refused += usize::from(row.error.is_none());
-        worst = worst.max(row.error.filter(|error| *error > 0.0).map_or(0.0, |error| error / row.bound));
+        refused += usize::from(row.finding.number().is_none());
+        worst = worst.max(
+            row.finding.number().filter(|error| *error > 0.0).map_or(0.0, |error| error / row.finding.bound),
+        );
     }
     let mut text = format!(
         "\n## {}\n\n{all} rows, {refused} of them refusals; largest factor {worst:.3}.\n",
@@ -140,7 +144,7 @@ fn chapter(sections: &[&Section]) -> String {
 /// The whole page. Sections of one name make one chapter.
 fn page(sections: &[Section]) -> String {
     let rows: Vec<&Comparison> = sections.iter().flat_map(|section| &section.rows).collect();
-    let failed = rows.iter().filter(|row| !row.ok).count();
+    let failed = rows.iter().filter(|row| row.finding.failed()).count();
     let mut text = ABOUT.to_owned();
     writeln!(
         text,
@@ -181,7 +185,7 @@ fn the_page_has_a_line_for_each_walk_and_method() {
     let mut walks: Vec<_> = section
         .rows
         .iter()
-        .map(|row| (row.place.to_string(), row.method.to_string(), row.quantity))
+        .map(|row| (row.finding.place.to_string(), row.method.to_string(), row.quantity))
         .collect();
     walks.sort();
     walks.dedup();

@@ -1,5 +1,6 @@
 //! The same mechanism in micrometers and kilometers, nanograms and kilotons.
 
+use assur_check::Finding;
 use assur_force::{LoadState, Loads, Reactions};
 use assur_group::{Order, Wrench};
 use assur_kinematics::{Linkage, Position};
@@ -7,7 +8,7 @@ use assur_mechanism::{InputPair, Mechanism, Range};
 use assur_words::name;
 
 use super::Law;
-use crate::stability::row::{Comparison, FACTOR, Subject};
+use crate::stability::row::{Comparison, FACTOR};
 use crate::stability::walk::{self, analyzers_of, growth, test_loads};
 
 pub(super) static LAW: Law = Law {
@@ -94,15 +95,17 @@ impl Pair<'_> {
             * lost
             * own
             * own;
-        let subject = Subject {
-            place: name(format!("{}, {place}", self.name)),
+        let subject = Comparison {
             method: name(method.to_owned()),
             quantity,
             distance: self.factor,
             health: position.health.iter().fold(1.0, |least, health| health.abs().min(least)),
-            bound: if is_power_of_two(self.factor) { 0.0 } else { rounding },
+            finding: Finding::within(
+                name(format!("{}, {place}", self.name)),
+                if is_power_of_two(self.factor) { 0.0 } else { rounding },
+            ),
         };
-        self.rows.push(subject.row_or(found.map_err(name), own > AT_INFINITY));
+        self.rows.push(subject.judged_or(found.map_err(name), own > AT_INFINITY));
     }
 
     fn lengths(mut self, scaled: Result<&Linkage, &String>) {

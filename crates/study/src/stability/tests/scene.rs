@@ -153,7 +153,7 @@ fn a_parallelogram_passes_its_change_points() {
 #[test]
 fn walks_over_a_change_point_keep_their_bounds() {
     let found = studied(parallelogram()).unwrap();
-    assert!(found.rows.iter().any(|row| row.place.to_string().ends_with("change point")));
+    assert!(found.rows.iter().any(|row| row.finding.place.to_string().ends_with("change point")));
     assert!(found.is_ok(), "{}", found.text(Language::english()));
 }
 
@@ -165,7 +165,7 @@ fn the_published_pole_at_infinity_is_told() {
             .unwrap();
     let worst = |method: &str| {
         let rows = found.rows.iter().filter(|row| row.method == name(method.to_owned()));
-        rows.filter_map(|row| row.error).fold(0.0, f64::max)
+        rows.filter_map(|row| row.finding.number()).fold(0.0, f64::max)
     };
     assert!(worst("longitudinal") < 1e-13 && worst("longitudinal-published") > 1e-10);
     assert!(found.is_ok(), "{}", found.text(Language::english()));
@@ -246,10 +246,16 @@ fn a_walk_to_jamming_ends_where_two_crossing_guides_jam() {
         assert!((group.jams_at.unwrap() / limit - 1.0).abs() < 1e-10, "{group:?}");
         assert!(group.radius > 0.0 && group.radius < 1.0, "{group:?}");
     }
-    let judged = |row: &&Comparison| row.error.is_some();
-    assert!(rows.iter().filter(judged).count() > 20 && rows.iter().all(|row| row.ok), "{rows:?}");
+    let judged = |row: &&Comparison| row.finding.number().is_some();
+    assert!(
+        rows.iter().filter(judged).count() > 20 && rows.iter().all(|row| !row.finding.failed()),
+        "{rows:?}"
+    );
     // Nearer than the rounding of the limit itself there may be no solution.
-    assert!(rows.iter().filter(|row| row.distance > 1e-13).all(|row| row.error.is_some()), "{rows:?}");
+    assert!(
+        rows.iter().filter(|row| row.distance > 1e-13).all(|row| row.finding.number().is_some()),
+        "{rows:?}"
+    );
 }
 
 /// A drawer has no group: its walk is that of the balancing load, which pulls beside the guide. It jams at the length over twice

@@ -1,5 +1,6 @@
 //! Walks a single group towards each of its singular positions.
 
+use assur_check::Finding;
 use assur_group::{
     AssurGroup, Body, GroupError, GroupFrame, Order, Wrench, derive_generally, kernel_of, reactions_generally,
 };
@@ -10,7 +11,7 @@ use assur_words::{Text, name};
 use super::Law;
 use super::isolated::{Isolated, Side};
 use crate::stability::exact::{ORDERS, reactions, size, transfer};
-use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject, accept_without_digits};
+use crate::stability::row::{Comparison, DISTANCES, FACTOR, accept_without_digits};
 
 const LINKS: [usize; 2] = [2, 3];
 
@@ -114,7 +115,7 @@ impl Place<'_> {
         Ok(Reference { health, bodies, pairs })
     }
 
-    fn subject(&self, method: &str, quantity: &'static str, reference: &Reference) -> Subject {
+    fn subject(&self, method: &str, quantity: &'static str, reference: &Reference) -> Comparison {
         let power = self.powers[usize::from(quantity != "pf0")];
         let lost = match quantity {
             "pf1" => self.given(reference, 1),
@@ -122,13 +123,12 @@ impl Place<'_> {
             _ => 1.0,
         };
         let bound = FACTOR * self.disparity * lost * f64::EPSILON / reference.health.powi(power);
-        Subject {
-            place: name(self.words.clone()),
+        Comparison {
             method: name(method.to_owned()),
             quantity,
             distance: self.distance,
             health: reference.health,
-            bound,
+            finding: Finding::within(name(self.words.clone()), bound),
         }
     }
 
@@ -168,14 +168,14 @@ impl Place<'_> {
             let outcome = order_done
                 .map(|()| transfer(&bodies, &reference.bodies, &LINKS, order, self.size, floor(order)))
                 .map_err(|error| self.refused(error));
-            rows.push(self.subject(method, quantity, reference).row(outcome));
+            rows.push(self.subject(method, quantity, reference).judged(outcome));
         }
         let mut pairs = [Wrench::ZERO; 3];
         let outcome = placed
             .and_then(|()| kernel.reactions(&bodies, &mut loads(self.size), &mut pairs))
             .map(|()| reactions(&pairs, &reference.pairs, self.size))
             .map_err(|error| self.refused(error));
-        rows.push(self.subject(method, "reactions", reference).row(outcome));
+        rows.push(self.subject(method, "reactions", reference).judged(outcome));
     }
 
     /// A row of a linear system, in which each of its equations adds its roundings, and which can't know when to refuse.
@@ -187,8 +187,9 @@ impl Place<'_> {
         outcome: Result<f64, Text>,
     ) -> Comparison {
         let subject = self.subject(method, quantity, reference);
-        let bound = EQUATIONS * subject.bound;
-        let mut row = Subject { bound, ..subject }.row(outcome);
+        let bound = EQUATIONS * subject.finding.bound;
+        let finding = Finding { bound, ..subject.finding };
+        let mut row = Comparison { finding, ..subject }.judged(outcome);
         accept_without_digits(&mut row);
         row
     }

@@ -1,5 +1,6 @@
 //! A crank with a motor of a straight characteristic against dry friction, from the scene to the motion: start, stall, regime.
 
+use assur_check::Finding;
 use assur_dynamics::{DynamicsError, Method, steady, transient};
 use assur_force::Loads;
 use assur_integrator::{IntegrationError, IntegratorPlugin, integrators};
@@ -7,7 +8,7 @@ use assur_kinematics::Linkage;
 use assur_words::{Describe, Text, name};
 
 use super::places::compiled;
-use crate::stability::row::{Comparison, DISTANCES, Subject};
+use crate::stability::row::{Comparison, DISTANCES};
 use crate::stability::tests::Law;
 
 pub(super) static LAW: Law = Law {
@@ -65,15 +66,14 @@ fn row(
 ) -> impl Fn(Result<f64, Text>, bool) -> Comparison {
     let (place, method) = (place.to_owned(), method.to_owned());
     move |outcome, may_refuse| {
-        let subject = Subject {
-            place: name(place.clone()),
+        let subject = Comparison {
             method: name(method.clone()),
             quantity,
             distance,
             health: distance.abs().min(1.0),
-            bound,
+            finding: Finding::within(name(place.clone()), bound),
         };
-        subject.row_or(outcome, may_refuse)
+        subject.judged_or(outcome, may_refuse)
     }
 }
 

@@ -37,10 +37,10 @@ fn the_bench_keeps_its_bounds() {
     assert!(empty.is_none(), "{:?}", empty.map(|section| section.law));
     let rows: Vec<_> = sections.iter().flat_map(|section| &section.rows).collect();
     for name in names() {
-        let count = rows.iter().filter(|row| row.place.to_string().starts_with(name)).count();
+        let count = rows.iter().filter(|row| row.finding.place.to_string().starts_with(name)).count();
         assert!(count >= 15, "{name}: {count} rows");
     }
-    let failed: Vec<_> = rows.iter().filter(|row| !row.ok).collect();
+    let failed: Vec<_> = rows.iter().filter(|row| row.finding.failed()).collect();
     assert!(failed.is_empty(), "{} of {}: {:?}", failed.len(), rows.len(), failed[0]);
     assert!(rows.len() > 6000, "{}", rows.len());
 }

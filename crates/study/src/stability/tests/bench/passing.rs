@@ -1,5 +1,6 @@
 //! Through change points, from both sides and on the very point, against the motion in closed form.
 
+use assur_check::Finding;
 use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_number::{Dd, Real};
@@ -7,7 +8,7 @@ use assur_words::{Describe, name, text};
 
 use super::closed::{KNOWN, Known};
 use crate::stability::exact::{ORDERS, transfer};
-use crate::stability::row::{Comparison, DISTANCES, FACTOR, Subject};
+use crate::stability::row::{Comparison, DISTANCES, FACTOR};
 use crate::stability::tests::Law;
 
 pub(super) static LAW: Law = Law {
@@ -38,14 +39,15 @@ fn of(known: &Known) -> Vec<Comparison> {
                 }
             }
         }
-        Err(why) => rows.push(subject(known.name, "pf0", 0.0, 0.0, 0.0).row_or(Err(name(why)), false)),
+        Err(why) => rows.push(subject(known.name, "pf0", 0.0, 0.0, 0.0).judged_or(Err(name(why)), false)),
     }
     rows
 }
 
-fn subject(place: &str, quantity: &'static str, distance: f64, health: f64, bound: f64) -> Subject {
+fn subject(place: &str, quantity: &'static str, distance: f64, health: f64, bound: f64) -> Comparison {
     let place = name(place.to_owned());
-    Subject { place, method: text!("stability-closed-forms"), quantity, distance, health, bound }
+    let finding = Finding::within(place, bound);
+    Comparison { method: text!("stability-closed-forms"), quantity, distance, health, finding }
 }
 
 fn step(known: &Known, linkage: &Linkage, (center, offset): (f64, f64), rows: &mut Vec<Comparison>) {
@@ -66,7 +68,7 @@ fn step(known: &Known, linkage: &Linkage, (center, offset): (f64, f64), rows: &m
             Ok(()) => Ok(transfer(&position.bodies[1..], &exact, &[0, 1, 2], order, 1.0, sizes[order])),
             Err(error) => Err(error.describe()),
         };
-        rows.push(subject(&place, quantity, offset.abs(), health, bound).row_or(outcome, false));
+        rows.push(subject(&place, quantity, offset.abs(), health, bound).judged_or(outcome, false));
     }
 }
 

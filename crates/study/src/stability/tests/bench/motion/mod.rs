@@ -6,6 +6,7 @@ mod starts;
 mod stiff;
 mod stops;
 
+use assur_check::Finding;
 use assur_integrator::{FixedStep, IntegrationError, IntegratorPlugin, Request, Trajectory, integrators};
 use assur_words::{Describe, Text, name};
 
@@ -13,7 +14,7 @@ pub(crate) use case::Case;
 pub(super) use case::LAW;
 use case::Wanted;
 
-use crate::stability::row::{Comparison, FEW_DIGITS, Subject};
+use crate::stability::row::{Comparison, FEW_DIGITS};
 
 /// Tolerance of methods that have one.
 const TOLERANCE: f64 = 1e-10;
@@ -48,9 +49,10 @@ impl Case {
             ..Request::new(self.initial, self.until)
         };
         if let Err(why) = (plugin.suitability)(&motion.dependence(), TOLERANCE) {
-            let row = self.subject(plugin.name, f64::NAN).row_or(Err(why), true);
+            let mut row = self.subject(plugin.name, f64::NAN).judged_or(Err(why), true);
+            row.finding.bound = 0.0;
             // Once a walk is enough.
-            return self.is_first.then_some(Comparison { bound: 0.0, ..row });
+            return self.is_first.then_some(row);
         }
         let found = plugin.solve(&mut *motion, &request);
         let steps = match &found {
@@ -60,7 +62,7 @@ impl Case {
         let bound = self.bound(plugin, steps);
         let (outcome, may_refuse) = self.judge(found);
         let lost = bound > FEW_DIGITS;
-        Some(self.subject(plugin.name, bound).row_or(outcome, may_refuse || lost))
+        Some(self.subject(plugin.name, bound).judged_or(outcome, may_refuse || lost))
     }
 
     /// Of methods of a fixed step, s.
@@ -82,14 +84,13 @@ impl Case {
         method * self.growth + rounding
     }
 
-    fn subject(&self, method: &str, bound: f64) -> Subject {
-        Subject {
-            place: name(self.place.to_owned()),
+    fn subject(&self, method: &str, bound: f64) -> Comparison {
+        Comparison {
             method: name(method.to_owned()),
             quantity: self.wanted.quantity(),
             distance: self.distance,
             health: self.distance.min(1.0),
-            bound,
+            finding: Finding::within(name(self.place.to_owned()), bound),
         }
     }
 
