@@ -229,11 +229,6 @@ impl Course {
         let found: Statistic = known.map(|(place, at)| (place, at[1])).collect();
         Some([found.greatest()?, found.least()?].map(|extreme| self.line[extreme.number]))
     }
-
-    /// Extremes and means over the positions.
-    pub fn statistic(&self) -> Statistic {
-        self.nodes.iter().map(|node| (node.number, node.value)).collect()
-    }
 }
 
 /// Nodes, what lies between them, and the end, in their order; NaN where a node is missing between two others.

@@ -20,6 +20,8 @@ pub enum Digits {
     Even,
     /// Each with six significant digits and no zeros at the end.
     Short,
+    /// The same, however small it is beside the greatest one: ratios, of which a small one is no rounding of zero.
+    Ratio,
     /// Each with three significant digits and an exponent.
     Exponent,
     /// Each with ten significant digits, to show how an iteration converges.
@@ -72,6 +74,7 @@ impl Digits {
         number(match self {
             Self::Even => digits(clean, largest),
             Self::Short => short(clean),
+            Self::Ratio => short(value),
             Self::Exponent if value == 0.0 => "0".to_owned(),
             Self::Exponent => format!("{value:.2e}"),
             Self::Long => long(value),

@@ -1,7 +1,10 @@
 //! Values of greatest modulus over the positions and between them.
 
 use assur_analysis::Calculation;
-use assur_analysis::results::{Column, Edges, Owner, Part, Peaks, Quantity, Schema, Table, Turn};
+use assur_analysis::results::{
+    Column, Edges, Extreme, Owner, Part, Peaks, Quantity, Schema, Statistic, Table, Turn,
+};
+use assur_kinematics::continuous_angle;
 use assur_mechanism::GROUND;
 
 use crate::Course;
@@ -57,13 +60,64 @@ fn farthest(
     course: &Course,
     read: &dyn Fn(&Table, usize) -> Option<f64>,
 ) -> Option<Turn> {
+    most(calculation, course, read, Statistic::farthest)
+}
+
+/// One of the extremes of a course, found between its places too; of a constant its first value.
+fn most(
+    calculation: &Calculation,
+    course: &Course,
+    read: &dyn Fn(&Table, usize) -> Option<f64>,
+    pick: fn(&Statistic) -> Option<Extreme>,
+) -> Option<Turn> {
     let turns = course.turns();
-    let most = turns.iter().fold(0.0_f64, |most, turn| most.max(turn.value.abs()));
-    let near: Vec<Turn> = turns.into_iter().filter(|turn| turn.value.abs() >= (1.0 - NEAR) * most).collect();
+    let best = pick(&Turn::statistic(&turns)).map_or(0.0, |best| best.value.abs());
+    let far = NEAR * course.size().max(best);
+    let near: Vec<Turn> = turns.into_iter().filter(|turn| (turn.value.abs() - best).abs() <= far).collect();
     let found = calculation.refined(&near, read);
-    let found = Turn::statistic(&found).farthest().map(|best| found[best.number]);
+    let found = pick(&Turn::statistic(&found)).map(|best| found[best.number]);
     let first = || course.nodes().first().map(|node| Turn::at(node.at, node.value));
     found.or_else(first)
+}
+
+/// What a quantity reaches over the positions and between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The greatest value.
+    pub greatest: Turn,
+    /// The least value.
+    pub least: Turn,
+    /// Mean and root mean square over the coordinate; `None` where there is no value somewhere.
+    pub means: Option<[f64; 2]>,
+}
+
+/// What a quantity reaches, with its `course` over the positions; `None` where no position has a value.
+pub fn range(calculation: &Calculation, course: &Course, column: Column) -> Option<Range> {
+    let is_angle = matches!((column.quantity, column.owner), (Quantity::Transfer(0), Owner::Link(_)));
+    let read = |table: &Table, row: usize| {
+        let value = table.get(row, column)?;
+        if !is_angle {
+            return Some(value);
+        }
+        Some(continuous_angle(value, course.between(table.get(row, Column::COORDINATE)?)?))
+    };
+    let greatest = most(calculation, course, &read, Statistic::greatest)?;
+    let least = most(calculation, course, &read, Statistic::least)?;
+    Some(Range { greatest, least, means: means(calculation, course, &read) })
+}
+
+/// Mean and root mean square over the cycle or the part of it that is calculated.
+fn means(
+    calculation: &Calculation,
+    course: &Course,
+    read: &dyn Fn(&Table, usize) -> Option<f64>,
+) -> Option<[f64; 2]> {
+    let input = &calculation.linkage.mechanism.input;
+    let last = if input.is_cycle() { input.positions } else { input.positions.saturating_sub(1) };
+    let jumps: Vec<f64> = course.jumps().map(|jump| jump.at).collect();
+    let [mean, rms] = calculation.means([0, last].map(|index| input.coordinate(index)), &jumps, read)?;
+    // What is left of a mean of zero is rounding.
+    Some([if mean.abs() <= ROUNDING * rms { 0.0 } else { mean }, rms])
 }
 
 /// A mean below this part of the root mean square has no correct digit: some rounding units.
@@ -71,14 +125,9 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Mean and root mean square over the cycle; a part of a cycle has no mean of this kind.
 fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -> Option<[f64; 2]> {
-    let input = &calculation.linkage.mechanism.input;
-    if !input.is_cycle() {
+    if !calculation.linkage.mechanism.input.is_cycle() {
         return None;
     }
     let course = Course::of(positions, Some(edges), Column::COORDINATE, Column::BALANCING);
-    let jumps: Vec<f64> = course.jumps().map(|jump| jump.at).collect();
-    let ends = [0, input.positions].map(|index| input.coordinate(index));
-    let [mean, rms] = calculation.means(ends, &jumps, |table, row| table.get(row, Column::BALANCING))?;
-    // What is left of a mean of zero is rounding.
-    Some([if mean.abs() <= ROUNDING * rms { 0.0 } else { mean }, rms])
+    means(calculation, &course, &|table, row| table.get(row, Column::BALANCING))
 }

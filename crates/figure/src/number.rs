@@ -40,14 +40,14 @@ pub fn digits(value: f64, significant: usize) -> String {
         return "-".to_owned();
     }
     let scientific = format!("{value:.*e}", significant.saturating_sub(1));
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or_default();
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let exponent = exponent.unwrap_or_default();
     match exponent {
         -4..=6 => {
             let decimals = i32::try_from(significant).unwrap_or(i32::MAX) - 1 - exponent;
             format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
         }
-        _ => format!("{}e{exponent}", &mantissa[..mantissa.len().min(significant)]),
+        _ => scientific,
     }
 }
 

@@ -66,10 +66,11 @@ fn role(ink: Ink) -> Role {
 /// Indent of the continuation lines of a line that is too long, in columns.
 const HANGING: usize = 4;
 
-/// Writes a text into an area, cut at its right edge; does nothing outside.
+/// Writes a text into an area; an ellipsis at the right edge shows that the rest is missing. Does nothing outside.
 pub(crate) fn put(buffer: &mut Buffer, area: Rect, column: u16, row: u16, text: &str, style: Style) {
     if row < area.height && column < area.width {
-        buffer.set_stringn(area.x + column, area.y + row, text, usize::from(area.width - column), style);
+        let room = usize::from(area.width - column);
+        buffer.set_stringn(area.x + column, area.y + row, cut(text, room), room, style);
     }
 }
 

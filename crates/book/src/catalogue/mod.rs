@@ -111,7 +111,7 @@ rows! {
     Q::FrictionMoment, _ => SENSE "quantity-friction-moment", "Mf", M::Moment,
         "friction.*.moment", "*_friction_moment";
     Q::FrictionForce, _ => SENSE "quantity-friction-force", "Ff", M::Force, "friction.*.force", "*_friction_force";
-    Q::FrictionPower, _ => PLAIN "quantity-friction-power", "Pf", M::Power, "friction.*.power", "*_friction_power";
+    Q::FrictionPower, _ => SENSE "quantity-friction-power", "Pf", M::Power, "friction.*.power", "*_friction_power";
     Q::IdealBalancing, _ => SENSE "quantity-ideal-balancing", "", M::Balancing,
         "balancing_without_friction", "balancing_without_friction";
     Q::Efficiency, _ => PLAIN "quantity-efficiency", "", M::Number, "efficiency", "efficiency";
@@ -138,6 +138,11 @@ const fn residual(of: Residual) -> &'static str {
 /// that it can't be negative.
 pub fn sign_is_sense(column: Column) -> bool {
     of(column).sense && column.part != Part::Modulus
+}
+
+/// Whether it is a plain number, of which a small one beside a great one is no rounding of zero: a condition number, a residual.
+pub fn is_ratio(column: Column) -> bool {
+    matches!(of(column).measure, M::Number)
 }
 
 /// The letter of the axis of a projection; empty for a whole quantity or a modulus.

@@ -1,7 +1,7 @@
 //! Positions, transfer functions, velocities and accelerations; nearness of the groups to singular positions.
 
 use assur_analysis::results::{Owner, Part, Quantity};
-use assur_book::{Document, Group, Table, Unit};
+use assur_book::{Digits, Document, Group, Table, Unit};
 use assur_mechanism::GROUND;
 use assur_words::{Text, count, joined, name, text};
 
@@ -31,7 +31,8 @@ pub fn condition(source: &Source<'_>, page: &mut Document) {
     let column = |owner| {
         let Owner::Group(group) = owner else { return None };
         let head = text!("report-group-number", number = count(group + 1));
-        Some(source.column(head, Unit::NONE, Values::of(Quantity::Condition, owner)))
+        let values = Values::of(Quantity::Condition, owner);
+        Some(source.column(head, Unit::NONE, values).with(Digits::Ratio))
     };
     let columns = owners.into_iter().filter_map(column).collect();
     page.table(Table::over(text!("head-groups"), source.keys(), columns));

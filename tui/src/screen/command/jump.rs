@@ -88,7 +88,8 @@ pub(super) fn greatest(state: &mut State) {
     let turns = series.course.turns();
     let all = Turn::statistic(&turns);
     let found = if is_sense { all.farthest() } else { all.greatest() };
-    to_extreme(state, "say-extreme-greatest", found.map(|best| turns[best.number]));
+    let told = if is_sense { "say-extreme-farthest" } else { "say-extreme-greatest" };
+    to_extreme(state, told, found.map(|best| turns[best.number]));
 }
 
 /// Goes on to the next extreme of the quantity that the view is about, after the last one the first.
@@ -115,7 +116,9 @@ fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
     let (input, unit) = (&scene.linkage.mechanism.input, &series.unit);
     let [first, next] = [0, 1].map(|index| input.coordinate(index));
     let part = (found.at - first) / (next - first);
-    let place = if (part - part.round()).abs() <= AT_POSITION {
+    // The end of a cycle is its first position only where the course closes there.
+    let is_end = part > (state.positions() as f64 - 0.5) && series.course.closes() == Some(false);
+    let place = if (part - part.round()).abs() <= AT_POSITION && !is_end {
         text!("place-in", position = number(near))
     } else {
         let (own, factor) = coordinate_unit(&scene.linkage);

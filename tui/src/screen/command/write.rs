@@ -11,7 +11,7 @@ use assur_words::{Describe, Language, Text, name, text};
 use crossterm::event::KeyCode;
 
 use crate::files;
-use crate::screen::state::{Effect, Job, Key, OutputFile, Role, Scene, State, View};
+use crate::screen::state::{Effect, Job, Key, OutputFile, Role, Scene, State, View, ViewPart};
 use crate::screen::view;
 
 /// Width and height of a page, mm: what A4 leaves between its margins, in a good ratio.
@@ -26,10 +26,7 @@ pub(super) fn write(state: &mut State) {
         return state.say(Role::Plain, text!("say-nothing-to-write"));
     };
     let stem = scene.session.source.stem();
-    let of = match (state.view, scene.transfers.get(state.chosen.transfer)) {
-        (View::Curves, Some(transfer)) => transfer.name.to_string(),
-        (view, _) => view.command().to_owned(),
-    };
+    let of = subject(state, scene).join("-");
     let of: String = of.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
     let path = match view::figure(state, state.view) {
         Some(_) => format!("{stem}-{of}-{}.svg", state.position),
@@ -37,6 +34,26 @@ pub(super) fn write(state: &mut State) {
         None => format!("{stem}-{of}.csv"),
     };
     write_to(state, path.into());
+}
+
+/// What is shown, by its names: the view with its part, and of whom or what.
+fn subject(state: &State, scene: &Scene) -> Vec<String> {
+    let (view, part) = (state.view, state.part(state.view));
+    let mut names = vec![view.command().to_owned()];
+    names.extend(
+        view.parts().iter().skip(1).find(|other| **other == part).map(<&str>::from).map(str::to_owned),
+    );
+    match view {
+        View::Curves if !state.picked.is_empty() => return state.picked.clone(),
+        View::Curves => return vec![scene.transfers[state.chosen.transfer].name.to_string()],
+        View::Forces => {
+            let reactions = state.found().map_or(&[][..], |found| &found.reactions);
+            names.extend(reactions.get(state.chosen.reaction).map(|reaction| reaction.name.to_string()));
+        }
+        View::Plans if part == ViewPart::Forces => names.push((state.chosen.polygon + 1).to_string()),
+        _ => {}
+    }
+    names
 }
 
 /// Writes the view to a file, in the form that its ending names.
@@ -99,17 +116,25 @@ pub(crate) fn picture(
 
 /// The numbers of the view: the quantities over the positions, or of another figure its points.
 fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<u8>, Text> {
-    let beyond = |index: &usize| index + scene.series.len();
+    let (beyond, part) = (|index: &usize| index + scene.series.len(), state.part(state.view));
     match (state.view, scene.transfers.get(state.chosen.transfer), state.found()) {
-        (View::Mechanism | View::Structure, ..) => table(scene, 0..scene.series.len()),
+        (View::Mechanism, ..) => table(scene, 0..scene.series.len()),
+        (View::Curves, ..) if !state.picked.is_empty() => {
+            let picked = (0..scene.column_count()).filter(|index| {
+                scene.column(*index).is_some_and(|series| state.picked.contains(&series.short))
+            });
+            table(scene, std::iter::once(0).chain(picked.filter(|index| *index > 0)))
+        }
         (View::Curves, Some(transfer), _) => table(scene, std::iter::once(0).chain(transfer.orders)),
-        (View::Forces, _, Some(found)) => match found.reactions.get(state.chosen.reaction) {
-            Some(reaction) => {
-                let columns = reaction.series.iter().chain(&reaction.moment).map(beyond);
-                table(scene, std::iter::once(0).chain(columns))
+        (View::Forces, _, Some(found)) if [ViewPart::Overview, ViewPart::Curves].contains(&part) => {
+            match found.reactions.get(state.chosen.reaction) {
+                Some(reaction) => {
+                    let columns = reaction.series.iter().chain(&reaction.moment).map(beyond);
+                    table(scene, std::iter::once(0).chain(columns))
+                }
+                None => table(scene, 0..scene.column_count()),
             }
-            None => table(scene, 0..scene.column_count()),
-        },
+        }
         (View::Checks, _, Some(found)) => {
             let header = ["check", "residual", "limit", "where", "position", "ok"];
             let checks = &found.analysis.checks;
@@ -126,7 +151,9 @@ fn numbers(state: &State, scene: &Scene, figure: Option<&Figure>) -> Result<Vec<
             Some(Err(error)) => Err(error.clone()),
             None => Err(text!("say-nothing-measured")),
         },
-        (View::Plans | View::Motion | View::Drive, ..) if figure.is_some() => {
+        (View::Forces | View::Plans | View::Motion | View::Drive | View::Structure, ..)
+            if figure.is_some() =>
+        {
             points(figure.map_or(&[][..], |figure| &figure.panels))
         }
         _ => table(scene, 0..scene.column_count()),

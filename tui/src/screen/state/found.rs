@@ -1,10 +1,12 @@
 //! The results of the analysis, with their series.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::sync::Arc;
 
-use assur_analysis::results::{Analysis, Checks, Edges, Quantity, Table};
+use assur_analysis::results::{Analysis, Checks, Column, Edges, Quantity, Table};
 use assur_analysis::{AnalysisError, Options, Watch};
-use assur_book::Fact;
+use assur_book::{Fact, Range};
 use assur_report::topic::{self, About};
 
 use super::gather::{Gather, Reaction};
@@ -32,6 +34,8 @@ pub(crate) struct Found {
     pub(crate) plans: Planner,
     /// Indices in `series` of the content of the motion view.
     pub(crate) motion: Vec<usize>,
+    /// What quantities reach, kept because a view is drawn many times.
+    ranges: RefCell<HashMap<Column, Option<Range>>>,
 }
 
 impl Found {
@@ -66,9 +70,29 @@ impl Found {
         gather.rates();
         let reactions = gather.reactions();
         gather.others();
+        gather.mark_rounding();
         let series = gather.series;
         let verdict = Verdict::of(&analysis, plans.calculation(), None);
-        Ok(Self { analyzer, analysis, edges, results, stops, verdict, series, reactions, plans, motion })
+        let ranges = RefCell::default();
+        Ok(Self {
+            analyzer,
+            analysis,
+            edges,
+            results,
+            stops,
+            verdict,
+            series,
+            reactions,
+            plans,
+            motion,
+            ranges,
+        })
+    }
+
+    /// What a quantity reaches, between the positions too; `None` where no position has a value.
+    pub(crate) fn range(&self, series: &Series) -> Option<Range> {
+        let find = || assur_book::range(self.plans.calculation(), &series.course, series.column);
+        *self.ranges.borrow_mut().entry(series.column).or_insert_with(find)
     }
 
     /// Adds the checks, and the residuals as series.

@@ -1,5 +1,7 @@
 //! The columns of the results as series with names: rates, reduction, reactions, loads, residuals.
 
+use std::collections::HashMap;
+
 use assur_analysis::results::{Column, Edges, Owner, Part, Quantity, Schema, Table};
 use assur_book::{Course, catalogue};
 use assur_mechanism::{GROUND, LinkId, Named, PairId};
@@ -7,7 +9,7 @@ use assur_words::Text;
 
 use super::series::Series;
 
-/// A force this small compared with the greatest one of the mechanism counts as zero.
+/// A value this small compared with the greatest one in its unit counts as zero.
 const ROUNDING: f64 = 1e-13;
 
 /// The force that a pair exerts on one link, as indices of series.
@@ -84,7 +86,6 @@ impl Gather<'_> {
                 found.push(Reaction { of, name, series, moment });
             }
         }
-        self.mark_rounding(&found);
         if let Some(index) = self.add(Column::BALANCING) {
             let name = catalogue::kind(Column::BALANCING);
             found.push(Reaction { of: None, name, series: vec![index], moment: None });
@@ -107,11 +108,19 @@ impl Gather<'_> {
         }
     }
 
-    /// Sets the limit below which forces of the pairs count as zero.
-    fn mark_rounding(&mut self, reactions: &[Reaction]) {
-        let forces = || reactions.iter().flat_map(|reaction| &reaction.series).copied();
-        let floor = ROUNDING * forces().map(|index| self.series[index].course.size()).fold(0.0, f64::max);
-        forces().for_each(|index| self.series[index].floor = floor);
+    /// Raises the limits below which values count as zero to what is rounding beside the greatest value in their unit.
+    pub(super) fn mark_rounding(&mut self) {
+        let mut greatest: HashMap<&str, f64> = HashMap::new();
+        for series in &self.series {
+            let most = greatest.entry(&series.unit).or_default();
+            *most = most.max(series.course.size());
+        }
+        let floors: Vec<f64> =
+            self.series.iter().map(|series| ROUNDING * greatest[series.unit.as_str()]).collect();
+        let of_units = self.series.iter_mut().zip(floors);
+        for (series, floor) in of_units.filter(|(series, _)| !catalogue::is_ratio(series.column)) {
+            series.floor = series.floor.max(floor);
+        }
     }
 }
 

@@ -36,6 +36,7 @@ impl Series {
         let (of, head) = (catalogue::subject(schema, column), catalogue::short(schema, column));
         let (kind, short) = (catalogue::further(column), head.to_string());
         let Shown { unit, factor } = catalogue::shown(schema, column);
+        let floor = if catalogue::is_ratio(column) { 0.0 } else { floor.max(course.rounding()) };
         Self { column, of, head, short, kind, unit, factor, course, floor }
     }
 
@@ -46,8 +47,7 @@ impl Series {
 
     /// Value at a position, SI; 0 if it is rounding compared with the greatest value. `None` where there is none.
     pub(crate) fn clean(&self, position: usize) -> Option<f64> {
-        let least = self.course.rounding().max(self.floor);
-        self.course.get(position).map(|value| if value.abs() <= least { 0.0 } else { value })
+        self.course.get(position).map(|value| if value.abs() <= self.floor { 0.0 } else { value })
     }
 
     /// Value and unit at a position.
@@ -63,7 +63,7 @@ impl Series {
 
     /// The greatest size that counts as zero, in the unit that is shown.
     pub(crate) fn least(&self) -> f64 {
-        self.factor * self.course.rounding().max(self.floor)
+        self.factor * self.floor
     }
 
     /// The greatest modulus of a value, in the unit that is shown.

@@ -73,8 +73,31 @@ fn the_note_and_the_picture_are_written_by_one_key() {
     let Some(Effect::Write(file)) = state.effects.pop() else { panic!("no file") };
     assert_eq!(file.path.to_str(), Some("shaper-note.html"));
     assert!(String::from_utf8(file.content).unwrap().starts_with("shaper.toml: "));
-    crate::screen::command::press(&mut state, key('w'));
-    assert!(
-        matches!(&state.effects[..], [Effect::Write(file)] if file.path.to_str() == Some("shaper-mechanism-0.svg"))
-    );
+    assert_eq!(written(&mut state).0, "shaper-mechanism-0.svg");
+}
+
+/// Name and numbers of what `w` writes.
+fn written(state: &mut crate::screen::State) -> (String, String) {
+    let key = crossterm::event::KeyEvent::from(crossterm::event::KeyCode::Char('w'));
+    crate::screen::command::press(state, key);
+    let Some(Effect::Write(file)) = state.effects.pop() else { panic!("no file") };
+    (file.path.display().to_string(), String::from_utf8(file.numbers.unwrap_or_default()).unwrap())
+}
+
+#[test]
+fn a_written_file_is_named_by_what_is_shown_and_its_numbers_are_those_of_the_picture() {
+    let mut state = opened("shaper");
+    press(&mut state, "3");
+    let (first, numbers) = written(&mut state);
+    press(&mut state, "Down");
+    let (next, others) = written(&mut state);
+    assert!(first != next && numbers != others, "{first} {next}");
+    press(&mut state, "Tab");
+    let (causes, by_cause) = written(&mut state);
+    assert!(causes.contains("forces-causes-") && !by_cause.starts_with("position,"), "{causes}");
+    press(&mut state, "2 p b a l a n c Enter");
+    let (name, numbers) = written(&mut state);
+    let head = numbers.lines().next().unwrap();
+    assert_eq!(head.split(',').count(), 3, "position, coordinate and what was picked: {head}");
+    assert!(head.to_lowercase().contains("balanc") && name.contains("balanc"), "{name}: {head}");
 }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_analysis::results::{Extreme, Owner, Quantity};
+use assur_analysis::results::Turn;
 use assur_book::{Column, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_report::text::Line;
@@ -13,7 +13,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
 use super::plots::{self, STYLES, over_positions};
-use crate::number::number;
+use crate::number::{number, trimmed};
 use crate::screen::draw::{cut, paint, put, short};
 use crate::screen::state::{Compared, Found, Role, Scene, Series, State, coordinate_unit};
 
@@ -67,7 +67,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 }
 
 fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
-    let series = &in_radians(&scene.series[orders[order]]);
+    let series = &scene.series[orders[order]];
     let mut value = quantity(series.bare(state.position), series.unit.clone());
     let mut curves = vec![(series, Stroke::Solid, ink)];
     if let Some(compared) = &state.compared
@@ -144,19 +144,29 @@ fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     paint(state, &figure_of_picked(state, scene), charts, buffer);
 }
 
-/// Values now, extremes with the numbers of their positions, and means.
+/// Digits of the coordinate of an extreme.
+const PLACE: usize = 5;
+
+/// Values now, extremes with their coordinates, and means: between the positions too, as the first results have them.
 fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
-    let heads = std::iter::repeat_with(Text::default).take(2).chain(HEADS.map(|head| text!(head)));
+    let (symbol, factor) = coordinate_unit(&scene.linkage);
+    let place = |at: f64| words::number(trimmed(factor * at, PLACE));
+    let heads = HEADS.map(|head| match head {
+        "curve-at" => text!(head, unit = unit(symbol)),
+        _ => text!(head),
+    });
+    let heads = std::iter::repeat_with(Text::default).take(2).chain(heads);
     let row = |(number, series): (usize, &Series)| {
         let shown = |value: f64| {
             let value = series.factor * value;
             if value.abs() <= series.least() { 0.0 } else { value }
         };
         let now = series.clean(state.position).map(|value| series.factor * value);
-        let all = series.course.statistic();
-        let (greatest, least) = (all.greatest(), all.least());
-        let value = |extreme: Option<Extreme>| extreme.map(|extreme| shown(extreme.value));
-        let at = |extreme: Option<Extreme>| extreme.map(|extreme| words::number(extreme.number));
+        let range = scene.found.as_ref().and_then(|found| found.range(series));
+        let (greatest, least) = (range.map(|all| all.greatest), range.map(|all| all.least));
+        let means = range.and_then(|all| all.means);
+        let value = |extreme: Option<Turn>| extreme.map(|extreme| shown(extreme.value));
+        let at = |extreme: Option<Turn>| extreme.map(|extreme| place(extreme.at));
         row![
             plots::numbered(number, series.of.clone()),
             unit(series.unit.clone()),
@@ -165,8 +175,8 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
             at(greatest),
             value(least),
             at(least),
-            all.mean().map(shown),
-            all.rms().map(shown),
+            means.map(|[mean, _]| shown(mean)),
+            means.map(|[_, rms]| shown(rms)),
         ]
     };
     let rows = picked(state, scene).into_iter().enumerate().map(row);
@@ -180,8 +190,7 @@ fn parts_of_picked(state: &State, scene: &Scene, area: Rect) -> [Rect; 2] {
 }
 
 fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
-    let all: Vec<Series> = picked(state, scene).into_iter().map(in_radians).collect();
-    together(state, scene, &all.iter().collect::<Vec<_>>())
+    together(state, scene, &picked(state, scene))
 }
 
 /// Relative size of a change that is rounding.
@@ -199,14 +208,6 @@ pub(super) fn together(state: &State, scene: &Scene, all: &[&Series]) -> Figure 
 fn different<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     let mut seen = BTreeSet::new();
     all.filter(|one| seen.insert(*one)).collect()
-}
-
-/// The angle of a link in radians, by which its derivatives are taken; other quantities as they are shown.
-fn in_radians(series: &Series) -> Series {
-    let is_angle =
-        matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
-    let unit = if is_angle { "rad".to_owned() } else { series.unit.clone() };
-    Series { unit, factor: if is_angle { 1.0 } else { series.factor }, ..series.clone() }
 }
 
 /// The curves with their units and their values at the position, each under its number, in the strokes of their panels.

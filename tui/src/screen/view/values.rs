@@ -1,6 +1,7 @@
 //! The list of the scene's numbers, below the view, which follows their changes; beside it the most important results before and
 //! after them.
 
+use assur_analysis::results::{Column, Quantity};
 use assur_words::{Text, list, number, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -89,17 +90,19 @@ fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
         list([text!(id, quantity = &series.head), unit(series.unit.clone())])
     };
     let of = |id: &'static str, symbol: &str| list([text!(id), unit(symbol.to_owned())]);
-    if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short)) {
-        let all = series.course.statistic();
-        results.extend(all.greatest().map(|most| (named("values-most", series), series.factor * most.value)));
-        results.extend(all.least().map(|least| (named("values-least", series), series.factor * least.value)));
-    }
     let Some(found) = &scene.found else { return results };
-    if let Some(series) = found.balancing() {
-        results.push((of("values-balance", &series.unit), series.size()));
+    if let Some(series) = state.main_series().and_then(|series| scene.named(&series.short))
+        && let Some(range) = found.range(series)
+    {
+        results.push((named("values-most", series), series.factor * range.greatest.value));
+        results.push((named("values-least", series), series.factor * range.least.value));
     }
-    let forces = found.reactions.iter().filter(|reaction| reaction.series.len() == 3);
-    let force = forces.map(|reaction| found.series[reaction.series[2]].size()).reduce(f64::max);
+    let peaks = &found.analysis.peaks;
+    if let Some((series, most)) = found.balancing().zip(peaks.of(Column::BALANCING)) {
+        results.push((of("values-balance", &series.unit), (series.factor * most.value).abs()));
+    }
+    let forces = peaks.farthest.iter().filter(|(column, _)| column.quantity == Quantity::Force);
+    let force = forces.map(|(_, most)| most.value).reduce(f64::max);
     results.extend(force.map(|force| (of("values-reaction", "N"), force)));
     if let Some(dynamics) = &found.analysis.dynamics {
         results.push((text!("values-unevenness"), dynamics.figures.unevenness));
