@@ -61,7 +61,7 @@ impl<T: Real, const N: usize> Sum<T, N> {
 impl<T: Real, const N: usize> Unique<T, N> {
     /// The certificate, and the unknowns where it proves one solution; `None` where a lane needs a more careful method.
     ///
-    /// To be called within a [formula](assur_number::Formula).
+    /// To be called within [`Real::evaluate`].
     #[inline(always)]
     pub fn solve(&self) -> Option<(T, [T; N])> {
         let radius = self.certificate()?;
