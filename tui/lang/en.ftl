@@ -667,6 +667,7 @@ regime-excess-area = A* = { $work }
 reduction-mechanism = the mechanism
 reduction-model = disc: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (at rest)
+reduction-with-flywheel = { $told } (with flywheel and rotor)
 structure-mode = shown: mode { $mode }, determinant { $determinant } ({ $key } takes it)
 structure-modes = { $key }: shows the others
 say-no-modes = The kind of this group can't list its modes.

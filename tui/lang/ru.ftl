@@ -660,6 +660,7 @@ regime-excess-area = A* = { $work }
 reduction-mechanism = механизм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (в покое)
+reduction-with-flywheel = { $told } (с маховиком и ротором)
 structure-mode = показана сборка { $mode }, определитель { $determinant } ({ $key } берёт её)
 structure-modes = { $key }: показывает другие
 say-no-modes = Вид этой группы не может перечислить её сборки.

@@ -657,6 +657,7 @@ regime-excess-area = A* = { $work }
 reduction-mechanism = механізм
 reduction-model = диск: M = { $moment }, J = { $inertia }
 reduction-at-rest = { $told } (у стані спокою)
+reduction-with-flywheel = { $told } (з маховиком і ротором)
 structure-mode = показано складання { $mode }, визначник { $determinant } ({ $key } бере його)
 structure-modes = { $key }: показує інші
 say-no-modes = Вид цієї групи не може перелічити її складань.

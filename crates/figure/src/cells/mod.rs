@@ -194,8 +194,8 @@ const HEADING: u16 = 3;
 const DRAWING: u16 = 4;
 
 /// The heading of a panel in rows of at most this many columns, broken where two spaces part what it names, or else between words;
-/// of `rows` rows it leaves enough to the drawing. Where it is too long, `end`, with which it ends, is kept whole.
-fn heading(title: &str, end: &str, width: u16, rows: u16) -> Vec<String> {
+/// of `rows` rows it leaves enough to the drawing.
+fn heading(title: &str, width: u16, rows: u16) -> Vec<String> {
     let most = usize::from(rows.saturating_sub(DRAWING).clamp(1, HEADING));
     let width = usize::from(width);
     let mut lines: Vec<String> = Vec::new();
@@ -214,10 +214,7 @@ fn heading(title: &str, end: &str, width: u16, rows: u16) -> Vec<String> {
     }
     let rest = lines.split_off(lines.len().min(most));
     if let Some(last) = lines.last_mut().filter(|_| !rest.is_empty()) {
-        let rest = rest.join("  ");
-        let rest = rest.strip_suffix(end).unwrap_or(&rest).trim_end();
-        let begin = cut(&format!("{last}  {rest}"), width.saturating_sub(2 + end.width()));
-        *last = format!("{begin}  {end}").trim_end().to_owned();
+        *last = cut(&format!("{last}  {}", rest.join("  ")), width);
     }
     lines.iter().map(|line| cut(line, width)).collect()
 }

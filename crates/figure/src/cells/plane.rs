@@ -56,7 +56,7 @@ fn around(panel: &Panel, [width, height]: [u16; 2], look: Look) -> [u16; 2] {
 
 fn title(panel: &Panel, [width, height]: [u16; 2], look: Look) -> Vec<String> {
     let title = panel.title.render(look.language);
-    if title.is_empty() { Vec::new() } else { heading(&title, "", width, height) }
+    if title.is_empty() { Vec::new() } else { heading(&title, width, height) }
 }
 
 /// Width of a cell in the units of the plane, for a panel of so many columns and rows.

@@ -157,7 +157,7 @@ fn a_length_on_paper_times_its_scale_is_the_true_one() {
 }
 
 #[test]
-fn the_link_of_reduction_has_the_mass_of_the_table() {
+fn the_mass_of_the_link_of_reduction_is_that_of_links_flywheel_and_rotor() {
     let html = of("shaper-drive", "en", Form::Html).text;
     let state = state("shaper-drive");
     let json: Value =
@@ -168,9 +168,12 @@ fn the_link_of_reduction_has_the_mass_of_the_table() {
     let masses: Vec<f64> =
         text.split(", m ").skip(1).filter_map(|rest| rest.split_once(" kg")?.0.parse().ok()).collect();
     assert!(!masses.is_empty(), "{text}");
-    // Of the links alone, J/r² with the crank's r = 100 mm.
+    // J/r² with the crank's r = 100 mm.
     let positions = json["positions"].as_array().unwrap();
-    let wanted = |row: &Value| row["reduced"]["inertia"].as_f64().unwrap() / 0.01;
+    let of_drive = |key: &str| json["dynamics"][key].as_f64().unwrap();
+    let rotor = json["dynamics"]["motor"]["inertia"].as_f64().unwrap();
+    let shaft = of_drive("flywheel") + of_drive("ratio") * of_drive("ratio") * rotor;
+    let wanted = |row: &Value| (row["reduced"]["inertia"].as_f64().unwrap() + shaft) / 0.01;
     for mass in masses {
         let is_one = positions.iter().any(|row| (mass / wanted(row) - 1.0).abs() < 1e-4);
         assert!(is_one, "{mass}");

@@ -29,6 +29,7 @@ fn the_greatest_moment_of_a_guide_is_found_and_gone_to() {
     let moment = &found.series[guide.moment.unwrap()];
     assert_eq!(state.picked, std::slice::from_ref(&moment.short));
     let values: Vec<f64> = moment.course.nodes().iter().map(|node| node.value).collect();
+    let line = moment.course.points([1.0; 2]);
     // The greatest moment is that of greatest modulus, whatever its sense; the other key goes on from extreme to extreme.
     let at = (0..values.len()).max_by(|a, b| values[*a].abs().total_cmp(&values[*b].abs())).unwrap();
     assert!(values[at] < 0.0);
@@ -41,13 +42,24 @@ fn the_greatest_moment_of_a_guide_is_found_and_gone_to() {
         met.push(state.position);
     }
     assert!(met.contains(&at) && met.iter().any(|met| met.abs_diff(least) <= 1), "{least}: {met:?}");
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    let rms = (values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64).sqrt();
+    // The table has what lies between the positions too: extremes beyond those of the positions, means as by the trapezoidal rule
+    // over the curve.
+    let integral = |of: fn(f64) -> f64| {
+        let pairs =
+            line.windows(2).map(|two| (two[1][0] - two[0][0]) * (of(two[0][1]) + of(two[1][1])) / 2.0);
+        pairs.sum::<f64>() / std::f64::consts::TAU
+    };
+    let (mean, rms) = (integral(|value| value), integral(|value| value * value).sqrt());
     let frame = text(&state, 100, 24);
-    for value in [values[at], values[least], mean, rms] {
-        let shown = assur_book::Unit::NONE.number(value).to_string();
-        assert!(frame.contains(&shown), "{shown}: {frame}");
-    }
+    let row = frame.lines().find(|line| line.trim_start().starts_with("1 ram/ground")).unwrap();
+    let shown: Vec<f64> = row.split_whitespace().filter_map(|word| word.parse().ok()).skip(1).collect();
+    let [_, greatest, _, lowest, _, shown_mean, shown_rms] = shown[..] else { panic!("{row}") };
+    assert!((0.0..1e-3 * values[least]).contains(&(greatest - values[least])), "{row}");
+    assert!((0.0..-1e-3 * values[at]).contains(&(values[at] - lowest)), "{row}");
+    assert!(
+        (shown_mean - mean).abs() < 2e-3 * rms && (shown_rms - rms).abs() < 2e-3 * rms,
+        "{mean} {rms}: {row}"
+    );
 }
 
 #[test]

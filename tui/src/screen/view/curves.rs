@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_analysis::results::Turn;
+use assur_analysis::results::{Owner, Quantity, Turn};
 use assur_book::{Column, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_report::text::Line;
@@ -134,8 +134,17 @@ const HEADS: [&str; 7] =
     ["curve-now", "curve-greatest", "curve-at", "curve-least", "curve-at", "curve-mean", "curve-rms"];
 
 /// The picked quantities that the scene has.
-fn picked<'a>(state: &State, scene: &'a Scene) -> Vec<&'a Series> {
-    state.picked.iter().filter_map(|short| scene.named(short)).collect()
+fn picked(state: &State, scene: &Scene) -> Vec<Series> {
+    state.picked.iter().filter_map(|short| scene.named(short)).map(in_radians).collect()
+}
+
+/// The angle of a link in radians, by which its derivatives are taken, so that all three have one axis; other quantities as they are
+/// shown elsewhere.
+fn in_radians(series: &Series) -> Series {
+    let is_angle =
+        matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
+    let unit = if is_angle { "rad".to_owned() } else { series.unit.clone() };
+    Series { unit, factor: if is_angle { 1.0 } else { series.factor }, ..series.clone() }
 }
 
 fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
@@ -156,13 +165,13 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
         _ => text!(head),
     });
     let heads = std::iter::repeat_with(Text::default).take(2).chain(heads);
-    let row = |(number, series): (usize, &Series)| {
+    let row = |(number, series): (usize, Series)| {
         let shown = |value: f64| {
             let value = series.factor * value;
             if value.abs() <= series.least() { 0.0 } else { value }
         };
         let now = series.clean(state.position).map(|value| series.factor * value);
-        let range = scene.found.as_ref().and_then(|found| found.range(series));
+        let range = scene.found.as_ref().and_then(|found| found.range(&series));
         let (greatest, least) = (range.map(|all| all.greatest), range.map(|all| all.least));
         let means = range.and_then(|all| all.means);
         let value = |extreme: Option<Turn>| extreme.map(|extreme| shown(extreme.value));
@@ -190,7 +199,8 @@ fn parts_of_picked(state: &State, scene: &Scene, area: Rect) -> [Rect; 2] {
 }
 
 fn figure_of_picked(state: &State, scene: &Scene) -> Figure {
-    together(state, scene, &picked(state, scene))
+    let all = picked(state, scene);
+    together(state, scene, &all.iter().collect::<Vec<_>>())
 }
 
 /// Relative size of a change that is rounding.
@@ -233,11 +243,13 @@ fn without_radians(unit: &str) -> &str {
 fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> Panel {
     let (_, coordinate) = coordinate_unit(&scene.linkage);
     let (mut curves, mut signs, mut names) = (Vec::new(), Vec::new(), Vec::new());
+    let compared = state.compared.as_ref();
+    let before = |series: &&Series| compared?.series(scene.named(&series.short)?).map(in_radians);
+    let befores: Vec<Option<Series>> = all.iter().map(before).collect();
     for (number, series) in all.iter().enumerate().filter(|(_, series)| without_radians(&series.unit) == unit)
     {
         let (stroke, ink) = STYLES[curves.len() % STYLES.len()];
-        let before = state.compared.as_ref().and_then(|compared| compared.series(series));
-        curves.extend(before.map(|before| (before, Stroke::Dotted, Ink::Trace)));
+        curves.extend(befores[number].iter().map(|before| (before, Stroke::Dotted, Ink::Trace)));
         curves.push((*series, stroke, ink));
         let place = |[at, value]: Point| [coordinate * at, series.factor * value];
         if let Some(ends) = series.course.highest_and_lowest() {

@@ -34,8 +34,10 @@ struct Reduced {
     moment: f64,
     /// The greatest size of the moment over the cycle.
     most: f64,
-    /// Reduced moment of inertia of the links, without flywheel and rotor, as the moment is without the drive.
+    /// Reduced moment of inertia, with that of flywheel and rotor.
     inertia: f64,
+    /// Whether there is a flywheel or a rotor.
+    has_shaft: bool,
     /// Whether the speed belongs to instants and not to the positions, so that the moment is that at rest.
     at_rest: bool,
 }
@@ -51,6 +53,7 @@ impl Reduced {
         let motion = |id: PointId| scene.linkage.point_motion(id, &pose);
         let of = |quantity| table.schema().find(Column::of(quantity, Owner::Input));
         let moments = of(Quantity::ReducedMoment)?;
+        let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |found| found.regime.shaft_inertia);
         let tip = motion(point.name.id);
         Some(Self {
             name: Text::from(&point.name),
@@ -60,7 +63,8 @@ impl Reduced {
             along: tip.pf1,
             moment: table.at(row, moments)?,
             most: table.each(moments).flatten().fold(0.0_f64, |most, moment| most.max(moment.abs())),
-            inertia: table.at(row, of(Quantity::ReducedInertia)?)?,
+            inertia: table.at(row, of(Quantity::ReducedInertia)?)? + shaft,
+            has_shaft: shaft > 0.0,
             at_rest: matches!(calculation.motion, InputMotion::Transient(_)),
         })
     }
@@ -70,7 +74,11 @@ impl Reduced {
         let corner = |side: f64| self.pin.map(|at| at + side * ROOM * self.radius);
         let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
         let frame = Frame::Plane { bounds, unit: "m".into(), factor: 1.0, scale: ("l", "m".into()) };
-        let title = if self.at_rest { text!("reduction-at-rest", told = title) } else { title };
+        let title = match (self.at_rest, self.has_shaft) {
+            (true, _) => text!("reduction-at-rest", told = title),
+            (_, true) => text!("reduction-with-flywheel", told = title),
+            _ => title,
+        };
         Panel { title, frame, items }
     }
 
