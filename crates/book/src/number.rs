@@ -20,7 +20,8 @@ pub enum Digits {
     Even,
     /// Each with six significant digits and no zeros at the end.
     Short,
-    /// The same, however small it is beside the greatest one: ratios, of which a small one is no rounding of zero.
+    /// As [`Self::Even`], but one that is very small beside the greatest has six digits of its own: ratios, of which a small one is no
+    /// rounding of zero.
     Ratio,
     /// Each with three significant digits and an exponent.
     Exponent,
@@ -72,9 +73,9 @@ impl Digits {
         let [clean, largest] =
             [value, largest].map(|value| if is_rounding(value, kind) { 0.0 } else { value });
         number(match self {
-            Self::Even => digits(clean, largest),
+            Self::Ratio if is_rounding(value, kind) => short(value),
+            Self::Even | Self::Ratio => digits(clean, largest),
             Self::Short => short(clean),
-            Self::Ratio => short(value),
             Self::Exponent if value == 0.0 => "0".to_owned(),
             Self::Exponent => format!("{value:.2e}"),
             Self::Long => long(value),

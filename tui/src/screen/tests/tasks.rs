@@ -9,7 +9,7 @@ const TASKS: [(&str, &str, &str, &[&str]); 10] = [
         "the greatest moment of the guide of the ram, and where",
         "shaper",
         "p r a m Space m o Enter g",
-        &["greatest modulus of ram/ground M: -90.57", " N·m at 88.82", "(between 11 and 12)"],
+        &["greatest |ram/ground M|: -90.57", " N·m at 88.82", "(between 11 and 12)"],
     ),
     (
         "the velocity of K in m/s over the turn",

@@ -130,8 +130,7 @@ pub(crate) fn position_at(state: &State, area: Rect, [column, row]: [u16; 2]) ->
 }
 
 /// The heads of the table of extremes and means, behind the name and the unit.
-const HEADS: [&str; 7] =
-    ["curve-now", "curve-greatest", "curve-at", "curve-least", "curve-at", "curve-mean", "curve-rms"];
+const HEADS: [&str; 6] = ["curve-greatest", "curve-at", "curve-least", "curve-at", "curve-mean", "curve-rms"];
 
 /// The picked quantities that the scene has.
 fn picked(state: &State, scene: &Scene) -> Vec<Series> {
@@ -156,7 +155,7 @@ fn draw_picked(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
 /// Digits of the coordinate of an extreme.
 const PLACE: usize = 5;
 
-/// Values now, extremes with their coordinates, and means: between the positions too, as the first results have them.
+/// Extremes with their coordinates, and means: between the positions too, as the first results have them.
 fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let (symbol, factor) = coordinate_unit(&scene.linkage);
     let place = |at: f64| words::number(trimmed(factor * at, PLACE));
@@ -170,7 +169,6 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
             let value = series.factor * value;
             if value.abs() <= series.least() { 0.0 } else { value }
         };
-        let now = series.clean(state.position).map(|value| series.factor * value);
         let range = scene.found.as_ref().and_then(|found| found.range(&series));
         let (greatest, least) = (range.map(|all| all.greatest), range.map(|all| all.least));
         let means = range.and_then(|all| all.means);
@@ -179,7 +177,6 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
         row![
             plots::numbered(number, series.of.clone()),
             unit(series.unit.clone()),
-            now,
             value(greatest),
             at(greatest),
             value(least),
