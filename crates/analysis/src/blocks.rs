@@ -7,8 +7,8 @@ use assur_number::Lanes;
 use assur_words::{Describe, text};
 use rayon::prelude::*;
 
-use crate::edges::instant;
 use crate::families::Columns;
+use crate::filler::instant;
 use crate::filler::{Filler, Obstacle};
 use crate::friction::jammed;
 use crate::progress::{Stopped, Watch, step};

@@ -1,14 +1,13 @@
 //! What lies between the positions and after them: coordinates at which a curve is smooth, both sides of each place where the
 //! formula of a load changes, and the end of the cycle. Drawings and extremes between the positions need them; no other result does.
 
-use assur_dynamics::Instant;
 use assur_force::{LoadState, Loads, Side, tolerance};
 use assur_number::Lanes;
 
 use crate::Calculation;
 use crate::angles::Angles;
 use crate::blocks::Blocks;
-use crate::filler::Filler;
+use crate::filler::{Filler, instant};
 use crate::motion::InputMotion;
 use crate::results::Table;
 
@@ -139,8 +138,4 @@ impl Calculation {
         let before = LoadState { side: Side::Before, acceleration, ..after };
         if self.goes_along(ends) { [before, after] } else { [after, before] }
     }
-}
-
-pub(crate) fn instant(state: LoadState) -> Instant {
-    Instant { state, holding: None, friction: 0.0 }
 }

@@ -5,8 +5,7 @@ use assur_number::panel::chebyshev::{INSIDE, NODES, integral, value};
 use assur_number::{Lanes, Statistic};
 
 use crate::Calculation;
-use crate::edges::instant;
-use crate::filler::Filler;
+use crate::filler::{Filler, instant};
 use crate::results::{Column, Table};
 
 /// Rounds of sections, each of which leaves 2/9 of the interval: down to what rounding of the values can tell.

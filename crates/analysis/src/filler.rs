@@ -14,6 +14,11 @@ use crate::joints::Joints;
 use crate::results::{Mask, Table};
 use crate::several::Several;
 
+/// A state of a motion that nothing holds.
+pub(crate) fn instant(state: LoadState) -> Instant {
+    Instant { state, holding: None, friction: 0.0 }
+}
+
 /// Fills tables; the scratch memory of one thread.
 pub(crate) struct Filler<'a> {
     calculation: &'a Calculation,

@@ -7,7 +7,7 @@ use assur_number::Lanes;
 use assur_words::{Describe, Text};
 
 use crate::angles::Angles;
-use crate::edges::instant;
+use crate::filler::instant;
 use crate::filler::{Filler, Obstacle};
 use crate::motion::CYCLE_INTERVALS;
 use crate::progress::{Stopped, Watch, step};
