@@ -63,3 +63,12 @@ fn extremes_of_a_line_have_their_places() {
     let course = course.with_between(vec![[0.5, 40.0], [0.5, -95.0]]);
     assert_eq!(course.highest_and_lowest(), Some([[0.5, 40.0], [0.5, -95.0]]));
 }
+
+#[test]
+fn every_key_of_the_json_has_its_place() {
+    let keys: Vec<&str> = crate::catalogue::KEYS.split_whitespace().collect();
+    for path in crate::catalogue::PATHS.iter().filter(|path| !path.is_empty()) {
+        let first = path.split('.').next().unwrap();
+        assert!(keys.contains(&first), "{path}: a row in JSON would not have it");
+    }
+}

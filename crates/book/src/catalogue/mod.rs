@@ -42,6 +42,10 @@ const PLAIN: bool = false;
 macro_rules! rows {
     ($($quantity:pat, $owner:pat => $sense:ident
         $name:expr, $symbol:literal, $measure:expr, $json:literal, $csv:literal;)*) => {
+        /// The keys in the JSON of all rows.
+        #[cfg(test)]
+        pub(crate) const PATHS: &[&str] = &[$($json),*];
+
         fn of(column: Column) -> Entry {
             match (column.quantity, column.owner) {
                 $(($quantity, $owner) => {
