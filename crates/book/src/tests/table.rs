@@ -56,3 +56,10 @@ fn few_rows_of_many_owners_stand_as_a_row_for_each_owner() {
     assert_eq!(cells[2], row![1.0, None::<f64>, 2.0, None::<f64>]);
     assert_eq!(cells[3], [Cell::None, Cell::None, Cell::Number(3.0), Cell::None]);
 }
+
+#[test]
+fn a_small_ratio_beside_a_great_one_is_no_rounding() {
+    let sizes = [4e15, 4e15];
+    assert_eq!(crate::Digits::Ratio.write(3.86, sizes).to_string(), "3.86");
+    assert_eq!(crate::Digits::Even.write(3.86, sizes).to_string(), "0");
+}

@@ -314,3 +314,25 @@ fn a_group_whose_name_is_wider_than_its_column_is_seen_to_be_cut() {
     let heading = shown.lines().find(|row| row.starts_with(" > group 1 (RR-RR-RR/IV")).unwrap();
     assert!(heading.contains('…'), "{heading}");
 }
+
+#[test]
+fn a_picked_quantity_has_the_mean_of_the_first_page() {
+    for scene in ["shaper", "shaper-friction", "slider-crank"] {
+        let state = opened(scene);
+        let found = state.found().unwrap();
+        let range = found.range(found.balancing().unwrap()).unwrap();
+        assert_eq!(range.means, found.analysis.peaks.balancing, "{scene}");
+        let most = found.analysis.peaks.of(assur_analysis::results::Column::BALANCING).unwrap();
+        let size = range.greatest.value.abs().max(range.least.value.abs());
+        assert!((size - most.value.abs()).abs() <= 1e-9 * size, "{scene}");
+    }
+}
+
+#[test]
+fn a_rotor_that_counts_as_massless_is_told_in_a_transient_motion() {
+    // The catalogue 4A has no moments of inertia.
+    let state = opened("compressor-start");
+    let notes: Vec<String> =
+        state.found().unwrap().analysis.notes.iter().map(|note| note.text.to_string()).collect();
+    assert!(notes.iter().any(|note| note.contains("4A100L4") || note.contains("4А100L4")), "{notes:?}");
+}
