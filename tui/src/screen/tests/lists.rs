@@ -336,3 +336,12 @@ fn a_rotor_that_counts_as_massless_is_told_in_a_transient_motion() {
         state.found().unwrap().analysis.notes.iter().map(|note| note.text.to_string()).collect();
     assert!(notes.iter().any(|note| note.contains("4A100L4") || note.contains("4А100L4")), "{notes:?}");
 }
+
+#[test]
+fn the_end_of_a_cycle_is_not_called_its_first_position() {
+    let mut state = opened("shaper");
+    press(&mut state, "t g");
+    let frame = text(&state, 100, 24);
+    // The coordinate is 0 in position 0, and 360 deg only at the end.
+    assert!(frame.contains("360.000 deg at 360") && !frame.contains("in position 0"), "{frame}");
+}
