@@ -18,7 +18,6 @@ pub(crate) use write::{
 };
 
 /// Why a file is not read or written.
-#[derive(Debug)]
 pub(crate) enum FileError {
     /// A file can't be read, and why.
     Read(PathBuf, Text),

@@ -31,7 +31,6 @@ use assur_words::{Describe, Text, errors, name, text};
 pub use positions::Writer;
 
 /// A table can't be written as Parquet.
-#[derive(Debug)]
 pub struct ParquetError(Inner);
 
 impl Describe for ParquetError {
