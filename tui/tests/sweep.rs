@@ -258,13 +258,15 @@ fn rows_say_what_they_are_made_of_and_another_sweep_is_told_by_it() {
         assert!(end(&refused).1.contains("the scene was another one"), "{}", end(&refused).1);
         fs::write(path.join("a.toml"), SLIDER).unwrap();
     }
+    let weighs = format!("gravity = \"9.81 m/s^2\"\n{SLIDER}");
+    fs::write(path.join("a.toml"), weighs).unwrap();
     assert_eq!(end(&sweep(path, &["--vary", LENGTHS, "-o", "c.csv"])), (0, ""));
     let said = fs::read_to_string(path.join("c.csv.origin.json")).unwrap();
     for part in [
         "\"vary\": \"link.crank.points.A=100 mm..200 mm:3\"",
         "\"points\": \"0..3\"",
         "\"analyzer\": \"",
-        "\"scene\": \"[ground]",
+        "\"scene\": \"gravity =",
         "\"version\"",
     ] {
         assert!(said.contains(part), "{said}");

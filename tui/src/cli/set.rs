@@ -162,7 +162,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_written_is_read_as_the_same_number(number in 1e-3..1e3, sign in any::<bool>()) {
+        fn what_is_written_is_read_as_the_same_number(number in 1e-3_f64..1e3, sign in any::<bool>()) {
             let number = if sign { -number } else { number };
             for (place, kind) in [
                 ("1 mm", Dimension::Length),

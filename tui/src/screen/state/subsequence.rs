@@ -1,6 +1,9 @@
 //! How well a typed word suits a text in which its letters stand in order, not necessarily side by side.
 
-/// For a letter that begins a word of the text.
+/// For a letter that begins the text.
+const FIRST: u32 = 3;
+
+/// For a letter that begins another word of the text.
 const START: u32 = 2;
 
 /// For a letter that follows the one before it directly.
@@ -18,7 +21,11 @@ fn of_word(word: &[char], text: &[char]) -> Option<u32> {
     if word.len() > text.len() {
         return None;
     }
-    let starts = |at: usize| at == 0 || !text[at - 1].is_alphanumeric();
+    let worth = |at: usize| match at.checked_sub(1).map(|before| text[before].is_alphanumeric()) {
+        None => FIRST,
+        Some(false) => START,
+        Some(true) => 0,
+    };
     // The best score with the letters so far, the last of them at each place of the text.
     let mut best: Vec<Option<u32>> = vec![None; text.len()];
     let mut earlier = Some(0);
@@ -28,8 +35,7 @@ fn of_word(word: &[char], text: &[char]) -> Option<u32> {
             let reached = earlier.max(before.map(|score: u32| score + ADJACENT));
             earlier = earlier.max(best[at]);
             before = best[at];
-            let own = if starts(at) { START } else { 0 };
-            best[at] = reached.filter(|_| text[at] == *letter).map(|score| score + own);
+            best[at] = reached.filter(|_| text[at] == *letter).map(|score| score + worth(at));
         }
         earlier = None;
     }
