@@ -87,7 +87,8 @@ pub fn pairs(source: &Source<'_>, page: &mut Document) {
     let mut table = Table::list(text!("report-pairs"), heads.map(Column::of));
     for pin in mechanism.points.iter().filter(|point| point.is_pin()) {
         let links = list(pin.places.iter().map(|place| link_name(mechanism, place.link)));
-        let sort = if pin.places.len() > 2 { text!("report-multiple-joint") } else { text!("report-turning") };
+        let sort =
+            if pin.places.len() > 2 { text!("report-multiple-joint") } else { text!("report-turning") };
         table.row(row![Text::from(&pin.name), sort, links, pin.places.len() - 1]);
     }
     for slide in &mechanism.slides {
