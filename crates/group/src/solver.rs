@@ -137,6 +137,10 @@ impl<T: Real, const N: usize> Lu<T, N> {
             least = least.min(pivot.abs().least());
             greatest = greatest.max(pivot.abs().greatest());
             for i in k + 1..N {
+                // Most entries are zero.
+                if matrix[i][k].abs().greatest() == 0.0 {
+                    continue;
+                }
                 let factor = matrix[i][k] / pivot;
                 matrix[i][k] = factor;
                 let above = matrix[k];

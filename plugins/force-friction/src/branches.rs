@@ -5,7 +5,7 @@ use assur_force::{Block, ForceError, FrictionIteration};
 use assur_friction::{Moduli, PathPoint, is_same, path};
 use assur_group::Wrench;
 
-use crate::chain::{Chain, Prepared};
+use crate::chain::{Chain, Prepared, add};
 
 /// A solution of all blocks.
 #[derive(Debug, Clone)]
@@ -87,9 +87,15 @@ impl Chain<'_> {
             found.branches.push(branch.with(block, &prepared, &[]));
             return Ok(());
         }
-        let radius = prepared.moduli.certificate();
-        block.groups().for_each(|group| found.certificates[group] = radius);
-        if radius < 1.0
+        let is_unique = if self.is_free() {
+            // Nobody is told the certificate of an acceleration.
+            prepared.moduli.is_unique()
+        } else {
+            let radius = prepared.moduli.certificate();
+            block.groups().for_each(|group| found.certificates[group] = radius);
+            radius < 1.0
+        };
+        if is_unique
             && let Some(only) = prepared.moduli.follow(&vec![0.0; prepared.moduli.count()])
         {
             found.branches.push(branch.with(block, &prepared, &only));
@@ -205,13 +211,16 @@ fn steps(moduli: &Moduli) -> Vec<Vec<f64>> {
 
 impl Branch {
     fn with(mut self, block: &Block, prepared: &Prepared, moduli: &[f64]) -> Self {
-        let mut sum = prepared.base.clone();
-        for (response, z) in prepared.each.iter().zip(moduli) {
-            sum.add(*z, response);
+        let all = &prepared.all;
+        let mut drive = all.drive(0);
+        (self.loads, self.pairs) = (all.loads(0).to_vec(), all.pairs(0).to_vec());
+        for (&response, &z) in prepared.each.iter().zip(moduli) {
+            add(&mut self.loads, z, all.loads(response));
+            add(&mut self.pairs, z, all.pairs(response));
+            drive += z * all.drive(response);
         }
-        (self.loads, self.pairs) = (sum.loads, sum.pairs);
         if block.stages.contains(&0) {
-            self.balancing = sum.drive;
+            self.balancing = drive;
         }
         self.moduli.extend_from_slice(moduli);
         self
