@@ -41,6 +41,13 @@ impl Moduli {
         (0..self.count()).map(|j| length(self.vector(j, z))).collect()
     }
 
+    /// The equations with a part of the friction.
+    #[must_use]
+    pub fn scaled(&self, part: f64) -> Self {
+        let slopes = self.slopes.iter().map(|row| row.iter().map(|[x, y]| [part * x, part * y]).collect());
+        Self { slopes: slopes.collect(), ..self.clone() }
+    }
+
     /// The matrix L of the lengths of W.
     pub fn lengths(&self) -> Vec<Vec<f64>> {
         self.slopes.iter().map(|row| row.iter().map(|w| length(*w)).collect()).collect()

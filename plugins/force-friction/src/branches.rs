@@ -105,7 +105,7 @@ impl Chain<'_> {
         found.continuum |= all.continuum;
         if !all.complete {
             found.proved = false;
-            if let Some(continued) = self.continued(block, &branch, scale)? {
+            if let Some(continued) = self.continued(block, &branch, &prepared, scale)? {
                 all.index_of(continued);
             }
         }
@@ -154,11 +154,24 @@ impl Chain<'_> {
     }
 
     /// The solution of a block to which that without friction leads as the coefficients grow; `None` where it ends before.
-    fn continued(&self, block: &Block, branch: &Branch, scale: f64) -> Result<Option<Vec<f64>>, ForceError> {
-        let moduli = |part: f64| self.prepare(block, (&branch.loads, &branch.pairs), scale * part);
+    fn continued(
+        &self,
+        block: &Block,
+        branch: &Branch,
+        whole: &Prepared,
+        scale: f64,
+    ) -> Result<Option<Vec<f64>>, ForceError> {
+        let is_linear = whole.each.len() == block.unknowns.len();
+        let moduli = |part: f64| -> Result<Option<Moduli>, ForceError> {
+            if is_linear {
+                return Ok(Some(whole.moduli.scaled(part)));
+            }
+            let prepared = self.prepare(block, (&branch.loads, &branch.pairs), scale * part)?;
+            Ok(prepared.map(|prepared| prepared.moduli))
+        };
         let Some(ideal) = moduli(0.0)? else { return Ok(None) };
-        let start = PathPoint { part: 0.0, moduli: ideal.moduli.step(&vec![0.0; ideal.moduli.count()]) };
-        Ok(path(start, |part, expected| moduli(part).ok()??.moduli.near(expected)))
+        let start = PathPoint { part: 0.0, moduli: ideal.step(&vec![0.0; ideal.count()]) };
+        Ok(path(start, |part, expected| moduli(part).ok()??.near(expected)))
     }
 
     /// How the friction of each block is found, on the way to the solution that is taken.
