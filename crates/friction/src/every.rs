@@ -18,6 +18,9 @@ const MOST: [usize; 4] = [8, 6, 4, 2];
 /// Places from which Newton's method looks for solutions where algebra does not give all of them.
 const TRIALS: u32 = 64;
 
+/// Most steps of Newton's method from each of them: it converges in fewer or hardly ever.
+const STEPS: usize = 24;
+
 /// All solutions that were found.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Solutions {
@@ -82,7 +85,7 @@ impl Moduli {
             let part = |j: usize| (f64::from(trial) * (1.0 + j as f64).sin()).rem_euclid(1.0);
             let start: Vec<f64> =
                 (0..self.count()).map(|j| size * 10_f64.powf(4.0 * part(j) - 2.0)).collect();
-            if let Some(z) = steps.newton(&start) {
+            if let Some(z) = steps.newton_within(STEPS, &start) {
                 add(z, steps, found);
             }
         }

@@ -10,29 +10,28 @@ const ENOUGH: i32 = 5;
 /// Number of images of a vector by which the spectral radius is set off from 1 before it is calculated.
 const IMAGES: usize = 16;
 
-/// Whether the spectral radius of a nonnegative square matrix is below 1: it lies between the least and the greatest quotient of a
-/// positive vector and its image (Collatz and Wielandt).
-pub(crate) fn is_contraction(matrix: &[Vec<f64>]) -> bool {
-    let mut vector = vec![1.0; matrix.len()];
-    let mut next = vector.clone();
+/// Whether the spectral radius of a nonnegative square matrix, given by its rows one after the other, is below 1: it lies between the
+/// least and the greatest quotient of a positive vector and its image (Collatz and Wielandt). `None` where these don't tell.
+pub(crate) fn is_contraction(matrix: &[f64], n: usize) -> Option<bool> {
+    let [mut vector, mut next] = [vec![1.0; n], vec![1.0; n]];
     for _ in 0..IMAGES {
         let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
-        for ((row, own), next) in matrix.iter().zip(&vector).zip(&mut next) {
+        for ((row, own), next) in matrix.chunks_exact(n.max(1)).zip(&vector).zip(&mut next) {
             let image: f64 = row.iter().zip(&vector).map(|(entry, x)| entry * x).sum();
             let quotient = image / own;
             if quotient.is_nan() {
-                return false;
+                return None;
             }
             (least, greatest) = (least.min(quotient), greatest.max(quotient));
             // With a part of the vector before, none of the quotients goes to and fro.
             *next = own + image;
         }
         if greatest < 1.0 || least >= 1.0 {
-            return greatest < 1.0;
+            return Some(greatest < 1.0);
         }
         std::mem::swap(&mut vector, &mut next);
     }
-    spectral_radius(matrix) < 1.0
+    None
 }
 
 /// The spectral radius where a power of the matrix has converged: between the least and the greatest quotient of a positive

@@ -1,6 +1,6 @@
 //! The equations in moduli, and what is found of them by iteration, and along a path: how a solution changes as friction grows.
 
-use crate::matrix::{is_contraction, spectral_radius};
+use crate::matrix::spectral_radius;
 use crate::steps::Steps;
 
 /// How many components a vector has whose modulus is an unknown.
@@ -58,9 +58,10 @@ impl Moduli {
         spectral_radius(&self.lengths())
     }
 
-    /// Whether the [certificate](Self::certificate) is below 1; often known before it is.
-    pub fn is_unique(&self) -> bool {
-        is_contraction(&self.lengths())
+    /// The solution where the [certificate](Self::certificate) is below 1, which is often known before it is.
+    pub fn only(&self) -> Option<Vec<f64>> {
+        let mut steps = Steps::new(self);
+        if steps.is_contraction() { steps.follow(&vec![0.0; self.count()]) } else { None }
     }
 
     /// Greatest residual |z - |a + W z|| as part of the greatest term.

@@ -1,7 +1,7 @@
 //! The textbook iteration and Newton's method on equations in moduli, in memory that their steps share.
 
 use crate::Moduli;
-use crate::matrix::solve;
+use crate::matrix::{is_contraction, solve};
 use crate::moduli::length;
 
 /// Most steps of the iteration before Newton's method.
@@ -21,6 +21,8 @@ pub(crate) struct Steps<'a> {
     system: &'a Moduli,
     /// The greatest length of a constant.
     constant: f64,
+    /// The lengths of the slopes, by equation.
+    slopes: Vec<f64>,
     /// By unknown, the greatest length of a slope, and at least 1.
     columns: Vec<f64>,
     /// The vectors of all equations at the moduli that were looked at last, and their lengths.
@@ -33,13 +35,21 @@ pub(crate) struct Steps<'a> {
 impl<'a> Steps<'a> {
     pub(crate) fn new(system: &'a Moduli) -> Self {
         let n = system.count();
+        let slopes: Vec<f64> = system.slopes.iter().flatten().map(|slope| length(*slope)).collect();
         let mut columns = vec![1.0_f64; n];
-        for row in &system.slopes {
-            columns.iter_mut().zip(row).for_each(|(most, slope)| *most = most.max(length(*slope)));
+        for row in slopes.chunks_exact(n.max(1)) {
+            columns.iter_mut().zip(row).for_each(|(most, slope)| *most = most.max(*slope));
         }
         let constant = system.constants.iter().map(|constant| length(*constant)).fold(0.0, f64::max);
         let [lengths, change] = [vec![0.0; n], vec![0.0; n]];
-        Self { system, constant, columns, vectors: vec![[0.0; 2]; n], lengths, matrix: vec![0.0; n * n], change }
+        let (vectors, matrix) = (vec![[0.0; 2]; n], vec![0.0; n * n]);
+        Self { system, constant, slopes, columns, vectors, lengths, matrix, change }
+    }
+
+    /// Whether the [certificate](Moduli::certificate) is below 1.
+    pub(crate) fn is_contraction(&self) -> bool {
+        let told = is_contraction(&self.slopes, self.lengths.len());
+        told.unwrap_or_else(|| self.system.certificate() < 1.0)
     }
 
     /// The greatest term of the equations at some moduli.
@@ -86,9 +96,14 @@ impl<'a> Steps<'a> {
 
     /// As [`Moduli::newton`].
     pub(crate) fn newton(&mut self, start: &[f64]) -> Option<Vec<f64>> {
+        self.newton_within(MOST_NEWTON, start)
+    }
+
+    /// Newton's method with at most so many steps.
+    pub(crate) fn newton_within(&mut self, most: usize, start: &[f64]) -> Option<Vec<f64>> {
         let mut z = start.to_vec();
         let (mut least, mut best) = (f64::INFINITY, z.clone());
-        for _ in 0..MOST_NEWTON {
+        for _ in 0..most {
             let residual = self.residual(&z);
             if !residual.is_finite() {
                 break;

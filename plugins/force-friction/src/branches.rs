@@ -87,17 +87,16 @@ impl Chain<'_> {
             found.branches.push(branch.with(block, &prepared, &[]));
             return Ok(());
         }
-        let is_unique = if self.is_free() {
+        let only = if self.is_free() {
             // Nobody is told the certificate of an acceleration.
-            prepared.moduli.is_unique()
+            prepared.moduli.only()
         } else {
             let radius = prepared.moduli.certificate();
             block.groups().for_each(|group| found.certificates[group] = radius);
-            radius < 1.0
+            let start = vec![0.0; prepared.moduli.count()];
+            if radius < 1.0 { prepared.moduli.follow(&start) } else { None }
         };
-        if is_unique
-            && let Some(only) = prepared.moduli.follow(&vec![0.0; prepared.moduli.count()])
-        {
+        if let Some(only) = only {
             found.branches.push(branch.with(block, &prepared, &only));
             return Ok(());
         }
