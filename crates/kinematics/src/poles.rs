@@ -70,7 +70,8 @@ impl Linkage {
         let mut needed = vec![false; self.groups().len()];
         groups.iter().flat_map(|group| self.ancestors(*group)).for_each(|group| needed[group] = true);
         let ways = self.ways.are_constant().then(|| self.ways.at(range.low));
-        let enclosures = ways.and_then(|ways| Enclosures::of(&self.mechanism, &self.structure, &needed, ways));
+        let enclosures =
+            ways.and_then(|ways| Enclosures::of(&self.mechanism, &self.structure, &needed, ways));
         let Some(mut enclosures) = enclosures else { return false };
         INTERVALS.into_iter().any(|count| {
             enclosures.all([range.low, range.high], count, Order::Place, |_, health| {
