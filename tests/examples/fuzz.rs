@@ -33,7 +33,7 @@ fn maker(variants: bool) -> Result<Maker, Box<dyn Error>> {
     }
     let known = known()?;
     Ok(Box::new(move |number| {
-        let (source, text) = input(number);
+        let (source, text) = input(number, &known);
         (format!("{source:?}"), text)
     }))
 }
@@ -57,7 +57,7 @@ fn child(from: u64, end: u64, input: &Maker) {
         if let Ok(mut now) = now.lock() {
             *now = (number, Instant::now());
         }
-        let (source, text) = input(number, &known);
+        let (source, text) = input(number);
         let (what, detail) = match run(&text) {
             Ok(Outcome::CheckFailed(detail)) => ("CheckFailed".to_owned(), detail),
             Ok(outcome) => (format!("{outcome:?}"), source),
