@@ -7,7 +7,6 @@ mod coverage;
 mod differences;
 mod double;
 mod fixtures;
-mod formulas;
 mod many;
 mod mutants;
 mod mutations;
