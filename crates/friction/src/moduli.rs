@@ -81,8 +81,15 @@ impl Moduli {
     }
 
     /// The solution near expected moduli; `None` where there is none so near that a path goes on there.
+    ///
+    /// A path from no friction, where the derivative is the unit matrix, keeps the sign of its determinant: it changes where two
+    /// solutions meet and the path ends. So of two solutions side by side only one is on the path, however near they are.
     pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
-        let found = self.newton(expected)?;
+        let mut steps = Steps::new(self);
+        let found = steps.newton(expected)?;
+        if !steps.is_ahead(&found) {
+            return None;
+        }
         let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
         let is_near = |(z, expected): (&f64, &f64)| (z - expected).abs() <= NEAR * size;
         found.iter().zip(expected).all(is_near).then_some(found)

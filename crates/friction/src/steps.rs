@@ -132,17 +132,30 @@ impl<'a> Steps<'a> {
             && (self.change(z).is_none() || self.change.iter().all(|change| change.abs() <= most))
     }
 
+    /// Whether the determinant of the derivative at some moduli is positive, as it is without friction.
+    pub(crate) fn is_ahead(&mut self, z: &[f64]) -> bool {
+        self.look(z);
+        self.derive();
+        nalgebra::DMatrix::from_row_slice(z.len(), z.len(), &self.matrix).determinant() > 0.0
+    }
+
     /// Writes the correction of Newton's method at the moduli that were looked at last; `None` where the derivative is singular.
     fn change(&mut self, z: &[f64]) -> Option<()> {
-        let n = z.len();
+        self.derive();
+        let off = z.iter().zip(&self.lengths).map(|(z, length)| z - length);
+        self.change.iter_mut().zip(off).for_each(|(change, off)| *change = off);
+        solve(&mut self.matrix, &mut self.change, z.len())
+    }
+
+    /// Writes the derivative of z - |a + W z| by z at the moduli that were looked at last.
+    fn derive(&mut self) {
+        let n = self.lengths.len();
         for (j, row) in self.matrix.chunks_exact_mut(n.max(1)).enumerate() {
             let (vector, size) = (self.vectors[j], self.lengths[j]);
             let unit = if size > 0.0 { [vector[0] / size, vector[1] / size] } else { [0.0; 2] };
             for (k, (entry, w)) in row.iter_mut().zip(&self.system.slopes[j]).enumerate() {
                 *entry = f64::from(u8::from(j == k)) - unit[0] * w[0] - unit[1] * w[1];
             }
-            self.change[j] = z[j] - size;
         }
-        solve(&mut self.matrix, &mut self.change, n)
     }
 }
