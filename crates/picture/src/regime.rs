@@ -5,12 +5,13 @@ use assur_analysis::results::{
     Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
 };
 use assur_book::{Course, Jump};
+use assur_figure::number::{digits, plain};
 use assur_figure::{Axis, AxisKind, Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
+use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
-use super::plots;
-use crate::number::{digits, plain};
-use crate::screen::state::{Found, Scene, State, coordinate_unit};
+use crate::motion::energies;
+use crate::{Look, Results, coordinate_at, coordinate_unit, plots};
 
 /// A quantity of the regime over the cycle; where `read` gives none, the course has none.
 fn over(regime: &RegimeReport, read: impl Fn(&RegimePoint) -> Option<f64>) -> Course {
@@ -18,34 +19,38 @@ fn over(regime: &RegimeReport, read: impl Fn(&RegimePoint) -> Option<f64>) -> Co
 }
 
 /// The present coordinate in the unit that is shown.
-fn cursor(state: &State, scene: &Scene) -> f64 {
-    scene.coordinate_at(state.at())
+fn cursor(linkage: &Linkage, look: Look) -> f64 {
+    coordinate_at(linkage, look.at())
 }
 
 /// Speed in the regime and in the first turn, then the moments and the energies.
-pub(super) fn course(state: &State, scene: &Scene, found: &Found, regime: &RegimeReport) -> Vec<Panel> {
+pub fn course(found: &Results<'_>, regime: &RegimeReport, look: Look) -> Vec<Panel> {
     let mut lines = vec![(text!("regime-course"), over(regime, |row| Some(row.speed)))];
     let first_turn = over(regime, |row| row.first_turn);
     if !first_turn.is_empty() {
         lines.push((text!("regime-first-turn"), first_turn));
     }
-    let speed =
-        plots::curves(text!("regime-input-speed"), lines, axis(scene), Some(cursor(state, scene).into()));
-    let energies = energies(found, Column::COORDINATE, axis(scene), cursor(state, scene));
-    [speed, moments(state, scene, found, regime)].into_iter().chain(energies).collect()
+    let speed = plots::curves(
+        text!("regime-input-speed"),
+        lines,
+        axis(found.linkage),
+        Some(cursor(found.linkage, look).into()),
+    );
+    let energies = energies(found, Column::COORDINATE, axis(found.linkage), cursor(found.linkage, look));
+    [speed, moments(found, regime, look)].into_iter().chain(energies).collect()
 }
 
 /// The coordinate over the cycle, and its factor from SI.
-fn axis(scene: &Scene) -> (Axis, f64) {
-    (plots::coordinate_axis(scene), coordinate_unit(&scene.linkage).1)
+fn axis(linkage: &Linkage) -> (Axis, f64) {
+    (plots::coordinate_axis(linkage), coordinate_unit(linkage).1)
 }
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
-pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &RegimeReport) -> Panel {
+pub fn moments(found: &Results<'_>, regime: &RegimeReport, look: Look) -> Panel {
     // What drives is shown along the motion, and the resistance against it, as its mean is. Driving is what does work over the cycle.
-    let sense = scene.linkage.mechanism.input.sign();
+    let sense = found.linkage.mechanism.input.sign();
     let of_loads = Column::of(Quantity::ReducedMoment, Owner::Input);
-    let jumps = Course::of(&found.analysis.positions, Some(&found.edges), Column::COORDINATE, of_loads);
+    let jumps = Course::of(&found.analysis.positions, Some(found.edges), Column::COORDINATE, of_loads);
     let drive = |sign: f64| over(regime, |row| Some(sign * sense * row.drive));
     let load = |sign: f64| {
         let factor = sign * sense;
@@ -62,9 +67,9 @@ pub(super) fn moments(state: &State, scene: &Scene, found: &Found, regime: &Regi
         vec![(text!("regime-motor"), drive(1.0)), (against(), load(-1.0)), mean(1.0)]
     };
     let area = found.analysis.dynamics.as_ref().and_then(|found| excess(found, [&lines[0].1, &lines[1].1]));
-    let (x, factor) = axis(scene);
+    let (x, factor) = axis(found.linkage);
     let mut panel =
-        plots::curves(text!("regime-moments"), lines, (x, factor), Some(cursor(state, scene).into()));
+        plots::curves(text!("regime-moments"), lines, (x, factor), Some(cursor(found.linkage, look).into()));
     if let Some((mut outline, work)) = area {
         for at in &mut outline {
             at[0] *= factor;
@@ -106,7 +111,7 @@ fn excess(found: &Dynamics, [driving, resisting]: [&Course; 2]) -> Option<(Vec<P
 }
 
 /// The motor's characteristic, with its working section; `None` without a motor of a catalogue.
-pub(super) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
+pub fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
     let work = &dynamics.motor.as_ref()?.work;
     let course = |points: &[[f64; 2]]| Course::from_points(points.iter().copied());
     let lines = vec![
@@ -120,7 +125,7 @@ pub(super) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
 }
 
 /// The working section of the characteristic by itself; `None` without a motor of a catalogue.
-pub(super) fn working_section(dynamics: &Dynamics) -> Option<Panel> {
+pub fn working_section(dynamics: &Dynamics) -> Option<Panel> {
     let work = &dynamics.motor.as_ref()?.work;
     let section = Course::from_points(work.working_section.iter().copied());
     let x = Axis::around(text!("regime-motor-speed"), work.speed, 0.0);
@@ -144,7 +149,8 @@ fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
     panel.items.extend(section.first().map(|at| Item::name(*at, unevenness, Ink::Title)));
 }
 
-pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
+/// Work of all loads over the reduced inertia of the links, with the tangents that belong to the least and the greatest speed.
+pub fn energy_mass(diagram: &EnergyMass) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
     let x = Axis::around(text!("regime-links-inertia"), inertias(), 0.0);
     let [x0, y0] = diagram.origin;
@@ -163,7 +169,7 @@ pub(super) fn energy_mass(diagram: &EnergyMass) -> Panel {
 }
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
-pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dynamics) -> (Panel, Vec<Key>) {
+pub fn shares(found: &Results<'_>, dynamics: &Dynamics, look: Look) -> (Panel, Vec<Key>) {
     let positions = &found.analysis.positions;
     let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
     let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
@@ -173,16 +179,16 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
         let sum = links[..count].iter().map(share).sum::<Option<f64>>()?;
         Some(dynamics.regime.shaft_inertia + sum)
     };
-    let (_, factor) = coordinate_unit(&scene.linkage);
+    let (_, factor) = coordinate_unit(found.linkage);
     let (mut items, mut samples) = (Vec::new(), Vec::new());
     for count in 0..=links.len() {
         let value = |table: &Table, row: usize| level(table, row, count);
-        let course = Course::read(positions, Some(&found.edges), Column::COORDINATE, value);
+        let course = Course::read(positions, Some(found.edges), Column::COORDINATE, value);
         let points = course.points([factor, 1.0]);
         let stroke = if count == links.len() { Stroke::Solid } else { Stroke::Dashed };
         let at = points.get((2 * count + 1) * points.len() / (2 * (links.len() + 1))).copied();
         let ink = Ink::Link(count + 1);
-        let now = positions.row_of(state.position).and_then(|row| level(positions, row, count));
+        let now = positions.row_of(look.position).and_then(|row| level(positions, row, count));
         samples.push((Sample::Line(stroke, ink), now));
         items.push(Item::line(points, stroke, ink));
         items.extend(at.map(|at| Item::name(at, name((count + 1).to_string()), Ink::Title)));
@@ -199,13 +205,16 @@ pub(super) fn shares(state: &State, scene: &Scene, found: &Found, dynamics: &Dyn
     };
     let legend = samples.into_iter().zip(names).map(key).collect();
     let y = Axis::around(unit("kg m2"), values, 0.0);
-    let frame =
-        Frame::Axes { x: plots::coordinate_axis(scene), y, cursor: Some(cursor(state, scene).into()) };
+    let frame = Frame::Axes {
+        x: plots::coordinate_axis(found.linkage),
+        y,
+        cursor: Some(cursor(found.linkage, look).into()),
+    };
     (Panel { title, frame, items }, legend)
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
-pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
+pub fn iteration(regime: &RegimeReport) -> Vec<Panel> {
     let curve = |told: &'static str, values: Vec<f64>| {
         let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
         (text!(told), Course::from_points(points))
@@ -235,35 +244,4 @@ pub(super) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
     curves.push(curve("regime-unevenness", part(&|trial| trial.unevenness)));
     panels.push(panel("regime-parts", "regime-trial", trials.len(), curves));
     panels
-}
-
-/// A quantity of the input over the samples of the motion: over their times, or over their coordinates.
-pub(super) fn sampled(found: &Found, over: Column, quantity: Quantity) -> Course {
-    over_samples(found, over, Column::of(quantity, Owner::Input), 1.0)
-}
-
-/// A column over the samples of the motion, times a factor; where the motion comes to rest, the value before it comes first.
-pub(super) fn over_samples(found: &Found, over: Column, column: Column, factor: f64) -> Course {
-    let point = |table: &Table, row| Some([table.get(row, over)?, factor * table.get(row, column)?]);
-    let samples = &found.analysis.trajectory;
-    let points = (0..samples.len()).flat_map(|row| {
-        let before = found.stops.row_of(samples.numbers()[row]).and_then(|row| point(&found.stops, row));
-        before.into_iter().chain(point(samples, row))
-    });
-    Course::from_points(points)
-}
-
-/// The works of the driving and the resisting loads and of dry friction, and the kinetic energy at the samples of the motion; `None` where they are
-/// not known.
-pub(super) fn energies(found: &Found, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
-    let all = [
-        ("regime-driving-work", Quantity::DrivingWork),
-        ("regime-resisting-work", Quantity::ResistingWork),
-        ("regime-kinetic-energy", Quantity::KineticEnergy),
-    ];
-    let mut curves: Vec<_> = all.map(|(told, of)| (text!(told), sampled(found, over, of))).into();
-    let known = curves.iter().all(|(_, course)| !course.is_empty());
-    let friction = sampled(found, over, Quantity::FrictionWork);
-    curves.extend((!friction.is_empty()).then(|| (text!("regime-friction-work"), friction)));
-    known.then(|| plots::curves(text!("regime-energies"), curves, x, Some(cursor.into())))
 }

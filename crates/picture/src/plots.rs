@@ -1,17 +1,18 @@
 //! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
 use assur_book::{Course, Node};
+use assur_figure::number::digits;
 use assur_figure::{Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_kinematics::Linkage;
 use assur_words::{Text, joined, name, number, text, unit};
 
-use crate::number::digits;
-use crate::screen::state::{Scene, Series, State, coordinate_unit};
+use crate::{Look, Series, coordinate_at, coordinate_unit};
 
 /// Positions that are marked on a curve at most; more of them would hide it.
 const MARKED: usize = 24;
 
 /// Strokes and inks of several curves, told apart without color.
-pub(super) const STYLES: [(Stroke, Ink); 6] = [
+pub const STYLES: [(Stroke, Ink); 6] = [
     (Stroke::Solid, Ink::First),
     (Stroke::Dotted, Ink::Third),
     (Stroke::Chain, Ink::Second),
@@ -21,23 +22,23 @@ pub(super) const STYLES: [(Stroke, Ink); 6] = [
 ];
 
 /// The axis of the coordinate, from the first position to the end of the cycle or to the last position.
-pub(super) fn coordinate_axis(scene: &Scene) -> Axis {
-    let series = &scene.series[0];
-    let last = scene.positions() - usize::from(!scene.is_cycle());
-    let ends = [0.0, last as f64].map(|at| scene.coordinate_at(at));
-    let kind = if series.unit == "deg" { AxisKind::Degrees } else { AxisKind::Linear };
-    Axis { kind, ..Axis::around(text!("chart-coordinate", unit = unit(series.unit.clone())), ends, 0.0) }
+pub fn coordinate_axis(linkage: &Linkage) -> Axis {
+    let (symbol, input) = (coordinate_unit(linkage).0, &linkage.mechanism.input);
+    let last = input.positions - usize::from(!input.is_cycle());
+    let ends = [0.0, last as f64].map(|at| coordinate_at(linkage, at));
+    let kind = if linkage.angular() { AxisKind::Degrees } else { AxisKind::Linear };
+    Axis { kind, ..Axis::around(text!("chart-coordinate", unit = unit(symbol)), ends, 0.0) }
 }
 
 /// The curve of a quantity over the positions, with the cursor at the present one, at which it has a value.
-pub(crate) fn over_positions(
-    state: &State,
-    scene: &Scene,
+pub fn over_positions(
+    linkage: &Linkage,
+    look: Look,
     [title, value]: [Text; 2],
     curves: &[(&Series, Stroke, Ink)],
     signs: Vec<Item>,
 ) -> Panel {
-    let (_, coordinate) = coordinate_unit(&scene.linkage);
+    let (_, coordinate) = coordinate_unit(linkage);
     let at_positions = |series: &Series| {
         let place = |node: &Node| [coordinate * node.at, series.factor * node.value];
         series.course.nodes().iter().map(place).collect::<Vec<Point>>()
@@ -51,8 +52,10 @@ pub(crate) fn over_positions(
         Item::line(points, *stroke, *ink)
     };
     let mut items: Vec<Item> = curves.iter().map(line).collect();
-    let marked =
-        curves.first().filter(|_| scene.positions() <= MARKED).map(|(series, ..)| at_positions(series));
+    let marked = curves
+        .first()
+        .filter(|_| linkage.mechanism.input.positions <= MARKED)
+        .map(|(series, ..)| at_positions(series));
     items.extend(marked.into_iter().flatten().map(|at| Item::sign(at, Sign::Node, Ink::Title)));
     let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
     let (floor, unit) = curves.first().map_or((0.0, Text::default()), |(series, ..)| {
@@ -60,16 +63,16 @@ pub(crate) fn over_positions(
     });
     items.extend(signs);
     let frame = Frame::Axes {
-        x: coordinate_axis(scene),
+        x: coordinate_axis(linkage),
         y: Axis::around(unit, values, floor),
-        cursor: Some(Cursor { at: scene.coordinate_at(state.at()), value }),
+        cursor: Some(Cursor { at: coordinate_at(linkage, look.at()), value }),
     };
     Panel { title, frame, items }
 }
 
 /// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
 /// the horizontal axis.
-pub(super) fn curves(
+pub fn curves(
     title: Text,
     curves: Vec<(Text, Course)>,
     (x, factor): (Axis, f64),
@@ -103,30 +106,35 @@ pub(super) fn curves(
 }
 
 /// A name behind its number: `2 resistance`.
-pub(super) fn numbered(at: usize, told: Text) -> Text {
+pub fn numbered(at: usize, told: Text) -> Text {
     joined(" ", [name((at + 1).to_string()), told])
 }
 
 /// A vector from one point to another.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Vector {
-    pub(crate) from: Point,
-    pub(crate) to: Point,
+pub struct Vector {
+    /// Its tail.
+    pub from: Point,
+    /// Its tip.
+    pub to: Point,
     /// May be empty: then it is a thin line.
-    pub(crate) name: Text,
-    pub(crate) ink: Ink,
-    pub(crate) kind: Drawn,
+    pub name: Text,
+    /// Its color.
+    pub ink: Ink,
+    /// How it is drawn.
+    pub kind: Drawn,
 }
 
 impl Vector {
-    pub(crate) fn arrow(from: Point, to: Point, name: Text, ink: Ink) -> Self {
+    /// With a head.
+    pub fn arrow(from: Point, to: Point, name: Text, ink: Ink) -> Self {
         Self { from, to, name, ink, kind: Drawn::Arrow }
     }
 }
 
 /// How a vector is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Drawn {
+pub enum Drawn {
     /// With a head; without a name as a thin line.
     Arrow,
     /// Without a head.
@@ -137,7 +145,7 @@ pub(crate) enum Drawn {
 
 /// Vectors that are drawn together, in a unit, with the index of its scale factor. With a pole, it is marked and names
 /// are at the tips, as in textbooks.
-pub(crate) fn vectors(
+pub fn vectors(
     title: Text,
     vectors: &[Vector],
     (unit, symbol): (&str, &'static str),
@@ -170,7 +178,7 @@ fn arrow(vector: &Vector) -> Item {
 }
 
 /// Gives all panels the bounds of the largest one, so that they have one scale.
-pub(super) fn one_scale(panels: &mut [Panel]) {
+pub fn one_scale(panels: &mut [Panel]) {
     let of =
         |panel: &Panel| if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] };
     let most =

@@ -1,15 +1,14 @@
 //! The drive with the flywheel in its two places, to one scale (S fig. 13): motor, gear, flywheel, crank, with their masses.
 
 use assur_analysis::results::Dynamics;
+use assur_figure::number::digits;
 use assur_figure::{Bounds, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
-use assur_mechanism::InputPair;
+use assur_mechanism::{InputPair, Mechanism};
 use assur_motor::{FlywheelSize, Motor, RatedMotor, catalogues};
 use assur_report::topic::flywheel_shaft;
 use assur_words::{Text, joined, list, name, number, quantity, text};
 
-use super::plots;
-use crate::number::digits;
-use crate::screen::state::Scene;
+use crate::plots;
 
 /// Inks of the parts.
 const MOTOR: Ink = Ink::Link(1);
@@ -25,9 +24,9 @@ const UNKNOWN: f64 = 0.2;
 const GEAR: [f64; 2] = [1.2, 2.0];
 
 /// A panel for each place of the flywheel, all to one scale.
-pub(super) fn panels(scene: &Scene, dynamics: &Dynamics) -> Vec<Panel> {
+pub fn panels(mechanism: &Mechanism, dynamics: &Dynamics) -> Vec<Panel> {
     let panel = |wheel: &FlywheelSize| {
-        let (title, items) = drive(scene, dynamics, wheel);
+        let (title, items) = drive(mechanism, dynamics, wheel);
         let bounds = Bounds::around(items.iter().flat_map(Item::points));
         let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
         Panel { title, frame, items }
@@ -95,7 +94,7 @@ fn kilograms(mass: f64) -> Text {
 }
 
 /// What the parts are, with the ratio of the gear; those without a known size of their own are dashed.
-pub(super) fn legend(dynamics: &Dynamics) -> Vec<Key> {
+pub fn legend(dynamics: &Dynamics) -> Vec<Key> {
     let motor = Drawn::of(dynamics);
     let stroke = if motor.own { Stroke::Thick } else { Stroke::Dashed };
     let ratio = dynamics.figures.ratio.map(|ratio| joined("", [name("u = "), number(digits(ratio, 4))]));
@@ -109,7 +108,7 @@ pub(super) fn legend(dynamics: &Dynamics) -> Vec<Key> {
 }
 
 /// A drive with its flywheel on one of the two shafts; its heading has the mass of motor and flywheel.
-fn drive(scene: &Scene, dynamics: &Dynamics, wheel: &FlywheelSize) -> (Text, Vec<Item>) {
+fn drive(mechanism: &Mechanism, dynamics: &Dynamics, wheel: &FlywheelSize) -> (Text, Vec<Item>) {
     let Drawn { size: [length, height], own, mass, .. } = Drawn::of(dynamics);
     let mut row = Shaft { items: Vec::new(), at: 0.0, apart: APART * height };
     row.part([length, height], mass.map(kilograms), own, MOTOR);
@@ -124,7 +123,7 @@ fn drive(scene: &Scene, dynamics: &Dynamics, wheel: &FlywheelSize) -> (Text, Vec
     if !on_motor {
         flywheel(&mut row);
     }
-    crank(scene, &mut row);
+    crank(mechanism, &mut row);
     let shaft = flywheel_shaft(wheel.shaft);
     let title = match mass {
         Some(mass) => text!("places-with-mass", shaft = shaft, sum = kilograms(mass + wheel.mass)),
@@ -154,8 +153,7 @@ fn alike(rated: &RatedMotor) -> Option<&'static Motor> {
 }
 
 /// The input link at the end of its shaft, as long as from its pin to its farthest point.
-fn crank(scene: &Scene, row: &mut Shaft) {
-    let mechanism = &scene.linkage.mechanism;
+fn crank(mechanism: &Mechanism, row: &mut Shaft) {
     let link = mechanism.input.link;
     let places = || (0..mechanism.points.len()).filter_map(|id| mechanism.place_in(id, link));
     let InputPair::Pin(pin) = mechanism.input.pair else { return };
