@@ -13,6 +13,7 @@ mod plans;
 mod probe;
 mod scene;
 mod shown;
+mod subsequence;
 mod transfer;
 mod whatif;
 
