@@ -29,11 +29,11 @@ mod value;
 mod walk;
 mod wishes;
 
-use assur_mechanism::Mechanism;
+use assur_mechanism::{Key, Mechanism};
 use assur_words::{Text, text};
-use toml::de::{DeTable, DeValue};
 
 use context::Context;
+use edit::ParsedText;
 use error::{Fault, Faults};
 use linkage::SceneLinks;
 use walk::{Known, Section};
@@ -77,27 +77,11 @@ pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), 
     document::read_known(file_name, text, text!("scene-a-scene"), known, scene)
 }
 
-/// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an
-/// element of a list is given by its number, from 0. Where the scene leaves a key out, the fault is at the table that would
-/// have it; `None` if there is none either. `file_name` appears only in the error.
-pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: Text) -> Option<SceneErrors> {
-    let (document, _) = DeTable::parse_recoverable(text);
-    let (first, rest) = path.split_first()?;
-    let (key, mut value) = document.get_ref().get_key_value(*first)?;
-    let mut span = key.span();
-    for step in rest {
-        let next = match value.get_ref() {
-            DeValue::Table(table) => table.get_key_value(*step).map(|(key, value)| (key.span(), value)),
-            DeValue::Array(array) => {
-                step.parse().ok().and_then(|index: usize| array.get(index)).map(|value| (value.span(), value))
-            }
-            _ => None,
-        };
-        let Some(next) = next else { break };
-        (span, value) = next;
-    }
+/// A fault that is found after reading, at the key that it concerns. Where the scene leaves a key out, the fault is at the table that
+/// would have it; `None` if there is none either. `file_name` appears only in the error.
+pub fn fault_at(file_name: &str, text: &str, key: &Key, message: Text) -> Option<SceneErrors> {
     let faults = Faults::default();
-    faults.push(Fault::new(span, message));
+    faults.push(Fault::new(ParsedText::of(text).place(key)?, message));
     Some(faults.into_errors(file_name, text))
 }
 

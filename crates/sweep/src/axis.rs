@@ -50,7 +50,7 @@ impl Axis {
         file: &str,
         scene: &str,
     ) -> Result<Self, SweepError> {
-        let key = vary.key();
+        let key = vary.key.to_string();
         let fault = |problem: Text| SweepError::vary(&key, problem);
         let found = document.find(&vary.key).map_err(fault)?;
         let (from, to) = ends(vary).map_err(fault)?;
@@ -176,12 +176,12 @@ fn dimension(
     match takes(&texts, |value| assur_scene::read(file, &with(value)).is_ok()) {
         Takes::Quantity(kinds) => chosen(&kinds, ends).map(Some),
         Takes::Bare if ends.iter().all(|end| end.unit.is_empty()) => Ok(None),
-        Takes::Bare => Err(text!("sweep-count", key = name(vary.key()))),
-        Takes::Text => Err(text!("sweep-text", key = name(vary.key()))),
+        Takes::Bare => Err(text!("sweep-count", key = &vary.key)),
+        Takes::Text => Err(text!("sweep-text", key = &vary.key)),
         Takes::Nothing => {
             Err(match assur_scene::read(file, &with(&toml(ends[0].number, &ends[0].unit, true))) {
                 Err(errors) if !errors.errors.is_empty() => errors.errors[0].message.clone(),
-                _ => text!("sweep-takes-no-number", key = name(vary.key())),
+                _ => text!("sweep-takes-no-number", key = &vary.key),
             })
         }
     }

@@ -1,6 +1,8 @@
 //! The list of values, other numbers in their place, and that nothing else is touched.
 
-use super::{KeyPath, ParsedText, SceneValue, replaced};
+use assur_mechanism::Key;
+
+use super::{ParsedText, SceneValue, replaced};
 use crate::tests::{BASE, fixtures};
 
 const SCENE: &str = r#"# A crank.
@@ -24,8 +26,8 @@ value = { over = "angle", table = [[0, 0], ["180 deg", 40]] }
 
 fn value(text: &str, key: &str) -> SceneValue {
     let values = ParsedText::of(text).values();
-    let all: Vec<_> = values.iter().map(|value| value.key.clone()).collect();
-    values.into_iter().find(|value| value.key == key).unwrap_or_else(|| panic!("{key}: {all:?}"))
+    let all: Vec<_> = values.iter().map(|value| value.key.to_string()).collect();
+    values.into_iter().find(|value| value.key.to_string() == key).unwrap_or_else(|| panic!("{key}: {all:?}"))
 }
 
 #[test]
@@ -62,7 +64,7 @@ fn every_key_of_the_list_finds_its_value() {
         let values = document.values();
         assert!(values.len() > 5, "{name}");
         for value in values {
-            let found = document.find(&KeyPath::parse(&value.key).unwrap()).unwrap();
+            let found = document.find(&value.key).unwrap();
             assert_eq!(found.len(), 1, "{name}: {}", value.key);
             assert_eq!(found[0].span, value.span, "{name}: {}", value.key);
             assert_eq!(text[value.span.clone()], value.written, "{name}: {}", value.key);
@@ -74,7 +76,7 @@ fn every_key_of_the_list_finds_its_value() {
 fn a_key_names_a_cell_a_part_of_a_column_or_a_column_of_a_table() {
     let document = ParsedText::of(SCENE);
     let written = |key: &str| -> Result<Vec<&str>, assur_words::Text> {
-        let found = document.find(&KeyPath::parse(key)?)?;
+        let found = document.find(&Key::parse(key)?)?;
         Ok(found.into_iter().map(|place| &SCENE[place.span]).collect())
     };
     assert_eq!(written("force.load.value.table[1][1]").unwrap(), ["40"]);

@@ -2,19 +2,19 @@
 
 use std::ops::Range;
 
+use assur_mechanism::{Key, Step};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::find::element_name;
-use super::key::{Step, shown};
 use super::replaced;
 use crate::units::{is_unit, number_length};
 
 /// A number of a scene, with or without a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneValue {
-    /// Its key, as [`KeyPath`](super::KeyPath) reads it.
-    pub key: String,
+    /// Its key.
+    pub key: Key,
     /// Bytes of the file that the value takes, quotes included.
     pub span: Range<usize>,
     /// Its text in the file: `"100 mm"`, `0.25`.
@@ -27,8 +27,8 @@ pub struct SceneValue {
 
 impl SceneValue {
     /// A part of the file that is no number.
-    pub(super) fn whole(key: &str, span: Range<usize>, written: &str) -> Self {
-        let (key, written, unit) = (key.to_owned(), written.to_owned(), String::new());
+    pub(super) fn whole(key: &Key, span: Range<usize>, written: &str) -> Self {
+        let (key, written, unit) = (key.clone(), written.to_owned(), String::new());
         Self { key, span, written, number: 0.0, unit, whole: false }
     }
 
@@ -81,9 +81,9 @@ pub(super) fn of(text: &str, table: &DeTable<'_>) -> Vec<SceneValue> {
     each(table, &mut |steps, leaf| {
         let written = text.get(leaf.span()).unwrap_or_default();
         // A choice among names has no number, and no percentage of it.
-        let choice = || (shown(steps) == MOTOR).then(|| (f64::NAN, String::new()));
+        let choice = || is_motor(steps).then(|| (f64::NAN, String::new()));
         values.extend(number(leaf.get_ref(), written).or_else(choice).map(|(number, unit)| SceneValue {
-            key: shown(steps),
+            key: Key::from(steps),
             span: leaf.span(),
             written: written.to_owned(),
             number,
@@ -96,7 +96,7 @@ pub(super) fn of(text: &str, table: &DeTable<'_>) -> Vec<SceneValue> {
         // Zeros can't be changed by a percentage and counts are not in lists, so most integers need no trial.
         let may_count = |value: &&mut SceneValue| {
             value.written.replace('_', "").parse::<i64>().is_ok_and(|number| number != 0)
-                && !value.key.ends_with(']')
+                && matches!(value.key.steps().last(), Some(Step::Name(_)))
         };
         for value in values.iter_mut().filter(may_count) {
             // The reader of scenes decides what is a count, which avoids a second list of counts.
@@ -145,25 +145,22 @@ fn in_value(
     }
 }
 
-/// The key of names, each within the one before.
-pub(crate) fn key_of_steps<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
-    shown(&names.into_iter().map(|name| Step::Name(name.to_owned())).collect::<Vec<_>>())
-}
-
 /// The key of the value that stands at these bytes of the file; of a number in a list, that of the list.
-pub(crate) fn key_of(table: &DeTable<'_>, span: &Range<usize>) -> Option<String> {
+pub(crate) fn key_of(table: &DeTable<'_>, span: &Range<usize>) -> Option<Key> {
     let mut found = None;
     each(table, &mut |steps, leaf| {
         if leaf.span() == *span {
             let items = steps.iter().rev().take_while(|step| matches!(step, Step::Index(_))).count();
-            found = Some(shown(&steps[..steps.len() - items]));
+            found = Some(Key::from(&steps[..steps.len() - items]));
         }
     });
     found
 }
 
-/// The key that chooses a motor by its name.
-const MOTOR: &str = "drive.motor";
+/// Whether a key chooses a motor by its name.
+fn is_motor(steps: &[Step]) -> bool {
+    matches!(steps, [Step::Name(table), Step::Name(key)] if table == "drive" && key == "motor")
+}
 
 /// Number and unit, of a bare number or of a text that is a number with a known unit.
 fn number(value: &DeValue<'_>, written: &str) -> Option<(f64, String)> {

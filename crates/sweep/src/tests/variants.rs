@@ -20,7 +20,7 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
     let (mut set, mut read) = (0, Vec::new());
     for (name, scene) in SCENES.iter().filter(|(name, _)| *name != "n-four-bar-40") {
         for value in ParsedText::of(scene).values() {
-            let Some(sweep) = around(scene, &value.key, &value.written) else { continue };
+            let Some(sweep) = around(scene, &value.key.to_string(), &value.written) else { continue };
             let axes = &sweep.axes;
             if !sweep.variants.sets_numbers() {
                 read.push(format!("{name}: {}", value.key));
