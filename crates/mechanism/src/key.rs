@@ -68,6 +68,13 @@ impl Key {
         self
     }
 
+    /// Of a number in a list the key of the list, of any other value its own.
+    #[must_use]
+    pub fn of_list(&self) -> Self {
+        let items = self.0.iter().rev().take_while(|step| matches!(step, Step::Index(_))).count();
+        Self(self.0[..self.0.len() - items].to_vec())
+    }
+
     /// Its steps from the scene as a whole.
     pub fn steps(&self) -> &[Step] {
         &self.0

@@ -1,5 +1,7 @@
 //! `[drive]`: motor, reducer and flywheel.
 
+use std::ops::Bound as End;
+
 use assur_mechanism::{
     CharacteristicKind, Drive, FlywheelPlace, Motion, MotorChoice, RatedMotor, Solve, Torque,
 };
@@ -27,10 +29,14 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
     check_motion(&section, motion, context);
     check_motor_keys(&section, context);
     let torque = torque(&section, context);
+    sets_of(&section, "torque", |drive, value| drive.torque = Torque::Constant(value));
     let ratio = section.solved("ratio", None);
     let flywheel = section.solved("flywheel", None);
     let efficiency = section.number("efficiency").unwrap_or_default();
-    if let Some(entry) = section.get("efficiency").filter(|_| efficiency > 1.0) {
+    sets_of(&section, "ratio", |drive, value| drive.ratio = Solve::Given(value));
+    sets_of(&section, "flywheel", |drive, value| drive.flywheel = Some(Solve::Given(value)));
+    sets_of(&section, "efficiency", |drive, value| drive.efficiency = value);
+    if let Some(entry) = section.get("efficiency").filter(|entry| !entry.is_within(efficiency, ..=1.0)) {
         entry.fault(text!("scene-large-efficiency", got = brief(efficiency)), such_as("0.95"));
     }
     check_solved(&section, motion);
@@ -42,6 +48,25 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
         flywheel,
         flywheel_on: place.unwrap_or(FlywheelPlace::Crank),
     })
+}
+
+/// Tells how a number of the drive is set.
+fn sets_of(section: &Section<'_>, key: &str, set: fn(&mut Drive, f64)) {
+    section.sets(key, move |scene, value| {
+        if let Some(drive) = &mut scene.drive {
+            set(drive, value);
+        }
+    });
+}
+
+/// Tells how a number of the given data of a motor is set.
+fn sets_of_motor(section: &Section<'_>, key: &str, set: fn(&mut RatedMotor, f64)) {
+    section.sets(key, move |scene, value| {
+        let torque = scene.drive.as_mut().map(|drive| &mut drive.torque);
+        if let Some(Torque::Motor { motor: MotorChoice::Rated(motor), .. }) = torque {
+            set(motor, value);
+        }
+    });
 }
 
 fn check_motion(section: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) {
@@ -133,6 +158,11 @@ fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
     let motor = motor(section, entry);
     let catalogue = section.get("catalogue").and_then(|entry| entry.text(text!("scene-name-of-catalogue")));
     let max_speed = section.number("max_motor_speed");
+    sets_of(section, "max_motor_speed", |drive, value| {
+        if let Torque::Motor { max_speed, .. } = &mut drive.torque {
+            *max_speed = Some(value);
+        }
+    });
     let given = section.get("characteristic").and_then(|entry| entry.choice(CHARACTERISTICS));
     let mut characteristic = given.unwrap_or(CharacteristicKind::Kloss);
     if let Some(MotorChoice::Rated(rated)) = motor {
@@ -177,12 +207,16 @@ fn rated(section: &Section<'_>) -> Option<RatedMotor> {
     }
     let max_torque_ratio = section.number("max_torque_ratio");
     if let Some((ratio, entry)) = max_torque_ratio.zip(section.get("max_torque_ratio"))
-        && ratio <= 1.0
+        && !entry.is_within(ratio, (End::Excluded(1.0), End::Unbounded))
     {
         let message = text!("scene-small-torque-ratio", got = brief(ratio));
         entry.fault(message, text!("scene-breakdown-by-rated"));
     }
     let inertia = section.number("inertia");
+    // The rated speed must stay below the synchronous one.
+    sets_of_motor(section, "power", |motor, value| motor.power = value);
+    sets_of_motor(section, "max_torque_ratio", |motor, value| motor.max_torque_ratio = Some(value));
+    sets_of_motor(section, "inertia", |motor, value| motor.inertia = Some(value));
     Some(RatedMotor {
         power: power?,
         synchronous_speed: synchronous?,

@@ -12,7 +12,9 @@ use assur_mechanism::Key;
 use assur_words::Text;
 use toml::de::DeTable;
 
-pub(crate) use values::key_of;
+use crate::SceneNumber;
+
+pub(crate) use find::element_name;
 pub use values::{SceneValue, bare};
 pub use values::{decimal, quoted, split};
 
@@ -60,9 +62,9 @@ impl<'a> ParsedText<'a> {
         Some(SceneValue::whole(key, found, written))
     }
 
-    /// Every number with or without a unit, and the choice of the motor, in the order of the file.
-    pub fn values(&self) -> Vec<SceneValue> {
-        values::of(self.text, self.table.get_ref())
+    /// Every number, of those that were read, with or without a unit, and the choice of the motor, in the order of the file.
+    pub fn values(&self, numbers: &[SceneNumber]) -> Vec<SceneValue> {
+        values::of(self, numbers)
     }
 }
 

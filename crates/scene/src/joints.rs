@@ -1,28 +1,34 @@
 //! `[[spring]]` and `[[contact]]`: loads between two links.
 
-use assur_mechanism::{Contact, LinkId, LoadKind, Place, PointId, Spring, Value};
+use assur_mechanism::{Contact, LinkId, LoadId, LoadKind, Place, PointId, Spring, Value};
 
 use assur_words::{name, text};
 
 use crate::context::Context;
 use crate::linkage::pair;
+use crate::loads::sets_of;
 use crate::text::{row, shown};
 use crate::units::Dimension;
-use crate::value;
+use crate::value::{self, Slot};
 use crate::walk::{Entry, Section, quoted};
 
 /// Reads a `[[spring]]`.
-pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let (stiffness, length) = (section.number("stiffness"), section.number("length"));
     let damping = section.number("damping").unwrap_or_default();
+    sets_of(section, "stiffness", id, |load| Some(&mut load.spring_mut()?.stiffness));
+    sets_of(section, "length", id, |load| Some(&mut load.spring_mut()?.length));
+    if context.moves {
+        sets_of(section, "damping", id, |load| Some(&mut load.spring_mut()?.damping));
+    }
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
         context.need_motion(&entry, quoted("damping"));
     }
-    let ends = section.need("between").and_then(|entry| ends(&entry, context))?;
+    let ends = section.need("between").and_then(|entry| ends(&entry, context, id))?;
     Some(Spring { ends, stiffness: stiffness?, length: length?, damping }.into())
 }
 
-fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
+fn ends(entry: &Entry<'_>, context: &Context<'_>, id: LoadId) -> Option<[Place; 2]> {
     let [a, b] = entry.pair(&text!("scene-two-points"))?;
     let (first, second) = (end(&a, context), end(&b, context));
     let ((p, first), (q, second)) = (first?, second?);
@@ -32,6 +38,11 @@ fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
         let message = text!("scene-both-ends-on-link", link = shown(&linkage.links[link].name));
         entry.fault(message, text!("scene-such-a-spring"));
         return None;
+    }
+    for (end, (point, place)) in [(p, first), (q, second)].into_iter().enumerate() {
+        linkage.copied(entry.faults, (point, place.link), move |scene| {
+            Some(&mut scene.loads[id].kind.spring_mut()?.ends[end].at)
+        });
     }
     Some([first, second])
 }
@@ -64,35 +75,49 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 }
 
 /// Reads a `[[contact]]`.
-pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let linkage = context.linkage;
     let radius = section.number("radius");
-    let angle = match section.get("angle").filter(|entry| entry.value.is_table()) {
-        Some(entry) => value::read(&entry, Dimension::Angle, false, context),
-        None => section.number("angle").map(Value::Constant),
+    sets_of(section, "radius", id, |load| Some(&mut load.contact_mut()?.radius));
+    let slot: Slot = (id, |load| Some(&mut load.contact_mut()?.angle));
+    let angle = match section.get("angle") {
+        Some(entry) if entry.value.is_table() => value::read(&entry, Dimension::Angle, false, context, slot),
+        entry => {
+            if let Some(entry) = entry {
+                value::sets(&entry, slot, |value, angle| *value = Value::Constant(angle));
+            }
+            section.number("angle").map(Value::Constant)
+        }
     };
-    let (friction, against_sliding) = friction(section);
+    let (friction, against_sliding) = friction(section, id);
     if let Some(entry) =
         section.get("angle").filter(|_| against_sliding && angle.as_ref().is_some_and(Value::follows_motion))
     {
         entry.fault(text!("scene-angle-of-sliding"), text!("scene-law-over-coordinate"));
     }
-    let force = value::sized(section, "force", Dimension::Force, false, context);
+    let slot: Slot = (id, |load| Some(&mut load.contact_mut()?.force));
+    let force = value::sized((section, "force"), Dimension::Force, false, context, slot);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
     let link = linkage.link_of(section, text!("scene-arc-of-a-link"));
-    let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
+    let center = section.need("center").and_then(|entry| {
+        linkage.place(&entry, link?, move |scene| Some(&mut scene.loads[id].kind.contact_mut()?.center))
+    });
     let (center, radius, angle, force) = (center?, radius?, angle?, force?);
     Some(Contact { center, radius, angle, force, friction, against_sliding, during }.into())
 }
 
 /// The coefficient of friction, and whether its sign is found from the sliding: a number with its sign, or
 /// `{ against_sliding = 0.1 }`.
-fn friction(section: &Section<'_>) -> (f64, bool) {
+fn friction(section: &Section<'_>, id: LoadId) -> (f64, bool) {
     let against_sliding = section.get("friction").is_some_and(|entry| entry.value.is_table());
+    let of = |section: &Section<'_>, key: &str| {
+        sets_of(section, key, id, |load| Some(&mut load.contact_mut()?.friction));
+        section.number(key)
+    };
     let coefficient = if against_sliding {
-        section.inner("friction").and_then(|friction| friction.number("against_sliding"))
+        section.inner("friction").and_then(|friction| of(&friction, "against_sliding"))
     } else {
-        section.number("friction")
+        of(section, "friction")
     };
     (coefficient.unwrap_or_default(), against_sliding)
 }

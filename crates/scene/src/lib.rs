@@ -19,6 +19,7 @@ mod links;
 mod loads;
 mod motion;
 mod numbers;
+mod reading;
 pub mod reference;
 mod render;
 #[cfg(test)]
@@ -39,6 +40,7 @@ use linkage::SceneLinks;
 use walk::{Known, Section};
 
 pub use error::{SceneError, SceneErrors};
+pub use reading::{Reading, SceneNumber};
 pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
 pub use wishes::Note;
 
@@ -64,17 +66,24 @@ pub const STARTER: &str = include_str!("starter.toml");
 /// assert!(assur_scene::read("arm.toml", &scene.replace("mm", "kg")).is_ok());
 /// ```
 pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
-    read_with_note(file_name, text).map(|(mechanism, _)| mechanism)
+    read_as(file_name, text, Faults::default()).map(|reading| reading.mechanism)
 }
 
-/// Reads a scene, and what it says about its explanatory note. `file_name` appears only in errors.
+/// Reads a scene with all that it tells: its mechanism, its note, its numbers. `file_name` appears only in errors.
 ///
 /// # Errors
 ///
 /// Those of [`read`].
-pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
+pub fn reading(file_name: &str, text: &str) -> Result<Reading, SceneErrors> {
+    read_as(file_name, text, Faults::telling())
+}
+
+fn read_as(file_name: &str, text: &str, faults: Faults) -> Result<Reading, SceneErrors> {
     let known = Known::Table(reference::table(""), None);
-    document::read_known(file_name, text, text!("scene-a-scene"), known, scene)
+    document::read_known((file_name, text), text!("scene-a-scene"), known, faults, |root| {
+        let (mechanism, note) = scene(root);
+        Reading { mechanism, note, numbers: root.faults.told().numbers(root) }
+    })
 }
 
 /// A fault that is found after reading, at the key that it concerns. Where the scene leaves a key out, the fault is at the table that

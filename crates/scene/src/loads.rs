@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment, Value};
+use assur_mechanism::{Brake, Direction, Force, Load, LoadId, LoadKind, Moment, Value};
 use assur_words::{Text, name, text};
 
 use crate::context::{Context, Sort};
@@ -10,17 +10,19 @@ use crate::joints::{contact, spring};
 use crate::linkage::pair;
 use crate::text::shown;
 use crate::units::Dimension;
-use crate::value;
+use crate::value::{self, Slot};
 use crate::walk::{Section, quoted};
 
 /// Reads `gravity`: a magnitude, straight down, or [gx, gy].
 pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
     let entry = root.get("gravity")?;
     if entry.value.is_array() {
+        entry.faults.tell(|told| told.place([entry.span.clone()], |scene| scene.gravity.as_mut()));
         return pair(&entry, &name("[gx, gy]"), Dimension::Acceleration);
     }
     let size = entry.quantity(Dimension::Acceleration)?;
-    if size < 0.0 {
+    entry.sets(|scene, size| scene.gravity = Some([0.0, -size]));
+    if !entry.is_within(size, 0.0..) {
         entry.fault(text!("scene-gravity-upward"), text!("scene-or-both-components"));
     }
     Some([0.0, -size])
@@ -33,8 +35,9 @@ pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
 
 /// Reads all loads: forces, moments, brakes, springs, contacts.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
-    let mut names = BTreeSet::new();
-    SORTS.iter().flat_map(|sort| sort.read(root, context, &mut names)).collect()
+    let (mut loads, mut names) = (Vec::new(), BTreeSet::new());
+    SORTS.iter().for_each(|sort| sort.read(root, context, (&mut loads, &mut names)));
+    loads
 }
 
 /// The sorts of loads, in the order of the mechanism.
@@ -50,9 +53,24 @@ pub(crate) const SORTS: [Sort; 5] = [
     },
 ];
 
-fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
-    let direction = direction(section, context);
-    let value = value::sized(section, "value", Dimension::Force, true, context);
+/// Tells where the number of a key of a load stands in a mechanism.
+pub(crate) fn sets_of(
+    section: &Section<'_>,
+    key: &str,
+    load: LoadId,
+    slot: fn(&mut LoadKind) -> Option<&mut f64>,
+) {
+    section.sets(key, move |scene, value| {
+        if let Some(slot) = slot(&mut scene.loads[load].kind) {
+            *slot = value;
+        }
+    });
+}
+
+fn force(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
+    let direction = direction(section, context, id);
+    let slot: Slot = (id, |load| Some(&mut load.force_mut()?.value));
+    let value = value::sized((section, "value"), Dimension::Force, true, context, slot);
     if let (Some(Direction::AgainstMotion), Some(Value::Constant(size)), Some(entry)) =
         (&direction, &value, section.get("value"))
         && *size < 0.0
@@ -60,11 +78,13 @@ fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
         entry.faults.mistake(entry.span.clone(), text!("scene-negative-against"));
     }
     let link = context.linkage.link_of(section, text!("scene-ground-carries"));
-    let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
+    let at = section.need("at").and_then(|entry| {
+        context.linkage.place(&entry, link?, move |scene| Some(&mut scene.loads[id].kind.force_mut()?.at))
+    });
     Some(Force { at: at?, direction: direction?, value: value? }.into())
 }
 
-fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> {
+fn direction(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<Direction> {
     let against = section.get("against_motion");
     let (angle, frame) = (section.get("angle"), section.get("frame"));
     if let Some(against) = against.filter(|entry| entry.flag() != Some(false)) {
@@ -80,21 +100,32 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
         section.missing("angle", text!("scene-why-an-angle"));
     }
     let angle = section.number("angle")?;
-    Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
+    let along: fn(f64) -> Direction = if in_link { Direction::Link } else { Direction::Ground };
+    section.sets("angle", move |scene, angle| {
+        if let Some(force) = scene.loads[id].kind.force_mut() {
+            force.direction = along(angle);
+        }
+    });
+    Some(along(angle))
 }
 
-fn moment(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
-    let value = value::sized(section, "value", Dimension::Moment, false, context);
+fn moment(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
+    let slot: Slot = (id, |load| Some(&mut load.moment_mut()?.value));
+    let value = value::sized((section, "value"), Dimension::Moment, false, context, slot);
     let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     Some(Moment { link: link?, value: value? }.into())
 }
 
-fn brake(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+fn brake(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let [radius, friction, lever] = ["radius", "friction", "lever"].map(|key| section.number(key));
     if let Some(entry) = section.get("force") {
         context.need_motion(&entry, text!("scene-a-brake"));
     }
-    let force = value::sized(section, "force", Dimension::Force, false, context);
+    let slot: Slot = (id, |load| Some(&mut load.brake_mut()?.force));
+    let force = value::sized((section, "force"), Dimension::Force, false, context, slot);
+    sets_of(section, "radius", id, |load| Some(&mut load.brake_mut()?.radius));
+    sets_of(section, "friction", id, |load| Some(&mut load.brake_mut()?.friction));
+    sets_of(section, "lever", id, |load| Some(&mut load.brake_mut()?.lever));
     let link = context.linkage.link_of(section, text!("scene-ground-does-not-turn"));
     Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever: lever? }.into())
 }

@@ -50,7 +50,15 @@ fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let acceleration = section.by_input("acceleration", context.coordinate());
     section.need("speed");
     let speed = section.by_input("speed", context.coordinate());
-    let [speed, acceleration] = [speed?, acceleration?].map(|along| context.sign() * along);
+    let sign = context.sign();
+    for key in ["speed", "acceleration"] {
+        section.sets(key, move |scene, along| {
+            if let Some(Motion::Prescribed { speed, acceleration }) = &mut scene.motion {
+                *(if key == "speed" { speed } else { acceleration }) = sign * along;
+            }
+        });
+    }
+    let [speed, acceleration] = [speed?, acceleration?].map(|along| sign * along);
     Some(Motion::Prescribed { speed, acceleration })
 }
 
@@ -60,17 +68,31 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let integrator =
         section.get("integrator").and_then(|entry| entry.text(text!("scene-name-of-integrator")));
     let tolerance = section.number("tolerance").unwrap_or_default();
-    if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {
+    if let Some(entry) = section.get("tolerance").filter(|entry| !entry.is_within(tolerance, ..1.0)) {
         entry.fault(text!("scene-large-tolerance", got = brief(tolerance)), such_as("1e-9"));
     }
     let until = section.need("until").and_then(|entry| until(&entry, context))?;
     let integrator = integrator.unwrap_or("auto").to_owned();
-    let step = section.get("step").and_then(|entry| time_or_way(&entry, context, "scene-time-or-travel"));
+    let step = section.get("step").and_then(|entry| {
+        may_be_time_or_way(&entry, context);
+        time_or_way(&entry, context, "scene-time-or-travel")
+    });
     let step = step.map(|found| found.map_or_else(StepLength::Time, StepLength::Way));
     // Steps that no sample needs are dropped where the instants of the samples are known.
     let most_steps = if matches!(until, Until::Time(_)) { MOST_STEPS } else { MOST_STEPS_KEPT };
     let max_steps = section.get("max_steps").and_then(|entry| entry.count(1, most_steps));
-    let speed = context.sign() * speed;
+    let sign = context.sign();
+    section.sets("speed", move |scene, along| {
+        if let Some(Motion::Transient { speed, .. }) = &mut scene.motion {
+            *speed = sign * along;
+        }
+    });
+    section.sets("tolerance", |scene, value| {
+        if let Some(Motion::Transient { tolerance, .. }) = &mut scene.motion {
+            *tolerance = value;
+        }
+    });
+    let speed = sign * speed;
     Some(Motion::Transient { speed, until, samples, integrator, tolerance, step, max_steps })
 }
 
@@ -90,11 +112,18 @@ fn samples(section: &Section<'_>, context: &Context<'_>) -> Option<usize> {
 
 /// Reads "rest", "turn", a time, or a displacement of the input.
 fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
+    may_be_time_or_way(entry, context);
     match entry.value.as_str() {
         Some("rest") => Some(Until::Rest),
         Some("turn") => Some(Until::Turn),
         _ => time_or_way(entry, context, "scene-end-of-motion")
             .map(|found| found.map_or_else(Until::Time, Until::Way)),
+    }
+}
+
+fn may_be_time_or_way(entry: &Entry<'_>, context: &Context<'_>) {
+    for kind in [Some(Dimension::Time), context.coordinate()] {
+        entry.may_be(kind, Bound::Positive);
     }
 }
 
@@ -133,10 +162,21 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let wrong = section.get("unevenness").map(|_| Solve::Given(0.0));
     let unevenness = section.solved("unevenness", None).or(wrong);
     if let (Some(Solve::Given(value)), Some(entry)) = (unevenness, section.get("unevenness"))
-        && value >= 2.0
+        && !entry.is_within(value, ..2.0)
     {
         entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
     }
     let mean = section.by_input("mean_speed", context.coordinate())?;
-    Some(Motion::Steady { mean_speed: context.sign() * mean, unevenness })
+    let sign = context.sign();
+    section.sets("mean_speed", move |scene, along| {
+        if let Some(Motion::Steady { mean_speed, .. }) = &mut scene.motion {
+            *mean_speed = sign * along;
+        }
+    });
+    section.sets("unevenness", |scene, value| {
+        if let Some(Motion::Steady { unevenness, .. }) = &mut scene.motion {
+            *unevenness = Some(Solve::Given(value));
+        }
+    });
+    Some(Motion::Steady { mean_speed: sign * mean, unevenness })
 }

@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use assur_mechanism::{Name, Solve};
+use assur_mechanism::{Mechanism, Name, Solve};
 use assur_words::{Text, joined, name, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -90,6 +90,10 @@ impl<'a> Section<'a> {
         self.faults.mistakes(self.table)
     }
 
+    pub(crate) fn table(&self) -> &'a DeTable<'a> {
+        self.table
+    }
+
     fn refuse_unknown(&self) {
         let known = self.known.names();
         for entry in self.entries() {
@@ -164,6 +168,7 @@ impl<'a> Section<'a> {
         if let (Some(entry), Some(known)) = (self.get(key), self.known(key)) {
             let (text, word) = (entry.value.as_str().unwrap_or_default(), known.words().next()?);
             if text == word {
+                entry.may_be(known.dimension(coordinate), known.limits);
                 return Some(Solve::Wanted);
             }
             if text.starts_with(char::is_alphabetic) {
@@ -176,6 +181,13 @@ impl<'a> Section<'a> {
             return entry.bounded_or(dimension, known.limits, Some(word)).map(Solve::Given);
         }
         self.by_input(key, coordinate).map(Solve::Given)
+    }
+
+    /// Tells how the number of a key is set in a mechanism, if any other one within its limits may stand there as well.
+    pub(crate) fn sets(&self, key: &str, set: impl Fn(&mut Mechanism, f64) + Send + Sync + 'static) {
+        if let Some(entry) = self.get(key) {
+            entry.sets(set);
+        }
     }
 
     /// Its key `name`, or else the default name; and where a fault of the name is noted.

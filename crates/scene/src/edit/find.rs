@@ -128,7 +128,7 @@ fn in_array<'a, 'b>(
 }
 
 /// The name of a load; of a slide its name or default name; of a friction its pair.
-pub(super) fn element_name(value: &DeValue<'_>) -> Option<String> {
+pub(crate) fn element_name(value: &DeValue<'_>) -> Option<String> {
     let DeValue::Table(table) = value else { return None };
     let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
     let default = || Some(format!("{}/{}", text("link")?, text("on")?));

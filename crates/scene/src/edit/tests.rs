@@ -24,19 +24,20 @@ angle = "-90 deg"
 value = { over = "angle", table = [[0, 0], ["180 deg", 40]] }
 "#;
 
+fn values(text: &str) -> Vec<SceneValue> {
+    ParsedText::of(text).values(&crate::reading("a", text).unwrap().numbers)
+}
+
 fn value(text: &str, key: &str) -> SceneValue {
-    let values = ParsedText::of(text).values();
+    let values = values(text);
     let all: Vec<_> = values.iter().map(|value| value.key.to_string()).collect();
     values.into_iter().find(|value| value.key.to_string() == key).unwrap_or_else(|| panic!("{key}: {all:?}"))
 }
 
 #[test]
 fn every_number_is_listed_by_its_key_in_the_order_of_the_file() {
-    let listed: Vec<_> = ParsedText::of(SCENE)
-        .values()
-        .into_iter()
-        .map(|value| format!("{} {}", value.key, value.written))
-        .collect();
+    let listed: Vec<_> =
+        values(SCENE).into_iter().map(|value| format!("{} {}", value.key, value.written)).collect();
     assert_eq!(
         listed,
         [
@@ -61,7 +62,7 @@ fn every_number_is_listed_by_its_key_in_the_order_of_the_file() {
 fn every_key_of_the_list_finds_its_value() {
     for (name, text) in fixtures().into_iter().chain([("base".to_owned(), BASE.to_owned())]) {
         let document = ParsedText::of(&text);
-        let values = document.values();
+        let values = values(&text);
         assert!(values.len() > 5, "{name}");
         for value in values {
             let found = document.find(&value.key).unwrap();
@@ -162,9 +163,8 @@ fn only_the_values_differ_and_the_scene_reads_them() {
 }
 
 #[test]
-fn a_text_that_is_no_toml_has_what_can_be_read() {
+fn a_text_that_is_no_toml_has_what_can_be_found() {
     for text in ["", "a = ", "\u{feff}x = 1", "x = [1, 2"] {
-        let _ = ParsedText::of(text).values();
+        let _ = ParsedText::of(text).find(&Key::of("x"));
     }
-    assert!(ParsedText::of("title = \"12 angry men\"\nmotor = \"4A100L4\"").values().is_empty());
 }

@@ -2,11 +2,17 @@
 
 use assur_analysis::plan::Plan;
 use assur_fixtures::SCENES;
-use assur_scene::edit::ParsedText;
+use assur_mechanism::Mechanism;
+use assur_scene::Reading;
+use assur_scene::edit::{ParsedText, SceneValue};
 use assur_structure::Structure;
 
 use super::{SLIDER, run, sweep};
 use crate::Sweep;
+
+fn values(scene: &str) -> Vec<SceneValue> {
+    ParsedText::of(scene).values(&assur_scene::reading("", scene).unwrap().numbers)
+}
 
 /// A sweep of one number of a scene, from a little less to a little more than it is.
 fn around(scene: &str, key: &str, written: &str) -> Option<Sweep> {
@@ -19,7 +25,7 @@ fn around(scene: &str, key: &str, written: &str) -> Option<Sweep> {
 fn every_number_of_every_scene_is_set_as_it_is_read() {
     let (mut set, mut read) = (0, Vec::new());
     for (name, scene) in SCENES.iter().filter(|(name, _)| *name != "n-four-bar-40") {
-        for value in ParsedText::of(scene).values() {
+        for value in values(scene) {
             let Some(sweep) = around(scene, &value.key.to_string(), &value.written) else { continue };
             let axes = &sweep.axes;
             if !sweep.variants.sets_numbers() {
@@ -31,6 +37,7 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
                 let si = axes[0].si(number);
                 let found = sweep.variants.mechanism(axes, &[number], &[si], scratch.take()).unwrap();
                 let known = sweep.variants.read(axes, &[number]).unwrap();
+                let known = Mechanism { notes: found.notes.clone(), ..known };
                 assert_eq!(found, known, "{name}: {} = {number}", value.key);
                 assert_eq!(format!("{found:?}"), format!("{known:?}"), "signs of zeros too");
                 scratch = Some(found);
@@ -66,19 +73,21 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
 #[test]
 fn structure_and_plan_fit_as_if_made_anew() {
     for (name, scene) in SCENES {
-        let mut mechanism = assur_scene::read(name, scene).unwrap();
+        let Reading { mut mechanism, numbers, .. } = assur_scene::reading(name, scene).unwrap();
         let mut structure = Structure::of(&mechanism).unwrap();
         let mut plan = Plan::of(&mechanism, &structure, mechanism.output.as_ref(), true);
         let same = |found: &(&Structure, &Plan), known: &(Structure, Plan)| {
             assert_eq!(format!("{found:?}"), format!("{known:?}"), "{name}");
         };
         // Every second, third, ... number becomes zero or changes; a mass or a load that is zero changes the plan.
-        for step in 2..9 {
-            let mut index = 0;
-            mechanism.visit_numbers(|number| {
-                index += 1;
-                *number = if index % step == 0 { 0.0 } else { *number * 1.25 + 0.01 };
-            });
+        for step in 2_i32..9 {
+            for (index, number) in numbers.iter().enumerate() {
+                let value = [1.25, 0.75, 0.5][index % 3] * 1.25_f64.powi(step);
+                number.set(
+                    &mut mechanism,
+                    if (index + 1).is_multiple_of(step.unsigned_abs() as usize) { 0.0 } else { value },
+                );
+            }
             structure.set_geometry(&mechanism);
             plan.fit(&mechanism, &structure);
             let known = Structure::of(&mechanism).unwrap();

@@ -87,8 +87,9 @@ pub(crate) struct WhatIf {
 impl WhatIf {
     /// The values of a scene as its file has them.
     pub(crate) fn of(scene: Option<&Scene>) -> Self {
-        let text = scene.map(|scene| scene.session.text.clone()).unwrap_or_default();
-        let values = ParsedText::of(&text).values();
+        let session = scene.map(|scene| &scene.session);
+        let text = session.map(|session| session.text.clone()).unwrap_or_default();
+        let values = ParsedText::of(&text).values(session.map_or(&[], |session| &session.numbers));
         Self { step: FIRST_STEP, values, text, ..Self::default() }
     }
 
@@ -243,7 +244,8 @@ impl WhatIf {
         };
         let first = self.values.iter().filter(|value| value.span.start < at).count();
         let text = format!("{}{start}{lines}{}", &self.text[..at], &self.text[at..]);
-        let values = ParsedText::of(&text).values();
+        let Ok(reading) = assur_scene::reading("", &text) else { return };
+        let values = ParsedText::of(&text).values(&reading.numbers);
         if values.len() != self.values.len() + 2 * points.len() {
             // The table is written in another way, such as in one line.
             return;
