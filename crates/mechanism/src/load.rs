@@ -265,6 +265,33 @@ impl Load {
 }
 
 impl LoadKind {
+    /// The number under a key of the scene, if any other one may stand there as well.
+    pub fn number(&mut self, key: &str) -> Option<&mut f64> {
+        use Value::{Constant, Formula, Stroke};
+        match (self, key) {
+            (Self::Force(Force { value: Constant(number), .. }), "value")
+            | (Self::Force(Force { value: Stroke { axis: number, .. }, .. }), "value.axis")
+            | (Self::Force(Force { value: Formula { axis: Some(number), .. }, .. }), "value.axis")
+            | (Self::Force(Force { direction: Direction::Ground(number), .. }), "angle")
+            | (Self::Force(Force { direction: Direction::Link(number), .. }), "angle")
+            | (Self::Moment(Moment { value: Constant(number), .. }), "value")
+            | (Self::Brake(Brake { force: Constant(number), .. }), "force")
+            | (Self::Brake(Brake { radius: number, .. }), "radius")
+            | (Self::Brake(Brake { friction: number, .. }), "friction")
+            | (Self::Brake(Brake { lever: number, .. }), "lever")
+            | (Self::Spring(Spring { stiffness: number, .. }), "stiffness")
+            | (Self::Spring(Spring { length: number, .. }), "length")
+            | (Self::Spring(Spring { damping: number, .. }), "damping")
+            | (Self::Contact(Contact { radius: number, .. }), "radius")
+            | (Self::Contact(Contact { angle: Constant(number), .. }), "angle")
+            | (Self::Contact(Contact { force: Constant(number), .. }), "force")
+            | (Self::Contact(Contact { friction: number, .. }), "friction" | "friction.against_sliding") => {
+                Some(number)
+            }
+            _ => None,
+        }
+    }
+
     /// The list of the scene in which it stands.
     pub fn list(&self) -> &'static str {
         match self {

@@ -73,7 +73,15 @@ impl Sort {
         (loads, names): (&mut Vec<Load>, &mut BTreeSet<String>),
     ) {
         for (index, section) in root.inners(self.list).iter().enumerate() {
-            let kind = (self.one)(section, context, loads.len());
+            let (id, moves) = (loads.len(), context.moves);
+            let kind = (self.one)(section, context, id);
+            let is_scaled = section.get("scale").is_some_and(|scale| scale.written().to_string() != "1");
+            section.sets(1.0, move |scene, key| match key {
+                // A scale is multiplied into what it scales, and without a motion there is no damping.
+                "value" | "force" if is_scaled => None,
+                "damping" if !moves => None,
+                _ => scene.loads[id].kind.number(key),
+            });
             let on = kind.as_ref().and_then(|kind| kind.links().next()).unwrap_or(GROUND);
             let name = name(section, names, || (self.unnamed)(index + 1, &context.linkage.links[on].name));
             loads.extend(kind.map(|kind| Load { name, kind }));

@@ -3,7 +3,7 @@
 use std::ops::Bound as End;
 
 use assur_mechanism::{
-    CharacteristicKind, Drive, FlywheelPlace, Motion, MotorChoice, RatedMotor, Solve, Torque,
+    CharacteristicKind, Drive, FlywheelPlace, Mechanism, Motion, MotorChoice, RatedMotor, Solve, Torque,
 };
 
 use assur_words::{name, text};
@@ -29,13 +29,10 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
     check_motion(&section, motion, context);
     check_motor_keys(&section, context);
     let torque = torque(&section, context);
-    sets_of(&section, "torque", |drive, value| drive.torque = Torque::Constant(value));
+    section.sets(1.0, number);
     let ratio = section.solved("ratio", None);
     let flywheel = section.solved("flywheel", None);
     let efficiency = section.number("efficiency").unwrap_or_default();
-    sets_of(&section, "ratio", |drive, value| drive.ratio = Solve::Given(value));
-    sets_of(&section, "flywheel", |drive, value| drive.flywheel = Some(Solve::Given(value)));
-    sets_of(&section, "efficiency", |drive, value| drive.efficiency = value);
     if let Some(entry) = section.get("efficiency").filter(|entry| !entry.is_within(efficiency, ..=1.0)) {
         entry.fault(text!("scene-large-efficiency", got = brief(efficiency)), such_as("0.95"));
     }
@@ -50,23 +47,27 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
     })
 }
 
-/// Tells how a number of the drive is set.
-fn sets_of(section: &Section<'_>, key: &str, set: fn(&mut Drive, f64)) {
-    section.sets(key, move |scene, value| {
-        if let Some(drive) = &mut scene.drive {
-            set(drive, value);
+/// A number of the drive in a mechanism. The rated speed of a motor must stay below the synchronous one.
+fn number<'m>(scene: &'m mut Mechanism, key: &str) -> Option<&'m mut f64> {
+    let Drive { torque, ratio, efficiency, flywheel, flywheel_on: _ } = scene.drive.as_mut()?;
+    match (key, torque) {
+        ("ratio", _) => ratio.given(),
+        ("efficiency", _) => Some(efficiency),
+        ("flywheel", _) => flywheel.as_mut()?.given(),
+        ("torque", torque @ Torque::Balance) => {
+            *torque = Torque::Constant(0.0);
+            if let Torque::Constant(moment) = torque { Some(moment) } else { None }
         }
-    });
-}
-
-/// Tells how a number of the given data of a motor is set.
-fn sets_of_motor(section: &Section<'_>, key: &str, set: fn(&mut RatedMotor, f64)) {
-    section.sets(key, move |scene, value| {
-        let torque = scene.drive.as_mut().map(|drive| &mut drive.torque);
-        if let Some(Torque::Motor { motor: MotorChoice::Rated(motor), .. }) = torque {
-            set(motor, value);
-        }
-    });
+        ("torque", Torque::Constant(moment)) => Some(moment),
+        ("max_motor_speed", Torque::Motor { max_speed, .. }) => max_speed.as_mut(),
+        (key, Torque::Motor { motor: MotorChoice::Rated(motor), .. }) => match key {
+            "motor.power" => Some(&mut motor.power),
+            "motor.max_torque_ratio" => motor.max_torque_ratio.as_mut(),
+            "motor.inertia" => motor.inertia.as_mut(),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 fn check_motion(section: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) {
@@ -158,11 +159,6 @@ fn with_motor(section: &Section<'_>, entry: &Entry<'_>) -> Option<Torque> {
     let motor = motor(section, entry);
     let catalogue = section.get("catalogue").and_then(|entry| entry.text(text!("scene-name-of-catalogue")));
     let max_speed = section.number("max_motor_speed");
-    sets_of(section, "max_motor_speed", |drive, value| {
-        if let Torque::Motor { max_speed, .. } = &mut drive.torque {
-            *max_speed = Some(value);
-        }
-    });
     let given = section.get("characteristic").and_then(|entry| entry.choice(CHARACTERISTICS));
     let mut characteristic = given.unwrap_or(CharacteristicKind::Kloss);
     if let Some(MotorChoice::Rated(rated)) = motor {
@@ -213,10 +209,6 @@ fn rated(section: &Section<'_>) -> Option<RatedMotor> {
         entry.fault(message, text!("scene-breakdown-by-rated"));
     }
     let inertia = section.number("inertia");
-    // The rated speed must stay below the synchronous one.
-    sets_of_motor(section, "power", |motor, value| motor.power = value);
-    sets_of_motor(section, "max_torque_ratio", |motor, value| motor.max_torque_ratio = Some(value));
-    sets_of_motor(section, "inertia", |motor, value| motor.inertia = Some(value));
     Some(RatedMotor {
         power: power?,
         synchronous_speed: synchronous?,

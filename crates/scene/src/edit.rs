@@ -14,7 +14,7 @@ use toml::de::DeTable;
 
 use crate::SceneNumber;
 
-pub(crate) use find::element_name;
+pub(crate) use find::{element_name, place, within};
 pub use values::{SceneValue, bare};
 pub use values::{decimal, quoted, split};
 

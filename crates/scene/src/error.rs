@@ -133,7 +133,7 @@ pub(crate) struct Faults {
     /// What is allowed, but probably not meant: its place and what it says.
     mistakes: RefCell<Vec<(Range<usize>, Text)>>,
     /// What is told of the numbers, where somebody asks.
-    told: Option<RefCell<Told>>,
+    pub(crate) told: Option<RefCell<Told>>,
 }
 
 impl Faults {
@@ -157,11 +157,6 @@ impl Faults {
         if let Some(told) = &self.told {
             tell(&mut told.borrow_mut());
         }
-    }
-
-    /// What was told so far.
-    pub(crate) fn told(&self) -> Told {
-        self.told.as_ref().map(RefCell::take).unwrap_or_default()
     }
 
     pub(crate) fn push(&self, fault: Fault) {

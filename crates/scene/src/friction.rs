@@ -37,15 +37,13 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Mot
 fn one(section: &Section<'_>, linkage: &SceneLinks, id: usize) -> Option<Friction> {
     let pair = section.need("pair").and_then(|entry| wishes::pair_id(&entry, linkage));
     let coefficient = section.number("coefficient");
-    section.sets("coefficient", move |scene, value| scene.frictions[id].coefficient = value);
-    for key in ["radius", "length", "offset"] {
-        section.sets(key, move |scene, value| match (&mut scene.frictions[id].surfaces, key) {
-            (Surfaces::Journal { radius: slot, .. }, "radius")
-            | (Surfaces::Faces { length: slot, .. }, "length")
-            | (Surfaces::Faces { offset: slot, .. }, "offset") => *slot = value,
-            _ => {}
-        });
-    }
+    section.sets(1.0, move |scene, key| match (&mut scene.frictions[id], key) {
+        (Friction { coefficient: number, .. }, "coefficient")
+        | (Friction { surfaces: Surfaces::Journal { radius: number, .. }, .. }, "radius")
+        | (Friction { surfaces: Surfaces::Faces { length: number, .. }, .. }, "length")
+        | (Friction { surfaces: Surfaces::Faces { offset: number, .. }, .. }, "offset") => Some(number),
+        _ => None,
+    });
     let surfaces = match pair? {
         PairId::Pin(point) => {
             refuse(section, "pin", "scene-friction-of-slides");

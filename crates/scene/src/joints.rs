@@ -6,21 +6,15 @@ use assur_words::{name, text};
 
 use crate::context::Context;
 use crate::linkage::pair;
-use crate::loads::sets_of;
 use crate::text::{row, shown};
 use crate::units::Dimension;
-use crate::value::{self, Slot};
+use crate::value;
 use crate::walk::{Entry, Section, quoted};
 
 /// Reads a `[[spring]]`.
 pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let (stiffness, length) = (section.number("stiffness"), section.number("length"));
     let damping = section.number("damping").unwrap_or_default();
-    sets_of(section, "stiffness", id, |load| Some(&mut load.spring_mut()?.stiffness));
-    sets_of(section, "length", id, |load| Some(&mut load.spring_mut()?.length));
-    if context.moves {
-        sets_of(section, "damping", id, |load| Some(&mut load.spring_mut()?.damping));
-    }
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
         context.need_motion(&entry, quoted("damping"));
     }
@@ -78,25 +72,17 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let linkage = context.linkage;
     let radius = section.number("radius");
-    sets_of(section, "radius", id, |load| Some(&mut load.contact_mut()?.radius));
-    let slot: Slot = (id, |load| Some(&mut load.contact_mut()?.angle));
-    let angle = match section.get("angle") {
-        Some(entry) if entry.value.is_table() => value::read(&entry, Dimension::Angle, false, context, slot),
-        entry => {
-            if let Some(entry) = entry {
-                value::sets(&entry, slot, |value, angle| *value = Value::Constant(angle));
-            }
-            section.number("angle").map(Value::Constant)
-        }
+    let angle = match section.get("angle").filter(|entry| entry.value.is_table()) {
+        Some(entry) => value::read(&entry, Dimension::Angle, false, context),
+        None => section.number("angle").map(Value::Constant),
     };
-    let (friction, against_sliding) = friction(section, id);
+    let (friction, against_sliding) = friction(section);
     if let Some(entry) =
         section.get("angle").filter(|_| against_sliding && angle.as_ref().is_some_and(Value::follows_motion))
     {
         entry.fault(text!("scene-angle-of-sliding"), text!("scene-law-over-coordinate"));
     }
-    let slot: Slot = (id, |load| Some(&mut load.contact_mut()?.force));
-    let force = value::sized((section, "force"), Dimension::Force, false, context, slot);
+    let force = value::sized(section, "force", Dimension::Force, false, context);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
     let link = linkage.link_of(section, text!("scene-arc-of-a-link"));
     let center = section.need("center").and_then(|entry| {
@@ -108,16 +94,12 @@ pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>, id: LoadId) 
 
 /// The coefficient of friction, and whether its sign is found from the sliding: a number with its sign, or
 /// `{ against_sliding = 0.1 }`.
-fn friction(section: &Section<'_>, id: LoadId) -> (f64, bool) {
+fn friction(section: &Section<'_>) -> (f64, bool) {
     let against_sliding = section.get("friction").is_some_and(|entry| entry.value.is_table());
-    let of = |section: &Section<'_>, key: &str| {
-        sets_of(section, key, id, |load| Some(&mut load.contact_mut()?.friction));
-        section.number(key)
-    };
     let coefficient = if against_sliding {
-        section.inner("friction").and_then(|friction| of(&friction, "against_sliding"))
+        section.inner("friction").and_then(|friction| friction.number("against_sliding"))
     } else {
-        of(section, "friction")
+        section.number("friction")
     };
     (coefficient.unwrap_or_default(), against_sliding)
 }

@@ -82,7 +82,9 @@ fn read_as(file_name: &str, text: &str, faults: Faults) -> Result<Reading, Scene
     let known = Known::Table(reference::table(""), None);
     document::read_known((file_name, text), text!("scene-a-scene"), known, faults, |root| {
         let (mechanism, note) = scene(root);
-        Reading { mechanism, note, numbers: root.faults.told().numbers(root) }
+        let told = root.faults.told.as_ref().filter(|_| root.faults.is_empty());
+        let numbers = told.map(|told| told.take().numbers(root, mechanism.clone())).unwrap_or_default();
+        Reading { mechanism, note, numbers }
     })
 }
 
@@ -137,7 +139,10 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
         inertia::refuse_not_positive(root, &mechanism);
-        let gives_inertia = |link: &str| links::gives_inertia(root, link);
+        let gives_inertia = |link: &str| {
+            let key = Key::of("link").at(link).at("inertia");
+            edit::within(root.table(), key.steps()).is_ok()
+        };
         mechanism.notes.extend(doubts::of(&mechanism, links::have_units(root), gives_inertia));
     }
     (mechanism, note)

@@ -1,13 +1,14 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
 use assur_mechanism::{
-    GROUND, Inertia, Link, LinkId, Mechanism, Name, Place, Point, PointId, Slide, SlideId,
+    GROUND, Inertia, Key, Link, LinkId, Mechanism, Name, Place, Point, PointId, Slide, SlideId,
     links_of_length_zero,
 };
 use assur_words::{Text, joined, text};
 
 use toml::de::DeValue;
 
+use crate::edit::place;
 use crate::error::Fault;
 use crate::inertia;
 use crate::limits;
@@ -44,14 +45,14 @@ pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<Option<PointId>>) {
 /// Refuses links without a slide whose pins all coincide: they rotate freely about them, so their angle is not
 /// determined.
 pub(crate) fn refuse_points(root: &Section<'_>, linkage: &SceneLinks) {
-    let entries = root.get("link").map(|entry| entry.named(text!("scene-tables-of-links"), Text::default()));
-    let entries = entries.unwrap_or_default();
     for id in links_of_length_zero(linkage.links.len(), &linkage.points, &linkage.slides) {
-        let Some(entry) = entries.get(id - 1) else { continue };
+        let link = &linkage.links[id].name;
         let on_link = |point: &&Point| point.is_pin() && point.places.iter().any(|place| place.link == id);
         let pins = row(linkage.points.iter().filter(on_link).map(|pin| pin.name.as_str()));
-        let message = text!("scene-no-length", link = shown(&entry.name), pins = pins);
-        entry.faults.push(Fault::new(entry.key.clone(), message).label(text!("scene-give-length")));
+        let message = text!("scene-no-length", link = shown(link), pins = pins);
+        if let Some(span) = place(root.table(), Key::of("link").at(link).steps()) {
+            root.faults.push(Fault::new(span, message).label(text!("scene-give-length")));
+        }
     }
 }
 
@@ -114,8 +115,11 @@ fn add_mass(linkage: &mut SceneLinks, (id, first): (LinkId, Option<PointId>), se
     };
     // Without a center there is no mass.
     if center.is_some() {
-        section.sets("mass", move |scene, value| scene.links[id].mass = value);
-        section.sets("inertia", move |scene, value| scene.links[id].inertia = value.into());
+        section.sets(1.0, move |scene, key| match (key, &mut scene.links[id]) {
+            ("mass", link) => Some(&mut link.mass),
+            ("inertia", Link { inertia: Inertia::Constant(inertia), .. }) => Some(inertia),
+            _ => None,
+        });
     }
     let link = &mut linkage.links[id];
     (link.mass, link.inertia, link.center) = (mass, inertia, center.unwrap_or_default());
@@ -151,8 +155,11 @@ pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut SceneLinks, firsts: 
 fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[Option<PointId>]) -> Option<Slide> {
     let id = linkage.slides.len();
     let [angle, tilt] = ["angle", "tilt"].map(|key| section.number(key).unwrap_or_default());
-    section.sets("angle", move |scene, value| scene.slides[id].angle = value);
-    section.sets("tilt", move |scene, value| scene.slides[id].tilt = value);
+    section.sets(1.0, move |scene, key| match key {
+        "angle" => Some(&mut scene.slides[id].angle),
+        "tilt" => Some(&mut scene.slides[id].tilt),
+        _ => None,
+    });
     let (link, on) = (section.need("link"), section.need("on"));
     let swap = || text!("scene-swap-slide");
     let link_id = link.as_ref().and_then(|entry| linkage.moving(entry, swap()));
@@ -220,12 +227,4 @@ pub(crate) fn have_units(root: &Section<'_>) -> bool {
     let mut points =
         links.into_iter().flat_map(|links| links.values()).filter_map(|link| link.get_ref().get("points"));
     points.any(|points| has_text(points.get_ref()))
-}
-
-/// Whether a link has a moment of inertia, be it 0.
-pub(crate) fn gives_inertia(root: &Section<'_>, link: &str) -> bool {
-    let links = root.get("link");
-    let links = links.as_ref().and_then(|links| links.value.as_table());
-    let link = links.and_then(|links| links.get(link));
-    link.is_some_and(|link| link.get_ref().get("inertia").is_some())
 }

@@ -10,7 +10,7 @@ use crate::joints::{contact, spring};
 use crate::linkage::pair;
 use crate::text::shown;
 use crate::units::Dimension;
-use crate::value::{self, Slot};
+use crate::value;
 use crate::walk::{Section, quoted};
 
 /// Reads `gravity`: a magnitude, straight down, or [gx, gy].
@@ -21,7 +21,7 @@ pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
         return pair(&entry, &name("[gx, gy]"), Dimension::Acceleration);
     }
     let size = entry.quantity(Dimension::Acceleration)?;
-    entry.sets(|scene, size| scene.gravity = Some([0.0, -size]));
+    root.sets(-1.0, |scene, key| scene.gravity.as_mut().filter(|_| key == "gravity").map(|[_, y]| y));
     if !entry.is_within(size, 0.0..) {
         entry.fault(text!("scene-gravity-upward"), text!("scene-or-both-components"));
     }
@@ -53,24 +53,9 @@ pub(crate) const SORTS: [Sort; 5] = [
     },
 ];
 
-/// Tells where the number of a key of a load stands in a mechanism.
-pub(crate) fn sets_of(
-    section: &Section<'_>,
-    key: &str,
-    load: LoadId,
-    slot: fn(&mut LoadKind) -> Option<&mut f64>,
-) {
-    section.sets(key, move |scene, value| {
-        if let Some(slot) = slot(&mut scene.loads[load].kind) {
-            *slot = value;
-        }
-    });
-}
-
 fn force(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
-    let direction = direction(section, context, id);
-    let slot: Slot = (id, |load| Some(&mut load.force_mut()?.value));
-    let value = value::sized((section, "value"), Dimension::Force, true, context, slot);
+    let direction = direction(section, context);
+    let value = value::sized(section, "value", Dimension::Force, true, context);
     if let (Some(Direction::AgainstMotion), Some(Value::Constant(size)), Some(entry)) =
         (&direction, &value, section.get("value"))
         && *size < 0.0
@@ -84,7 +69,7 @@ fn force(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<Loa
     Some(Force { at: at?, direction: direction?, value: value? }.into())
 }
 
-fn direction(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<Direction> {
+fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> {
     let against = section.get("against_motion");
     let (angle, frame) = (section.get("angle"), section.get("frame"));
     if let Some(against) = against.filter(|entry| entry.flag() != Some(false)) {
@@ -100,32 +85,21 @@ fn direction(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option
         section.missing("angle", text!("scene-why-an-angle"));
     }
     let angle = section.number("angle")?;
-    let along: fn(f64) -> Direction = if in_link { Direction::Link } else { Direction::Ground };
-    section.sets("angle", move |scene, angle| {
-        if let Some(force) = scene.loads[id].kind.force_mut() {
-            force.direction = along(angle);
-        }
-    });
-    Some(along(angle))
+    Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 
-fn moment(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
-    let slot: Slot = (id, |load| Some(&mut load.moment_mut()?.value));
-    let value = value::sized((section, "value"), Dimension::Moment, false, context, slot);
+fn moment(section: &Section<'_>, context: &Context<'_>, _: LoadId) -> Option<LoadKind> {
+    let value = value::sized(section, "value", Dimension::Moment, false, context);
     let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     Some(Moment { link: link?, value: value? }.into())
 }
 
-fn brake(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
+fn brake(section: &Section<'_>, context: &Context<'_>, _: LoadId) -> Option<LoadKind> {
     let [radius, friction, lever] = ["radius", "friction", "lever"].map(|key| section.number(key));
     if let Some(entry) = section.get("force") {
         context.need_motion(&entry, text!("scene-a-brake"));
     }
-    let slot: Slot = (id, |load| Some(&mut load.brake_mut()?.force));
-    let force = value::sized((section, "force"), Dimension::Force, false, context, slot);
-    sets_of(section, "radius", id, |load| Some(&mut load.brake_mut()?.radius));
-    sets_of(section, "friction", id, |load| Some(&mut load.brake_mut()?.friction));
-    sets_of(section, "lever", id, |load| Some(&mut load.brake_mut()?.lever));
+    let force = value::sized(section, "force", Dimension::Force, false, context);
     let link = context.linkage.link_of(section, text!("scene-ground-does-not-turn"));
     Some(Brake { link: link?, force: force?, radius: radius?, friction: friction?, lever: lever? }.into())
 }

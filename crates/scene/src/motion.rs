@@ -1,6 +1,8 @@
 //! `[motion]`: how the input moves.
 
-use assur_mechanism::{MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Motion, Solve, StepLength, Until};
+use assur_mechanism::{
+    MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Mechanism, Motion, Solve, StepLength, Until,
+};
 
 use assur_words::{Text, name as words, number, text};
 
@@ -26,7 +28,23 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> 
         None => KINDS[0],
     };
     refuse_other_kinds(&section, kind);
+    section.sets(context.sign(), speed);
+    section.sets(1.0, |scene, key| match (scene.motion.as_mut()?, key) {
+        (Motion::Transient { tolerance, .. }, "tolerance") => Some(tolerance),
+        (Motion::Steady { unevenness, .. }, "unevenness") => unevenness.as_mut()?.given(),
+        _ => None,
+    });
     read(&section, context)
+}
+
+/// A speed or an acceleration in a mechanism.
+fn speed<'m>(scene: &'m mut Mechanism, key: &str) -> Option<&'m mut f64> {
+    match (scene.motion.as_mut()?, key) {
+        (Motion::Prescribed { speed: number, .. } | Motion::Transient { speed: number, .. }, "speed")
+        | (Motion::Prescribed { acceleration: number, .. }, "acceleration")
+        | (Motion::Steady { mean_speed: number, .. }, "mean_speed") => Some(number),
+        _ => None,
+    }
 }
 
 /// Notes a key that belongs to another kind of motion and would have no effect.
@@ -50,15 +68,7 @@ fn prescribed(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let acceleration = section.by_input("acceleration", context.coordinate());
     section.need("speed");
     let speed = section.by_input("speed", context.coordinate());
-    let sign = context.sign();
-    for key in ["speed", "acceleration"] {
-        section.sets(key, move |scene, along| {
-            if let Some(Motion::Prescribed { speed, acceleration }) = &mut scene.motion {
-                *(if key == "speed" { speed } else { acceleration }) = sign * along;
-            }
-        });
-    }
-    let [speed, acceleration] = [speed?, acceleration?].map(|along| sign * along);
+    let [speed, acceleration] = [speed?, acceleration?].map(|along| context.sign() * along);
     Some(Motion::Prescribed { speed, acceleration })
 }
 
@@ -71,28 +81,18 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     if let Some(entry) = section.get("tolerance").filter(|entry| !entry.is_within(tolerance, ..1.0)) {
         entry.fault(text!("scene-large-tolerance", got = brief(tolerance)), such_as("1e-9"));
     }
+    for entry in ["until", "step"].iter().filter_map(|key| section.get(key)) {
+        entry.may_be(Some(Dimension::Time), Bound::Positive);
+        entry.may_be(context.coordinate(), Bound::Positive);
+    }
     let until = section.need("until").and_then(|entry| until(&entry, context))?;
     let integrator = integrator.unwrap_or("auto").to_owned();
-    let step = section.get("step").and_then(|entry| {
-        may_be_time_or_way(&entry, context);
-        time_or_way(&entry, context, "scene-time-or-travel")
-    });
+    let step = section.get("step").and_then(|entry| time_or_way(&entry, context, "scene-time-or-travel"));
     let step = step.map(|found| found.map_or_else(StepLength::Time, StepLength::Way));
     // Steps that no sample needs are dropped where the instants of the samples are known.
     let most_steps = if matches!(until, Until::Time(_)) { MOST_STEPS } else { MOST_STEPS_KEPT };
     let max_steps = section.get("max_steps").and_then(|entry| entry.count(1, most_steps));
-    let sign = context.sign();
-    section.sets("speed", move |scene, along| {
-        if let Some(Motion::Transient { speed, .. }) = &mut scene.motion {
-            *speed = sign * along;
-        }
-    });
-    section.sets("tolerance", |scene, value| {
-        if let Some(Motion::Transient { tolerance, .. }) = &mut scene.motion {
-            *tolerance = value;
-        }
-    });
-    let speed = sign * speed;
+    let speed = context.sign() * speed;
     Some(Motion::Transient { speed, until, samples, integrator, tolerance, step, max_steps })
 }
 
@@ -112,18 +112,11 @@ fn samples(section: &Section<'_>, context: &Context<'_>) -> Option<usize> {
 
 /// Reads "rest", "turn", a time, or a displacement of the input.
 fn until(entry: &Entry<'_>, context: &Context<'_>) -> Option<Until> {
-    may_be_time_or_way(entry, context);
     match entry.value.as_str() {
         Some("rest") => Some(Until::Rest),
         Some("turn") => Some(Until::Turn),
         _ => time_or_way(entry, context, "scene-end-of-motion")
             .map(|found| found.map_or_else(Until::Time, Until::Way)),
-    }
-}
-
-fn may_be_time_or_way(entry: &Entry<'_>, context: &Context<'_>) {
-    for kind in [Some(Dimension::Time), context.coordinate()] {
-        entry.may_be(kind, Bound::Positive);
     }
 }
 
@@ -167,16 +160,5 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
         entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
     }
     let mean = section.by_input("mean_speed", context.coordinate())?;
-    let sign = context.sign();
-    section.sets("mean_speed", move |scene, along| {
-        if let Some(Motion::Steady { mean_speed, .. }) = &mut scene.motion {
-            *mean_speed = sign * along;
-        }
-    });
-    section.sets("unevenness", |scene, value| {
-        if let Some(Motion::Steady { unevenness, .. }) = &mut scene.motion {
-            *unevenness = Some(Solve::Given(value));
-        }
-    });
-    Some(Motion::Steady { mean_speed: sign * mean, unevenness })
+    Some(Motion::Steady { mean_speed: context.sign() * mean, unevenness })
 }

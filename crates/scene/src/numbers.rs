@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 use std::ops::{Bound as End, RangeBounds};
 
-use assur_mechanism::Mechanism;
 use assur_words::{Describe, Text, joined, name, number, quantity as with_unit, text, unit};
 use toml::de::DeValue;
 
@@ -114,11 +113,6 @@ impl Entry<'_> {
         let ends = (limits.start_bound().cloned(), limits.end_bound().cloned());
         self.faults.tell(|told| told.number(&self.span, None, Some(ends)));
         ends.contains(&value)
-    }
-
-    /// Tells how the number is set in a mechanism, if any other one within its limits may stand here as well.
-    pub(crate) fn sets(&self, set: impl Fn(&mut Mechanism, f64) + Send + Sync + 'static) {
-        self.faults.tell(|told| told.set(&self.span, set));
     }
 
     /// The value as it is written in the file.

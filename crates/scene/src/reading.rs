@@ -35,13 +35,19 @@ impl Reading {
 
 /// Both ends of what a number may be.
 type Limits = (Bound<f64>, Bound<f64>);
-/// Sets a number, SI, in a mechanism.
-type Set = Arc<dyn Fn(&mut Mechanism, f64) + Send + Sync>;
-/// Two coordinates in a mechanism, m; `None` in a mechanism that has no such place.
-type At = Arc<dyn Fn(&mut Mechanism) -> Option<&mut [f64; 2]> + Send + Sync>;
+
+/// Sets a number, SI, in a mechanism: one by itself, or one of two coordinates. Says whether there is such a number.
+#[derive(Clone)]
+struct Setter(Arc<dyn Fn(&mut Mechanism, Option<usize>, f64) -> bool + Send + Sync>);
+
+impl fmt::Debug for Setter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Setter")
+    }
+}
 
 /// A number of a scene, or a word or name in whose place a number may stand.
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 pub struct SceneNumber {
     /// Its key.
     pub key: Key,
@@ -50,16 +56,8 @@ pub struct SceneNumber {
     /// What it may measure, where there are several its unit decides; nothing: it is a count.
     pub kinds: Vec<Dimension>,
     limits: Vec<Limits>,
-    sets: Vec<Set>,
-}
-
-impl fmt::Debug for SceneNumber {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("SceneNumber")
-            .field("key", &self.key)
-            .field("kinds", &self.kinds)
-            .finish_non_exhaustive()
-    }
+    /// All that it sets, and which coordinate it is there.
+    sets: Vec<(Setter, Option<usize>)>,
 }
 
 impl SceneNumber {
@@ -83,28 +81,17 @@ impl SceneNumber {
     /// Sets it in a mechanism of its scene, SI, wherever it has an effect there. Absolute values below [`LEAST`](crate::LEAST) are refused by a
     /// scene.
     pub fn set(&self, mechanism: &mut Mechanism, value: f64) {
-        self.sets.iter().for_each(|set| set(mechanism, value));
+        for (Setter(set), coordinate) in &self.sets {
+            set(mechanism, *coordinate, value);
+        }
     }
 }
 
-/// What is told while reading: numbers with what they may be, and where in the mechanism those of a part of the file stand.
-#[derive(Default)]
+/// What is told while reading: numbers with what they may be, and where in the mechanism they stand.
+#[derive(Debug, Default)]
 pub(crate) struct Told {
     numbers: Vec<(Range<usize>, Option<Dimension>, Option<Limits>)>,
-    places: Vec<(Range<usize>, Place)>,
-}
-
-/// Where the numbers of a part of the file stand in a mechanism.
-enum Place {
-    One(Set),
-    /// One number is on the x axis, two are both coordinates.
-    Two(At),
-}
-
-impl fmt::Debug for Told {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Told").field("numbers", &self.numbers).finish_non_exhaustive()
-    }
+    setters: Vec<(Range<usize>, Setter)>,
 }
 
 impl Told {
@@ -112,29 +99,44 @@ impl Told {
         self.numbers.push((span.clone(), kind, limits));
     }
 
-    pub(crate) fn set(
-        &mut self,
-        span: &Range<usize>,
-        set: impl Fn(&mut Mechanism, f64) + Send + Sync + 'static,
-    ) {
-        self.places.push((span.clone(), Place::One(Arc::new(set))));
+    /// Where the numbers of a table stand, by key, and with which sign; `path`: what stands before their keys.
+    pub(crate) fn slots<S>(&mut self, table: &DeTable<'_>, path: &str, sign: f64, slot: &Arc<S>)
+    where
+        S: for<'m> Fn(&'m mut Mechanism, &str) -> Option<&'m mut f64> + Send + Sync + 'static,
+    {
+        for (key, value) in table {
+            let (key, slot) = (format!("{path}{}", key.get_ref()), Arc::clone(slot));
+            if let DeValue::Table(inner) = value.get_ref() {
+                self.slots(inner, &format!("{key}."), sign, &slot);
+                continue;
+            }
+            let set = move |mechanism: &mut Mechanism, coordinate: Option<usize>, number: f64| {
+                let slot = slot(mechanism, &key).filter(|_| coordinate.is_none());
+                slot.map(|slot| *slot = sign * number).is_some()
+            };
+            self.setters.push((value.span(), Setter(Arc::new(set))));
+        }
     }
 
-    /// The place of two coordinates that stand at each of these spans.
+    /// The place of two coordinates that stand at each of these spans; a single number is on the x axis.
     pub(crate) fn place(
         &mut self,
         spans: impl IntoIterator<Item = Range<usize>>,
         at: impl Fn(&mut Mechanism) -> Option<&mut [f64; 2]> + Send + Sync + 'static,
     ) {
-        let at: At = Arc::new(at);
-        self.places.extend(spans.into_iter().map(|span| (span, Place::Two(Arc::clone(&at)))));
+        let setter = Setter(Arc::new(move |mechanism, coordinate, number| {
+            let Some(at) = at(mechanism) else { return false };
+            match coordinate {
+                Some(coordinate) => at[coordinate.min(1)] = number,
+                None => *at = [number, 0.0],
+            }
+            true
+        }));
+        self.setters.extend(spans.into_iter().map(|span| (span, setter.clone())));
     }
 
-    /// All numbers with their keys and places.
-    pub(crate) fn numbers(self, root: &Section<'_>) -> Vec<SceneNumber> {
-        if self.numbers.is_empty() {
-            return Vec::new();
-        }
+    /// All numbers with their keys and places in the mechanism, which is lost.
+    pub(crate) fn numbers(self, root: &Section<'_>, mut mechanism: Mechanism) -> Vec<SceneNumber> {
         let keys = keys(root.table());
         let mut all: Vec<SceneNumber> = Vec::with_capacity(self.numbers.len());
         let mut told = self.numbers;
@@ -155,30 +157,18 @@ impl Told {
                 last.kinds.extend(kind.filter(|kind| !last.kinds.contains(kind)));
             }
         }
-        for (span, place) in self.places {
+        for (span, setter) in self.setters {
             let first = all.partition_point(|number| number.span.start < span.start);
             let within = all[first..].iter_mut().take_while(|number| number.span.end <= span.end);
             for (index, number) in within.enumerate() {
-                let is_whole = number.span == span;
-                number.sets.push(match &place {
-                    Place::One(set) => Arc::clone(set),
-                    Place::Two(at) => coordinate(Arc::clone(at), if is_whole { None } else { Some(index) }),
-                });
+                let coordinate = (number.span != span).then_some(index);
+                if setter.0(&mut mechanism, coordinate, 0.0) {
+                    number.sets.push((setter.clone(), coordinate));
+                }
             }
         }
         all
     }
-}
-
-/// Sets one of two coordinates; without an index the point is on the x axis.
-fn coordinate(at: At, index: Option<usize>) -> Set {
-    Arc::new(move |mechanism, value| {
-        let Some(at) = at(mechanism) else { return };
-        match index {
-            Some(index) => at[index.min(1)] = value,
-            None => *at = [value, 0.0],
-        }
-    })
 }
 
 /// The key of every value of a file that is neither a table nor a list, by its first byte.

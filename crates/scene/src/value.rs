@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use assur_formula::{Formula, FormulaError};
-use assur_mechanism::{LawTable, LoadId, LoadKind, Over, Shape, Value};
+use assur_mechanism::{LawTable, Over, Shape, Value};
 
 use assur_words::{Describe, Text, joined, number, text, unit};
 
@@ -31,43 +31,18 @@ const LAW: &str = "value = { ... }";
 /// More rows than any measurement needs.
 const MOST_ROWS: usize = 100_000;
 
-/// Where a value stands in a mechanism: in which load, and where in it.
-pub(crate) type Slot = (LoadId, fn(&mut LoadKind) -> Option<&mut Value>);
-
-/// Tells how a number of a value is set.
-pub(crate) fn sets(entry: &Entry<'_>, (load, slot): Slot, set: fn(&mut Value, f64)) {
-    entry.sets(move |scene, number| {
-        if let Some(value) = slot(&mut scene.loads[load].kind) {
-            set(value, number);
-        }
-    });
-}
-
-fn sets_axis(entry: &Entry<'_>, slot: Slot) {
-    sets(entry, slot, |value, angle| {
-        if let Value::Stroke { axis, .. } | Value::Formula { axis: Some(axis), .. } = value {
-            *axis = angle;
-        }
-    });
-}
-
 /// Reads a value of this dimension; `stroke`: whether the load has a point whose stroke a table can use.
 pub(crate) fn read(
     entry: &Entry<'_>,
     dimension: Dimension,
     stroke: bool,
     context: &Context<'_>,
-    slot: Slot,
 ) -> Option<Value> {
     if !entry.value.is_table() {
-        if refused_formula(entry) {
-            return None;
-        }
-        sets(entry, slot, |value, size| *value = Value::Constant(size));
-        return entry.quantity(dimension).map(Value::Constant);
+        return if refused_formula(entry) { None } else { entry.quantity(dimension).map(Value::Constant) };
     }
     if entry.named(text!("scene-a-table"), Text::default()).iter().any(|key| key.name == "formula") {
-        return formula(&of_sort(entry, "scene-a-formula", "formula")?, dimension, stroke, context, slot);
+        return formula(&of_sort(entry, "scene-a-formula", "formula")?, dimension, stroke, context);
     }
     let (sort, over) = argument(entry)?;
     let what = match over {
@@ -83,7 +58,7 @@ pub(crate) fn read(
     if let Some(over) = section.get("over").filter(|_| !stroke) {
         over.fault(text!("scene-stroke-of-a-force"), text!("scene-other-arguments"));
     }
-    strokes(&section, shape, dimension, slot)
+    strokes(&section, shape, dimension)
 }
 
 /// A law of one sort; `what`: the identity of its kind with an article.
@@ -104,13 +79,13 @@ fn refused_formula(entry: &Entry<'_>) -> bool {
 
 /// Reads the size of a load under a key of its section, times the load's `scale`.
 pub(crate) fn sized(
-    (section, key): (&Section<'_>, &str),
+    section: &Section<'_>,
+    key: &str,
     dimension: Dimension,
     stroke: bool,
     context: &Context<'_>,
-    slot: Slot,
 ) -> Option<Value> {
-    let value = section.need(key).and_then(|entry| read(&entry, dimension, stroke, context, slot))?;
+    let value = section.need(key).and_then(|entry| read(&entry, dimension, stroke, context))?;
     let Some(scale) = section.get("scale") else { return Some(value) };
     let value = value.scaled(section.number("scale")?);
     if let Some(size) = value.sizes().find(|size| within(*size, "", dimension).is_err()) {
@@ -138,7 +113,6 @@ fn formula(
     dimension: Dimension,
     stroke: bool,
     context: &Context<'_>,
-    slot: Slot,
 ) -> Option<Value> {
     let (entry, formula, factor) = formula_with_unit(section, dimension)?;
     // In a scene the speed is counted along the direction of the input, in a mechanism along the coordinate.
@@ -157,9 +131,6 @@ fn formula(
             entry.fault(text!("scene-x-of-a-force"), text!("scene-use-other-variables"));
         }
         _ => {}
-    }
-    if let Some(entry) = &axis {
-        sets_axis(entry, slot);
     }
     let axis = if axis.is_some() { Some(section.number("axis")?) } else { None };
     Some(Value::Formula { formula, factor, axis })
@@ -260,10 +231,8 @@ fn check_span(entry: &Entry<'_>, table: &LawTable, context: &Context<'_>) {
     }
 }
 
-fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension, slot: Slot) -> Option<Value> {
-    if let Some(entry) = section.need("axis") {
-        sets_axis(&entry, slot);
-    }
+fn strokes(section: &Section<'_>, shape: Shape, dimension: Dimension) -> Option<Value> {
+    section.need("axis");
     let axis = section.number("axis");
     let side = |key: &str| match section.get(key) {
         None => Some(LawTable::constant(0.0)),

@@ -5,6 +5,7 @@
 //! faults.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use assur_mechanism::{Mechanism, Name, Solve};
 use assur_words::{Text, joined, name, text};
@@ -183,11 +184,14 @@ impl<'a> Section<'a> {
         self.by_input(key, coordinate).map(Solve::Given)
     }
 
-    /// Tells how the number of a key is set in a mechanism, if any other one within its limits may stand there as well.
-    pub(crate) fn sets(&self, key: &str, set: impl Fn(&mut Mechanism, f64) + Send + Sync + 'static) {
-        if let Some(entry) = self.get(key) {
-            entry.sets(set);
-        }
+    /// Tells where in a mechanism the numbers of its keys stand, by key (`value.axis`), and with which sign. Only numbers that may
+    /// have any value within their limits whatever the others are have such a place.
+    pub(crate) fn sets(
+        &self,
+        sign: f64,
+        slot: impl for<'m> Fn(&'m mut Mechanism, &str) -> Option<&'m mut f64> + Send + Sync + 'static,
+    ) {
+        self.faults.tell(|told| told.slots(self.table, "", sign, &Arc::new(slot)));
     }
 
     /// Its key `name`, or else the default name; and where a fault of the name is noted.

@@ -40,10 +40,9 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balanc
                 _ => None,
             });
             let angle = section.number("angle");
-            section.sets("angle", |scene, value| {
-                if let Some(Balance::Force { angle, .. }) = &mut scene.balance {
-                    *angle = value;
-                }
+            section.sets(1.0, |scene, key| match (&mut scene.balance, key) {
+                (Some(Balance::Force { angle, .. }), "angle") => Some(angle),
+                _ => None,
             });
             Some(Balance::Force { at: at?, angle: angle? })
         }

@@ -45,7 +45,7 @@ fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<TextPlace, Text> {
 
 /// The bytes of the file at which a key stands, of an element of a list those of the element; where the scene leaves the key out,
 /// of the table that would have it.
-pub(super) fn place(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::Range<usize>> {
+pub(crate) fn place(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::Range<usize>> {
     let of = |steps: &[Step]| {
         let value = within(document, steps).ok()?;
         let (last, before) = steps.split_last()?;
@@ -70,7 +70,11 @@ pub(super) fn table(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::
     matches!(found.get_ref(), DeValue::Table(_)).then(|| found.span())
 }
 
-fn within<'a, 'b>(document: &'a DeTable<'b>, steps: &[Step]) -> Result<&'a Spanned<DeValue<'b>>, Text> {
+/// The value of a key.
+pub(crate) fn within<'a, 'b>(
+    document: &'a DeTable<'b>,
+    steps: &[Step],
+) -> Result<&'a Spanned<DeValue<'b>>, Text> {
     let mut at = in_table(document, steps, 0)?;
     for depth in 1..steps.len() {
         at = match at.get_ref() {

@@ -70,6 +70,46 @@ fn every_number_of_every_scene_is_set_as_it_is_read() {
     assert!(others.is_empty(), "{others:#?}");
 }
 
+/// That the points of a sweep by setting numbers are those that reading the text gives, whatever was set before.
+fn set_as_read(scene: &str, ranges: &[&str], sets: bool) {
+    let sweep = sweep(scene, ranges).unwrap();
+    assert_eq!(sweep.variants.sets_numbers(), sets, "{ranges:?}");
+    let mut scratch = None;
+    for index in 0..sweep.points() {
+        let mut numbers = vec![0.0; ranges.len()];
+        sweep.points.numbers(&sweep.axes, index, &mut numbers);
+        let si: Vec<f64> = sweep.axes.iter().zip(&numbers).map(|(axis, number)| axis.si(*number)).collect();
+        let found = sweep.variants.mechanism(&sweep.axes, &numbers, &si, scratch.take()).unwrap();
+        let known = sweep.variants.read(&sweep.axes, &numbers).unwrap();
+        assert_eq!(found, Mechanism { notes: found.notes.clone(), ..known }, "{ranges:?}: {numbers:?}");
+        scratch = Some(found);
+    }
+}
+
+#[test]
+fn a_number_takes_the_place_of_a_word_or_of_the_name_of_a_point() {
+    set_as_read(assur_fixtures::scene("flywheel"), &["drive.flywheel=1 kg*m^2..3 kg*m^2:3"], true);
+    // The point moves alone where its name no longer stands.
+    let lengths = "link.crank.points.A=80 mm..120 mm:3";
+    set_as_read(SLIDER, &[lengths, "force[1].at=50 mm..70 mm:2"], true);
+    set_as_read(SLIDER, &["force[1].at=50 mm..70 mm:2", "link.rod.points.A=0 mm..20 mm:3"], true);
+    set_as_read(SLIDER, &["link.rod.points.A=0 mm..20 mm:3"], true);
+}
+
+#[test]
+fn a_number_that_is_tied_to_others_is_read() {
+    let scaled =
+        |scale: &str| SLIDER.replace("value = \"1 kN\"", &format!("value = \"1 kN\"\nscale = {scale}"));
+    set_as_read(&scaled("0.5"), &["force.gas.value=1 kN..2 kN:3"], false);
+    set_as_read(&scaled("1"), &["force.gas.value=1 kN..2 kN:3"], true);
+    set_as_read(&scaled("1"), &["force.gas.scale=1..2:3"], false);
+    set_as_read(SLIDER, &["input.positions=6..12:2"], false);
+    // A rod with a mass needs a center; the piston has one point.
+    let rod = SLIDER.replace("B = 0.3 }", "B = 0.3 }\nmass = 0");
+    set_as_read(&rod, &["link.rod.mass=0..0:1"], false);
+    set_as_read(SLIDER, &["link.piston.mass=0..3 kg:4"], true);
+}
+
 #[test]
 fn structure_and_plan_fit_as_if_made_anew() {
     for (name, scene) in SCENES {
