@@ -268,27 +268,34 @@ impl LoadKind {
     /// The number under a key of the scene, if any other one may stand there as well.
     pub fn number(&mut self, key: &str) -> Option<&mut f64> {
         use Value::{Constant, Formula, Stroke};
-        match (self, key) {
-            (Self::Force(Force { value: Constant(number), .. }), "value")
-            | (Self::Force(Force { value: Stroke { axis: number, .. }, .. }), "value.axis")
-            | (Self::Force(Force { value: Formula { axis: Some(number), .. }, .. }), "value.axis")
-            | (Self::Force(Force { direction: Direction::Ground(number), .. }), "angle")
-            | (Self::Force(Force { direction: Direction::Link(number), .. }), "angle")
-            | (Self::Moment(Moment { value: Constant(number), .. }), "value")
-            | (Self::Brake(Brake { force: Constant(number), .. }), "force")
-            | (Self::Brake(Brake { radius: number, .. }), "radius")
-            | (Self::Brake(Brake { friction: number, .. }), "friction")
-            | (Self::Brake(Brake { lever: number, .. }), "lever")
-            | (Self::Spring(Spring { stiffness: number, .. }), "stiffness")
-            | (Self::Spring(Spring { length: number, .. }), "length")
-            | (Self::Spring(Spring { damping: number, .. }), "damping")
-            | (Self::Contact(Contact { radius: number, .. }), "radius")
-            | (Self::Contact(Contact { angle: Constant(number), .. }), "angle")
-            | (Self::Contact(Contact { force: Constant(number), .. }), "force")
-            | (Self::Contact(Contact { friction: number, .. }), "friction" | "friction.against_sliding") => {
-                Some(number)
-            }
-            _ => None,
+        match self {
+            Self::Force(Force { value, direction, at: _ }) => match (key, value, direction) {
+                ("value", Constant(number), _)
+                | ("value.axis", Stroke { axis: number, .. } | Formula { axis: Some(number), .. }, _)
+                | ("angle", _, Direction::Ground(number) | Direction::Link(number)) => Some(number),
+                _ => None,
+            },
+            Self::Moment(Moment { value: Constant(number), .. }) => (key == "value").then_some(number),
+            Self::Moment(_) => None,
+            Self::Brake(Brake { force, radius, friction, lever, link: _ }) => match (key, force) {
+                ("force", Constant(number)) => Some(number),
+                ("radius", _) => Some(radius),
+                ("friction", _) => Some(friction),
+                ("lever", _) => Some(lever),
+                _ => None,
+            },
+            Self::Spring(Spring { stiffness, length, damping, ends: _ }) => match key {
+                "stiffness" => Some(stiffness),
+                "length" => Some(length),
+                "damping" => Some(damping),
+                _ => None,
+            },
+            Self::Contact(Contact { radius, angle, force, friction, .. }) => match (key, angle, force) {
+                ("angle", Constant(number), _) | ("force", _, Constant(number)) => Some(number),
+                ("radius", ..) => Some(radius),
+                ("friction" | "friction.against_sliding", ..) => Some(friction),
+                _ => None,
+            },
         }
     }
 

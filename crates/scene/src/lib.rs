@@ -22,6 +22,7 @@ mod numbers;
 mod reading;
 pub mod reference;
 mod render;
+mod scan;
 #[cfg(test)]
 mod tests;
 mod text;

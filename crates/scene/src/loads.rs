@@ -36,7 +36,9 @@ pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
 /// Reads all loads: forces, moments, brakes, springs, contacts.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
     let (mut loads, mut names) = (Vec::new(), BTreeSet::new());
-    SORTS.iter().for_each(|sort| sort.read(root, context, (&mut loads, &mut names)));
+    for sort in &SORTS {
+        sort.read(root, context, (&mut loads, &mut names));
+    }
     loads
 }
 

@@ -37,8 +37,10 @@ impl Reading {
 type Limits = (Bound<f64>, Bound<f64>);
 
 /// Sets a number, SI, in a mechanism: one by itself, or one of two coordinates. Says whether there is such a number.
+type Set = dyn Fn(&mut Mechanism, Option<usize>, f64) -> bool + Send + Sync;
+
 #[derive(Clone)]
-struct Setter(Arc<dyn Fn(&mut Mechanism, Option<usize>, f64) -> bool + Send + Sync>);
+struct Setter(Arc<Set>);
 
 impl fmt::Debug for Setter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -126,7 +126,9 @@ impl Axis {
 
     /// Sets a value, SI, in a mechanism of the scene.
     pub(crate) fn set(&self, mechanism: &mut Mechanism, value: f64) {
-        self.numbers.iter().for_each(|number| number.set(mechanism, value));
+        for number in &self.numbers {
+            number.set(mechanism, value);
+        }
     }
 
     /// A value in SI.

@@ -47,7 +47,9 @@ impl Variants {
         match &self.order {
             Some(order) if si.iter().all(|value| value.abs() >= LEAST || *value == 0.0) => {
                 let mut mechanism = scratch.unwrap_or_else(|| self.base.clone());
-                order.iter().for_each(|parameter| axes[*parameter].set(&mut mechanism, si[*parameter]));
+                for parameter in order {
+                    axes[*parameter].set(&mut mechanism, si[*parameter]);
+                }
                 let Mechanism { links, points, slides, .. } = &mechanism;
                 if links_of_length_zero(links.len(), points, slides).is_empty() {
                     return Ok(mechanism);
