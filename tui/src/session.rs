@@ -7,7 +7,7 @@ use assur_analysis::{AnalysisError, Calculation, Options, Watch, plan};
 use assur_fixtures::SCENES;
 use assur_kinematics::{CompileError, Linkage, decompose};
 use assur_mechanism::{Key, Mechanism, Motion, Notice};
-use assur_scene::{Note, Reading, SceneNumber};
+use assur_scene::Note;
 use assur_structure::Structure;
 use assur_words::{Describe, Text, joined, name, text};
 
@@ -62,8 +62,6 @@ pub(crate) struct Session {
     /// What the scene says about its note.
     pub(crate) note: Note,
     pub(crate) mechanism: Mechanism,
-    /// The numbers of the text.
-    pub(crate) numbers: Vec<SceneNumber>,
     pub(crate) structure: Structure,
     /// With all groups.
     linkage: OnceLock<Arc<Linkage>>,
@@ -86,13 +84,13 @@ impl Session {
     ///
     /// The faults in words, complete with file and line.
     pub(crate) fn read(source: Source, text: String) -> Result<Self, Text> {
-        let Reading { mechanism, note, numbers } = read(&source, &text)?;
+        let (mechanism, note) = read(&source, &text)?;
         let structure = decompose(&mechanism).map_err(|error| {
             // What is probably not meant may be why the links don't form a mechanism.
             let doubts = mechanism.notes.iter().map(|doubt| placed(&source, &text, doubt));
             joined("\n", doubts.chain([uncompiled(&source, &text, &error.into())]))
         })?;
-        Ok(Self { source, text, note, mechanism, numbers, structure, linkage: OnceLock::new() })
+        Ok(Self { source, text, note, mechanism, structure, linkage: OnceLock::new() })
     }
 
     /// The scene with another text. Where that differs in numbers only, no group is looked for again, and where the positions
@@ -103,14 +101,14 @@ impl Session {
     /// The faults in words, complete with file and line.
     pub(crate) fn changed(&self, text: String) -> Result<Self, Text> {
         let source = self.source.clone();
-        let Reading { mechanism, note, numbers } = read(&source, &text)?;
+        let (mechanism, note) = read(&source, &text)?;
         let Some(linkage) = self.linkage.get().filter(|_| mechanism.has_structure_of(&self.mechanism)) else {
             return Self::read(source, text);
         };
         let varied = Linkage::clone(linkage).varied(mechanism.clone(), &self.all_groups());
         let (linkage, ..) = varied.map_err(|error| uncompiled(&source, &text, &error))?;
         let structure = linkage.structure.clone();
-        Ok(Self { source, text, note, mechanism, numbers, structure, linkage: Arc::new(linkage).into() })
+        Ok(Self { source, text, note, mechanism, structure, linkage: Arc::new(linkage).into() })
     }
 
     /// The linkage with all its groups.
@@ -176,13 +174,14 @@ impl Session {
 ///
 /// The faults in words, complete with file and line.
 pub(crate) fn mechanism_of(source: &Source) -> Result<Mechanism, Text> {
-    Ok(read(source, &source.text()?)?.mechanism)
+    Ok(read(source, &source.text()?)?.0)
 }
 
-/// Reads a scene with all that its text tells.
-fn read(source: &Source, text: &str) -> Result<Reading, Text> {
-    let reading = assur_scene::reading(&source.name(), text).map_err(|errors| errors.describe())?;
-    let unknown = match &reading.mechanism.motion {
+/// Reads the mechanism of a scene, and what it says about its note.
+fn read(source: &Source, text: &str) -> Result<(Mechanism, Note), Text> {
+    let (mechanism, note) =
+        assur_scene::read_with_note(&source.name(), text).map_err(|errors| errors.describe())?;
+    let unknown = match &mechanism.motion {
         Some(Motion::Transient { integrator, .. }) if integrator != "auto" => {
             assur_integrator::find(integrator).err()
         }
@@ -190,7 +189,7 @@ fn read(source: &Source, text: &str) -> Result<Reading, Text> {
     };
     let key = Key::of("motion").at("integrator");
     let fault = unknown.and_then(|error| at_key(source, text, &key, error.describe()));
-    fault.map_or(Ok(reading), Err)
+    fault.map_or(Ok((mechanism, note)), Err)
 }
 
 /// What is probably not meant in a scene, with file, line and column where it has a key.

@@ -86,7 +86,28 @@ impl Key {
     ///
     /// What is wrong with it, in words.
     pub fn parse(text: &str) -> Result<Self, Text> {
-        parse(text).map(Self)
+        let mut steps = Vec::new();
+        let mut rest = text.trim();
+        loop {
+            let (first, after) = first_name(rest)?;
+            steps.push(Step::Name(first));
+            rest = after;
+            while let Some(inside) = rest.strip_prefix('[') {
+                let (index, after) =
+                    inside.split_once(']').ok_or_else(|| text!("mechanism-bracket-not-closed"))?;
+                steps.push(
+                    element(index.trim())
+                        .ok_or_else(|| text!("mechanism-no-index", index = name(index.to_owned())))?,
+                );
+                rest = after;
+            }
+            if rest.is_empty() {
+                return Ok(Self(steps));
+            }
+            rest = rest
+                .strip_prefix('.')
+                .ok_or_else(|| text!("mechanism-key-continues", rest = name(rest.to_owned())))?;
+        }
     }
 }
 
@@ -127,28 +148,6 @@ impl Serialize for Key {
     }
 }
 
-fn parse(text: &str) -> Result<Vec<Step>, Text> {
-    let mut steps = Vec::new();
-    let mut rest = text.trim();
-    loop {
-        let (first, after) = first_name(rest)?;
-        steps.push(Step::Name(first));
-        rest = after;
-        while let Some(inside) = rest.strip_prefix('[') {
-            let (index, after) =
-                inside.split_once(']').ok_or_else(|| text!("mechanism-bracket-not-closed"))?;
-            steps.push(element(index.trim()).ok_or_else(|| wrong_index(index))?);
-            rest = after;
-        }
-        if rest.is_empty() {
-            return Ok(steps);
-        }
-        rest = rest
-            .strip_prefix('.')
-            .ok_or_else(|| text!("mechanism-key-continues", rest = name(rest.to_owned())))?;
-    }
-}
-
 /// Reads what stands in brackets: `3`, `1..2`, `*`.
 fn element(text: &str) -> Option<Step> {
     if text == "*" {
@@ -157,10 +156,6 @@ fn element(text: &str) -> Option<Step> {
     let Some((first, last)) = text.split_once("..") else { return text.parse().ok().map(Step::Index) };
     let (first, last) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
     (first <= last).then_some(Step::Range(first, Some(last)))
-}
-
-fn wrong_index(index: &str) -> Text {
-    text!("mechanism-no-index", index = name(index.to_owned()))
 }
 
 /// The name at the beginning, and the text after it.

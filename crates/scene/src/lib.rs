@@ -67,7 +67,16 @@ pub const STARTER: &str = include_str!("starter.toml");
 /// assert!(assur_scene::read("arm.toml", &scene.replace("mm", "kg")).is_ok());
 /// ```
 pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
-    read_as(file_name, text, Faults::default()).map(|reading| reading.mechanism)
+    read_with_note(file_name, text).map(|(mechanism, _)| mechanism)
+}
+
+/// Reads a scene, and what it says about its explanatory note. `file_name` appears only in errors.
+///
+/// # Errors
+///
+/// Those of [`read`].
+pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
+    read_as(file_name, text, Faults::default()).map(|reading| (reading.mechanism, reading.note))
 }
 
 /// Reads a scene with all that it tells: its mechanism, its note, its numbers. `file_name` appears only in errors.
@@ -136,7 +145,7 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
         ..Mechanism::default()
     };
     let input = input.unwrap_or_default();
-    let SceneLinks { links, points, slides, .. } = linkage;
+    let SceneLinks { links, points, slides, has_units, .. } = linkage;
     let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
         inertia::refuse_not_positive(root, &mechanism);
@@ -144,7 +153,7 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
             let key = Key::of("link").at(link).at("inertia");
             edit::within(root.table(), key.steps()).is_ok()
         };
-        mechanism.notes.extend(doubts::of(&mechanism, links::have_units(root), gives_inertia));
+        mechanism.notes.extend(doubts::of(&mechanism, has_units, gives_inertia));
     }
     (mechanism, note)
 }

@@ -7,6 +7,9 @@ use assur_mechanism::{GROUND, Link, LinkId, Mechanism, Place, Point, PointId, Sl
 
 use assur_words::{Text, name as words, text};
 
+use toml::Spanned;
+use toml::de::DeValue;
+
 use crate::error::{Fault, Faults};
 use crate::numbers::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
@@ -26,6 +29,8 @@ pub(crate) struct SceneLinks {
     slide_names: HashSet<String>,
     /// Where in the file a point has its place on a link.
     written: HashMap<(PointId, LinkId), Range<usize>>,
+    /// Whether some coordinate of a moving link is written with a unit.
+    pub(crate) has_units: bool,
 }
 
 impl SceneLinks {
@@ -99,6 +104,9 @@ impl SceneLinks {
         let index = self.points[id].places.len();
         self.points[id].places.push(place);
         self.written.insert((id, place.link), entry.span.clone());
+        let mut numbers =
+            entry.value.as_array().into_iter().flatten().map(Spanned::get_ref).chain([entry.value]);
+        self.has_units |= place.link != GROUND && numbers.any(DeValue::is_str);
         entry.faults.tell(|told| {
             told.place([entry.span.clone()], move |scene| Some(&mut scene.points[id].places[index].at));
         });

@@ -6,8 +6,6 @@ use assur_mechanism::{
 };
 use assur_words::{Text, joined, text};
 
-use toml::de::DeValue;
-
 use crate::edit::place;
 use crate::error::Fault;
 use crate::inertia;
@@ -210,21 +208,4 @@ fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Text) -> Name 
 pub(crate) fn on_ground(linkage: &SceneLinks, link: usize) -> Vec<usize> {
     let joins = |slide: &Slide| slide.link == link && slide.on == GROUND;
     (0..linkage.slides.len()).filter(|&index| joins(&linkage.slides[index])).collect()
-}
-
-/// Whether some coordinate of a moving link is written with a unit.
-pub(crate) fn have_units(root: &Section<'_>) -> bool {
-    fn has_text(value: &DeValue<'_>) -> bool {
-        match value {
-            DeValue::String(_) => true,
-            DeValue::Array(list) => list.iter().any(|item| has_text(item.get_ref())),
-            DeValue::Table(table) => table.values().any(|item| has_text(item.get_ref())),
-            _ => false,
-        }
-    }
-    let links = root.get("link");
-    let links = links.as_ref().and_then(|links| links.value.as_table());
-    let mut points =
-        links.into_iter().flat_map(|links| links.values()).filter_map(|link| link.get_ref().get("points"));
-    points.any(|points| has_text(points.get_ref()))
 }

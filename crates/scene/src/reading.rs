@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::Note;
 use crate::edit::element_name;
-use crate::units::{Dimension, within};
+use crate::units::{self, Dimension};
 use crate::walk::Section;
 
 /// A scene that was read.
@@ -76,7 +76,7 @@ impl SceneNumber {
 
     /// Whether a value, SI, is within its limits.
     pub fn admits(&self, value: f64) -> bool {
-        self.kinds.iter().any(|kind| within(value, "", *kind).is_ok())
+        self.kinds.iter().any(|kind| units::within(value, "", *kind).is_ok())
             && self.limits.iter().all(|limits| limits.contains(&value))
     }
 
@@ -182,27 +182,28 @@ pub(crate) fn keys(table: &DeTable<'_>) -> HashMap<usize, Key> {
 
 fn in_table(table: &DeTable<'_>, steps: &mut Vec<Step>, keys: &mut HashMap<usize, Key>) {
     for (key, value) in table {
-        steps.push(Step::Name(key.get_ref().to_string()));
-        in_value(value, steps, keys);
-        steps.pop();
+        within(Step::Name(key.get_ref().to_string()), value, steps, keys);
     }
 }
 
-fn in_value(value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, keys: &mut HashMap<usize, Key>) {
+fn within(step: Step, value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, keys: &mut HashMap<usize, Key>) {
+    steps.push(step);
     match value.get_ref() {
         DeValue::Table(table) => in_table(table, steps, keys),
         DeValue::Array(array) => {
             let names: Vec<_> = array.iter().map(|item| element_name(item.get_ref())).collect();
-            for (index, item) in array.iter().enumerate() {
-                let name = names[index].clone();
-                let own = name.filter(|_| names.iter().filter(|other| **other == names[index]).count() == 1);
-                steps.push(own.map_or(Step::Index(index), Step::Name));
-                in_value(item, steps, keys);
-                steps.pop();
+            let mut counts: HashMap<&str, usize> = HashMap::new();
+            for name in names.iter().flatten() {
+                *counts.entry(name).or_default() += 1;
+            }
+            for (index, (item, name)) in array.iter().zip(&names).enumerate() {
+                let own = name.as_ref().filter(|name| counts[name.as_str()] == 1);
+                within(own.map_or(Step::Index(index), |name| name.as_str().into()), item, steps, keys);
             }
         }
         _ => {
             keys.insert(value.span().start, Key::from(&steps[..]));
         }
     }
+    steps.pop();
 }
