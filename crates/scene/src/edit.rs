@@ -12,8 +12,6 @@ use assur_mechanism::Key;
 use assur_words::Text;
 use toml::de::DeTable;
 
-use crate::SceneNumber;
-
 pub(crate) use find::{element_name, place, within};
 pub use values::{SceneValue, bare};
 pub use values::{decimal, quoted, split};
@@ -62,9 +60,9 @@ impl<'a> ParsedText<'a> {
         Some(SceneValue::whole(key, found, written))
     }
 
-    /// Every number, of those that were read, with or without a unit, and the choice of the motor, in the order of the file.
-    pub fn values(&self, numbers: &[SceneNumber]) -> Vec<SceneValue> {
-        values::of(self, numbers)
+    /// Every number with or without a unit, and the choice of the motor, in the order of the file; of a scene with faults none.
+    pub fn values(&self) -> Vec<SceneValue> {
+        values::of(self)
     }
 }
 

@@ -25,7 +25,7 @@ value = { over = "angle", table = [[0, 0], ["180 deg", 40]] }
 "#;
 
 fn values(text: &str) -> Vec<SceneValue> {
-    ParsedText::of(text).values(&crate::reading("a", text).unwrap().numbers)
+    ParsedText::of(text).values()
 }
 
 fn value(text: &str, key: &str) -> SceneValue {

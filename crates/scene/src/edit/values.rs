@@ -5,7 +5,6 @@ use std::ops::Range;
 use assur_mechanism::Key;
 
 use super::ParsedText;
-use crate::SceneNumber;
 use crate::units::{is_unit, number_length};
 
 /// A number of a scene, with or without a unit.
@@ -74,7 +73,8 @@ pub fn bare(written: &str) -> String {
 }
 
 /// All numbers in the order of the file.
-pub(super) fn of(scene: &ParsedText<'_>, numbers: &[SceneNumber]) -> Vec<SceneValue> {
+pub(super) fn of(scene: &ParsedText<'_>) -> Vec<SceneValue> {
+    let numbers = crate::reading("", scene.text).map(|reading| reading.numbers).unwrap_or_default();
     let value = |key: Key, span: Range<usize>, number: Option<(f64, String)>, whole: bool| {
         let written = scene.text.get(span.clone())?.to_owned();
         let own =
@@ -87,7 +87,7 @@ pub(super) fn of(scene: &ParsedText<'_>, numbers: &[SceneNumber]) -> Vec<SceneVa
     // A choice among names has no number, and no percentage of it.
     let choice = choice.and_then(|place| value(motor, place.span, Some((f64::NAN, String::new())), false));
     let all = numbers
-        .iter()
+        .into_iter()
         .filter_map(|number| value(number.key.clone(), number.span.clone(), None, number.is_count()));
     let mut values: Vec<SceneValue> = all.chain(choice).collect();
     values.sort_by_key(|value| value.span.start);

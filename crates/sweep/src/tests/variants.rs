@@ -4,15 +4,11 @@ use assur_analysis::plan::Plan;
 use assur_fixtures::SCENES;
 use assur_mechanism::Mechanism;
 use assur_scene::Reading;
-use assur_scene::edit::{ParsedText, SceneValue};
+use assur_scene::edit::ParsedText;
 use assur_structure::Structure;
 
 use super::{SLIDER, run, sweep};
 use crate::Sweep;
-
-fn values(scene: &str) -> Vec<SceneValue> {
-    ParsedText::of(scene).values(&assur_scene::reading("", scene).unwrap().numbers)
-}
 
 /// A sweep of one number of a scene, from a little less to a little more than it is.
 fn around(scene: &str, key: &str, written: &str) -> Option<Sweep> {
@@ -25,7 +21,7 @@ fn around(scene: &str, key: &str, written: &str) -> Option<Sweep> {
 fn every_number_of_every_scene_is_set_as_it_is_read() {
     let (mut set, mut read) = (0, Vec::new());
     for (name, scene) in SCENES.iter().filter(|(name, _)| *name != "n-four-bar-40") {
-        for value in values(scene) {
+        for value in ParsedText::of(scene).values() {
             let Some(sweep) = around(scene, &value.key.to_string(), &value.written) else { continue };
             let axes = &sweep.axes;
             if !sweep.variants.sets_numbers() {

@@ -84,17 +84,11 @@ pub(crate) struct WhatIf {
     pub(crate) compared: Option<String>,
 }
 
-/// The numbers of a scene.
-fn values(text: &str) -> Vec<SceneValue> {
-    let numbers = assur_scene::reading("", text).map(|reading| reading.numbers).unwrap_or_default();
-    ParsedText::of(text).values(&numbers)
-}
-
 impl WhatIf {
     /// The values of a scene as its file has them.
     pub(crate) fn of(scene: Option<&Scene>) -> Self {
         let text = scene.map(|scene| scene.session.text.clone()).unwrap_or_default();
-        let values = values(&text);
+        let values = ParsedText::of(&text).values();
         Self { step: FIRST_STEP, values, text, ..Self::default() }
     }
 
@@ -249,7 +243,7 @@ impl WhatIf {
         };
         let first = self.values.iter().filter(|value| value.span.start < at).count();
         let text = format!("{}{start}{lines}{}", &self.text[..at], &self.text[at..]);
-        let values = values(&text);
+        let values = ParsedText::of(&text).values();
         if values.len() != self.values.len() + 2 * points.len() {
             // The table is written in another way, such as in one line.
             return;
