@@ -113,7 +113,8 @@ mod tests {
             let found = components(&needs, |part| std::cmp::Reverse(part[part.len() - 1]));
             let mut left: Vec<usize> = (0..12).rev().collect();
             for part in found {
-                let ready = |item: usize| left.iter().all(|o| !reaches[item][*o] || reaches[*o][item] || *o == item);
+                let ready =
+                    |item: usize| left.iter().all(|o| !reaches[item][*o] || reaches[*o][item] || *o == item);
                 let first = left.iter().copied().find(|item| ready(*item)).unwrap();
                 let own = |item: &usize| *item == first || reaches[first][*item] && reaches[*item][first];
                 let mut wanted: Vec<usize> = left.iter().copied().filter(own).collect();

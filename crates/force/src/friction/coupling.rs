@@ -55,7 +55,8 @@ impl Block {
         }
         // The last stages first: their loads are those of no other stage.
         let blocks = components(&needs, |stages| Reverse(stages.last().copied()));
-        let mut blocks: Vec<Self> = blocks.into_iter().map(|stages| Self::of(stages.into_iter().rev())).collect();
+        let mut blocks: Vec<Self> =
+            blocks.into_iter().map(|stages| Self::of(stages.into_iter().rev())).collect();
         let place =
             |stage: usize, blocks: &[Self]| blocks.iter().position(|block| block.stages.contains(&stage));
         for (index, unknown) in unknowns.iter().enumerate() {
