@@ -22,7 +22,9 @@ const NONE: usize = usize::MAX;
 pub fn components<R: Ord>(needs: &[Vec<usize>], rank: impl Fn(&[usize]) -> R) -> Vec<Vec<usize>> {
     let (part_of, count) = parts(needs);
     let mut parts = vec![Vec::new(); count];
-    part_of.iter().enumerate().for_each(|(item, part)| parts[*part].push(item));
+    for (item, part) in part_of.iter().enumerate() {
+        parts[*part].push(item);
+    }
     let mut dependents = vec![Vec::new(); count];
     let mut open = vec![0; count];
     for (part, items) in parts.iter().enumerate() {
@@ -31,7 +33,9 @@ pub fn components<R: Ord>(needs: &[Vec<usize>], rank: impl Fn(&[usize]) -> R) ->
         others.sort_unstable();
         others.dedup();
         open[part] = others.len();
-        others.into_iter().for_each(|other| dependents[other].push(part));
+        for other in others {
+            dependents[other].push(part);
+        }
     }
     let entry = |part: usize| Reverse((rank(&parts[part]), parts[part][0], part));
     let mut ready: BinaryHeap<_> = (0..count).filter(|part| open[*part] == 0).map(entry).collect();
