@@ -9,7 +9,7 @@ use crate::Calculation;
 use crate::filler::{Filler, instant};
 use crate::results::{Column, Table};
 
-/// Rounds of sections, each of which leaves 2/9 of the interval: down to what rounding of the values can tell.
+/// Refinement rounds. Eight interior points keep 2/9 of the bracket in each; after these rounds rounding of the values decides.
 const ROUNDS: usize = 8;
 /// Even panels over a cycle, each of which has [`PLACES`] places: between two places where its formula changes a load has no more waves.
 const PANELS: u32 = 24;

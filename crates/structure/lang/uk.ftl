@@ -8,7 +8,7 @@ structure-pairs = { $count ->
        *[other] пари
     } { $pairs }
 structure-some = { $names } ... (показано { $shown } з { $total })
-structure-loose = рухомість { $mobility } ({ $formula }), а механізм рухає один вхід: { $links } { $count ->
+structure-loose = ступінь рухомості { $mobility } ({ $formula }), а механізм рухає один вхід: { $links } { $count ->
         [one] може
        *[other] можуть
     } рухатися при нерухомому вході{ $also }; приєднайте { $count ->
@@ -16,7 +16,7 @@ structure-loose = рухомість { $mobility } ({ $formula }), а механ
        *[other] їх
     } до іншої ланки ще однією парою або приберіть те, що там висить ({ $hint })
 structure-loose-also = {" "}(водночас пари { $pairs } мають одну зайву в’язь)
-structure-surplus = рухомість { $mobility } ({ $formula }), а має бути 1: { $pairs } { $count ->
+structure-surplus = ступінь рухомості { $mobility } ({ $formula }), а має бути 1: { $pairs } { $count ->
         [one] дає
        *[other] дають
     } одну зайву в’язь; там { $links }; приберіть звідти одну пару або одну ланку ({ structure-what-joins }: точки, що не є шарнірами, мають власні імена){ $cause }
