@@ -103,11 +103,8 @@ impl Course {
             [true, false] => Some([two[1][0], two[0][0]]),
             _ => None,
         };
-        self.line
-            .windows(2)
-            .filter_map(end)
-            .filter(|[known, without]| known != without && !without.is_nan())
-            .collect()
+        let is_apart = |ends: &[f64; 2]| ends[0].to_bits() != ends[1].to_bits() && !ends[1].is_nan();
+        self.line.windows(2).filter_map(end).filter(is_apart).collect()
     }
 
     /// Values with their places, in the order of their numbers, and the end of the cycle.
