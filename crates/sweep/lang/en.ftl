@@ -44,3 +44,6 @@ sweep-measure-shaking = shaking force on the ground: greatest, root of the mean 
 sweep-measure-distance = least and greatest distance of points from the places of --target, between the positions too
 sweep-write-target = write it as POINT=X,Y, such as "E=100 mm,50 mm"
 sweep-no-point = there is no such point in the results; points: { $points }
+sweep-other-scene = the scene was another one
+sweep-other-origin = `{ $key }` was { $was } and is { $is }
+sweep-nothing = nothing

@@ -44,3 +44,6 @@ sweep-measure-shaking = сила, раскачивающая стойку: на�
 sweep-measure-distance = наименьшее и наибольшее расстояние точек от мест --target, и между положениями
 sweep-write-target = пишите POINT=X,Y, например "E=100 mm,50 mm"
 sweep-no-point = такой точки в результатах нет; точки: { $points }
+sweep-other-scene = сцена была другой
+sweep-other-origin = `{ $key }`: было { $was }, теперь { $is }
+sweep-nothing = ничего

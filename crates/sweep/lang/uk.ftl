@@ -44,3 +44,6 @@ sweep-measure-shaking = сила, що розхитує стояк: найбіл
 sweep-measure-distance = найменша й найбільша відстань точок від місць --target, і між положеннями
 sweep-write-target = пишіть POINT=X,Y, наприклад "E=100 mm,50 mm"
 sweep-no-point = такої точки в результатах немає; точки: { $points }
+sweep-other-scene = сцена була інша
+sweep-other-origin = `{ $key }`: було { $was }, тепер { $is }
+sweep-nothing = нічого
