@@ -88,7 +88,7 @@ fn machine(random: &mut Rng) -> (String, f64, f64) {
          [[force]]\nlink = 'slider'\nat = 'B'\nagainst_motion = true\nvalue = {drag}\n\
          [[force]]\nlink = 'slider'\nat = 'B'\nangle = '180 deg'\n\
          value = {{ over = 'stroke', axis = 0, forward = [[0, 0], [{knee}, {forward}], [1, 0]], back = -{back} }}\n\
-         [[moment]]\nlink = 'crank'\nvalue = '-{sense} * ({bend} * abs(sin({waves}*q)) + {dip} * max(0, cos(q - 1)))'\n\
+         [[moment]]\nlink = 'crank'\nvalue = {{ formula = '-({sense}) * ({bend} * abs(sin({waves}*q)) + {dip} * max(0, cos(q - 1)))' }}\n\
          [[moment]]\nlink = 'crank'\n\
          value = {{ over = 'angle', table = [[0, 0], ['{at} deg', 0], ['{} deg', {}], ['{} deg', 0], ['360 deg', 0]] }}\n\
          [[moment]]\nlink = 'crank'\n\
@@ -147,7 +147,7 @@ fn a_mean_with_dry_friction_is_that_of_dense_positions() {
 fn means_that_are_not_resolved_say_so() {
     let scene = kept("mean-peak");
     let (before, _) = scene.split_once("value =").unwrap();
-    let found = means(&format!("{before}value = 'sin(1e7*q^2)'\n"));
+    let found = means(&format!("{before}value = {{ formula = 'sin(1e7*q^2)' }}\n"));
     assert!(!found.are_sure(), "{found:?}");
 }
 
@@ -184,6 +184,6 @@ fn a_load_that_acts_between_the_positions_acts() {
         let notices = calculation(&format!("{before}value = {value}\n")).doubts();
         notices.iter().filter_map(|notice| notice.text.identity()).collect::<Vec<_>>()
     };
-    assert!(told("'sin(12*q)'").is_empty());
+    assert!(told("{ formula = 'sin(12*q)' }").is_empty());
     assert_eq!(told("{ over = 'angle', table = [[0, 0], [1, 0]] }"), ["analysis-load-idle"]);
 }
