@@ -32,7 +32,7 @@ fn means(scene: &str) -> Means {
 
 /// Mean and root mean square by sums over very many positions, which is Simpson's rule with its first term for a periodic function.
 fn dense(scene: &str, positions: &str) -> [f64; 2] {
-    let dense = calculation(&scene.replace(positions, "positions = 18000"));
+    let dense = calculation(&scene.replace(positions, "positions = 18000\n"));
     let table = dense.analyze(&mut unwatched).unwrap().positions;
     let values: Vec<f64> = (0..table.len()).filter_map(|row| table.get(row, Column::BALANCING)).collect();
     let mean = |of: fn(f64) -> f64| values.iter().map(|value| of(*value)).sum::<f64>() / values.len() as f64;
