@@ -10,6 +10,7 @@ scene-more-faults = ... и ещё { $more }
 scene-fault = ошибка: { $message }
 scene-place = { $file }, строка { $line }, столбец { $column }
 scene-did-you-mean = возможно, `{ $name }`?
+scene-did-you-mean-letters = возможно, `{ $name }`? вид одинаков, но есть буквы другого алфавита: { $codes }
 scene-such-as = например { $example }
 scene-and-more = { $names } и ещё { $more }
 scene-key = ключ
@@ -116,6 +117,7 @@ scene-why-a-center = нужен звену, у которого есть мас�
 scene-a-slide = поступательная пара
 scene-swap-slide = пусть подвижное звено скользит по "ground"
 scene-slide-on-itself = звено `{ $link }` не может скользить само по себе
+scene-slide-on-pinned = звено `{ $link }` не может скользить по `{ $on }`: их соединяет шарнир `{ $pin }`, и двигаться нечему
 scene-another-link = другое звено или "ground"
 scene-a-name = имя
 scene-pin-and-slide = шарнир и поступательная пара имеют одно имя `{ $name }`
@@ -456,6 +458,7 @@ scene-rough = Коэффициент трения { $found } не имеет н�
 scene-great-journal = Цапфа имеет радиус { $radius }, а размер механизма { $size }: не ошибочна ли единица?
 scene-empty-output = [output] ничего не называет, поэтому ничего не вычисляется: назовите точки, звенья, поступательные пары или реакции или уберите ее.
 scene-long-spring = Пружина имеет свободную длину { $length }, а размер механизма { $size }: не ошибочна ли единица?
+scene-spring-without-stiffness = У пружины нет ни `stiffness`, ни `damping`, поэтому нет силы: не пропущена ли жёсткость?
 scene-strong = Нагрузка соответствует силе { $force } на механизм размером { $size }, которой не выдержит никакая сталь: не ошибочна ли единица?
 scene-long-time = Таблица от времени доходит до { $last }, а движение длится { $lasts }: время в другой единице?
 scene-degrees-in-formula = `{ $function }` берет радианы, а здесь ее аргумент похож на градусы: для 30 градусов пишите 30*pi/180, а q уже в радианах.
@@ -484,5 +487,7 @@ scene-mass-without-inertia = Звено `{ $link }` вращается и име
 scene-far-lighter = Звено `{ $link }` имеет массу { $mass }, остальные - около { $others }: не ошибочна ли единица?
 scene-turned-twice = Отрицательная скорость вдоль direction = "cw" - это вращение против часовой стрелки: уберите минус.
 scene-odd-ratio = `ratio` - это скорость двигателя / скорость входного звена; с { $ratio } двигатель далёк от номинальной скорости, её дало бы { $needed }.
+scene-great-torque-ratio = `max_torque_ratio` = { $found } - это критический момент в { $found } раз больше номинального, а у двигателей от 1.5 до 4; если это проценты, напишите { $part }.
+scene-table-ends = Таблица кончается на { $last }, а цикл на { $end }: дотуда держится { $held }, потом скачок к { $first }. Если так и нужно, напишите `repeat = true`, иначе строку для { $end }.
 scene-unevenness-unused = `unevenness` ничего не меняет: по нему находят маховик, а его не ищут. Напишите flywheel = "solve" в [drive] или уберите его.
 scene-counted-twice = { $point } стоит под углом { $angle } в системе координат входного звена, а `from` поворачивает её ещё на столько же: { $point } начинает с { $twice }. Поставьте { $point } на ось x своего звена или уберите `from`.

@@ -10,6 +10,7 @@ scene-more-faults = ... і ще { $more }
 scene-fault = помилка: { $message }
 scene-place = { $file }, рядок { $line }, стовпець { $column }
 scene-did-you-mean = можливо, `{ $name }`?
+scene-did-you-mean-letters = можливо, `{ $name }`? вигляд однаковий, але є літери іншої абетки: { $codes }
 scene-such-as = наприклад { $example }
 scene-and-more = { $names } і ще { $more }
 scene-key = ключ
@@ -116,6 +117,7 @@ scene-why-a-center = потрібен ланці, що має масу чи мо
 scene-a-slide = поступальна пара
 scene-swap-slide = хай рухома ланка ковзає по "ground"
 scene-slide-on-itself = ланка `{ $link }` не може ковзати сама по собі
+scene-slide-on-pinned = ланка `{ $link }` не може ковзати по `{ $on }`: їх з'єднує шарнір `{ $pin }`, і рухатися нема чому
 scene-another-link = інша ланка або "ground"
 scene-a-name = ім'я
 scene-pin-and-slide = шарнір і поступальна пара мають те саме ім'я `{ $name }`
@@ -457,6 +459,7 @@ scene-rough = Коефіцієнт тертя { $found } не має жодна 
 scene-great-journal = Цапфа має радіус { $radius }, а розмір механізму { $size }: чи не хибна одиниця?
 scene-empty-output = [output] нічого не називає, тому нічого не обчислюється: назвіть точки, ланки, поступальні пари чи реакції або вилучіть її.
 scene-long-spring = Пружина має вільну довжину { $length }, а розмір механізму { $size }: чи не хибна одиниця?
+scene-spring-without-stiffness = Пружина не має ні `stiffness`, ні `damping`, тож не має сили: чи не бракує жорсткості?
 scene-strong = Навантаження відповідає силі { $force } на механізм розміром { $size }, якої не витримає жодна сталь: чи не хибна одиниця?
 scene-long-time = Таблиця від часу сягає { $last }, а рух триває { $lasts }: час в іншій одиниці?
 scene-degrees-in-formula = `{ $function }` бере радіани, а тут її аргумент схожий на градуси: для 30 градусів пишіть 30*pi/180, а q вже в радіанах.
@@ -485,5 +488,7 @@ scene-mass-without-inertia = Ланка `{ $link }` обертається й м
 scene-far-lighter = Ланка `{ $link }` має масу { $mass }, інші - близько { $others }: чи не хибна одиниця?
 scene-turned-twice = Від'ємна швидкість уздовж direction = "cw" - це обертання проти годинникової стрілки: приберіть мінус.
 scene-odd-ratio = `ratio` - це швидкість двигуна / швидкість вхідної ланки; з { $ratio } двигун далеко від номінальної швидкості, її дало б { $needed }.
+scene-great-torque-ratio = `max_torque_ratio` = { $found } - це критичний момент у { $found } разів більший за номінальний, а двигуни мають від 1.5 до 4; якщо це відсотки, напишіть { $part }.
+scene-table-ends = Таблиця закінчується на { $last }, а цикл на { $end }: доти тримається { $held }, потім стрибок до { $first }. Якщо так і треба, напишіть `repeat = true`, інакше рядок для { $end }.
 scene-unevenness-unused = `unevenness` нічого не змінює: з нього знаходять маховик, а його не шукають. Напишіть flywheel = "solve" у [drive] або приберіть його.
 scene-counted-twice = { $point } стоїть під кутом { $angle } у системі координат вхідної ланки, а `from` повертає її ще на стільки ж: { $point } починає з { $twice }. Поставте { $point } на вісь x своєї ланки або приберіть `from`.

@@ -1,6 +1,7 @@
 //! Errors in decomposing a mechanism.
 
 use assur_group::RegistryError;
+use assur_mechanism::Name;
 use assur_words::{Describe, Text, list, name, number, quantity, text};
 
 /// The mobility count that an error shows.
@@ -13,13 +14,22 @@ pub struct Counted {
 }
 
 /// Why surplus constraints don't just repeat constraints of others.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum SurplusCause {
     /// No part was found that could be left out.
     #[default]
     None,
     /// The best choice of parts to leave out misses by this much over the cycle, m.
     Misses(f64),
+    /// Slides alone hold a link at two different angles.
+    Angles {
+        /// The last of these slides.
+        slide: Name,
+        /// What its angle misses, rad.
+        off: f64,
+        /// The `tilt` with which it would miss nothing, rad.
+        tilt: f64,
+    },
     /// There are more of them than are searched.
     TooMany {
         /// How many there are.
@@ -106,6 +116,17 @@ assur_words::errors!(StructureError; Registry(RegistryError));
 impl Describe for StructureError {
     fn describe(&self) -> Text {
         match self {
+            // Each link is joined at all its points: nothing was forgotten, but one input does not move all of it.
+            Self::Loose { counted, links, surplus, alike: None, alone }
+                if counted.mobility > 1 && surplus.is_empty() && alone.is_empty() =>
+            {
+                text!(
+                    "structure-more-inputs",
+                    mobility = number(counted.mobility),
+                    formula = name(counted.formula.clone()),
+                    links = links_named(links)
+                )
+            }
             Self::Loose { counted, links, surplus, alike, alone } => text!(
                 "structure-loose",
                 mobility = number(counted.mobility),
@@ -139,6 +160,15 @@ impl Describe for StructureError {
                         "structure-misses",
                         misfit = quantity(format_args!("{:.3}", misfit * 1e3), "mm")
                     ),
+                    SurplusCause::Angles { slide, off, tilt } => {
+                        let shown = |angle: &f64| quantity((angle.to_degrees() * 1e6).round() / 1e6, "deg");
+                        text!(
+                            "structure-slide-angles",
+                            slide = Text::from(slide),
+                            off = shown(off),
+                            tilt = shown(tilt)
+                        )
+                    }
                     SurplusCause::TooMany { surplus, most } =>
                         text!("structure-too-many", surplus = *surplus, most = *most),
                 }

@@ -262,6 +262,13 @@ impl<'m> Seen<'m> {
                 (true, true) => continue,
             };
             let (list, number) = mechanism.place_of_load(*load);
+            // A spring without stiffness was told of when the scene was read.
+            let is_of = |note: &Notice| {
+                note.key.as_ref().is_some_and(|key| key.starts_with(&format!("{list}[{number}].")))
+            };
+            if !acts && mechanism.notes.iter().any(is_of) {
+                continue;
+            }
             notices.push(Notice::mistake(format!("{list}[{number}]"), text));
         }
         notices

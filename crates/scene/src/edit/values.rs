@@ -162,6 +162,20 @@ pub(crate) fn key_of(table: &DeTable<'_>, span: &Range<usize>) -> Option<String>
     found
 }
 
+/// The first key that has these steps among its own, in their order and with the last of them last: `link.crank.points.A` of
+/// `crank.A`.
+pub(super) fn longer(table: &DeTable<'_>, steps: &[Step]) -> Option<String> {
+    let mut found = None;
+    each(table, &mut |own, _| {
+        let mut rest = own.iter();
+        let is_part = steps.iter().all(|step| rest.any(|other| other == step));
+        if is_part && rest.all(|step| matches!(step, Step::Index(_))) {
+            found.get_or_insert_with(|| shown(own));
+        }
+    });
+    found
+}
+
 /// The key that chooses a motor by its name.
 const MOTOR: &str = "drive.motor";
 
