@@ -24,12 +24,7 @@ const SAMPLES: usize = 720;
 
 /// If the first position is itself singular, its assembly is chosen at this displacement from it, in units of the
 /// coordinate.
-pub(crate) const BESIDE: f64 = 1e-4;
-
-/// The coordinate beside a singular first position at which its assembly is chosen; `unit`: that of the coordinate.
-pub(crate) fn beside(from: f64, unit: f64) -> f64 {
-    from + BESIDE * unit
-}
+const BESIDE: f64 = 1e-4;
 
 /// Longest motion that is followed until the ways repeat, in turns.
 const MOST_TURNS: usize = 4;
@@ -71,7 +66,7 @@ pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chains: Chain
         Err((
             _,
             ChainError { source: GroupError::Singular { .. } | GroupError::SingularStart { .. }, .. },
-        )) => begin(beside(from, coordinate_unit(mechanism, structure))),
+        )) => begin(from + BESIDE * coordinate_unit(mechanism, structure)),
         found => found,
     };
     match found {

@@ -147,6 +147,11 @@ impl Describe for StructureError {
                     }
                 }
             ),
+            Self::Surplus { cause: SurplusCause::Angles { slide, off, tilt }, .. } => {
+                let shown = |angle: &f64| quantity((angle.to_degrees() * 1e6).round() / 1e6, "deg");
+                let slide = Text::from(slide);
+                text!("structure-slide-angles", slide, off = shown(off), tilt = shown(tilt))
+            }
             Self::Surplus { counted, pairs, links, cause } => text!(
                 "structure-surplus",
                 mobility = number(counted.mobility),
@@ -160,15 +165,7 @@ impl Describe for StructureError {
                         "structure-misses",
                         misfit = quantity(format_args!("{:.3}", misfit * 1e3), "mm")
                     ),
-                    SurplusCause::Angles { slide, off, tilt } => {
-                        let shown = |angle: &f64| quantity((angle.to_degrees() * 1e6).round() / 1e6, "deg");
-                        text!(
-                            "structure-slide-angles",
-                            slide = Text::from(slide),
-                            off = shown(off),
-                            tilt = shown(tilt)
-                        )
-                    }
+                    SurplusCause::Angles { .. } => Text::default(),
                     SurplusCause::TooMany { surplus, most } =>
                         text!("structure-too-many", surplus = *surplus, most = *most),
                 }

@@ -5,7 +5,6 @@ use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, Poi
 use assur_structure::{Excess, PassivePart, Structure, SurplusCause};
 
 use crate::Linkage;
-use crate::follow::{BESIDE, beside};
 use crate::passive::hang::Hanging;
 
 /// Most surplus constraints that are treated.
@@ -186,8 +185,7 @@ impl Choice {
     }
 }
 
-/// The places of a group's points in its other assemblies in the first position, or where that is a change point, in which they are
-/// one, beside it; none where the scene places one of them.
+/// The places of a group's points in its other assemblies in the first position; none where the scene places one of them.
 fn others(linkage: &Linkage, group: usize) -> Vec<Vec<(PointId, [f64; 2])>> {
     let (mechanism, frame) = (&linkage.mechanism, &linkage.structure.groups[group].frame);
     let is_outer = |id: PointId| {
@@ -200,12 +198,8 @@ fn others(linkage: &Linkage, group: usize) -> Vec<Vec<(PointId, [f64; 2])>> {
     };
     let mut position = linkage.position();
     let is_free = |(id, _): &(PointId, [f64; 2])| of_group(*id).is_none();
-    let mut solve = |coordinate| linkage.solve(coordinate, Order::Place, &mut position).is_ok();
-    let from = mechanism.input.from;
-    let is_placed = solve(from)
-        && (!linkage.is_near_change_point(from, BESIDE * linkage.coordinate_unit())
-            || solve(beside(from, linkage.coordinate_unit())));
-    if !is_placed || !mechanism.assembly.iter().all(is_free) {
+    if !mechanism.assembly.iter().all(is_free) || linkage.solve_index(0, Order::Place, &mut position).is_err()
+    {
         return Vec::new();
     }
     let Ok(Some(modes)) = linkage.modes(group, &position) else { return Vec::new() };
