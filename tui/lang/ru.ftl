@@ -356,7 +356,7 @@ plans-open = не замкнуто: { $open } от наибольшего
 plans-step = { $construction }, шаг { $step }
 plans-step-of = шаг { $step } из { $count } ({ $key } рисует следующий)
 chart-coordinate = координата, { $unit }
-structure-mobility = подвижность W = 3 n − 2 p = 3·{ $links } − 2·{ $pairs } = { $mobility };  механизм класса { $class }
+structure-mobility = степень подвижности W = 3 n − 2 p = 3·{ $links } − 2·{ $pairs } = { $mobility };  механизм класса { $class }
 structure-nearest = ближе всего к особому: { $determinant } в положении { $position }, { $group }
 structure-input = входное звено { $link }: { $ground }
 structure-drawn = на рисунке: входное звено{ $groups } ({ $key }: далее)
@@ -367,7 +367,7 @@ structure-kind-named = класс { $class }, { $kind }, порядок { $order
 structure-view-links = звенья: { $links }
 structure-inner = внутренние пары: { $pairs }
 structure-outer = внешние пары: { $pairs }
-structure-mode-of = сборка { $mode } из { $count }
+structure-mode-of = вариант сборки { $mode } из { $count }
 structure-determinant = определитель здесь: { $determinant }
 structure-plugin = плагин: { $name } ({ $crate_name })
 structure-source = источник: { $source }
@@ -578,7 +578,7 @@ word-dyad = диада
     .meaning = группа Ассура класса II: два звена, три пары
 word-formula = формула
     .meaning = группы в порядке присоединения к входному звену I
-word-mobility = подвижность W
+word-mobility = степень подвижности W
     .meaning = число независимых движений: 3 n - 2 p для n звеньев и p одноподвижных пар
 word-determinant = определитель
     .meaning = уравнений группы, безразмерный: 0 в особом положении, где она неопределённа

@@ -353,7 +353,7 @@ plans-open = не замкнуто: { $open } від найбільшого
 plans-step = { $construction }, крок { $step }
 plans-step-of = крок { $step } з { $count } ({ $key } малює наступний)
 chart-coordinate = координата, { $unit }
-structure-mobility = рухомість W = 3 n − 2 p = 3·{ $links } − 2·{ $pairs } = { $mobility };  механізм класу { $class }
+structure-mobility = ступінь рухомості W = 3 n − 2 p = 3·{ $links } − 2·{ $pairs } = { $mobility };  механізм класу { $class }
 structure-nearest = найближче до особливого: { $determinant } у положенні { $position }, { $group }
 structure-input = вхідна ланка { $link }: { $ground }
 structure-drawn = на рисунку: вхідна ланка{ $groups } ({ $key }: далі)
@@ -364,7 +364,7 @@ structure-kind-named = клас { $class }, { $kind }, порядок { $order }
 structure-view-links = ланки: { $links }
 structure-inner = внутрішні пари: { $pairs }
 structure-outer = зовнішні пари: { $pairs }
-structure-mode-of = складання { $mode } з { $count }
+structure-mode-of = варіант складання { $mode } з { $count }
 structure-determinant = визначник тут: { $determinant }
 structure-plugin = плагін: { $name } ({ $crate_name })
 structure-source = джерело: { $source }
@@ -575,7 +575,7 @@ word-dyad = діада
     .meaning = група Ассура класу II: дві ланки, три пари
 word-formula = формула
     .meaning = групи в порядку приєднання до вхідної ланки I
-word-mobility = рухомість W
+word-mobility = ступінь рухомості W
     .meaning = кількість незалежних рухів: 3 n - 2 p для n ланок і p однорухомих пар
 word-determinant = визначник
     .meaning = рівнянь групи, безрозмірний: 0 в особливому положенні, де вона невизначена

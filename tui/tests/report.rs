@@ -71,7 +71,7 @@ fn the_report_begins_with_what_is_asked_for_first() {
     assert_eq!(value("unevenness"), "0.05");
     // The speed is kept in the mean: 60 rpm.
     assert_eq!(value("mean speed"), "6.28319");
-    let checks = page.lines().find(|line| line.starts_with("checks that hold")).unwrap();
+    let checks = page.lines().find(|line| line.starts_with("checks passed")).unwrap();
     let numbers: Vec<usize> = checks.split_whitespace().filter_map(|word| word.parse().ok()).collect();
     assert!(numbers.len() == 2 && numbers[0] == numbers[1] && numbers[0] > 10, "{checks}");
 }

@@ -328,3 +328,42 @@ fn a_row_becomes_a_scene_with_its_comments() {
         assert!(!folder.path().join("c.toml").exists());
     }
 }
+
+#[test]
+fn rows_that_find_no_room_are_not_begun() {
+    let folder = folder();
+    // 10^12 points of more than two columns take more than 40 TB.
+    for file in ["b.csv", "b.parquet"] {
+        let output =
+            sweep(folder.path(), &["--vary", "link.crank.points.A=100 mm..200 mm:1000000000000", "-o", file]);
+        let (code, message) = end(&output);
+        assert!(
+            code == 2 && message.contains(&format!("can't write {file}: the rows may take")),
+            "{message}"
+        );
+    }
+    assert_eq!(names(folder.path()), ["a.toml"]);
+}
+
+/// 0.1 and 0.2 are nearer to 100 mm in m, 100 and 200 in mm; a place in all digits of m is one, 232 m is none.
+#[test]
+fn bare_numbers_of_another_unit_are_doubted() {
+    let folder = folder();
+    for (arguments, told) in [
+        (&["--vary", "link.crank.points.A=0.1..0.2:3"][..], None),
+        (&["--vary", "link.crank.points.A=100..200:3"], Some("write \"link.crank.points.A=100 mm..200 mm\"")),
+        (&["--vary", LENGTHS, "--target", "B=0,0.232"], None),
+        (&["--vary", LENGTHS, "--target", "B=0,232 mm"], None),
+        (&["--vary", LENGTHS, "--target", "B=0,232"], Some("this is 232 m from the origin")),
+    ] {
+        let output = sweep(folder.path(), arguments);
+        let (_, message) = end(&output);
+        let notes = message.lines().filter(|line| line.starts_with("note: ")).collect::<Vec<_>>();
+        match told {
+            Some(told) => {
+                assert!(matches!(notes[..], [note] if note.contains(told)), "{arguments:?}: {message}")
+            }
+            None => assert!(notes.is_empty(), "{arguments:?}: {message}"),
+        }
+    }
+}

@@ -2,7 +2,7 @@ analysis-work = work and kinetic energy
     .reason = change of the kinetic energy against the work of all moments by Simpson's rule, parts of the largest energy; limit: twice the error of the quadrature (from half as many points, and where a formula changes from the change of the power), the rounding of coordinate and speed, and the tolerance of every step or the error of fixed steps, which is one of the speed and counts for more where the reduced inertia is greater
 analysis-cycle = cycle in time
     .reason = a cycle run once more in time from the speed of the regime: relative difference of the speed at its end or of its duration, the one that is nearer to its limit; limit: the tolerance of every step, a part of the greatest speed, which counts for more where the machine is slow, and the residual of the regime
-analysis-wide-quadrature = the power changes so much between the instants at which it is added up that its work is not known to a tenth
+analysis-wide-quadrature = too few samples: the work is uncertain by more than 10 %
 analysis-wide-rounding = all that moves is of the size of what the rounding of the coordinate does to the moments
 analysis-wide-motion = the accuracy of the motion, a part of its greatest speed in every step, is worth more than a tenth of the energy: the tolerance is loose, or the reduced inertia grows without limit near a singular position
 analysis-energy = energy
@@ -19,7 +19,7 @@ analysis-unevenness = unevenness
 analysis-unevenness-of-motor = unevenness of the motor
     .reason = the least or the greatest speed of the motor against the end of its section, in parts of the section
 analysis-stable-section = stable section of its characteristic
-analysis-unfit = force analyzer `{ $method }` can't do this scene: { $reason }
+analysis-unfit = force analyzer `{ $method }` does not support this scene: { $reason }
 analysis-infinite = the steady regime has no finite speed and acceleration at the coordinate { $coordinate }: the machine has no inertia there, or loads grow beyond measure; give its links mass and inertia, or a `flywheel`
 analysis-stopped = stopped on request
 analysis-at-position = position { $number }: { $error }
@@ -71,7 +71,7 @@ analysis-never-reached = The prescribed motion never reaches { $count ->
        *[other] { $count } positions
     }: it turns back before; loads over time take there the time of the turning point.
 analysis-spring-without-direction = The ends of spring `{ $spring }` meet in { $positions }: it has no direction and gives no force there, though its free length is { $length }; place one end elsewhere.
-analysis-change-points = Change points, where two assembly modes meet: { $places }. A real mechanism may go on in either mode there; calculated is the smooth motion.
+analysis-change-points = Change points, where two assembly modes meet: { $places }. A real mechanism may go on in either mode there; the smooth continuation is calculated.
 analysis-nearly-singular-modes = Nearly singular: { $group } in position { $position } ({ $place }) has the condition number { $condition }; PF1 and reactions lose as many digits as it has, PF2 twice as many. Its modes { $one } and { $other } nearly coincide there: they meet, or begin, next to it.
 analysis-nearly-singular = Nearly singular: { $group } in position { $position } ({ $place }) has the condition number { $condition }; PF1 and reactions lose as many digits as it has, PF2 twice as many.
 analysis-interpolated = In { $positions } the group is singular, its equations have the form 0/0: the motion there is interpolated from both sides.
@@ -80,15 +80,15 @@ analysis-place-of-several = { $place } ({ $group } and { $more } more)
 analysis-barrier = Past { $end }, { $group } can't be assembled ({ $gap }); the motion from the first position ends there.
 analysis-misses = it misses by { $gap } or more
 analysis-turning-back = { $count ->
-        [one] Position { $numbers } is
-       *[other] Positions { $numbers } are
-    } reached by turning back only.
+        [one] Position { $numbers }
+       *[other] Positions { $numbers }
+    } can be reached only in reverse.
 analysis-other-motion = { $count ->
-        [one] Position { $numbers } is a place
-       *[other] Positions { $numbers } are places
-    } of the mechanism, but not of that motion.
+        [one] Position { $numbers } is a valid position of the mechanism, but the prescribed motion does not reach it.
+       *[other] Positions { $numbers } are valid positions of the mechanism, but the prescribed motion does not reach them.
+    }
 analysis-run = { $first } to { $last }
-analysis-poles = Links run through infinity, since guides turn parallel: { $places }. No mechanism gets from one side to the other; positions on both are calculated.
+analysis-poles = Positions become unbounded where the guides are parallel: { $places }. No mechanism gets from one side to the other; positions on both are calculated.
 analysis-residual-group = group { $number }
 analysis-residual-equilibrium = equilibrium
 analysis-residual-dynamics = dynamics
@@ -103,7 +103,7 @@ analysis-jammed-coefficient = { $error }; there is a solution up to { $factor } 
 analysis-friction-rests = friction of { $pair }: { $link } never moves relative to { $on }, so no friction acts there
 analysis-friction-turns = friction of { $pair }: { $link } is at rest relative to { $on } in { $positions }; the friction given there is that just after
 analysis-friction-several = friction: there are several solutions in { $positions }; the results are those of the solution reached when the coefficients grow from zero, or, where there is none, of the one with the least balancing load; the JSON has all of them
-analysis-friction-continuum = friction: there is a continuum of solutions in { $positions }; given are its ends
+analysis-friction-continuum = friction: there is a continuum of solutions in { $positions }; the ends of the interval are listed
 analysis-friction-not-proved = friction: it is not proved that no other solution exists in { $positions }
 analysis-any-way = No point in [assembly] chooses the assembly mode of { $group }: { $point } was put at { $taken }, but could equally be at { $others }. Write roughly where it is under [assembly].
 analysis-place-missed = [assembly] has { $point } at { $wanted }; the assembly taken has it at { $found }, { $distance } away.

@@ -92,7 +92,7 @@ impl Works {
 
     /// A work divided among them in the ratio of their sizes.
     pub(crate) fn shares(&self, work: f64) -> Self {
-        // Of two sums that don't change each has a half; friction is not there at all then.
+        // If neither sum varies, the correction is split evenly between them; friction, which varies whenever it acts, gets none.
         let [driving, resisting, friction] = self.sums;
         let both = driving + resisting + friction;
         let all: f64 = self.each.iter().sum();

@@ -249,8 +249,8 @@ fn energies_of_links(mechanism: &Mechanism, state: &LoadState, bodies: &[Body<f6
 }
 
 impl EnergyCourse {
-    /// The works up to each sample, J. What the quadrature misses of the change of the kinetic energy belongs to each work as its
-    /// rate changes.
+    /// The works up to each sample, J. The defect of the quadrature (change of the kinetic energy minus the sum of the works) is
+    /// distributed over the works in proportion to the variation of their integrands.
     fn works(&self) -> Vec<Works> {
         let mut sum = Works::none(self.acting.first().map_or(0, |acting| acting.each.len()));
         let mut all = vec![sum.clone()];

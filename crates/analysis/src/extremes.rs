@@ -8,7 +8,7 @@ use crate::Calculation;
 use crate::filler::{Filler, instant};
 use crate::results::{Column, Table};
 
-/// Rounds of sections, each of which leaves 2/9 of the interval: down to what rounding of the values can tell.
+/// Refinement rounds. Eight interior points keep 2/9 of the bracket in each; after these rounds rounding of the values decides.
 const ROUNDS: usize = 8;
 /// Panels over a cycle, of which each has [`NODES`] places: between two jumps a load has no more waves.
 const PANELS: f64 = 24.0;

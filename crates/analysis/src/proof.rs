@@ -65,9 +65,9 @@ impl Calculation {
     }
 }
 
-/// How many times a part of the greatest speed, by which a step is off, counts as a part of the speed at the end of the cycle,
-/// and as a part of its duration. What the step adds to the energy, J w times that speed, is there from then on, and is a
-/// great part of J w^2 where the machine is slow.
+/// Amplification of a relative speed error of one step (as a part of the greatest speed): in the speed at the end of the cycle,
+/// and in the duration of the cycle, both relative. The error of a step changes the energy by J w times the error of the speed,
+/// and this change is a large part of J w^2 wherever the machine is slow.
 fn counted(regime: &Regime, [from, to]: [f64; 2]) -> [f64; 2] {
     let part = |i: u32| from + (to - from) * (f64::from(i) / f64::from(CYCLE_INTERVALS));
     let states = (0..=CYCLE_INTERVALS).map(|i| regime.state(part(i)));

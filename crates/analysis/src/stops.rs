@@ -1,4 +1,5 @@
-//! What acts just before a transient motion comes to rest: dry resistance jumps there, and the sample at rest has the other side.
+//! Left limits at the instants where a transient motion comes to rest: dry resistance jumps there, and the sample itself has
+//! the right limit.
 
 use std::sync::Arc;
 
@@ -14,8 +15,8 @@ use crate::results::{Column, Quantity, Schema, Table};
 use crate::{Calculation, InputMotion};
 
 impl Calculation {
-    /// For each sample at which a transient motion comes to rest and is held, a row of its number with what there was just before
-    /// it, while the resistance still acted against the motion: the columns of the samples, and the reduced loads.
+    /// Left limits at the samples where a transient motion stops and is held: one row for each stop, under the number of its
+    /// sample, with the columns of the samples and the reduced loads.
     pub fn stops(&self) -> Table {
         let InputMotion::Transient(found) = &self.motion else { return Table::default() };
         let columns = self.columns_of_motion();

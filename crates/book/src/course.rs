@@ -50,7 +50,8 @@ impl Course {
         Self::read(table, edges, over, |table, row| table.get(row, column))
     }
 
-    /// What is made of the rows of a table, over the numbers of a column in the same rows, and of those between and after them.
+    /// A course built by mapping each row of a table to a value, over the coordinate in column `over`, with the rows between the
+    /// positions and at the end of the cycle.
     pub fn read(
         table: &Table,
         edges: Option<&Edges>,

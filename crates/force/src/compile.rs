@@ -26,7 +26,7 @@ use crate::{Bearing, Block, Frictions, LoadError, LoadFault, LoadState, Loads, U
 /// grid.
 const BESIDE: f64 = 3.819_660_112_501_05e-4;
 
-/// At the ends of its range a mechanism just holds together: part of the whole that is left out there.
+/// Fraction of the range that is skipped at each end, where the mechanism is nearly singular.
 const AT_ENDS: f64 = 1e-9;
 
 /// Of more cycles than these the cells in which a switch is looked for grow.

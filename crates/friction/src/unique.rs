@@ -8,8 +8,8 @@ use assur_number::Real;
 /// Most steps of Newton's method.
 const STEPS: usize = 24;
 
-/// Relative change in a step of Newton's method after which the next step, by the way in which the last two fell, would change
-/// nothing; and what that step may change at most, as part of it.
+/// Newton's method stops when the last relative step is below the first of these and the next one, extrapolated from the last two,
+/// is below the second, which is rounding.
 const SMALL: f64 = 1e-9;
 const NOTHING: f64 = 1e-16;
 

@@ -39,8 +39,8 @@ pub(crate) struct Branch {
     first: Vec<u8>,
     /// The passages of each group, in order of increasing distance.
     pub(crate) passages: Vec<Vec<Passage>>,
-    /// Groups whose ways meet at the start itself: a branch towards greater coordinates begins behind this meeting;
-    /// for a branch towards smaller ones it is the first passage.
+    /// Groups for which the start is a change point. It belongs to the branch of descending coordinates, as its first passage; the
+    /// ascending branch begins just beyond it.
     pub(crate) met_at_start: Vec<usize>,
     /// The meetings of all groups followed up to now.
     pub(crate) meetings: Vec<Meeting>,

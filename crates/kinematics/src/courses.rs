@@ -20,7 +20,7 @@ const SAMPLES: u32 = 720;
 /// A birth, a meeting or an end is found to this, in units of the coordinate.
 const SHORTEST: f64 = 1e-11;
 
-/// This far behind an event, in the same units, rounding no longer makes one or both of two modes that meet come and go.
+/// Beyond this distance past an event, in units of the coordinate, the number of modes is reliable in spite of rounding.
 const BEHIND: f64 = 1e-9;
 
 /// A meeting after which both modes go on is found to this: nearer to it the two can't be told apart.

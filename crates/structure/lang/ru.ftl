@@ -8,7 +8,7 @@ structure-pairs = { $count ->
        *[other] пары
     } { $pairs }
 structure-some = { $names } ... (показано { $shown } из { $total })
-structure-loose = подвижность { $mobility } ({ $formula }), а механизм движет один вход: { $links } { $count ->
+structure-loose = степень подвижности { $mobility } ({ $formula }), а механизм движет один вход: { $links } { $count ->
         [one] может
        *[other] могут
     } двигаться при неподвижном входе{ $also }; присоедините { $count ->
@@ -17,7 +17,7 @@ structure-loose = подвижность { $mobility } ({ $formula }), а мех
     } к другому звену ещё одной парой или уберите то, что там висит ({ $hint })
 structure-loose-also = {" "}(в то же время пары { $pairs } имеют одну лишнюю связь)
 structure-more-inputs = у механизма { $mobility } степени свободы ({ $formula }), поэтому ему нужно { $mobility } входа; рассчитываются механизмы с одним. При неподвижном входе { $links } ещё могут двигаться: ещё одна пара или на звено меньше оставили бы одну степень свободы
-structure-surplus = подвижность { $mobility } ({ $formula }), а должна быть 1: { $pairs } { $count ->
+structure-surplus = степень подвижности { $mobility } ({ $formula }), а должна быть 1: { $pairs } { $count ->
         [one] даёт
        *[other] дают
     } одну лишнюю связь; там { $links }; уберите оттуда одну пару или одно звено ({ structure-what-joins }: у точек, которые не шарниры, свои имена){ $cause }

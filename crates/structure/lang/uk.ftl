@@ -8,7 +8,7 @@ structure-pairs = { $count ->
        *[other] пари
     } { $pairs }
 structure-some = { $names } ... (показано { $shown } з { $total })
-structure-loose = рухомість { $mobility } ({ $formula }), а механізм рухає один вхід: { $links } { $count ->
+structure-loose = ступінь рухомості { $mobility } ({ $formula }), а механізм рухає один вхід: { $links } { $count ->
         [one] може
        *[other] можуть
     } рухатися при нерухомому вході{ $also }; приєднайте { $count ->
@@ -17,7 +17,7 @@ structure-loose = рухомість { $mobility } ({ $formula }), а механ
     } до іншої ланки ще однією парою або приберіть те, що там висить ({ $hint })
 structure-loose-also = {" "}(водночас пари { $pairs } мають одну зайву в’язь)
 structure-more-inputs = механізм має { $mobility } ступені вільності ({ $formula }), тож йому треба { $mobility } входи; розраховуються механізми з одним. За нерухомого входу { $links } ще можуть рухатися: ще одна пара або на ланку менше залишили б один ступінь вільності
-structure-surplus = рухомість { $mobility } ({ $formula }), а має бути 1: { $pairs } { $count ->
+structure-surplus = ступінь рухомості { $mobility } ({ $formula }), а має бути 1: { $pairs } { $count ->
         [one] дає
        *[other] дають
     } одну зайву в’язь; там { $links }; приберіть звідти одну пару або одну ланку ({ structure-what-joins }: точки, що не є шарнірами, мають власні імена){ $cause }

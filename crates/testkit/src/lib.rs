@@ -11,6 +11,7 @@ mod arrangement;
 mod case;
 mod catalogues;
 mod checks;
+pub mod guard;
 mod integrators;
 mod pattern;
 #[cfg(test)]

@@ -23,8 +23,8 @@ pub(crate) struct Quick<'a, T: Real> {
 /// What presses in a bearing: two parts of its unknown, and the normal force of a slide.
 type Pressing<T> = [T; 3];
 
-/// What presses in each of N bearings by column: without friction, by each sum of moduli of size 1, and by each normal force of size 1
-/// whose friction has a moment; C is 1 + 2 N.
+/// Response matrix of the pressing forces in each of N bearings. Its C = 1 + 2 N columns are the ideal load, a unit friction
+/// magnitude in each bearing, and a unit normal force in each bearing whose friction has a moment.
 struct Table<T, const N: usize, const C: usize>([[Pressing<T>; C]; N]);
 
 /// A bearing, with the first of what its friction depends on, and its sense times its coefficient.

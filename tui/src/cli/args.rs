@@ -22,7 +22,7 @@ pub(crate) struct Cli {
     /// Print no character beyond ASCII (the default where the locale is not UTF-8)
     #[arg(long, global = true)]
     pub(crate) ascii: bool,
-    /// Treat what is probably not meant in a scene as an error: status 2, nothing is written
+    /// Treat warnings about the scene as errors: status 2, nothing is written
     #[arg(long, global = true)]
     pub(crate) strict: bool,
     /// Language of texts and pictures: en, uk, ru (default: as configured; in the terminal UI else that of the scene's note)

@@ -33,12 +33,12 @@ pub(crate) fn draw(args: &DrawArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(Some(&args.output), &args.scene.scene)?;
     let options = scene::options(&args.scene.methods, false)?;
     let session = Arc::new(scene::open(&args.scene.scene, style)?);
-    let state = still::analyzed(&session, options, args.request.shows_checks(), style.language)
+    let mut state = still::analyzed(&session, options, args.request.shows_checks(), style.language)
         .map_err(Fault::Scene)?;
     scene::doubt_of_state(&state, &session, style)?;
     let verdict = Verdict::of_state(&state, &session);
     verdict.tell(style);
-    match still::draw(state, &args.request, &args.output) {
+    match still::draw(&mut state, &args.request, &args.output) {
         Ok(content) => output.write(content, verdict.status()),
         Err(StillError::Nothing(why)) => {
             style.tell(text!("cli-nothing-to-draw", reason = why));

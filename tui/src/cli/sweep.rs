@@ -61,7 +61,7 @@ pub(crate) struct SweepArgs {
     /// Instead of a grid N points that fill the ranges evenly (a Sobol sequence)
     #[arg(long, value_name = "N")]
     sample: Option<NonZeroUsize>,
-    /// Other points of the sample
+    /// Seed of the sample
     #[arg(long, value_name = "S", default_value_t = 0, requires = "sample")]
     seed: u32,
     /// What is written of each point (below)
@@ -70,7 +70,7 @@ pub(crate) struct SweepArgs {
     /// Write to this file (*.csv or *.parquet) instead of CSV to standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Go on with the sweep that was ended before FILE was complete
+    /// Resume a sweep that was interrupted before FILE was complete
     #[arg(long, requires = "output")]
     resume: bool,
     /// Calculate part I of N; the parts of CSV, one after the other, are the whole

@@ -85,7 +85,7 @@ pub(crate) fn views() -> Vec<&'static str> {
 /// # Errors
 ///
 /// [`StillError`]: a request without a meaning, a view that has nothing to show.
-pub(crate) fn draw(mut state: State, request: &PictureArgs, output: &Path) -> Result<Vec<u8>, StillError> {
+pub(crate) fn draw(state: &mut State, request: &PictureArgs, output: &Path) -> Result<Vec<u8>, StillError> {
     let size = request.size.unwrap_or(PAGE);
     let wrong = StillError::Request;
     state.view = request.view.parse().unwrap_or(View::Mechanism);
@@ -96,27 +96,27 @@ pub(crate) fn draw(mut state: State, request: &PictureArgs, output: &Path) -> Re
     }
     state.position = request.position;
     if let Some(part) = &request.part {
-        choose_part(&mut state, part).map_err(wrong)?;
+        choose_part(state, part).map_err(wrong)?;
     }
     if let Some(name) =
         request.show.as_ref().filter(|names| state.view == View::Curves && names.contains(','))
     {
-        command::pick_all(&mut state, name.split(',')).map_err(|missing| {
+        command::pick_all(state, name.split(',')).map_err(|missing| {
             wrong(text!("say-not-found", text = words::name(missing.trim().to_owned())))
         })?;
     } else if let Some(name) = &request.show {
-        command::search(&mut state, name);
+        command::search(state, name);
         if let Some((_, text)) = state.message.take() {
             return Err(wrong(text));
         }
     }
     if let Some(step) = request.step {
-        choose_step(&mut state, step).map_err(wrong)?;
+        choose_step(state, step).map_err(wrong)?;
     }
     if request.animate {
-        return animation(&mut state, output, size);
+        return animation(state, output, size);
     }
-    let figure = figure(&state)?;
+    let figure = figure(state)?;
     picture(&figure, output, size, state.language()).map_err(wrong)
 }
 

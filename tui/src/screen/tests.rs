@@ -4,6 +4,8 @@ mod compare;
 pub(crate) mod courses;
 mod forces;
 mod frames;
+#[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
+mod guard;
 mod keys;
 mod labels;
 mod language;

@@ -91,12 +91,13 @@ pub fn pairs(source: &Source<'_>, page: &mut Document) {
     let mut table = Table::list(text!("report-pairs"), heads.map(Column::of));
     for pin in mechanism.points.iter().filter(|point| point.is_pin()) {
         let links = list(pin.places.iter().map(|place| link_name(mechanism, place.link)));
-        let sort = if pin.places.len() > 2 { text!("report-multiple-joint") } else { name("R") };
+        let sort =
+            if pin.places.len() > 2 { text!("report-multiple-joint") } else { text!("report-turning") };
         table.row(row![Text::from(&pin.name), sort, links, pin.places.len() - 1]);
     }
     for slide in &mechanism.slides {
         let links = list([slide.link, slide.on].map(|link| link_name(mechanism, link)));
-        table.row(row![&slide.name, name("P"), links, 1_usize]);
+        table.row(row![&slide.name, text!("report-sliding"), links, 1_usize]);
     }
     page.table(table);
 }

@@ -33,7 +33,7 @@ fn analyzed(name: &str, request: &PictureArgs) -> State {
 }
 
 fn picture(request: &PictureArgs, output: &str) -> Result<String, StillError> {
-    still::draw(analyzed("shaper-drive", request), request, Path::new(output))
+    still::draw(&mut analyzed("shaper-drive", request), request, Path::new(output))
         .map(|bytes| String::from_utf8(bytes).unwrap())
 }
 
@@ -67,7 +67,7 @@ fn a_view_without_a_figure_says_what_the_scene_lacks() {
     for (name, view, why) in [("brake", "forces", "initial state"), ("four-bar", "drive", "no steady regime")]
     {
         let request = request(view);
-        match still::draw(analyzed(name, &request), &request, Path::new("x.svg")) {
+        match still::draw(&mut analyzed(name, &request), &request, Path::new("x.svg")) {
             Err(StillError::Nothing(text)) => assert!(text.to_string().contains(why), "{text}"),
             other => panic!("{other:?}"),
         }
@@ -98,7 +98,7 @@ fn the_screen_and_the_file_show_the_same_signs_of_a_curve() {
 
 /// The texts of a picture of a scene.
 fn texts(scene: &str, request: &PictureArgs) -> Vec<String> {
-    let bytes = still::draw(analyzed(scene, request), request, Path::new("x.svg")).unwrap();
+    let bytes = still::draw(&mut analyzed(scene, request), request, Path::new("x.svg")).unwrap();
     let svg = String::from_utf8(bytes).unwrap();
     let texts = svg.split("<text").skip(1).filter_map(|rest| rest.split_once('>')?.1.split_once("</text>"));
     texts.map(|(text, _)| text.to_owned()).collect()
@@ -131,7 +131,7 @@ fn a_construction_is_drawn_step_by_step() {
     assert!(has(&whole, "Fb") && has(&whole, "RP") && whole[1].ends_with("step 27"), "{whole:?}");
     assert_eq!(drawn(Some(27)), whole);
     for (request, why) in [(of(Some(28)), "steps 1 to 27"), (of(Some(0)), "steps 1 to 27")] {
-        match still::draw(analyzed("press", &request), &request, Path::new("x.svg")) {
+        match still::draw(&mut analyzed("press", &request), &request, Path::new("x.svg")) {
             Err(StillError::Request(text)) => assert!(text.to_string().contains(why), "{text}"),
             other => panic!("{other:?}"),
         }
@@ -149,7 +149,7 @@ fn quantities_of_one_unit_lie_over_each_other_in_a_picture() {
         assert!(shown.iter().any(|text| text.starts_with(&format!("{name}: "))), "{name}: {shown:?}");
     }
     let unknown = PictureArgs { show: Some("A>crank.F,nothing".into()), ..request };
-    match still::draw(analyzed("press", &unknown), &unknown, Path::new("x.svg")) {
+    match still::draw(&mut analyzed("press", &unknown), &unknown, Path::new("x.svg")) {
         Err(StillError::Request(text)) => assert!(text.to_string().contains("nothing"), "{text}"),
         other => panic!("{other:?}"),
     }

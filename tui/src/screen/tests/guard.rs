@@ -1,0 +1,66 @@
+//! The pictures of every view of every shipped scene, and those of its note, have their hashes.
+
+use std::path::{Path, PathBuf};
+
+use assur_analysis::Options;
+use assur_testkit::guard::{self, Hash};
+use assur_words::Language;
+
+use super::View;
+use crate::note::{self, Form};
+use crate::screen::state::{Chosen, Source, State};
+use crate::screen::still::{self, PictureArgs, views};
+use crate::session::Session;
+
+/// Scenes with so many positions or links that their notes take seconds.
+const WITHOUT_NOTE: &[&str] = &["n-four-bar-40", "disc-case-4", "disc-case-5"];
+
+/// A position that is special in no scene.
+const POSITION: usize = 5;
+
+/// The pictures of all views and their parts, and all figures of the note.
+fn pictures((scene, has_note): &(PathBuf, bool)) -> Vec<(String, String)> {
+    let session = Session::open(Source::File(scene.clone())).unwrap();
+    let own = session.note.clone();
+    let mut state = still::analyzed(&session.into(), Options::default(), true, Language::english()).unwrap();
+    let mut found: Vec<_> = views().into_iter().flat_map(|view| of_view(&mut state, view)).collect();
+    if *has_note && let Ok(written) = note::write(&mut state, &own, Form::Markdown, "") {
+        let figures = written.figures.iter().map(|(name, figure)| [name.as_str(), figure]);
+        found.push(("note".to_owned(), Hash::of(figures.flatten().collect::<String>().as_bytes())));
+    }
+    found
+}
+
+/// The picture of each part of a view, of those that there are.
+fn of_view(state: &mut State, view: &str) -> Vec<(String, String)> {
+    let parts = view.parse::<View>().unwrap_or_default().parts();
+    let parts: Vec<Option<&str>> = parts.iter().map(|part| Some(part.into())).collect();
+    let parts = if parts.is_empty() { vec![None] } else { parts };
+    let picture = |part: Option<&str>| {
+        state.chosen = Chosen::default();
+        let request = PictureArgs {
+            view: view.to_owned(),
+            part: part.map(str::to_owned),
+            show: None,
+            step: None,
+            position: POSITION.min(state.positions() - 1),
+            size: None,
+            animate: false,
+        };
+        let drawn = still::draw(state, &request, Path::new("a.svg")).ok()?;
+        Some((part.map_or(view.to_owned(), |part| format!("{view}-{part}")), Hash::of(&drawn)))
+    };
+    parts.into_iter().filter_map(picture).collect()
+}
+
+#[test]
+fn guard_of_pictures() {
+    let scenes = guard::scenes("fixtures").into_iter();
+    let jobs: Vec<_> = scenes
+        .map(|(name, path)| {
+            let has_note = !WITHOUT_NOTE.contains(&name.as_str());
+            (name, (path, has_note))
+        })
+        .collect();
+    guard::compare("guard-pictures.txt", &guard::hashes(&jobs, pictures));
+}
