@@ -537,6 +537,7 @@ file-no-folder = there is no folder { $folder }
 file-row-form = name it *.csv or *.parquet
 file-parquet-stream = Parquet is put together from parts, so it can't go to a device or a pipe; write it to a file
 file-no-parts = it is no folder with the parts of a sweep: remove it
+file-replaced = something else was put in its place while it was written; the rows are lost
 cli-stdout = error: can't write to standard output: { $problem }
 cli-parquet-motion = note: Parquet has the positions; the motion over time is written by `--format csv -o FOLDER`.
 cli-parquet-form = *.parquet is a form of its own; leave `--format` out
@@ -576,6 +577,7 @@ cli-motor-remarks = remarks
 cli-sweep-no-locks = note: the file system of { $file } has no locks: start no second sweep that writes this file
 cli-sweep-ended = a sweep was ended here before it was complete: go on with --resume, or remove it
 cli-sweep-foreign = row { $row } is not of this sweep: remove it, or repeat the call that wrote it
+cli-sweep-other = it is of another sweep: { $difference }; remove it, or repeat the call that wrote it
 cli-sweep-failures = error: no solution at { $failures } of { $points } points; the first, { $point }: { $message }
 verdict-more-positions = error: no solution in { $count } more positions: { $positions }
 verdict-failed = FAILED: { $check }: { $reason }
@@ -669,7 +671,7 @@ reduction-at-rest = { $told } (at rest)
 reduction-with-flywheel = { $told } (with flywheel and rotor)
 structure-mode = shown: mode { $mode }, determinant { $determinant } ({ $key } takes it)
 structure-modes = { $key }: shows the others
-say-no-modes = The kind of this group can't list its modes.
+say-no-modes = There are no modes to list: no group, no first position, or a kind of group that can't list them.
 say-no-mode-shown = No mode is shown.
 say-mode-without-points = No point of the group has a name: none can stand under [assembly].
 say-mode-taken = Mode { $mode } is taken: its points stand under [assembly].
@@ -690,7 +692,7 @@ cli-key-meaning = meaning
 cli-key-example = example
 cli-keys-page = # Keys of a scene
 
-    A scene is one TOML file. A bare number is SI: m, kg, s, rad, N, N·m; a text is a number, a space and a unit: `"120 mm"`. Angles grow
+    A scene is one TOML file. A bare number is SI: m, kg, s, rad, N, N·m; a text is a number, a space and a unit: `"120 mm"`, `"25 lbf*in"`, `"3 lb*in^2"`. Angles grow
     counter-clockwise, y points up. `assur keys WORD` searches this page, in the language of `--language`.
 
     Written by `assur keys --format markdown`; a test compares it.

@@ -11,14 +11,14 @@ use std::path::{Path, PathBuf};
 use assur_scene::document;
 use assur_words::{Describe, Text, errors, name, number, quantity, text, text_of};
 
-pub(crate) use lock::{Lock, create_own, open_own};
+pub(crate) use lock::{Lock, create_own, is_at, open_own};
 pub(crate) use stream::{is_stream, open_stream};
 pub(crate) use write::{
-    behind_links, is_same, put, remove_on_signals, remove_temporaries, write, write_by, write_folder,
+    behind_links, create, ignore_limit, is_same, put, remove_on_signals, remove_temporaries, write, write_by,
+    write_folder,
 };
 
 /// Why a file is not read or written.
-#[derive(Debug)]
 pub(crate) enum FileError {
     /// A file can't be read, and why.
     Read(PathBuf, Text),

@@ -58,7 +58,8 @@ fn rows_go_to_standard_output_or_to_a_file() {
     assert_eq!(end(&written), (0, ""));
     let bytes = fs::read(folder.path().join("b.parquet")).unwrap();
     assert!(bytes.starts_with(b"PAR1") && bytes.ends_with(b"PAR1"));
-    assert_eq!(names(folder.path()), ["a.toml", "b.csv", "b.parquet"], "nothing is left beside");
+    let beside = ["a.toml", "b.csv", "b.csv.origin.json", "b.parquet"];
+    assert_eq!(names(folder.path()), beside, "nothing else is left beside");
 }
 
 #[test]
@@ -139,7 +140,9 @@ fn a_sweep_that_is_killed_again_and_again_ends_as_if_it_had_not_been() {
         assert_eq!(end(&last), end(&first));
         assert_eq!(fs::read(path.join(killed)).unwrap(), fs::read(path.join(whole)).unwrap(), "{killed}");
     }
-    assert_eq!(names(path), ["a.toml", "killed.csv", "killed.parquet", "whole.csv", "whole.parquet"]);
+    let tables = ["killed.csv", "killed.csv.origin.json", "killed.parquet"];
+    let others = ["whole.csv", "whole.csv.origin.json", "whole.parquet"];
+    assert_eq!(names(path), [&["a.toml"][..], &tables, &others].concat());
 }
 
 #[test]
@@ -183,6 +186,91 @@ fn rows_of_another_sweep_are_not_gone_on_with() {
     fs::rename(path.join("b.csv"), path.join("b.csv.part")).unwrap();
     let others = ["--vary", "link.crank.points.A=100 mm..210 mm:3", "-o", "b.csv", "--resume"];
     assert!(end(&sweep(path, &others)).1.contains("row 3 is not of this sweep"));
+}
+
+#[test]
+fn rows_with_another_number_of_columns_are_not_gone_on_with() {
+    let folder = folder();
+    let path = folder.path();
+    assert_eq!(end(&sweep(path, &["--vary", LENGTHS, "-o", "b.csv"])), (0, ""));
+    let whole = fs::read_to_string(path.join("b.csv")).unwrap();
+    let lines: Vec<&str> = whole.lines().collect();
+    for second in [format!("{},7", lines[2]), lines[2].rsplit_once(',').unwrap().0.to_owned()] {
+        let changed = [lines[0], lines[1], &second, lines[3], ""].join("\n");
+        fs::write(path.join("b.csv.part"), &changed).unwrap();
+        let refused = sweep(path, &["--vary", LENGTHS, "-o", "b.csv", "--resume"]);
+        assert!(end(&refused).1.contains("row 2 is not of this sweep"), "{}", end(&refused).1);
+        assert_eq!(fs::read_to_string(path.join("b.csv.part")).unwrap(), changed);
+    }
+}
+
+#[test]
+fn rows_say_what_they_are_made_of_and_another_sweep_is_told_by_it() {
+    let folder = folder();
+    let path = folder.path();
+    let vary = "link.crank.points.A=100 mm..301 mm:20000";
+    let tie = "link.rod.points.B=link.crank.points.A*3";
+    for name in ["b.csv", "b.parquet"] {
+        let part = path.join(format!("{name}.part"));
+        let all = [
+            "--vary",
+            vary,
+            "--tie",
+            tie,
+            "--measure",
+            "health,distance",
+            "--target",
+            "B=100 mm,0",
+            "-o",
+            name,
+        ];
+        let mut child = command(path, &all).stderr(std::process::Stdio::null()).spawn().unwrap();
+        let has_rows = || match fs::read_dir(&part) {
+            Ok(mut parts) => parts.any(|part| part.is_ok_and(|part| part.file_name() == "000000.parquet")),
+            Err(_) => fs::metadata(&part).is_ok_and(|found| found.len() > 1000),
+        };
+        while !has_rows() {
+            assert!(child.try_wait().unwrap().is_none(), "too few points for this machine");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let mut others = all;
+        for (at, value, problem) in [
+            (5, "health,extremes", "`measure` was `health, distance` and is `health, extremes`"),
+            (
+                3,
+                "link.rod.points.B=link.crank.points.A*4",
+                "`tie` was `link.rod.points.B=link.crank.points.A*3` and is",
+            ),
+            (7, "B=200 mm,0", "`target` was `B=0.1 m,0 m` and is `B=0.2 m,0 m`"),
+        ] {
+            others[at] = value;
+            let refused = sweep(path, &[&others[..], &["--resume"]].concat());
+            let (code, message) = end(&refused);
+            // Other measures have other columns too, and of Parquet these are compared first.
+            let schema = name == "b.parquet" && at == 5 && message.contains("row 1 is not of this sweep");
+            assert!(code == 2 && (message.contains(problem) || schema), "{name}: {message}");
+            others = all;
+        }
+        fs::write(path.join("a.toml"), SLIDER.replace("2 kg", "3 kg")).unwrap();
+        let refused = sweep(path, &[&all[..], &["--resume"]].concat());
+        assert!(end(&refused).1.contains("the scene was another one"), "{}", end(&refused).1);
+        fs::write(path.join("a.toml"), SLIDER).unwrap();
+    }
+    let weighs = format!("gravity = \"9.81 m/s^2\"\n{SLIDER}");
+    fs::write(path.join("a.toml"), weighs).unwrap();
+    assert_eq!(end(&sweep(path, &["--vary", LENGTHS, "-o", "c.csv"])), (0, ""));
+    let said = fs::read_to_string(path.join("c.csv.origin.json")).unwrap();
+    for part in [
+        "\"vary\": \"link.crank.points.A=100 mm..200 mm:3\"",
+        "\"points\": \"0..3\"",
+        "\"analyzer\": \"",
+        "\"scene\": \"gravity =",
+        "\"version\"",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
 }
 
 #[test]

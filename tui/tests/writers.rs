@@ -44,9 +44,10 @@ fn err(output: &Output) -> &str {
     str::from_utf8(&output.stderr).unwrap()
 }
 
+/// The files of a folder, without what is said beside rows of their origin.
 fn names(folder: &Path) -> Vec<String> {
     let names = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<_> = names.collect();
+    let mut names: Vec<_> = names.filter(|name| !name.ends_with(".csv.origin.json")).collect();
     names.sort();
     names
 }
@@ -228,6 +229,52 @@ fn a_link_beside_the_output_is_not_followed() {
                 assert!(!path.join(name).exists());
             }
         }
+    }
+}
+
+#[test]
+fn what_takes_the_place_of_rows_while_they_are_written_is_an_error() {
+    for name in ["b.csv", "b.parquet"] {
+        for as_link in [false, true] {
+            let folder = folder();
+            let path = folder.path();
+            let part = path.join(format!("{name}.part"));
+            let mut child = start(path, &[MANY, "-o", name]);
+            assert!(has_written(&mut child, &part, 0), "too few points");
+            signal(&child, "-STOP");
+            fs::rename(&part, path.join("moved")).unwrap();
+            if as_link {
+                symlink("moved", &part).unwrap();
+            } else {
+                fs::create_dir(&part).unwrap();
+            }
+            signal(&child, "-CONT");
+            let output = child.wait_with_output().unwrap();
+            assert_eq!(code(&output), 2, "{name} {as_link}: {}", err(&output));
+            assert!(err(&output).contains("something else was put in its place"), "{}", err(&output));
+            assert!(!path.join(name).exists(), "{name} {as_link}");
+        }
+    }
+}
+
+#[test]
+fn a_file_larger_than_the_system_allows_is_an_error_and_leaves_nothing() {
+    let folder = folder();
+    let path = folder.path();
+    let program = env!("CARGO_BIN_EXE_assur");
+    for (arguments, name) in [
+        ("new b.toml --kind shaper-drive", "b.toml"),
+        ("analyze a.toml --format json -o b.json", "b.json"),
+        ("report a.toml -o b.html", "b.html"),
+    ] {
+        // Blocks of 512 bytes, or of 1024.
+        let limited = format!("ulimit -f 1; exec {program} {arguments}");
+        let output =
+            Command::new("sh").args(["-c", &limited]).current_dir(path).env("LC_ALL", "C.UTF-8").output();
+        let output = output.unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {:?} {}", output.status, err(&output));
+        assert!(err(&output).starts_with(&format!("error: can't write {name}: ")), "{}", err(&output));
+        assert_eq!(names(path), ["a.toml"], "{arguments}");
     }
 }
 

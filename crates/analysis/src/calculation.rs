@@ -4,6 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use assur_dynamics::equation;
 use assur_force::{AnalyzerPlugin, LoadState, Loads, Side};
+use assur_group::Order;
 use assur_kinematics::{Linkage, decompose};
 use assur_mechanism::{Mechanism, Motion};
 use assur_structure::Structure;
@@ -100,8 +101,7 @@ impl Calculation {
         options: &Options,
         watch: &mut Watch<'_>,
     ) -> Result<Self, AnalysisError> {
-        // Without any solvable position no load can be compiled; the positions themselves report why.
-        let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && linkage.range.is_some();
+        let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && can_be_loaded(&linkage);
         let loads = if wants_loads { Some(Loads::varied(&linkage, earlier)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
         let (motion, no_motion) = match InputMotion::of(&linkage, loads.as_ref(), options, watch) {
@@ -165,6 +165,15 @@ impl Calculation {
             }
         }
     }
+}
+
+/// Whether there is a position that loads can act in; without one no load can be compiled, and the positions themselves report
+/// why. A motion that follows from its equation begins in the first one.
+fn can_be_loaded(linkage: &Linkage) -> bool {
+    let (mechanism, mut position) = (&linkage.mechanism, linkage.position());
+    let mut exists = |index| linkage.solve_index(index, Order::Place, &mut position).is_ok();
+    linkage.range.is_some()
+        || !mechanism.has_equation_of_motion() && (0..mechanism.input.positions).any(&mut exists)
 }
 
 /// The methods of a calculation.

@@ -8,7 +8,7 @@ use assur_words::{Describe, Text, name, text};
 use crate::Stopped;
 
 /// Why a scene can't be calculated at all; what fails in one position only is part of the results.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum AnalysisError {
     /// The mechanism can't be compiled.

@@ -8,7 +8,7 @@ use assur_words::{Describe, Text, text};
 pub type Watch<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;
 
 /// The watcher stopped the calculation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Stopped;
 
 assur_words::errors!(Stopped);

@@ -5,7 +5,7 @@ use assur_kinematics::PositionError;
 use assur_words::{Describe, Text, errors};
 
 /// Why there is no plan.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum DiagramError {
     /// The mechanism has no such position.

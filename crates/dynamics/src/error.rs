@@ -5,7 +5,7 @@ use assur_motor::MotorError;
 use assur_words::{Describe, Text, name, number, quantity, text};
 
 /// What went wrong, where, and what to do.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 #[non_exhaustive]
 pub enum DynamicsError {
     /// The scene defines no such motion.

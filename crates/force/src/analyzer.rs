@@ -99,7 +99,7 @@ pub trait FrictionAnalysis {
 }
 
 /// Why there are no reactions. Names the coordinate; the caller adds the number of the position.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum ForceError {
     /// Two ways of a group meet there (the coordinate, rad or m).

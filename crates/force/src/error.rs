@@ -5,7 +5,7 @@ use assur_mechanism::{LoadKind, Mechanism, Value};
 use assur_words::{Describe, Text, name, number, quantity, text};
 
 /// A load that can't be compiled, or has no value.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct LoadError {
     /// Its name.
     pub load: Text,

@@ -27,7 +27,7 @@ const MOST_BYTES: usize = 2000;
 const MOST_NESTED: usize = 200;
 
 /// Why a text is no formula.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct FormulaError {
     /// Bytes of the text that are wrong.
     pub span: Range<usize>,

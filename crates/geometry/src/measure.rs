@@ -23,7 +23,7 @@ const FORMAT: u32 = 1;
 const WHOLE: f64 = 1e-9;
 
 /// Why there is no geometry of the motion.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct GeometryError(pub PositionError);
 
 assur_words::errors!(GeometryError);

@@ -4,7 +4,7 @@ use assur_number::Real;
 use assur_words::{Describe, Text, number, quantity, text};
 
 /// Why a group has no solution at one position. The chain adds the group, the position and the coordinate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum GroupError {
     /// The links are too short, or too unequal, to meet.
@@ -61,7 +61,7 @@ fn determinant(health: f64) -> Text {
 }
 
 /// Lengths that don't form a group of a kind.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct BuildError {
     /// What is wrong, with the numbers.
     pub what: Text,

@@ -6,7 +6,7 @@ use assur_words::{Describe, Text, name, number, text};
 use crate::{Dependence, MotionError, Request, State, Until};
 
 /// Why there is no trajectory.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 #[non_exhaustive]
 pub enum IntegrationError {
     /// The request itself is impossible (what is wrong and what is allowed).

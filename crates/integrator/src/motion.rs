@@ -203,7 +203,7 @@ pub trait EquationOfMotion {
 }
 
 /// Why the equation has no value at a state.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 #[non_exhaustive]
 pub enum MotionError {
     /// The reduced inertia is zero or negative, kg m² (kg).

@@ -6,7 +6,7 @@ use assur_structure::StructureError;
 use assur_words::{Describe, Text, joined, list, name, quantity, text};
 
 /// Why a mechanism can't be compiled.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum CompileError {
     /// The mechanism can't be decomposed into groups.
@@ -41,7 +41,7 @@ impl CompileError {
 }
 
 /// Why there is no position at a coordinate.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct PositionError {
     /// Index of the group.
     pub group: usize,

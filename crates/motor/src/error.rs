@@ -4,7 +4,7 @@ use assur_plugin::RegistryError;
 use assur_words::{Describe, Text, name};
 
 /// Why a catalogue, a motor or a characteristic can't be had, in words: whoever asked for it can only tell the reason.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct MotorError(pub(crate) Text);
 
 assur_words::errors!(MotorError);

@@ -31,7 +31,6 @@ use assur_words::{Describe, Text, errors, name, text};
 pub use positions::Writer;
 
 /// A table can't be written as Parquet.
-#[derive(Debug)]
 pub struct ParquetError(Inner);
 
 impl Describe for ParquetError {
@@ -161,13 +160,12 @@ impl<W: Write + Send> File<W> {
     /// [`ParquetError`] if the writer fails.
     pub fn new(
         columns: &[Column],
-        data: Vec<(&str, String)>,
+        data: Vec<(String, String)>,
         searchable: bool,
         out: W,
     ) -> Result<Self, ParquetError> {
         let statistics = if searchable { EnabledStatistics::Chunk } else { EnabledStatistics::None };
-        let data = data.into_iter().map(|(key, value)| KeyValue::new(key.to_owned(), value));
-        let data: Vec<KeyValue> = data.collect();
+        let data: Vec<_> = data.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect();
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("assur ", env!("CARGO_PKG_VERSION")).to_owned())
             .set_key_value_metadata(Some(data).filter(|data| !data.is_empty()))

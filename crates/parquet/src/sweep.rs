@@ -9,7 +9,7 @@ use std::io::Write;
 use ::parquet::file::reader::FileReader;
 use ::parquet::file::serialized_reader::SerializedFileReader;
 use ::parquet::record::Field;
-use assur_sweep::{Columns, Rows, Sweep, Tally};
+use assur_sweep::{Columns, Origin, Rows, Sweep, Tally};
 
 use crate::{Column, File as Written, ParquetError, schema};
 
@@ -17,14 +17,16 @@ use crate::{Column, File as Written, ParquetError, schema};
 const TALLY: &str = "assur.tally";
 const LAST: &str = "assur.last";
 
-/// Key of the text of the scene.
-const SCENE: &str = "assur.scene";
+/// What the keys of the origin begin with.
+const ORIGIN: &str = "assur.";
 
 /// Rows as a whole file with one group. It keeps what [`FilePart`] reads back.
-pub fn part(rows: &Rows) -> Result<Vec<u8>, ParquetError> {
+pub fn part(rows: &Rows, origin: &Origin) -> Result<Vec<u8>, ParquetError> {
     let tally = Tally::of(rows);
     let first = tally.first.map_or_else(String::new, |first| first.to_string());
-    let data = vec![(TALLY, format!("{} {} {first}", tally.failures, tally.hopeless)), (LAST, last(rows))];
+    let mut data = told(origin);
+    data.push((TALLY.to_owned(), format!("{} {} {first}", tally.failures, tally.hopeless)));
+    data.push((LAST.to_owned(), last(rows)));
     let mut all = columns(rows.columns());
     for (index, column) in all.iter_mut().enumerate() {
         (0..rows.len()).for_each(|row| column.push(rows.cell(row, index)));
@@ -41,6 +43,8 @@ pub struct FilePart {
     pub tally: Tally,
     /// Its last row as CSV.
     pub last: String,
+    /// What its rows are made of.
+    pub origin: Origin,
 }
 
 impl FilePart {
@@ -51,18 +55,20 @@ impl FilePart {
         if *metadata.schema() != *schema(&columns(sweep.columns())).ok()? {
             return None;
         }
-        let value = |key: &str| {
-            let found = metadata.key_value_metadata()?.iter().find(|data| data.key == key);
-            found?.value.as_deref()
-        };
-        let mut numbers = value(TALLY)?.split(' ').map(|number| number.parse::<usize>().ok());
+        let data = metadata.key_value_metadata()?.iter();
+        let mut origin: Origin = data
+            .filter_map(|data| Some((data.key.strip_prefix(ORIGIN)?.to_owned(), data.value.clone()?)))
+            .collect();
+        let mut own = |key: &str| origin.remove(key.strip_prefix(ORIGIN)?);
+        let (counts, last) = (own(TALLY)?, own(LAST)?);
+        let mut numbers = counts.split(' ').map(|number| number.parse::<usize>().ok());
         let tally = Tally {
             points: usize::try_from(metadata.num_rows()).ok()?,
             failures: numbers.next()??,
             hopeless: numbers.next()??,
             first: numbers.next()?,
         };
-        Some(Self { tally, last: value(LAST)?.to_owned() })
+        Some(Self { tally, last, origin })
     }
 }
 
@@ -75,22 +81,20 @@ fn last(rows: &Rows) -> String {
 /// Writes the groups of all parts, in their order, as one file.
 pub fn join(
     sweep: &Sweep,
+    origin: &Origin,
     parts: impl IntoIterator<Item = std::io::Result<File>>,
     out: impl Write + Send,
 ) -> Result<(), ParquetError> {
-    let mut file = Written::new(&columns(sweep.columns()), origin(sweep), true, out)?;
+    let mut file = Written::new(&columns(sweep.columns()), told(origin), true, out)?;
     for part in parts {
         file.append(&part?)?;
     }
     file.finish().map(drop)
 }
 
-/// What the rows were made of: the scene, the ranges, the seed of a sample.
-fn origin(sweep: &Sweep) -> Vec<(&'static str, String)> {
-    let ranges = sweep.ranges().collect::<Vec<_>>().join("\n");
-    let seed = sweep.seed().map(|seed| ("assur.seed", seed.to_string()));
-    let all = [("assur.version", env!("CARGO_PKG_VERSION").to_owned()), ("assur.vary", ranges)];
-    all.into_iter().chain(seed).chain([(SCENE, sweep.scene().to_owned())]).collect()
+/// What rows are made of, as the file's own data.
+fn told(origin: &Origin) -> Vec<(String, String)> {
+    origin.iter().map(|(key, value)| (format!("{ORIGIN}{key}"), value.clone())).collect()
 }
 
 /// The columns of the file, without rows.

@@ -5,7 +5,7 @@ use ::parquet::file::reader::{FileReader, SerializedFileReader};
 use ::parquet::record::Field;
 use assur_all as _;
 use assur_report::csv::CsvCell;
-use assur_sweep::{Points, Rows, Sweep, SweepError, SweepRequest, Vary};
+use assur_sweep::{Origin, Points, Rows, Sweep, SweepError, SweepRequest, Vary};
 
 use crate::sweep::{join, parameters, part};
 
@@ -52,14 +52,17 @@ fn run(threads: usize) -> Result<Rows, SweepError> {
 
 #[test]
 fn one_thread_and_four_write_the_same_bytes() {
-    assert_eq!(part(&run(1).unwrap()).unwrap(), part(&run(4).unwrap()).unwrap());
+    assert_eq!(
+        part(&run(1).unwrap(), &Origin::new()).unwrap(),
+        part(&run(4).unwrap(), &Origin::new()).unwrap()
+    );
 }
 
 #[test]
 fn parquet_reads_back_as_the_same_cells() {
     let table = run(2).unwrap();
     let mut file = tempfile::tempfile().unwrap();
-    file.write_all(&part(&table).unwrap()).unwrap();
+    file.write_all(&part(&table, &Origin::new()).unwrap()).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();
     let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 35);
@@ -88,7 +91,7 @@ fn a_file_tells_its_scene_its_ranges_and_the_extremes_of_its_columns() {
     };
     let (sweep, table) = (grid().unwrap(), run(1).unwrap());
     let mut joined = tempfile::tempfile().unwrap();
-    join(&sweep, [Ok(file(&part(&table).unwrap()))], &mut joined).unwrap();
+    join(&sweep, &sweep.origin(), [Ok(file(&part(&table, &Origin::new()).unwrap()))], &mut joined).unwrap();
     let reader = SerializedFileReader::new(joined.try_clone().unwrap()).unwrap();
     let metadata = reader.metadata().file_metadata();
     let value = |key: &str| {

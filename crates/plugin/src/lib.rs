@@ -36,7 +36,7 @@ macro_rules! registry {
 }
 
 /// A plugin that is missing, or registered twice.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub enum RegistryError {
     /// Two plugins have the same name: a mistake of the build.
     Duplicate {

@@ -20,7 +20,6 @@ pub const PIXELS: f64 = 10.0;
 pub const MOST: f64 = 64e6;
 
 /// Why a figure has no PNG.
-#[derive(Debug)]
 pub enum PngError {
     /// The picture would be empty, or larger than memory should be taken for.
     Size(f64, f64),

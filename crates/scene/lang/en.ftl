@@ -72,6 +72,7 @@ scene-dimension-power = a power
 scene-with-units = { $quantity } ({ $units })
 scene-a-scene = a scene
 scene-file-too-large = { $what } has at most { $most } MiB, this one has { $size }
+scene-many-tables = { $what } has at most { $most } tables and lists, this one has more
 scene-right-file = is it the right file?
 scene-unclosed = not TOML: this text has no closing quote
 scene-begins-here = it begins here

@@ -75,6 +75,7 @@ scene-dimension-power = мощность
 scene-with-units = { $quantity } ({ $units })
 scene-a-scene = сцена
 scene-file-too-large = { $what } — не более { $most } МиБ, здесь { $size }
+scene-many-tables = { $what } — не более { $most } таблиц и списков, здесь их больше
 scene-right-file = тот ли это файл?
 scene-unclosed = не TOML: текст не закрыт кавычкой
 scene-begins-here = он начинается здесь

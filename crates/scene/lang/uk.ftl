@@ -75,6 +75,7 @@ scene-dimension-power = потужність
 scene-with-units = { $quantity } ({ $units })
 scene-a-scene = сцена
 scene-file-too-large = { $what } — щонайбільше { $most } МіБ, тут { $size }
+scene-many-tables = { $what } — щонайбільше { $most } таблиць і списків, тут їх більше
 scene-right-file = чи той це файл?
 scene-unclosed = не TOML: текст не закрито лапкою
 scene-begins-here = він починається тут

@@ -11,6 +11,7 @@ pub use crate::walk::{Entry, Section};
 
 use crate::SceneErrors;
 use crate::error::Faults;
+use crate::scan::{MOST_TABLES, excess};
 use crate::text::{is_unprintable, shown};
 use crate::walk::Known;
 
@@ -71,6 +72,11 @@ pub(crate) fn read_known<T>(
         faults.push(Fault::new(0..0, message).label(text!("scene-right-file")));
         return Err(faults.into_errors(file_name, ""));
     }
+    if let Some(at) = excess(text) {
+        let message = text!("scene-many-tables", what = what, most = MOST_TABLES);
+        faults.push(Fault::new(at..at + 1, message).label(text!("scene-one-too-many")));
+        return Err(faults.into_errors(file_name, text));
+    }
     let (document, syntax) = parsed(text);
     let value = if let Some(document) = document.filter(|_| syntax.is_empty()) {
         Some(make(&Section::root(document.get_ref(), what, known, &faults)))
@@ -98,6 +104,11 @@ pub(crate) fn parsed(text: &str) -> (Option<Spanned<DeTable<'_>>>, Vec<toml::de:
             (Some(document), errors)
         }
     }
+}
+
+/// The tables of a text without what is no TOML; of a text that makes too many none.
+pub(crate) fn recovered(text: &str) -> Spanned<DeTable<'_>> {
+    DeTable::parse_recoverable(if excess(text).is_some() { "" } else { text }).0
 }
 
 /// The first faults of the syntax, in the order of the file. A text without its closing quote is the last one: what follows

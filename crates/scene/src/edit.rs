@@ -36,7 +36,7 @@ pub struct ParsedText<'a> {
 impl<'a> ParsedText<'a> {
     /// Parses a text; parts that are not TOML are left out.
     pub fn of(text: &'a str) -> Self {
-        Self { text, table: DeTable::parse_recoverable(text).0 }
+        Self { text, table: crate::document::recovered(text) }
     }
 
     /// Finds the places of a key: one, or where it names several elements of a list all of them.

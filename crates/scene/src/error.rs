@@ -29,7 +29,7 @@ pub struct SceneError {
 }
 
 /// All the faults of a scene, or of another file, in the order of the file; never empty.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct SceneErrors {
     /// The name of the file as given by the caller.
     pub file: String,

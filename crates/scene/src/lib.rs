@@ -21,6 +21,7 @@ mod motion;
 mod numbers;
 pub mod reference;
 mod render;
+mod scan;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -31,7 +32,7 @@ mod wishes;
 
 use assur_mechanism::Mechanism;
 use assur_words::{Text, text};
-use toml::de::{DeTable, DeValue};
+use toml::de::DeValue;
 
 use context::Context;
 use error::{Fault, Faults};
@@ -81,7 +82,7 @@ pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), 
 /// element of a list is given by its number, from 0. Where the scene leaves a key out, the fault is at the table that would
 /// have it; `None` if there is none either. `file_name` appears only in the error.
 pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: Text) -> Option<SceneErrors> {
-    let (document, _) = DeTable::parse_recoverable(text);
+    let document = document::recovered(text);
     let (first, rest) = path.split_first()?;
     let (key, mut value) = document.get_ref().get_key_value(*first)?;
     let mut span = key.span();

@@ -40,7 +40,7 @@ pub enum SurplusCause {
 }
 
 /// Why a mechanism can't be decomposed into groups.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum StructureError {
     /// Some links can move while the input is fixed.

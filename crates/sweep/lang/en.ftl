@@ -46,3 +46,6 @@ sweep-write-target = write it as POINT=X,Y, such as "E=100 mm,50 mm"
 sweep-other-unit = a number without a unit is in { $unit }, and the scene has { $own }; write "{ $instead }" if that is meant
 sweep-far-target = this is { $away } from the origin, and the mechanism measures { $size }: a number without a unit is in m; write "{ $instead }" if that is meant
 sweep-no-point = there is no such point in the results; points: { $points }
+sweep-other-scene = the scene was another one
+sweep-other-origin = `{ $key }` was { $was } and is { $is }
+sweep-nothing = nothing

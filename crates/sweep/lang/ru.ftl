@@ -46,3 +46,6 @@ sweep-write-target = пишите POINT=X,Y, например "E=100 mm,50 mm"
 sweep-other-unit = число без единицы берётся в { $unit }, а в сцене { $own }; если имелась в виду её единица, напишите "{ $instead }"
 sweep-far-target = это { $away } от начала координат, а размер механизма { $size }: число без единицы берётся в метрах; если имелись в виду миллиметры, напишите "{ $instead }"
 sweep-no-point = такой точки в результатах нет; точки: { $points }
+sweep-other-scene = сцена была другой
+sweep-other-origin = `{ $key }`: было { $was }, теперь { $is }
+sweep-nothing = ничего

@@ -46,3 +46,6 @@ sweep-write-target = пишіть POINT=X,Y, наприклад "E=100 mm,50 mm"
 sweep-other-unit = число без одиниці береться в { $unit }, а в сцені { $own }; якщо мали на увазі її одиницю, напишіть "{ $instead }"
 sweep-far-target = це { $away } від початку координат, а розмір механізму { $size }: число без одиниці береться в метрах; якщо мали на увазі міліметри, напишіть "{ $instead }"
 sweep-no-point = такої точки в результатах немає; точки: { $points }
+sweep-other-scene = сцена була інша
+sweep-other-origin = `{ $key }`: було { $was }, тепер { $is }
+sweep-nothing = нічого

@@ -4,7 +4,7 @@ use assur_scene::SceneErrors;
 use assur_words::{Describe, Text, name, text};
 
 /// Why a sweep can't begin, or has no row to write. What is wrong at one point is part of the table.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum SweepError {
     /// The scene itself is faulty.

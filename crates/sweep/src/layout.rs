@@ -30,6 +30,8 @@ pub(crate) struct Layout {
     pub(crate) targets: Vec<(usize, [f64; 2])>,
     /// Whether there is dry friction in pairs.
     pub(crate) friction: bool,
+    /// The force analyzer, where forces are calculated.
+    pub(crate) analyzer: Option<&'static str>,
     /// The motion, unless it is prescribed.
     pub(crate) motion: Option<Sought>,
     /// Units of coordinate, speed and balancing load, as ends of column names.
@@ -77,6 +79,7 @@ impl Layout {
             links: Vec::new(),
             targets: Vec::new(),
             friction: !mechanism.frictions.is_empty(),
+            analyzer: None,
             motion: sought(mechanism),
             units: Units { coordinate, speed, balancing },
         };
@@ -90,7 +93,9 @@ impl Layout {
             !mechanism.frictions.is_empty(),
             !structure.passive.is_empty(),
         );
-        if layout.balancing && analyzer.is_ok_and(|plugin| plugin.gives_reactions) {
+        let analyzer = analyzer.ok().filter(|_| plan.forces);
+        layout.analyzer = analyzer.map(|plugin| plugin.name);
+        if layout.balancing && analyzer.is_some_and(|plugin| plugin.gives_reactions) {
             let joints = joints(mechanism, &structure).into_iter();
             let joints = joints.filter(|joint| wanted.reactions.contains(&joint.id));
             layout.joints = named(joints, |joint| name_of(mechanism, joint.id));

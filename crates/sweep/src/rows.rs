@@ -239,8 +239,16 @@ impl Sweep {
     }
 
     /// Reads what [`Tally`](crate::Tally) counts from a row of CSV without its line end: how the calculation of the
-    /// point ended. `None` if it is no row of this sweep.
+    /// point ended. `None` if it is no row of this sweep: one with another number of columns, or without a status.
     pub fn status_in_csv(&self, row: &str) -> Option<Status> {
+        let mut quoted = false;
+        let is_comma = |sign: &char| {
+            quoted ^= *sign == '"';
+            *sign == ',' && !quoted
+        };
+        if row.chars().filter(is_comma).count() + 1 != self.columns.names().len() {
+            return None;
+        }
         // Parameters are numbers, so there is no quoted comma before the status.
         row.split(',').nth(self.columns.status())?.parse().ok()
     }

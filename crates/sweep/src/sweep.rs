@@ -150,8 +150,8 @@ impl Sweep {
         self.variants.scene()
     }
 
-    /// The parameters with their ranges, one text each, as they are given: `link.crank.mass=1 kg..5 kg:9`.
-    pub fn ranges(&self) -> impl Iterator<Item = String> + '_ {
+    /// The parameters and what follows them, with their ranges, one text each, as they are given: `link.crank.mass=1 kg..5 kg:9`.
+    pub(crate) fn ranges(&self) -> impl Iterator<Item = String> + '_ {
         self.axes.iter().map(|axis| {
             let count =
                 if matches!(self.points, Points::Grid) { format!(":{}", axis.count) } else { String::new() };
@@ -160,11 +160,6 @@ impl Sweep {
                 None => format!("{}={}..{}{count}", axis.key, axis.shown(axis.from), axis.shown(axis.to)),
             }
         })
-    }
-
-    /// The seed of a sample; `None` for a grid.
-    pub fn seed(&self) -> Option<u32> {
-        if let Points::Sample { seed, .. } = self.points { Some(seed) } else { None }
     }
 
     /// How many points there are.

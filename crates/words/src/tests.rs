@@ -2,7 +2,7 @@
 
 use fluent_bundle::FluentResource;
 
-use crate::{LANGUAGES, Language, Resource, Text, count, list, name, number, quantity, unit};
+use crate::{Describe, LANGUAGES, Language, Resource, Text, Told, count, list, name, number, quantity, unit};
 
 fn in_all(text: &Text) -> [String; 3] {
     LANGUAGES.map(|code| text.render(Language::find(code).unwrap()))
@@ -43,4 +43,23 @@ fn every_language_is_read_without_a_fault() {
     for resource in inventory::iter::<Resource> {
         assert!(FluentResource::try_new(resource.texts.to_owned()).is_ok(), "{resource:?}");
     }
+}
+
+#[test]
+fn an_error_of_main_reads_as_it_is_shown() {
+    #[derive(Clone)]
+    struct Own(Told);
+    impl Describe for Own {
+        fn describe(&self) -> Text {
+            crate::text!("unit-min").clone()
+        }
+    }
+    impl From<Told> for Own {
+        fn from(told: Told) -> Self {
+            Self(told)
+        }
+    }
+    crate::errors!(Own);
+    let own = Own::from(Told(name("rod")));
+    assert_eq!([format!("{own:?}"), format!("{own:#?}"), format!("{:?}", own.0)], ["min", "min", "rod"]);
 }

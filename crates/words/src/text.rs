@@ -168,7 +168,8 @@ pub trait Describe {
     fn describe(&self) -> Text;
 }
 
-/// Makes types that [`Describe`] themselves errors, whose `Display` is the English text.
+/// Makes types that [`Describe`] themselves errors, whose `Display` is the English text, and `Debug`, too: it is what a program prints
+/// whose `main` returns the error.
 ///
 /// After a semicolon stand the variants of one type that hold an error of another crate:
 /// `errors!(Own; Position(PositionError), Load(LoadError))`. The operator `?` converts such an error.
@@ -178,6 +179,12 @@ macro_rules! errors {
         $(impl std::fmt::Display for $error {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 std::fmt::Display::fmt(&$crate::Describe::describe(self), f)
+            }
+        }
+
+        impl std::fmt::Debug for $error {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                std::fmt::Display::fmt(self, f)
             }
         }
 
@@ -195,7 +202,7 @@ macro_rules! errors {
 }
 
 /// A text as an error, for a library that takes errors and hands them back: [`text_of`] has the text again.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct Told(pub Text);
 
 impl Describe for Told {

@@ -47,7 +47,7 @@ pub struct Working {
 }
 
 /// Why there is no working.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum WorkingError {
     /// There is no such position.

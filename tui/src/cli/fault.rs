@@ -40,7 +40,6 @@ impl From<Status> for ExitCode {
 }
 
 /// Why a command failed; all errors end with status 2, except a reader that closed the pipe, with 0.
-#[derive(Debug)]
 pub(crate) enum Fault {
     /// A file can't be read or written.
     File(FileError),

@@ -41,6 +41,7 @@ use crate::screen::Config;
 /// scene or usage.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
+    files::ignore_limit();
     let (config, config_fault) = config::load();
     let asked = usage::language(&arguments).into_iter().chain([config.language()]);
     let cli = match usage::parse(&arguments) {

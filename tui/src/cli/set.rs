@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use assur_scene::edit::{KeyPath, ParsedText, TextPlace, decimal, quoted, replaced, split};
+use assur_scene::edit::{KeyPath, ParsedText, TextPlace, quoted, replaced, split};
 use assur_scene::{Dimension, Unit};
 use assur_words::{Text, name, text};
 use clap::Args;
@@ -66,14 +66,22 @@ fn toml(value: &str) -> String {
     if number { value.to_owned() } else { quoted(value) }
 }
 
-/// The number, SI, as it is written in the unit of a place of the scene; in SI where the unit would round it.
+/// Digits behind the first with which every number is written.
+const MOST_DIGITS: usize = 17;
+
+/// The number, SI, as it is written in the unit of a place of the scene: with the fewest digits that are read back as the same number.
+/// Some numbers none of another unit is read as; these are in the SI unit.
 fn in_unit_of(place: &TextPlace, number: f64, dimension: Option<Dimension>) -> String {
     let unit = place.text.as_deref().and_then(split).map(|(_, unit)| unit).unwrap_or_default();
-    let scale = dimension.filter(|_| !unit.is_empty()).and_then(|dimension| Unit::of(&unit, dimension).ok());
-    let written = scale.map(|scale| (decimal(number / scale.si(1.0)), scale));
-    match written.filter(|(short, scale)| scale.si(*short).total_cmp(&number).is_eq()) {
-        Some((short, _)) => quoted(&format!("{short} {unit}")),
-        None => number.to_string(),
+    let scale =
+        dimension.filter(|_| !unit.is_empty()).and_then(|kind| Some((kind, Unit::of(&unit, kind).ok()?)));
+    let Some((kind, scale)) = scale else { return number.to_string() };
+    let near = number / scale.si(1.0);
+    let rounded = (0..MOST_DIGITS).filter_map(|digits| format!("{near:.digits$e}").parse::<f64>().ok());
+    let mut all = rounded.chain([near.next_down(), near.next_up()]);
+    match all.find(|written| scale.si(*written).total_cmp(&number).is_eq()) {
+        Some(written) => quoted(&format!("{written} {unit}")),
+        None => quoted(format!("{number} {}", kind.si()).trim_end()),
     }
 }
 
@@ -120,4 +128,53 @@ fn parameters(row: &str, result: &Path) -> Result<Vec<(String, f64)>, Fault> {
     let numbers = line.iter().take(count).map(|cell| cell.parse::<f64>().ok());
     let numbers = numbers.collect::<Option<Vec<_>>>().ok_or_else(|| refused(text!("cli-no-sweep")))?;
     Ok(header.into_iter().zip(numbers).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use assur_scene::edit::TextPlace;
+    use assur_scene::{Dimension, quantity};
+    use proptest::prelude::*;
+
+    use super::in_unit_of;
+
+    fn written(number: f64, place: &str, dimension: Dimension) -> String {
+        let place = TextPlace { span: 0..0, text: Some(place.to_owned()) };
+        in_unit_of(&place, number, Some(dimension)).trim_matches('"').to_owned()
+    }
+
+    #[test]
+    fn a_number_keeps_the_unit_of_its_place_with_few_digits() {
+        for (number, place, wanted) in [
+            (0.28, "100 mm", "280 mm"),
+            (0.289_422_431_671_991_94, "280 mm", "289.42243167199194 mm"),
+            (std::f64::consts::PI / 6.0, "12 deg", "30 deg"),
+            (std::f64::consts::TAU, "1 rpm", "60 rpm"),
+        ] {
+            let kind = match place.split(' ').nth(1) {
+                Some("deg") => Dimension::Angle,
+                Some("rpm") => Dimension::AngularSpeed,
+                _ => Dimension::Length,
+            };
+            assert_eq!(written(number, place, kind), wanted);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_written_is_read_as_the_same_number(number in 1e-3_f64..1e3, sign in any::<bool>()) {
+            let number = if sign { -number } else { number };
+            for (place, kind) in [
+                ("1 mm", Dimension::Length),
+                ("1 in", Dimension::Length),
+                ("1 deg", Dimension::Angle),
+                ("1 rpm", Dimension::AngularSpeed),
+                ("1 lb*in^2", Dimension::Inertia),
+                ("1 kN", Dimension::Force),
+            ] {
+                let text = written(number, place, kind);
+                prop_assert_eq!(quantity(&text, kind).unwrap().to_bits(), number.to_bits(), "{}", text);
+            }
+        }
+    }
 }

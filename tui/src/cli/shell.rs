@@ -1,17 +1,14 @@
 //! `assur new`, `assur completions` and `assur man`: what needs no scene.
 
-use std::fs::OpenOptions;
-use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use assur_fixtures::SCENES;
-use assur_words::{text, text_of};
 use clap::CommandFactory;
 
 use super::args::Cli;
 use super::fault::{Fault, Status};
 use super::output;
-use crate::files::FileError;
+use crate::files;
 
 /// A completion script.
 pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Status, Fault> {
@@ -48,18 +45,7 @@ pub(crate) fn kinds() -> impl Iterator<Item = &'static str> {
 pub(crate) fn new(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
     let scene =
         SCENES.iter().find(|(known, _)| Some(*known) == kind).map_or(assur_scene::STARTER, |(_, text)| text);
-    let fault = |problem| FileError::refused(path, problem);
-    let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| {
-        fault(match error.kind() {
-            ErrorKind::AlreadyExists => text!("file-exists"),
-            _ => text_of(&error),
-        })
-    })?;
-    if let Err(error) = file.write_all(scene.as_bytes()) {
-        drop(file);
-        // An incomplete scene is worse than none.
-        let _ = std::fs::remove_file(path);
-        return Err(fault(text_of(&error)).into());
-    }
+    files::remove_on_signals();
+    files::create(path, scene)?;
     Ok(Status::Done)
 }

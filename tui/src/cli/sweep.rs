@@ -9,7 +9,9 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use assur_sweep::{MEASURES, Measure, Points, Sweep, SweepError, SweepRequest, Tally, Target, Tie, Vary};
+use assur_sweep::{
+    MEASURES, Measure, Origin, Points, Sweep, SweepError, SweepRequest, Tally, Target, Tie, Vary,
+};
 use assur_words::{Describe, Told, number, text};
 use clap::Args;
 
@@ -181,6 +183,13 @@ impl<'a> Job<'a> {
         }
         let [needed, free] = [needed, free as f64].map(|bytes| number((bytes / 1e6).ceil()));
         Err(FileError::refused(target, text!("cli-sweep-no-room", needed, free)).into())
+    }
+
+    /// What its rows are made of, and which of all they are.
+    fn origin(&self) -> Origin {
+        let mut origin = self.sweep.origin();
+        origin.insert("points".to_owned(), format!("{}..{}", self.points.start, self.points.end));
+        origin
     }
 
     /// Tells how much a long sweep will write, before it begins.

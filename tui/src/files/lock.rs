@@ -155,7 +155,7 @@ fn check_own(path: &Path) -> io::Result<()> {
 }
 
 /// Whether an open file is still the one to which its path leads, not through a link.
-fn is_at(file: &File, path: &Path) -> bool {
+pub(crate) fn is_at(file: &File, path: &Path) -> bool {
     let (Ok(open), Ok(there)) = (file.metadata(), fs::symlink_metadata(path)) else { return false };
     (open.dev(), open.ino()) == (there.dev(), there.ino())
 }

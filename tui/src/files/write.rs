@@ -5,10 +5,10 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use assur_words::{Told, name, text};
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::iterator::Signals;
 use tempfile::NamedTempFile;
 
@@ -47,6 +47,23 @@ pub(crate) fn write_by(
         replacement.content.as_file().sync_all().map(|()| replacement)
     });
     replacement.and_then(Replacement::put).map_err(fault)
+}
+
+/// Writes a new file completely, where none is yet.
+pub(crate) fn create(path: &Path, content: &str) -> Result<(), FileError> {
+    let exists = || FileError::refused(path, text!("file-exists"));
+    if path.symlink_metadata().is_ok() {
+        return Err(exists());
+    }
+    let filled = Replacement::of(path).and_then(|mut new| {
+        new.content.write_all(content.as_bytes())?;
+        new.content.as_file().sync_all().map(|()| new)
+    });
+    let put = filled.and_then(|new| new.content.persist_noclobber(path).map_err(|error| error.error));
+    put.map(drop).map_err(|error| match error.kind() {
+        io::ErrorKind::AlreadyExists => exists(),
+        _ => FileError::write(path, error),
+    })
 }
 
 /// Puts a complete file in the place of another one, or where none is, with the care of [`write`]. A link at `path`
@@ -220,6 +237,12 @@ pub(crate) fn remove_temporaries() {
 
 fn remove(temporaries: &mut Vec<PathBuf>) {
     temporaries.drain(..).for_each(|path| drop(fs::remove_file(path)));
+}
+
+/// From this call on, a file that would be larger than the system allows is an error of writing, not the end of the program.
+pub(crate) fn ignore_limit() {
+    // Nobody asks whether it came: the error says so.
+    let _ = signal_hook::flag::register(SIGXFSZ, Arc::default());
 }
 
 /// From this call on, a signal that ends the program first removes its temporary files.

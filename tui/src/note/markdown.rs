@@ -67,14 +67,14 @@ fn rich(text: &str) -> String {
     sheet::rich(text, plain, |low| format!("<sub>{}</sub>", plain(low)))
 }
 
-/// An equation in the notation of TeX.
+/// An equation in the notation of TeX, without what TeX or a reader of Markdown that knows no formulas takes for markup.
 fn equation(sheet: &NoteSheet<'_>, terms: &[Term]) -> String {
-    let word = |text: &Text| {
-        format!("\\text{{{}}}", sheet.line(text).replace('\\', "").replace(['{', '}', '$'], " "))
-    };
+    let plain =
+        |text: &Text| sheet.line(text).replace('\\', "").replace(['{', '}', '$', '<', '>', '&', '`'], " ");
+    let word = |text: &Text| format!("\\text{{{}}}", plain(text));
     let term = |term: &Term| match term {
         Term::Name(letters, below) => {
-            let letters = sheet.line(letters).replace('″', "''").replace('′', "'");
+            let letters = plain(letters).replace('″', "''").replace('′', "'");
             if below.is_empty() { letters } else { format!("{letters}_{{{}}}", word(below)) }
         }
         Term::Function("√") => "\\surd".to_owned(),

@@ -53,7 +53,6 @@ pub(crate) struct Written {
 }
 
 /// Why there is no note.
-#[derive(Debug)]
 pub(crate) enum NoteError {
     /// The scene has no results.
     NoResults,

@@ -86,6 +86,23 @@ fn every_tag_is_closed_and_every_text_is_there() {
 }
 
 #[test]
+fn no_name_is_markup() {
+    let path = assur_fixtures::path("../tests/corpus/markdown-script.toml");
+    let session = Session::open(Source::File(path)).unwrap();
+    let mut state =
+        analyzed(&session.into(), Options::default(), true, assur_words::Language::english()).unwrap();
+    for form in [Form::Html, Form::Markdown] {
+        let written = super::write(&mut state, &note("en"), form, "figures").unwrap();
+        assert!(written.text.contains("script"));
+        let all = std::iter::once(&written.text).chain(written.figures.iter().map(|(_, drawn)| drawn));
+        for text in all {
+            // A backslash in Markdown makes a sign a letter.
+            assert!(text.match_indices("<script").all(|(at, _)| text[..at].ends_with('\\')), "{form:?}");
+        }
+    }
+}
+
+#[test]
 fn all_forms_have_the_same_figures_and_tables() {
     let [html, md, typ] =
         [Form::Html, Form::Markdown, Form::Typst].map(|form| of("shaper-drive", "en", form));

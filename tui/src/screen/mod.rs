@@ -70,7 +70,6 @@ pub struct Options {
 }
 
 /// Why the terminal UI could not open.
-#[derive(Debug)]
 #[non_exhaustive]
 pub enum ScreenError {
     /// Standard input or output is no terminal.

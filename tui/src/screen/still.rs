@@ -181,7 +181,8 @@ fn choose_step(state: &mut State, step: usize) -> Result<(), Text> {
 /// A picture says of which scene and position it is.
 fn figure(state: &State) -> Result<Figure, StillError> {
     let figure = view::figure(state, state.view).ok_or_else(|| {
-        let text = state.scene.as_ref().map(|scene| view::advice(state, scene)).unwrap_or_default();
+        let text =
+            state.scene.as_ref().map(|scene| view::advice(state, scene, state.view)).unwrap_or_default();
         StillError::Nothing(text)
     })?;
     let Some(scene) =

@@ -16,7 +16,6 @@ pub use analysis::{CsvTable, FILES, of_positions, of_trajectory};
 pub use geometry::{geometry, shaking};
 
 /// A table can't be written as CSV.
-#[derive(Debug)]
 pub enum CsvError {
     /// The writer fails.
     Write(::csv::Error),

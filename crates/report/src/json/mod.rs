@@ -11,7 +11,6 @@ use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
 /// A result can't be written as JSON.
-#[derive(Debug)]
 pub enum JsonError {
     /// The writer fails.
     Write(serde_json::Error),
@@ -31,7 +30,7 @@ impl Describe for JsonError {
 }
 
 /// A number of the results is not finite: nothing is written, in any format.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct NotFinite {
     /// Its place in the JSON: `positions[3].links.rocker.pf1`.
     pub place: String,

@@ -41,6 +41,32 @@ fn a_file_that_is_too_large_is_not_read() {
 }
 
 #[test]
+fn tables_and_lists_are_counted_before_they_are_made() {
+    let most = crate::scan::MOST_TABLES;
+    let refused = |text: &str| {
+        let errors = read("many.toml", text).unwrap_err();
+        let first = &errors.errors[0];
+        let many = "a scene has at most 300000 tables and lists, this one has more";
+        (first.message.to_string() == many).then_some((first.line, first.column))
+    };
+    // Each of these makes one table or list more than the same without its last line, which is at its place.
+    let keys = |count: usize| "a.b = 1\n".repeat(count);
+    assert_eq!(refused(&keys(most)), None);
+    assert_eq!(refused(&keys(most + 1)), Some((most + 1, 5)));
+    assert_eq!(refused(&format!("{}{}", "[a.b]\n".repeat(most / 2), "[c]\n")), Some((most / 2 + 1, 3)));
+    assert_eq!(refused(&format!("x = [{}]", "{},".repeat(most))), Some((1, 3 + 3 * most)));
+    assert_eq!(
+        refused(&format!("x = [{}]", "[0.5, 1.5],".repeat(most - 1))),
+        None,
+        "points of numbers are none of keys"
+    );
+    assert_eq!(refused(&format!("a{} = 1", ".a".repeat(2 * most))), Some((1, 4 * most + 3)));
+    // Points and brackets in comments and texts make nothing, whatever quotes are in them.
+    let silent = "a = \"[{.\\\"\" # [.=\nb = '[\"'\nc = \"\"\"\n[{.\"\"\"\nd = '''['''\n";
+    assert_eq!(crate::scan::excess(&silent.repeat(most)), None);
+}
+
+#[test]
 fn a_table_has_a_greatest_number_of_rows() {
     let rows = "[0,1],".repeat(100_001);
     let value = format!("value = {{ over = \"angle\", table = [{rows}] }}");

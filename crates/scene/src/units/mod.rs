@@ -14,7 +14,7 @@ use crate::text::shown;
 
 /// Why a text is no quantity of the wanted dimension. The text of an error continues the name of what was read:
 /// "`mass` " + "wants a mass (kg, g, t, lb), got `mm`, a length".
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct UnitError {
     /// What is wrong.
     pub fault: UnitFault,

@@ -64,7 +64,7 @@ fn decimal_units_round_once() {
 /// Text, dimension, the whole message.
 const BAD: &[(&str, Dimension, &str)] = &[
     ("3 mm", D::Mass, "wants a mass (kg, g, t, lb), got `mm`, a length"),
-    ("3 N", D::Moment, "wants a moment (N*m, kN*m, N*mm), got `N`, a force"),
+    ("3 N", D::Moment, "wants a moment (N*m, kN*m, N*mm, lbf*in), got `N`, a force"),
     ("3 m^3", D::Length, "wants a length (m, mm, cm, dm, km, um, in, ft), got `m^3`, no quantity of a scene"),
     ("3 1/s", D::Angle, "wants an angle (rad, mrad, deg, rev), got `1/s`, no quantity of a scene"),
     ("3 rad", D::Number, "wants a plain number, got `rad`, an angle"),

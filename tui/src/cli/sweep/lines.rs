@@ -70,7 +70,12 @@ fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<Status, Fault> {
     let fault = |error: io::Error| unfinished.fault(error);
     let path = &unfinished.path;
     let mut out = files::open_own(path).map_err(fault)?;
+    let origin = job.origin();
+    if out.metadata().map_err(fault)?.len() > 0 {
+        unfinished.compare_said(&origin)?;
+    }
     let (mut all, length) = found(job, &out, unfinished)?;
+    unfinished.say(&origin)?;
     out.set_len(length).and_then(|()| out.seek(SeekFrom::End(0))).map_err(fault)?;
     if length == 0 {
         out.write_all(header(job)?.as_bytes()).map_err(fault)?;
@@ -80,8 +85,9 @@ fn file(job: &Job<'_>, unfinished: &Unfinished<'_>) -> Result<Status, Fault> {
         out.write_all(text.as_bytes()).map_err(fault)
     })?;
     out.sync_all().map_err(fault)?;
+    unfinished.keep(&out)?;
     if let Err(hopeless) = job.refuse_hopeless(&all) {
-        std::fs::remove_file(path).map_err(fault)?;
+        unfinished.remove()?;
         return Err(hopeless);
     }
     let status = job.tell_failures(&all);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use assur_parquet::ParquetError;
 use assur_parquet::sweep::{self as parquet, FilePart};
-use assur_sweep::{Rows, Tally};
+use assur_sweep::{Origin, Rows, Tally};
 use assur_words::{Describe, text};
 
 use super::Job;
@@ -16,8 +16,9 @@ use crate::files;
 
 pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<Status, Fault> {
     let unfinished = Unfinished::of(path, resume, job.style)?;
-    let folder = Folder { unfinished: &unfinished, rows: job.sweep.rows_of_part(job.points.len()) };
-    folder.create()?;
+    let rows = job.sweep.rows_of_part(job.points.len());
+    let opened = opened(&unfinished)?;
+    let folder = Folder { unfinished: &unfinished, opened, rows, origin: job.origin() };
     let mut all = folder.found(job)?;
     let mut parts = all.points.div_ceil(folder.rows);
     let mut collected: Option<Rows> = None;
@@ -52,11 +53,28 @@ pub(super) fn run(job: &Job<'_>, path: &Path, resume: bool) -> Result<Status, Fa
     Ok(status)
 }
 
+/// The folder, made unless an earlier run has; a link to another folder is not followed.
+fn opened(unfinished: &Unfinished<'_>) -> Result<File, Fault> {
+    let path = &unfinished.path;
+    match fs::create_dir(path) {
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::symlink_metadata(path) {
+            Ok(found) if found.is_dir() => {}
+            _ => return Err(unfinished.refused(text!("file-no-parts"))),
+        },
+        created => created.map_err(|error| unfinished.fault(error))?,
+    }
+    File::open(path).map_err(|error| unfinished.fault(error))
+}
+
 /// The folder of the parts.
 struct Folder<'a> {
     unfinished: &'a Unfinished<'a>,
+    /// As it was when the sweep began.
+    opened: File,
     /// Rows of each part but the last.
     rows: usize,
+    /// What the rows are made of.
+    origin: Origin,
 }
 
 impl Folder<'_> {
@@ -78,21 +96,10 @@ impl Folder<'_> {
         self.unfinished.refused(problem.describe())
     }
 
-    /// Makes the folder, unless an earlier run has; a link to another folder is not followed.
-    fn create(&self) -> Result<(), Fault> {
-        let path = &self.unfinished.path;
-        match fs::create_dir(path) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::symlink_metadata(path) {
-                Ok(found) if found.is_dir() => Ok(()),
-                _ => Err(self.unfinished.refused(text!("file-no-parts"))),
-            },
-            created => created.map_err(|error| self.fault(error)),
-        }
-    }
-
     /// Writes a part; it has its name only when it is complete.
     fn write(&self, index: usize, rows: &Rows) -> Result<(), Fault> {
-        let bytes = parquet::part(rows).map_err(|error| self.unwritten(error))?;
+        let bytes = parquet::part(rows, &self.origin).map_err(|error| self.unwritten(error))?;
+        self.unfinished.keep(&self.opened)?;
         let written = files::create_own(&self.next()).and_then(|mut next| next.write_all(&bytes));
         let put = written.and_then(|()| fs::rename(self.next(), self.part(index)));
         put.map_err(|error| self.fault(error))
@@ -107,9 +114,12 @@ impl Folder<'_> {
                 file => file.map_err(|error| self.fault(error))?,
             };
             let left = job.points.len().saturating_sub(all.points);
-            let part =
-                FilePart::read(file, job.sweep).filter(|part| part.tally.points == left.min(self.rows));
-            let part = part.ok_or_else(|| self.unfinished.foreign(all.points + 1))?;
+            let foreign = || self.unfinished.foreign(all.points + 1);
+            let part = FilePart::read(file, job.sweep).ok_or_else(foreign)?;
+            self.unfinished.compare(&part.origin, &self.origin)?;
+            if part.tally.points != left.min(self.rows) {
+                return Err(foreign());
+            }
             all.append(part.tally);
             let row = job.sweep.row(job.points.start + all.points - 1);
             if row.to_csv(false).map_err(Fault::told)?.trim_end() != part.last {
@@ -121,9 +131,10 @@ impl Folder<'_> {
 
     /// All parts in one file.
     fn joined(&self, job: &Job<'_>, parts: usize) -> Result<PathBuf, Fault> {
+        self.unfinished.keep(&self.opened)?;
         let out = files::create_own(&self.next()).map_err(|error| self.fault(error))?;
         let files = (0..parts).map(|index| File::open(self.part(index)));
-        parquet::join(job.sweep, files, &out).map_err(|error| self.unwritten(error))?;
+        parquet::join(job.sweep, &self.origin, files, &out).map_err(|error| self.unwritten(error))?;
         out.sync_all().map_err(|error| self.fault(error))?;
         Ok(self.next())
     }

@@ -1,13 +1,18 @@
 //! Where the rows of a sweep go: they are collected beside the file until they are complete.
 
-use std::io;
+use std::fs::File;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use assur_sweep::{Origin, difference};
 use assur_words::{Text, name, number, text};
 
 use crate::cli::fault::{Fault, Status};
 use crate::cli::style::Style;
 use crate::files::{self, FileError, Lock};
+
+/// What the name of the file that says what rows of CSV are made of adds to theirs.
+const ORIGIN: &str = ".origin.json";
 
 /// Form of the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,6 +81,33 @@ impl<'a> Unfinished<'a> {
         FileError::refused(&self.path, problem).into()
     }
 
+    /// Refuses rows that are made of something else than this sweep's.
+    pub(super) fn compare(&self, found: &Origin, wanted: &Origin) -> Result<(), Fault> {
+        let foreign = |difference| self.refused(text!("cli-sweep-other", difference));
+        difference(found, wanted).map_or(Ok(()), |problem| Err(foreign(problem)))
+    }
+
+    /// Refuses rows of CSV of which an earlier run said beside them that they are of another sweep. What was not finished, or is
+    /// of an earlier version, says nothing.
+    pub(super) fn compare_said(&self, wanted: &Origin) -> Result<(), Fault> {
+        let said = files::read(&with_ending(&self.path, ORIGIN)).ok();
+        let found = said.and_then(|text| serde_json::from_str(&text).ok());
+        found.map_or(Ok(()), |found| self.compare(&found, wanted))
+    }
+
+    /// Says beside rows of CSV what they are made of.
+    pub(super) fn say(&self, origin: &Origin) -> Result<(), Fault> {
+        let path = with_ending(&self.path, ORIGIN);
+        let text = serde_json::to_string_pretty(origin).map_err(|problem| self.fault(problem.into()))?;
+        let written = files::create_own(&path).and_then(|mut file| writeln!(file, "{text}"));
+        written.map_err(|problem| FileError::write(&path, problem).into())
+    }
+
+    /// Refuses to go on where something else is in the place of what this sweep writes to.
+    pub(super) fn keep(&self, opened: &File) -> Result<(), Fault> {
+        if files::is_at(opened, &self.path) { Ok(()) } else { Err(self.refused(text!("file-replaced"))) }
+    }
+
     /// What is here is not what the sweep would write.
     pub(super) fn foreign(&self, row: usize) -> Fault {
         self.refused(text!("cli-sweep-foreign", row = number(row)))
@@ -90,9 +122,20 @@ impl<'a> Unfinished<'a> {
         Err(Fault::Partial(FileError::refused(self.target, problem), status))
     }
 
-    /// Puts a complete file in the place of the target.
+    /// Puts a complete file in the place of the target, and what is said of it beside it.
     pub(super) fn put(&self, complete: &Path) -> Result<(), Fault> {
-        files::put(complete, &self.real).map_err(Fault::from)
+        files::put(complete, &self.real)?;
+        let said = with_ending(&self.path, ORIGIN);
+        if said.exists() {
+            files::put(&said, &with_ending(&self.real, ORIGIN))?;
+        }
+        Ok(())
+    }
+
+    /// Removes the rows of CSV and what is said of them.
+    pub(super) fn remove(&self) -> Result<(), Fault> {
+        let _ = std::fs::remove_file(with_ending(&self.path, ORIGIN));
+        std::fs::remove_file(&self.path).map_err(|error| self.fault(error))
     }
 }
 

@@ -45,7 +45,10 @@ fn subject(state: &State, scene: &Scene) -> Vec<String> {
     );
     match view {
         View::Curves if !state.picked.is_empty() => return state.picked.clone(),
-        View::Curves => return vec![scene.transfers[state.chosen.transfer].name.to_string()],
+        View::Curves => {
+            let transfer = scene.transfers.get(state.chosen.transfer);
+            return transfer.map(|transfer| transfer.name.to_string()).into_iter().collect();
+        }
         View::Forces => {
             let reactions = state.found().map_or(&[][..], |found| &found.reactions);
             names.extend(reactions.get(state.chosen.reaction).map(|reaction| reaction.name.to_string()));

@@ -14,6 +14,7 @@ mod probe;
 mod scene;
 mod series;
 mod shown;
+mod subsequence;
 mod transfer;
 mod whatif;
 

@@ -1,15 +1,16 @@
 //! A text that is typed, and what is searched by it: the help, and a list to choose from (scenes, quantities, motors). What is typed narrows the
 //! list, letters in order and not necessarily side by side.
 
+use std::cmp::Reverse;
 use std::fmt;
 use std::ops::Deref;
 
 use assur_words::Text;
 use crossterm::event::KeyCode;
-use frizbee::{CaseMatching, Config, Matcher};
 
 use super::keymap::Key;
 use super::kinds::round;
+use super::subsequence::score;
 
 /// Greatest length of a typed text, in bytes: a path or a formula is not longer, and a search for it takes no time that
 /// is felt.
@@ -143,23 +144,16 @@ impl Picker {
             let fields: Vec<&str> = choice.text.split([' ', '/']).collect();
             numbers.iter().all(|number| fields.iter().any(|field| same_number(field, number)))
         };
-        let rows: Vec<&Choice> = self.rows.iter().filter(has_numbers).collect();
-        let texts: Vec<&str> = rows.iter().map(|row| row.text.as_str()).collect();
-        let config = Config::default().casing(CaseMatching::Ignore);
-        let mut found = if words.is_empty() {
-            rows
-        } else {
-            let found = Matcher::from_query(&words.join(" "), &config).match_list(&texts);
-            found.iter().filter_map(|found| rows.get(usize::try_from(found.index).ok()?).copied()).collect()
-        };
         let is_word = |typed: &str, text: &str| {
             text.split(|letter: char| !letter.is_alphanumeric()).any(|word| word.eq_ignore_ascii_case(typed))
         };
         let whole = |choice: &&Choice| {
             self.filter.text.split_whitespace().filter(|typed| is_word(typed, &choice.text)).count()
         };
-        found.sort_by_key(|choice| std::cmp::Reverse(whole(choice)));
-        found
+        let rated = |choice| Some((Reverse((whole(&choice), score(&words, &choice.text)?)), choice));
+        let mut found: Vec<_> = self.rows.iter().filter(has_numbers).filter_map(rated).collect();
+        found.sort_by_key(|(rate, _)| *rate);
+        found.into_iter().map(|(_, choice)| choice).collect()
     }
 
     pub(crate) fn choice(&self) -> Option<&Choice> {

@@ -103,9 +103,10 @@ impl Scene {
         self.poses.get(index)?.as_ref().map(Cow::Borrowed)
     }
 
-    /// The modes of a group in the first position; `None` where there are none, or its kind can't list them.
+    /// The modes of a group in the first position; `None` where there is no such group or position, or its kind can't list them.
     pub(crate) fn first_modes(&self, group: usize) -> Option<Modes> {
         let first = self.poses.first()?.as_ref()?;
+        self.linkage.structure.groups.get(group)?;
         self.linkage.modes(group, first).ok()?.filter(|modes| !modes.all.is_empty())
     }
 

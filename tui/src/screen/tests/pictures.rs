@@ -75,6 +75,42 @@ fn a_view_without_a_figure_says_what_the_scene_lacks() {
 }
 
 #[test]
+fn only_a_scene_without_loads_is_told_to_have_none() {
+    let first_lost = super::random::lost("-90 deg", "1.5");
+    let mut states = vec![("without any position", super::scene(&super::random::lost("0 deg", "0.1")))];
+    states.push(("some lost", super::scene(&super::random::lost("0 deg", "1.5"))));
+    states.push(("the first lost", super::scene(&first_lost)));
+    states.extend(["shaper-friction", "press", "brake", "andrews"].map(|name| (name, opened(name))));
+    for (name, state) in &mut states {
+        for (view, part) in views().iter().flat_map(|view| {
+            let parts = view.parse::<View>().unwrap().parts();
+            std::iter::once((view, None))
+                .chain(parts.iter().map(move |part| (view, Some(<&str>::from(part)))))
+        }) {
+            for position in [0, state.positions() / 2] {
+                let part = part.map(str::to_owned);
+                let request = PictureArgs { part, position, ..request(view) };
+                if let Err(StillError::Nothing(why)) = still::draw(state, &request, Path::new("x.svg")) {
+                    assert!(!why.to_string().contains("no loads"), "{name} {view} {request:?}: {why}");
+                }
+            }
+        }
+    }
+    // Positions 2 to 16 of the one whose first position is lost have forces, which the moment of 3 N m needs.
+    let forces = &states[2].1.found().unwrap().reactions;
+    assert_eq!(forces.len(), 5, "{forces:?}");
+    let series = states[2].1.found().unwrap().balancing().unwrap();
+    assert!((0..36).all(|position| series.at(position).is_finite() == (2..=16).contains(&position)));
+    // No equilibrium without a load.
+    let text = "[ground]\npoints = { O = [0, 0] }\n[link.crank]\npoints = { O = 0, A = 1 }\n[input]\nlink = \"crank\"\n";
+    let mut state = super::scene(text);
+    match still::draw(&mut state, &PictureArgs { position: 0, ..request("forces") }, Path::new("x.svg")) {
+        Err(StillError::Nothing(why)) => assert!(why.to_string().contains("no loads"), "{why}"),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
 fn an_animation_moves_the_links_and_not_the_ground() {
     let text = picture(&PictureArgs { animate: true, ..request("mechanism") }, "x.svg").unwrap();
     let moving = text.lines().filter(|line| line.contains("<animate")).count();

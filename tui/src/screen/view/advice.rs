@@ -5,12 +5,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::footer::calculating;
+use super::plans;
 use crate::screen::draw::{put, short, wrapped};
 use crate::screen::state::{Role, Scene, State, View};
 
-pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(state: &State, scene: &Scene, view: View, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width.max(12)) - 4;
-    for (row, line) in rows(&state.told(text(state, scene)), width).iter().enumerate() {
+    for (row, line) in rows(&state.told(text(state, scene, view)), width).iter().enumerate() {
         put(buffer, area, 2, short(row) + 1, line, state.look.theme.style(Role::Plain));
     }
 }
@@ -22,7 +23,8 @@ pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
     text.lines().flat_map(of_line).collect()
 }
 
-pub(crate) fn text(state: &State, scene: &Scene) -> Text {
+/// Why a view has nothing to show, and what to do about it.
+pub(crate) fn text(state: &State, scene: &Scene, view: View) -> Text {
     if let Some(fault) = &scene.fault {
         return text!("no-analysis", reason = fault);
     }
@@ -31,19 +33,24 @@ pub(crate) fn text(state: &State, scene: &Scene) -> Text {
     }
     let motion = &scene.linkage.mechanism.motion;
     let is_transient = matches!(motion, Some(assur_mechanism::Motion::Transient { .. }));
-    let reason = state.found().and_then(|found| found.analysis.no_motion.as_ref());
+    let found = state.found();
+    let reason = found.and_then(|found| found.analysis.no_motion.as_ref());
+    let of_plans = || found.and_then(|found| plans::missing(state, found));
+    let has_loads = found.is_some_and(|found| found.plans.calculation().plan.forces);
     let key = || name(state.keys.first("reload"));
-    match (state.view, reason) {
+    match (view, reason) {
         (View::Motion | View::Drive, Some(reason)) => not_found(reason, "\n"),
         (View::Forces | View::Plans, None) if is_transient => text!("forces-over-time"),
         (View::Forces | View::Plans, Some(reason)) => {
             joined("\n", [text!("no-forces-found"), reason.clone()])
         }
         (View::Motion, None) => text!("add-motion", key = key()),
-        (View::Drive, None) if state.found().is_some_and(|found| found.analysis.dynamics.is_some()) => {
+        (View::Drive, None) if found.is_some_and(|found| found.analysis.dynamics.is_some()) => {
             text!("drive-no-motor")
         }
         (View::Drive, None) => text!("add-drive", key = key()),
+        (View::Forces, None) if has_loads => text!("forces-not-determined"),
+        (View::Plans, None) if has_loads => of_plans().unwrap_or_else(|| text!("forces-not-determined")),
         (View::Forces | View::Plans, None) => text!("add-loads", key = key()),
         _ => text!("nothing-here"),
     }

@@ -150,7 +150,7 @@ pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
 pub(crate) fn draw_view(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     let Some(scene) = &state.scene else { return };
     if !state.has(view) {
-        return advice::draw(state, scene, area, buffer);
+        return advice::draw(state, scene, view, area, buffer);
     }
     match view {
         View::Mechanism => mechanism::draw(state, scene, area, buffer),

@@ -37,8 +37,8 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     match shown(state, found, &plans) {
         Shown::Plan(plan) => list_of_plan(state, plan, list, buffer),
         Shown::Construction(construction, last) => list_of_steps(state, construction, last, list, buffer),
-        Shown::Nothing(text) => {
-            let text = text.unwrap_or_else(|| advice::text(state, scene));
+        Shown::Nothing(_) => {
+            let text = advice::text(state, scene, View::Plans);
             let rows = advice::rows(&state.told(text), usize::from(list.width.max(12)) - 2).into_iter();
             let rows: Vec<_> = rows.map(|line| (Role::Plain, line)).collect();
             return lines_of(state, &rows, list, buffer);
@@ -82,6 +82,14 @@ fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
         Some(plan) => Shown::Plan(plan),
         None if found.reactions.is_empty() => Shown::Nothing(None),
         None => nothing(text!("forces-not-determined")),
+    }
+}
+
+/// Why the position has no such plan or construction; `None` where there is one, or where no position has forces.
+pub(super) fn missing(state: &State, found: &Found) -> Option<Text> {
+    match shown(state, found, &found.plans.at(state.position)) {
+        Shown::Nothing(why) => why,
+        Shown::Plan(_) | Shown::Construction(..) => None,
     }
 }
 
