@@ -116,9 +116,9 @@ assur_words::errors!(StructureError; Registry(RegistryError));
 impl Describe for StructureError {
     fn describe(&self) -> Text {
         match self {
-            // Each link is joined at all its points: nothing was forgotten, but one input does not move all of it.
+            // A link alone hangs on one pair; several with all their points joined are held as in a chain of five links.
             Self::Loose { counted, links, surplus, alike: None, alone }
-                if counted.mobility > 1 && surplus.is_empty() && alone.is_empty() =>
+                if counted.mobility == 2 && links.len() > 1 && surplus.is_empty() && alone.is_empty() =>
             {
                 text!(
                     "structure-more-inputs",
