@@ -23,6 +23,13 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("andrews-undriven", Numbers(nothing_drives)),
     ("b-turned", Numbers(any)),
     ("balance-on-the-loaded-link", Numbers(any)),
+    // (30 - 10 - 0.1 * 0.1 * 20) N m on 0.1 kg m².
+    (
+        "brake-formula-from-rest",
+        Numbers(|found| nothing_drives(found) && is(&found["trajectory"][0]["acceleration"], 198.0, 1e-9)),
+    ),
+    ("brake-formula-turn", Numbers(nothing_drives)),
+    ("brake-rod-friction", Numbers(nothing_drives)),
     ("change-point-in-part-of-a-turn", Numbers(central_slider)),
     ("check-jump-mm", Numbers(any)),
     ("check-stroke-transient", Numbers(any)),
@@ -60,6 +67,8 @@ const ANSWERS: &[(&str, Answer)] = &[
     // 5 |sin q| on the crank itself, which turns at a constant speed.
     ("chk-abs-zero", Numbers(|found| balances(found, &[0.0, -5.0, 0.0, -5.0]))),
     ("check_silent_1_0", Numbers(|found| no_value_anywhere(found, "load `z`"))),
+    ("contact-formula-from-rest", Numbers(nothing_drives)),
+    ("contact-formula-moving", Numbers(any)),
     ("cycle-not-whole", Message(&["does not repeat", "whole turns"])),
     ("direction-of-a-short-link", Numbers(any)),
     ("duplicate_keys", Message(&["name"])),
@@ -84,6 +93,20 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("hang_49fcf9055d", Message(&["too large"])),
     ("hang_eab2dafae2", Message(&["until"])),
     ("hang_gravity", Message(&["too small"])),
+    (
+        "incline-6-steep-no-jam",
+        Numbers(|found| is(&found["positions"][0]["balancing"], up_an_incline(), 1e-6)),
+    ),
+    // J' w²/2, with J' = 0.12 cos 3q.
+    (
+        "inertia-formula-3q",
+        Numbers(|found| {
+            balances(
+                found,
+                &std::array::from_fn::<_, 48, _>(|i| 6.0 * (std::f64::consts::PI * i as f64 / 8.0).cos()),
+            )
+        }),
+    ),
     // A name of a load is text in every form of the note.
     ("markdown-script", Numbers(any)),
     ("nan_steady_slidercrank", Message(&["inertia"])),
@@ -161,6 +184,12 @@ fn central_slider(found: &Value) -> bool {
                 .iter()
                 .all(|(key, value)| is(&point[key][0], *value, 1e-9))
         })
+}
+
+/// The horizontal force that moves 500 N up 62 degrees with a coefficient of 0.52.
+fn up_an_incline() -> f64 {
+    let (sin, cos) = 62_f64.to_radians().sin_cos();
+    500.0 * (sin + 0.52 * cos) / (cos - 0.52 * sin)
 }
 
 fn is(found: &Value, wanted: f64, tolerance: f64) -> bool {

@@ -33,15 +33,21 @@ pub struct Solutions {
 const FOUND: f64 = 1e-6;
 
 /// Whether the moduli of two solutions that were found in different ways are those of one.
-pub fn is_same(one: &[f64], other: &[f64]) -> bool {
+fn is_same(one: &[f64], other: &[f64]) -> bool {
     let size = one.iter().chain(other).fold(0.0_f64, |most, z| most.max(z.abs()));
     distance(one, other) <= FOUND * size
+}
+
+/// Which of some solutions is that of these moduli, which were found in another way; the nearest of those that may be.
+pub fn nearest<'a>(all: impl IntoIterator<Item = &'a Vec<f64>>, z: &[f64]) -> Option<usize> {
+    let same = all.into_iter().enumerate().filter(|(_, one)| is_same(one, z));
+    same.min_by(|(_, a), (_, b)| distance(a, z).total_cmp(&distance(b, z))).map(|(index, _)| index)
 }
 
 impl Solutions {
     /// The index of a solution that was found in another way. One that is missing among these joins them: they were not all.
     pub fn index_of(&mut self, z: Vec<f64>) -> usize {
-        if let Some(known) = self.points.iter().position(|known| is_same(known, &z)) {
+        if let Some(known) = nearest(&self.points, &z) {
             return known;
         }
         self.complete = false;

@@ -22,7 +22,7 @@ mod moduli;
 mod quadrics;
 mod unique;
 
-pub use every::{Solutions, is_same};
+pub use every::{Solutions, nearest};
 pub use matrix::spectral_radius;
 pub use moduli::{Moduli, PathPoint, Width, path};
 pub use unique::{Sum, Unique};

@@ -138,6 +138,13 @@ impl Moduli {
         solve(self.derivative(&vectors), vec![off])?.pop()
     }
 
+    /// Whether the determinant of the derivative is positive, as it is without friction.
+    fn is_ahead(&self, z: &[f64]) -> bool {
+        let vectors: Vec<[f64; 2]> = (0..self.count()).map(|j| self.vector(j, z)).collect();
+        let rows = self.derivative(&vectors);
+        nalgebra::DMatrix::from_fn(rows.len(), rows.len(), |i, k| rows[i][k]).determinant() > 0.0
+    }
+
     /// Derivative of z - |a + W z| by z, where the vectors are these.
     fn derivative(&self, vectors: &[[f64; 2]]) -> Vec<Vec<f64>> {
         let row = |(j, vector): (usize, &[f64; 2])| {
@@ -151,8 +158,11 @@ impl Moduli {
     }
 
     /// The solution near expected moduli; `None` where there is none so near that a path goes on there.
+    ///
+    /// A path from no friction, where the derivative is the unit matrix, keeps the sign of its determinant: it changes where two
+    /// solutions meet and the path ends. So of two solutions side by side only one is on the path, however near they are.
     pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
-        let found = self.newton(expected)?;
+        let found = self.newton(expected).filter(|found| self.is_ahead(found))?;
         let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
         let is_near = |(z, expected): (&f64, &f64)| (z - expected).abs() <= NEAR * size;
         found.iter().zip(expected).all(is_near).then_some(found)

@@ -2,7 +2,7 @@
 //! several is taken, and up to which part of the coefficients there is any.
 
 use assur_force::{Block, ForceError, FrictionIteration};
-use assur_friction::{Moduli, PathPoint, is_same, path};
+use assur_friction::{Moduli, PathPoint, nearest, path};
 use assur_group::Wrench;
 
 use crate::chain::{Chain, Prepared};
@@ -249,7 +249,7 @@ fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<
 
 fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
     let moduli = path(start(chain, loads, found)?, |part, expected| chain.near(loads, part, expected))?;
-    found.branches.iter().position(|branch| is_same(&branch.moduli, &moduli))
+    nearest(found.branches.iter().map(|branch| &branch.moduli), &moduli)
 }
 
 /// The upper end of the interval from 0 of the parts of the coefficients for which there is a solution.
