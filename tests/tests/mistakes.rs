@@ -323,7 +323,6 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
         ("value = \"1 000 N\"", "value = \"1 kN\"", "digits together"),
         ("mass = \"2 kg\" // rod", "mass = \"2 kg\"", "a comment begins with `#`"),
         ("center = \"15 mm, 0\"", "center = [\"150 mm\", 0]", "[\"15 mm\", 0]"),
-        ("on = \"rod\"", "on = \"ground\"", "the pin `B` joins them"),
         ("link = \"\u{441}rank\"\nfrom", "link = \"crank\"\nfrom", "letters of another alphabet: U+0441"),
         ("mass: \"2 kg\"", "mass = \"2 kg\"", "joined by `=`"),
         ("mass = \"2 kg\";", "mass = \"2 kg\"", "without `;`"),
@@ -428,6 +427,24 @@ fn parallel_guides_are_named() {
     let mechanism = assur_scene::read("test.toml", &across).unwrap();
     let study = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
     assert_eq!(study.analyze(&mut unwatched).unwrap().failures.len(), 0);
+}
+
+/// A ram that slides on the rod to which it is pinned leaves the rod loose; a shoe that is pinned to the ram and slides on it goes with
+/// the ram, and its constraints repeat.
+#[test]
+fn a_slide_between_pinned_links_is_refused_where_it_is_not_passive() {
+    let error = refused(&SCENE.replacen("on = \"ground\"", "on = \"rod\"", 1));
+    assert!(error.contains("slide `ram/rod`: pin `B` joins the same two links"), "{error}");
+    let shoe = SCENE.replacen(
+        "points = { B = 0 }",
+        "points = { B = 0, C = 0.05 }\n[link.shoe]\npoints = { C = 0 }",
+        1,
+    );
+    let shoe = shoe.replacen("mass = \"5 kg\"\n", "", 1) + "[[slide]]\nlink = \"shoe\"\non = \"ram\"\n";
+    let mechanism = assur_scene::read("test.toml", &shoe).unwrap();
+    let study = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
+    let passive = study.analyze(&mut unwatched).unwrap().structure.passive;
+    assert!(matches!(&passive[..], [one] if one.link == Some(4) && one.fits()), "{passive:?}");
 }
 
 /// A wedge of 5 deg on the ground lifts a block in a vertical guide: the block's x axis lies along that guide, so 85 deg from the

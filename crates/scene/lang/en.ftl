@@ -115,7 +115,6 @@ scene-why-a-center = a link with a mass or inertia and not just one point needs 
 scene-a-slide = a slide
 scene-swap-slide = let the moving link slide on "ground"
 scene-slide-on-itself = link `{ $link }` can't slide on itself
-scene-slide-on-pinned = link `{ $link }` can't slide on `{ $on }`: the pin `{ $pin }` joins them, and nothing is left to move
 scene-another-link = another link or "ground"
 scene-a-name = a name
 scene-pin-and-slide = a pin and a slide have the name `{ $name }`

@@ -118,7 +118,6 @@ scene-why-a-center = нужен звену, у которого есть мас�
 scene-a-slide = поступательная пара
 scene-swap-slide = пусть подвижное звено скользит по "ground"
 scene-slide-on-itself = звено `{ $link }` не может скользить само по себе
-scene-slide-on-pinned = звено `{ $link }` не может скользить по `{ $on }`: их соединяет шарнир `{ $pin }`, и двигаться нечему
 scene-another-link = другое звено или "ground"
 scene-a-name = имя
 scene-pin-and-slide = шарнир и поступательная пара имеют одно имя `{ $name }`

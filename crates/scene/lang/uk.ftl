@@ -118,7 +118,6 @@ scene-why-a-center = потрібен ланці, що має масу чи мо
 scene-a-slide = поступальна пара
 scene-swap-slide = хай рухома ланка ковзає по "ground"
 scene-slide-on-itself = ланка `{ $link }` не може ковзати сама по собі
-scene-slide-on-pinned = ланка `{ $link }` не може ковзати по `{ $on }`: їх з'єднує шарнір `{ $pin }`, і рухатися нема чому
 scene-another-link = інша ланка або "ground"
 scene-a-name = ім'я
 scene-pin-and-slide = шарнір і поступальна пара мають те саме ім'я `{ $name }`

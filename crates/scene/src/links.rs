@@ -149,13 +149,6 @@ fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) -> 
         let message = text!("scene-slide-on-itself", link = shown(&linkage.links[link].name));
         entry.fault(message, text!("scene-another-link"));
     }
-    let is_of_both =
-        |pin: &&Point| [link, on].iter().all(|id| pin.places.iter().any(|place| place.link == *id));
-    if let Some(pin) = linkage.points.iter().find(is_of_both).filter(|_| link != on) {
-        let [one, other] = [link, on].map(|id| shown(&linkage.links[id].name));
-        let message = text!("scene-slide-on-pinned", link = one, on = other, pin = shown(&pin.name));
-        section.get("on")?.fault(message, text!("scene-another-link"));
-    }
     let default = joined("/", [link, on].map(|link| Text::from(&linkage.links[link].name)));
     let name = name(section, linkage, default);
     Some(Slide { name, link, on, point: point.unwrap_or_default(), through, angle, tilt })

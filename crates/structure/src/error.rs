@@ -67,6 +67,13 @@ pub enum StructureError {
         /// Why no part of it is passive.
         cause: SurplusCause,
     },
+    /// A pin and a slide of a group join the same two links, which so can't move on each other, while others of the group are not held.
+    Held {
+        /// The pin.
+        pin: Name,
+        /// The slide.
+        slide: Name,
+    },
     /// No plugin solves a group.
     NoPlugin {
         /// Its links.
@@ -89,7 +96,7 @@ impl StructureError {
             Self::Loose { links, .. } | Self::Surplus { links, .. } | Self::NoPlugin { links, .. } => {
                 links.first().map(String::as_str)
             }
-            Self::Registry(_) => None,
+            Self::Held { .. } | Self::Registry(_) => None,
         }
     }
 }
@@ -170,6 +177,7 @@ impl Describe for StructureError {
                         text!("structure-too-many", surplus = *surplus, most = *most),
                 }
             ),
+            Self::Held { pin, slide } => text!("structure-slide-on-pinned", slide, pin),
             Self::NoPlugin { links, class, order, pattern } => text!(
                 "structure-no-plugin",
                 links = links_named(links),
