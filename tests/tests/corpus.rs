@@ -107,6 +107,7 @@ const ANSWERS: &[(&str, Answer)] = &[
             )
         }),
     ),
+    ("locomotive-from-flat", Numbers(wheels_turn_alike)),
     // A name of a load is text in every form of the note.
     ("markdown-script", Numbers(any)),
     ("nan_steady_slidercrank", Message(&["inertia"])),
@@ -184,6 +185,14 @@ fn central_slider(found: &Value) -> bool {
                 .iter()
                 .all(|(key, value)| is(&point[key][0], *value, 1e-9))
         })
+}
+
+/// All wheels turn as the first one and the rod keeps its direction, in all 12 positions.
+fn wheels_turn_alike(found: &Value) -> bool {
+    let positions = found["positions"].as_array().map_or(&[][..], Vec::as_slice);
+    let speeds = [("wheel1", 1.0), ("wheel2", 1.0), ("wheel3", 1.0), ("rod", 0.0)];
+    let alike = |position: &Value| speeds.iter().all(|(link, speed)| is(&position["links"][link]["pf1"], *speed, 1e-9));
+    positions.len() == 12 && positions.iter().all(alike)
 }
 
 /// The horizontal force that moves 500 N up 62 degrees with a coefficient of 0.52.

@@ -64,8 +64,8 @@ impl Structure {
             passive.push(Passive { part, frame });
         }
         let formula = formula(mechanism, &groups);
-        let (placed, links) = (Vec::new(), mechanism.links.len());
-        Ok(Self { mobility, pairs, groups, passive, placed, links, scale, formula })
+        let (placed, ways, links) = (Vec::new(), Vec::new(), mechanism.links.len());
+        Ok(Self { mobility, pairs, groups, passive, placed, ways, links, scale, formula })
     }
 }
 
