@@ -191,7 +191,9 @@ fn central_slider(found: &Value) -> bool {
 fn wheels_turn_alike(found: &Value) -> bool {
     let positions = found["positions"].as_array().map_or(&[][..], Vec::as_slice);
     let speeds = [("wheel1", 1.0), ("wheel2", 1.0), ("wheel3", 1.0), ("rod", 0.0)];
-    let alike = |position: &Value| speeds.iter().all(|(link, speed)| is(&position["links"][link]["pf1"], *speed, 1e-9));
+    let alike = |position: &Value| {
+        speeds.iter().all(|(link, speed)| is(&position["links"][link]["pf1"], *speed, 1e-9))
+    };
     positions.len() == 12 && positions.iter().all(alike)
 }
 

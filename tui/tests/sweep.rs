@@ -357,7 +357,7 @@ fn a_scale_of_a_load_and_a_column_of_its_table_are_parameters() {
     // Without masses every reaction is proportional to the only load.
     let table = format!(
         "{}[[force]]\nname = \"load\"\nlink = \"piston\"\nat = \"B\"\nangle = 0\nscale = 1\n\
-         value = {{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300]] }}\n",
+         value = {{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300], [\"360 deg\", 300]] }}\n",
         SLIDER.replace("mass = \"2 kg\"\n", "")
     );
     let found = greatest(&table, "force.load.scale=0.5..2:4");
@@ -365,7 +365,8 @@ fn a_scale_of_a_load_and_a_column_of_its_table_are_parameters() {
     assert!(near(found[1], 2.0 * found[0]) && near(found[3], 4.0 * found[0]), "{found:?}");
     // A constant load: the same in every place of the table.
     let found = greatest(&table, "force.load.value.table[*][1]=200..400:2");
-    let constant = table.replace("{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300]] }", "100");
+    let constant = table
+        .replace("{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300], [\"360 deg\", 300]] }", "100");
     let wanted = greatest(&constant, "force.load.value=200..400:2");
     assert!(near(found[0], wanted[0]) && near(found[1], wanted[1]), "{found:?} {wanted:?}");
     // A factor on the constant load is the load, whether it is set as a number or read.

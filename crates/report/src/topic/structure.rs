@@ -44,7 +44,7 @@ pub fn passive_part(passive: &PassiveReport, angular: bool) -> Text {
     let (length, turn) = (units.length[0], units.angle[0]);
     let closes = passive.closes.as_ref().map_or_else(Text::default, |closing| {
         let unit = if closing.is_angle { turn } else { length };
-        text!("report-closes", key = name(closing.key.clone()), value = unit.show(closing.value))
+        text!("report-closes", key = &closing.key, value = unit.show(closing.value))
     });
     let [misfit, limit] = [passive.misfit, passive.limit].map(|size| match passive.angle {
         Some(angle) => turn.show(size * angle / passive.misfit),
