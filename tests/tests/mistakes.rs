@@ -476,6 +476,6 @@ fn slides_that_disagree_about_an_angle_are_told_with_the_tilt() {
     let study = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
     let passive = study.analyze(&mut unwatched).unwrap().structure.passive;
     let closes = passive[0].closes.as_ref().unwrap();
-    assert_eq!(closes.key, "slide.wedge/block.tilt");
+    assert_eq!(closes.key.to_string(), "slide.wedge/block.tilt");
     assert!((closes.value + 5.0_f64.to_radians()).abs() < 1e-9 && passive[0].angle.is_some());
 }

@@ -213,8 +213,8 @@ fn plain(
 /// Notes a table of lines that ends inside the cycle with another value than it begins with: the last one holds from there, and the
 /// value jumps where the cycle begins anew. Two last rows with one argument are a jump that is meant.
 fn doubt_end(entry: &Entry<'_>, table: &LawTable, (dimension, context): (Dimension, &Context<'_>)) {
-    let (Some(cycle), [first, .., before, last]) =
-        (context.input.and_then(assur_mechanism::Input::period), &table.rows[..])
+    let (Some(cycle), [first, .., last], [.., before, _]) =
+        (context.input.and_then(assur_mechanism::Input::period), &table.rows[..], &table.rows[..])
     else {
         return;
     };
