@@ -197,6 +197,26 @@ fn each_mistake_is_told_once_at_its_key() {
     }
 }
 
+/// A resistance of the speed with the sign of an input that turns the other way.
+#[test]
+fn a_moment_that_drives_an_input_clockwise_is_told() {
+    let told = |formula: &str, direction: &str| {
+        let input = format!("link = \"crank\"\ndirection = \"{direction}\"\n");
+        let moment =
+            format!("[[moment]]\nlink = \"crank\"\nvalue = {{ formula = \"{formula}\" }}\n[[force]]");
+        let scene = SCENE.replacen("link = \"crank\"\n", &input, 1).replacen("[[force]]", &moment, 1);
+        assert!(scene.contains(&input) && scene.contains(&moment));
+        mistakes(&scene).iter().any(|notice| notice.text.identity() == Some("scene-drives-clockwise"))
+    };
+    for resisting in ["5*w", "0.1*w*abs(w)", "-5*w + 10", "-5*w*cos(q)", "-5*sign(w + 1)"] {
+        assert!(!told(resisting, "cw"), "{resisting}");
+    }
+    for driving in ["-5*w", "-0.1*w*abs(w)", "w*(-5)", "-5*(2*w)^3"] {
+        assert!(told(driving, "cw"), "{driving}");
+        assert!(!told(driving, "ccw"), "{driving}");
+    }
+}
+
 /// A guide across its crank: the ram stays where it is while the stone goes round.
 #[test]
 fn what_never_moves_is_told() {

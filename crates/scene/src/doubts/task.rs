@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use assur_formula::{Used, Variables};
 use assur_mechanism::{
     InputPair, Key, Load, LoadKind, Mechanism, Motion, MotorChoice, Notice, Over, Point, Range, Solve,
     Surfaces, Torque, Value,
@@ -185,6 +186,9 @@ fn of_load(mechanism: &Mechanism, load: &Load, key: Key, size: f64) -> Option<(K
             text!("scene-strong", force = quantity(rounded(most), "N"), size = quantity(rounded(size), "m"));
         return Some((key.at("value"), text));
     }
+    if drives_clockwise(mechanism, load) {
+        return Some((key.at("value").at("formula"), text!("scene-drives-clockwise")));
+    }
     let Value::Table { over: Over::Time, table, .. } = value else { return None };
     let (last, Some(Motion::Prescribed { speed, .. })) = (table.rows.last()?[0], &mechanism.motion) else {
         return None;
@@ -196,4 +200,17 @@ fn of_load(mechanism: &Mechanism, load: &Load, key: Key, size: f64) -> Option<(K
     let [last_shown, lasts] = [last, way / speed.abs()].map(|time| quantity(rounded(time), "s"));
     let is_long = last > MOST_TIMES_THE_MOTION * way / speed.abs();
     is_long.then(|| (key.at("value").at("table"), text!("scene-long-time", last = last_shown, lasts = lasts)))
+}
+
+/// Whether a moment on an input link that turns clockwise is a resistance with the wrong sign: by formula of the speed alone, none at
+/// rest, and of positive power at any speed.
+fn drives_clockwise(mechanism: &Mechanism, load: &Load) -> bool {
+    /// Speeds, rad/s, of either sign: a characteristic that crosses zero between them is that of a motor.
+    const SPEEDS: [f64; 6] = [-1000.0, -30.0, -1.0, 1.0, 30.0, 1000.0];
+    let (LoadKind::Moment(moment), input) = (&load.kind, &mechanism.input) else { return false };
+    let Value::Formula { formula, .. } = &moment.value else { return false };
+    let by_speed = formula.used() == Used { speed: true, ..Used::default() };
+    let at = |speed: f64| formula.value(&Variables { speed, ..Variables::default() });
+    let turns = moment.link == input.link && input.is_angle() && input.sign() < 0.0;
+    turns && by_speed && at(0.0) == 0.0 && SPEEDS.into_iter().all(|speed| at(speed) * speed > 0.0)
 }
