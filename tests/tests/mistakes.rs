@@ -97,7 +97,7 @@ const MISTAKES: &[(&str, &str, &str, &str, &str)] = &[
     (
         "value = { over = \"angle\", table = [[0, 0], [\"180 deg\", 1000]] }",
         "value = \"1 kN\"",
-        "force[0].value.table",
+        "force.cutting.value.table",
         "scene-table-ends",
         "360 deg",
     ),
