@@ -20,6 +20,7 @@ mod every;
 mod matrix;
 mod moduli;
 mod quadrics;
+mod steps;
 mod unique;
 
 pub use every::{Solutions, nearest};

@@ -164,6 +164,9 @@ proptest! {
         let followed = system.follow(&vec![0.0; system.count()]).unwrap();
         let size = followed.iter().fold(0.0_f64, |most, z| most.max(*z));
         prop_assert!(found.points[0].iter().zip(&followed).all(|(a, b)| (a - b).abs() <= 1e-9 * size));
+        prop_assert_eq!(system.only(), Some(followed));
+        system.slopes.iter_mut().flatten().flatten().for_each(|w| *w *= 1.001 / part);
+        prop_assert_eq!(system.only(), None);
     }
 
     #[test]
