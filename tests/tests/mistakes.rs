@@ -170,8 +170,28 @@ fn each_mistake_is_told_once_at_its_key() {
         // A wrong place of the first position, for one, has a wrong place of the assembly as its consequence.
         let mut told = found.iter().filter(|notice| notice.text.identity() == Some(id));
         let (Some(notice), None) = (told.next(), told.next()) else { panic!("{wrong}: {found:?}") };
-        assert_eq!(notice.key.as_deref(), Some(key), "{wrong}");
+        assert_eq!(notice.key.as_ref().map(ToString::to_string).as_deref(), Some(key), "{wrong}");
         assert!(notice.to_string().contains(part), "{wrong}: {notice}");
+    }
+}
+
+/// A resistance of the speed with the sign of an input that turns the other way.
+#[test]
+fn a_moment_that_drives_an_input_clockwise_is_told() {
+    let told = |formula: &str, direction: &str| {
+        let input = format!("link = \"crank\"\ndirection = \"{direction}\"\n");
+        let moment =
+            format!("[[moment]]\nlink = \"crank\"\nvalue = {{ formula = \"{formula}\" }}\n[[force]]");
+        let scene = SCENE.replacen("link = \"crank\"\n", &input, 1).replacen("[[force]]", &moment, 1);
+        assert!(scene.contains(&input) && scene.contains(&moment));
+        mistakes(&scene).iter().any(|notice| notice.text.identity() == Some("scene-drives-clockwise"))
+    };
+    for resisting in ["5*w", "0.1*w*abs(w)", "-5*w + 10", "-5*w*cos(q)", "-5*sign(w + 1)"] {
+        assert!(!told(resisting, "cw"), "{resisting}");
+    }
+    for driving in ["-5*w", "-0.1*w*abs(w)", "w*(-5)", "-5*(2*w)^3"] {
+        assert!(told(driving, "cw"), "{driving}");
+        assert!(!told(driving, "ccw"), "{driving}");
     }
 }
 
@@ -192,7 +212,10 @@ fn a_moment_of_inertia_that_others_have_is_missed() {
         std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures/four-bar.toml")).unwrap();
     let told = |line: &str| {
         let found = mistakes(&scene.replace(line, ""));
-        found.into_iter().map(|one| (one.key.unwrap_or_default(), one.text.identity())).collect::<Vec<_>>()
+        found
+            .into_iter()
+            .map(|one| (one.key.map_or_else(String::new, |key| key.to_string()), one.text.identity()))
+            .collect::<Vec<_>>()
     };
     let id = Some("scene-mass-without-inertia");
     assert_eq!(told("inertia = \"0.019 kg*m^2\"\n"), [("link.coupler.mass".to_owned(), id)]);

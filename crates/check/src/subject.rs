@@ -114,8 +114,9 @@ impl Subject<'_> {
         if let Some(friction) = &mut reactions.friction {
             loads.senses(state, &position.bodies, &mut friction.senses);
             if part < 1.0 {
-                let bearings = &mut Arc::make_mut(&mut friction.frictions).bearings;
-                bearings.iter_mut().for_each(|bearing| bearing.coefficient *= part);
+                for bearing in &mut Arc::make_mut(&mut friction.frictions).bearings {
+                    bearing.coefficient *= part;
+                }
             }
         }
         method.instance.solve(self.linkage, position, &mut wrenches, &mut reactions).ok()?;

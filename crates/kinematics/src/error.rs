@@ -1,7 +1,7 @@
 //! Errors in compiling a mechanism and in calculating a position.
 
 use assur_group::{BuildError, GroupError};
-use assur_mechanism::Name;
+use assur_mechanism::{Key, Name};
 use assur_structure::StructureError;
 use assur_words::{Describe, Text, joined, list, name, quantity, text};
 
@@ -30,12 +30,12 @@ pub enum CompileError {
 }
 
 impl CompileError {
-    /// The key of the scene that the error concerns, step by step, if it is about a link.
-    pub fn key(&self) -> Option<Vec<&str>> {
+    /// The key of the scene that the error concerns, if it is about a link.
+    pub fn key(&self) -> Option<Key> {
         match self {
-            Self::Structure(error) => Some(vec!["link", error.link()?]),
-            Self::NoStart { .. } => Some(vec!["assembly"]),
-            Self::Build { link, .. } => Some(vec!["link", link.as_deref()?, "points"]),
+            Self::Structure(error) => Some(Key::of("link").at(error.link()?)),
+            Self::NoStart { .. } => Some(Key::of("assembly")),
+            Self::Build { link, .. } => Some(Key::of("link").at(link.as_deref()?).at("points")),
         }
     }
 }

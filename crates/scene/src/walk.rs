@@ -5,8 +5,9 @@
 //! faults.
 
 use std::ops::Range;
+use std::sync::Arc;
 
-use assur_mechanism::{Name, Solve};
+use assur_mechanism::{Mechanism, Name, Solve};
 use assur_words::{Text, joined, name, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -90,6 +91,10 @@ impl<'a> Section<'a> {
         self.faults.mistakes(self.table)
     }
 
+    pub(crate) fn table(&self) -> &'a DeTable<'a> {
+        self.table
+    }
+
     fn refuse_unknown(&self) {
         let known = self.known.names();
         for entry in self.entries() {
@@ -164,6 +169,7 @@ impl<'a> Section<'a> {
         if let (Some(entry), Some(known)) = (self.get(key), self.known(key)) {
             let (text, word) = (entry.value.as_str().unwrap_or_default(), known.words().next()?);
             if text == word {
+                entry.may_be(known.dimension(coordinate), known.limits);
                 return Some(Solve::Wanted);
             }
             if text.starts_with(char::is_alphabetic) {
@@ -176,6 +182,16 @@ impl<'a> Section<'a> {
             return entry.bounded_or(dimension, known.limits, Some(word)).map(Solve::Given);
         }
         self.by_input(key, coordinate).map(Solve::Given)
+    }
+
+    /// Tells where in a mechanism the numbers of its keys stand, by key (`value.axis`), and with which sign. Only numbers that may
+    /// have any value within their limits whatever the others are have such a place.
+    pub(crate) fn sets(
+        &self,
+        sign: f64,
+        slot: impl for<'m> Fn(&'m mut Mechanism, &str) -> Option<&'m mut f64> + Send + Sync + 'static,
+    ) {
+        self.faults.tell(|told| told.slots(self.table, "", sign, &Arc::new(slot)));
     }
 
     /// Its key `name`, or else the default name; and where a fault of the name is noted.

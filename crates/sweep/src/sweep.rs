@@ -95,17 +95,17 @@ impl Sweep {
         vary: &[Vary],
         request: SweepRequest,
     ) -> Result<Self, SweepError> {
-        let base = assur_scene::read(file_name, scene)?;
+        let reading = assur_scene::reading(file_name, scene)?;
         if vary.is_empty() {
             return Err(SweepError::Request(text!("sweep-nothing-varied")));
         }
         let SweepRequest { points, ties, targets, measures, options } = request;
         let count = count(points, vary)?;
         let document = ParsedText::of(scene);
-        let axis = |vary| Axis::of(vary, &document, file_name, scene);
+        let axis = |vary| Axis::of(vary, &document, &reading);
         let mut axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
         for tie in &ties {
-            axes.push(Axis::tied(tie, &axes[..vary.len()], &document, file_name, scene)?);
+            axes.push(Axis::tied(tie, &axes[..vary.len()], &document, &reading)?);
         }
         for (index, axis) in axes.iter().enumerate() {
             if let Some(same) = axes[..index].iter().find(|other| other.shares(axis)) {
@@ -113,8 +113,8 @@ impl Sweep {
                 return Err(SweepError::Request(text!("sweep-twice", first, second)));
             }
         }
-        let variants = Variants::of(file_name, scene, &axes);
-        let richest = variants.richest(&axes).unwrap_or(base);
+        let variants = Variants::of(file_name, scene, reading.mechanism, &axes);
+        let richest = variants.richest(&axes).unwrap_or_else(|| variants.base().clone());
         let mut layout = Layout::of(&richest, &options);
         layout.aim(&targets)?;
         let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);
@@ -250,7 +250,7 @@ impl Sweep {
     /// and the note.
     pub fn doubts(&self) -> Vec<(Text, Text)> {
         let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
-        let known = assur_scene::read("", self.scene()).map(|scene| scene.notes).unwrap_or_default();
+        let known = &self.variants.base().notes;
         let mut found: Vec<(Text, Text)> = Vec::new();
         for (index, axis) in self.axes.iter().enumerate() {
             for end in [axis.from, axis.to] {

@@ -1,6 +1,7 @@
 //! A parameter as a user writes it.
 
-use assur_scene::edit::{KeyPath, decimal};
+use assur_mechanism::Key;
+use assur_scene::edit::decimal;
 use assur_words::{Text, name, text};
 
 use crate::{Points, SweepError};
@@ -22,7 +23,7 @@ use crate::{Points, SweepError};
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Vary {
-    pub(crate) key: KeyPath,
+    pub(crate) key: Key,
     pub(crate) range: Range,
 }
 
@@ -36,12 +37,7 @@ impl Vary {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
         let range = parse_range(range, points).map_err(fault)?;
-        Ok(Self { key: KeyPath::parse(key).map_err(fault)?, range })
-    }
-
-    /// The key.
-    pub fn key(&self) -> String {
-        self.key.to_string()
+        Ok(Self { key: Key::parse(key).map_err(fault)?, range })
     }
 }
 
@@ -59,8 +55,8 @@ impl Vary {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tie {
-    pub(crate) key: KeyPath,
-    pub(crate) follows: KeyPath,
+    pub(crate) key: Key,
+    pub(crate) follows: Key,
     /// `None` where none is written, which is 1.
     pub(crate) factor: Option<f64>,
 }
@@ -83,8 +79,8 @@ impl Tie {
             None => (follows, None),
         };
         Ok(Self {
-            key: KeyPath::parse(key).map_err(fault)?,
-            follows: KeyPath::parse(follows).map_err(fault)?,
+            key: Key::parse(key).map_err(fault)?,
+            follows: Key::parse(follows).map_err(fault)?,
             factor,
         })
     }

@@ -29,7 +29,7 @@ pub fn variant(number: u64) -> String {
 fn numbers(text: &str, _: &Mechanism, rng: &mut Rng) -> Option<String> {
     let changed: Vec<_> = (ParsedText::of(text).values().into_iter())
         .filter_map(|value| {
-            let is_of = |part: &str| value.key.contains(part);
+            let is_of = |part: &str| value.key.to_string().contains(part);
             if is_of("positions")
                 || is_of("samples")
                 || is_of("tolerance")
@@ -100,7 +100,8 @@ fn inertia(text: &str, mechanism: &Mechanism, rng: &mut Rng) -> Option<String> {
     let wave = rng.pick(&["sin", "cos"]);
     let law = format!("{{ formula = \"{mean} + {part}*{wave}({k}*q)\" }}");
     let key = format!("link.{name}.inertia");
-    if let Some(value) = ParsedText::of(text).values().into_iter().find(|value| value.key == key) {
+    if let Some(value) = ParsedText::of(text).values().into_iter().find(|value| value.key.to_string() == key)
+    {
         return Some(replaced(text, [(&value.span, law.as_str())]));
     }
     let head = format!("[link.{name}]");
@@ -131,7 +132,7 @@ fn passive(text: &str, mechanism: &Mechanism, rng: &mut Rng) -> Option<String> {
 /// Another assembly: without the places of the scene, or with some of them mirrored.
 fn assembly(text: &str, _: &Mechanism, rng: &mut Rng) -> Option<String> {
     let values: Vec<_> = (ParsedText::of(text).values().into_iter())
-        .filter(|value| value.key.starts_with("assembly.") && rng.chance(0.5))
+        .filter(|value| value.key.to_string().starts_with("assembly.") && rng.chance(0.5))
         .map(|value| (value.moved(&value.written, -200.0), value.span))
         .collect();
     let changed = values.iter().filter_map(|(now, span)| Some((span, now.as_deref()?)));

@@ -2,7 +2,7 @@
 
 use assur_group::{Mode, Order, Pair};
 use assur_kinematics::{Length, Linkage, Misfit, Modes, mobility_in};
-use assur_mechanism::{GROUND, LinkId, Mechanism, Name, Named, PairId, Point};
+use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Name, Named, PairId, Point};
 use assur_structure::PassivePart;
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
@@ -63,7 +63,7 @@ impl PassiveReport {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ClosingReport {
     /// Its key.
-    pub key: String,
+    pub key: Key,
     /// The value, m or rad.
     pub value: f64,
 }
@@ -155,26 +155,23 @@ pub fn passive(linkage: &Linkage) -> Vec<PassiveReport> {
 }
 
 /// The key of a number in the scene: `link.rod3.points.B`.
-fn key(mechanism: &Mechanism, number: Length) -> String {
-    let quoted = |name: &Name| {
-        if name.contains(['.', '[', ']']) { format!("\"{name}\"") } else { name.to_string() }
-    };
-    let slide = |slide: usize| format!("slide.{}", quoted(&mechanism.slides[slide].name));
+fn key(mechanism: &Mechanism, number: Length) -> Key {
+    let slide = |slide: usize| Key::of("slide").at(&mechanism.slides[slide].name);
     match number {
-        Length::Point(point, link, axis) => {
-            let name = quoted(&mechanism.points[point].name);
-            let at = mechanism.place_in(point, link).unwrap_or_default();
-            if link == GROUND {
-                return format!("ground.points.{name}[{axis}]");
-            }
-            // On the x axis of a link a point is written as one number.
-            let index = if at[1].abs() > 0.0 || axis == 1 { format!("[{axis}]") } else { String::new() };
-            format!("link.{}.points.{name}{index}", quoted(&mechanism.links[link].name))
+        Length::Point(point, GROUND, axis) => {
+            Key::of("ground").at("points").at(&mechanism.points[point].name).at(axis)
         }
-        Length::SlidePoint(id, axis) => format!("{}.point[{axis}]", slide(id)),
-        Length::Through(id, axis) => format!("{}.through[{axis}]", slide(id)),
-        Length::Angle(id) => format!("{}.angle", slide(id)),
-        Length::Tilt(id) => format!("{}.tilt", slide(id)),
+        Length::Point(point, link, axis) => {
+            let at = mechanism.place_in(point, link).unwrap_or_default();
+            let link = Key::of("link").at(&mechanism.links[link].name);
+            let key = link.at("points").at(&mechanism.points[point].name);
+            // On the x axis of a link a point is written as one number.
+            if at[1].abs() > 0.0 || axis == 1 { key.at(axis) } else { key }
+        }
+        Length::SlidePoint(id, axis) => slide(id).at("point").at(axis),
+        Length::Through(id, axis) => slide(id).at("through").at(axis),
+        Length::Angle(id) => slide(id).at("angle"),
+        Length::Tilt(id) => slide(id).at("tilt"),
     }
 }
 

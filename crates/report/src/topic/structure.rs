@@ -43,7 +43,7 @@ pub fn passive_part(passive: &PassiveReport, angular: bool) -> Text {
     let place = Units::of(angular).coordinate.show(passive.at);
     let closes = passive.closes.as_ref().map_or_else(Text::default, |closing| {
         let value = number(format_args!("{:.9}", closing.value));
-        text!("report-closes", key = name(closing.key.clone()), value = value)
+        text!("report-closes", key = &closing.key, value = value)
     });
     let [misfit, limit] =
         [passive.misfit, passive.limit].map(|size| number(format_args!("{:.4e}", size * 1e3)));

@@ -1,11 +1,11 @@
 //! Finds a value of the scene by its key.
 
+use assur_mechanism::{Key, Step};
 use assur_words::{Text, name, number, text};
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 use super::TextPlace;
-use super::key::{Step, shown};
 use crate::text::nearest;
 
 /// Greatest number of names that a message lists.
@@ -43,13 +43,38 @@ fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<TextPlace, Text> {
     leaf(within(document, steps)?, steps)
 }
 
+/// The bytes of the file at which a key stands, of an element of a list those of the element; where the scene leaves the key out,
+/// of the table that would have it.
+pub(crate) fn place(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::Range<usize>> {
+    let of = |steps: &[Step]| {
+        let value = within(document, steps).ok()?;
+        let (last, before) = steps.split_last()?;
+        let owner = if before.is_empty() {
+            Some(document)
+        } else {
+            within(document, before).ok()?.get_ref().as_table()
+        };
+        let Step::Name(name) = last else { return Some(value.span()) };
+        Some(
+            owner
+                .and_then(|table| table.get_key_value(name.as_str()))
+                .map_or(value.span(), |(key, _)| key.span()),
+        )
+    };
+    (1..=steps.len()).rev().find_map(|depth| of(&steps[..depth]))
+}
+
 /// The bytes of the file that a table takes.
 pub(super) fn table(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::Range<usize>> {
     let found = within(document, steps).ok()?;
     matches!(found.get_ref(), DeValue::Table(_)).then(|| found.span())
 }
 
-fn within<'a, 'b>(document: &'a DeTable<'b>, steps: &[Step]) -> Result<&'a Spanned<DeValue<'b>>, Text> {
+/// The value of a key.
+pub(crate) fn within<'a, 'b>(
+    document: &'a DeTable<'b>,
+    steps: &[Step],
+) -> Result<&'a Spanned<DeValue<'b>>, Text> {
     let mut at = in_table(document, steps, 0)?;
     for depth in 1..steps.len() {
         at = match at.get_ref() {
@@ -107,7 +132,7 @@ fn in_array<'a, 'b>(
 }
 
 /// The name of a load; of a slide its name or default name; of a friction its pair.
-pub(super) fn element_name(value: &DeValue<'_>) -> Option<String> {
+pub(crate) fn element_name(value: &DeValue<'_>) -> Option<String> {
     let DeValue::Table(table) = value else { return None };
     let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
     let default = || Some(format!("{}/{}", text("link")?, text("on")?));
@@ -124,7 +149,7 @@ fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<TextPlace, Text> {
             return Err(text!("scene-is-a-table", key = key, names = listed(keys(table))));
         }
         DeValue::Array(array) => {
-            let elements = (0..array.len()).map(|index| format!("{}[{index}]", shown(steps))).collect();
+            let elements = (0..array.len()).map(|index| Key::from(steps).at(index).to_string()).collect();
             return Err(text!("scene-is-a-list", key = key, names = listed(elements)));
         }
         DeValue::Boolean(_) => return Err(text!("scene-is-a-boolean", key = key)),
@@ -141,11 +166,11 @@ fn keys(table: &DeTable<'_>) -> Vec<String> {
 }
 
 fn owner(steps: &[Step]) -> Text {
-    if steps.is_empty() { text!("scene-the-scene") } else { name(format!("`{}`", shown(steps))) }
+    if steps.is_empty() { text!("scene-the-scene") } else { name(format!("`{}`", Key::from(steps))) }
 }
 
 fn key(steps: &[Step]) -> Text {
-    name(shown(steps))
+    Text::from(&Key::from(steps))
 }
 
 fn absent(owner: Text, steps: &[Step], depth: usize, absent: &str, names: Vec<String>) -> Text {
