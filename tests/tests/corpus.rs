@@ -23,6 +23,7 @@ enum Answer {
 use Answer::{Message, Numbers};
 
 const ANSWERS: &[(&str, Answer)] = &[
+    ("agreement-friction", Numbers(the_least_of_two_solutions)),
     ("andrews-undriven", Numbers(nothing_drives)),
     ("b-turned", Numbers(any)),
     ("balance-on-the-loaded-link", Numbers(any)),
@@ -90,6 +91,7 @@ const ANSWERS: &[(&str, Answer)] = &[
                 && is(&positions[13]["balancing"], -4.594_761_88, 1e-8)
         }),
     ),
+    ("friction-after-gap-nan", Numbers(friction_takes_power)),
     ("geo-rigid-h800227", Numbers(any)),
     ("formula-mixed", Numbers(any)),
     // 3 + 0 - 512/512 - 4.
@@ -174,6 +176,21 @@ const ANSWERS: &[(&str, Answer)] = &[
 /// The checks say all.
 fn any(_: &Value) -> bool {
     true
+}
+
+/// Where no solution goes on from small coefficients, the one of the least balancing load is taken of two.
+fn the_least_of_two_solutions(found: &Value) -> bool {
+    [0, 3, 4, 5].into_iter().all(|index| {
+        let solutions = found["positions"][index]["solutions"].as_array().map_or(&[][..], Vec::as_slice);
+        solutions.len() == 2 && (index != 5 || is(&solutions[1]["balancing"], -27.604_216_02, 1e-7))
+    }) && is(&found["positions"][5]["balancing"], -27.604_216_02, 1e-7)
+}
+
+/// Friction takes power in each of the ten positions that can be assembled.
+fn friction_takes_power(found: &Value) -> bool {
+    let positions = found["positions"].as_array().map_or(&[][..], Vec::as_slice);
+    let power = |position: &Value| position["friction"]["F"]["power"].as_f64();
+    positions.len() == 10 && positions.iter().all(|at| power(at).is_some_and(|power| power < 0.0))
 }
 
 /// A load without a value is the reason in all 24 positions, none of which has forces.

@@ -15,6 +15,9 @@ const SIGN: f64 = 1e-9;
 /// for a choice of signs, from microseconds to milliseconds. Groups of two links have no more.
 const MOST: [usize; 4] = [8, 6, 4, 2];
 
+/// Most solutions that are followed from part to part: each of them may lead to several in the next.
+const MOST_POINTS: usize = 64;
+
 /// Places from which Newton's method looks for solutions where algebra does not give all of them.
 const TRIALS: u32 = 64;
 
@@ -61,8 +64,38 @@ impl Solutions {
 }
 
 impl Moduli {
-    /// All solutions: none, one, or several; for at most three vectors of two components and few of one.
+    /// All solutions: none, one, or several; where each of the [parts](Self::parts) has at most three vectors of two components and
+    /// few of one.
     pub fn solutions(&self) -> Solutions {
+        let parts = self.parts();
+        if parts.len() < 2 {
+            return self.together();
+        }
+        let mut found = Solutions { complete: true, ..Solutions::default() };
+        let mut points = vec![vec![0.0; self.count()]];
+        for part in &parts {
+            for known in std::mem::take(&mut points) {
+                let own = self.part(part, &known).together();
+                found.complete &= own.complete;
+                found.continuum |= own.continuum;
+                points.extend(own.points.into_iter().map(|solved| {
+                    let mut point = known.clone();
+                    part.iter().zip(solved).for_each(|(at, z)| point[*at] = z);
+                    point
+                }));
+            }
+            if points.len() > MOST_POINTS {
+                points.truncate(MOST_POINTS);
+                found.complete = false;
+            }
+        }
+        let steps = &mut Steps::new(self);
+        points.into_iter().for_each(|point| add(point, steps, &mut found));
+        found
+    }
+
+    /// All solutions of equations of one part.
+    fn together(&self) -> Solutions {
         let of = |width: Width| (0..self.count()).filter(|j| self.widths[*j] == width).collect::<Vec<_>>();
         let (lines, planes) = (of(Width::One), of(Width::Two));
         let mut found = Solutions { complete: true, ..Solutions::default() };

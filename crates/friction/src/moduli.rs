@@ -83,22 +83,68 @@ impl Moduli {
     /// The solution near expected moduli; `None` where there is none so near that a path goes on there.
     ///
     /// A path from no friction, where the derivative is the unit matrix, keeps the sign of its determinant: it changes where two
-    /// solutions meet and the path ends. So of two solutions side by side only one is on the path, however near they are.
+    /// solutions meet and the path ends. So of two solutions side by side only one is on the path, however near they are. Each of
+    /// the [parts](Self::parts) is judged by itself: a method that solves a whole mechanism at once has the path of one that solves
+    /// group by group.
     pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
         let mut steps = Steps::new(self);
         let found = steps.newton(expected)?;
-        if !steps.is_ahead(&found) {
-            return None;
+        let goes_on = |part: &Vec<usize>| {
+            let size = part.iter().fold(0.0_f64, |most, j| most.max(found[*j]));
+            let is_near = |j: &usize| (found[*j] - expected[*j]).abs() <= NEAR * size;
+            part.iter().all(is_near) && steps.is_ahead(&found, part)
+        };
+        self.parts().iter().all(goes_on).then_some(found)
+    }
+
+    /// The unknowns in parts that depend on themselves and on parts before them alone; in each, any depends on any other.
+    pub fn parts(&self) -> Vec<Vec<usize>> {
+        let n = self.count();
+        let lengths = self.lengths();
+        let most = |k: usize| lengths.iter().fold(1.0, |most: f64, row| most.max(row[k]));
+        let limits: Vec<f64> = (0..n).map(|k| NOTHING * most(k)).collect();
+        let mut reaches: Vec<Vec<bool>> = lengths
+            .iter()
+            .map(|row| row.iter().zip(&limits).map(|(length, limit)| length > limit).collect())
+            .collect();
+        for through in 0..n {
+            let row = reaches[through].clone();
+            for from in reaches.iter_mut().filter(|from| from[through]) {
+                from.iter_mut().zip(&row).for_each(|(own, other)| *own |= other);
+            }
         }
-        let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
-        let is_near = |(z, expected): (&f64, &f64)| (z - expected).abs() <= NEAR * size;
-        found.iter().zip(expected).all(is_near).then_some(found)
+        let mut left: Vec<usize> = (0..n).collect();
+        let mut parts = Vec::new();
+        let is_next =
+            |j: usize, left: &[usize]| left.iter().all(|&k| !reaches[j][k] || reaches[k][j] || k == j);
+        while let Some(&first) = left.iter().find(|j| is_next(**j, &left)) {
+            let (part, rest) =
+                left.iter().partition(|&&k| k == first || reaches[first][k] && reaches[k][first]);
+            parts.push(part);
+            left = rest;
+        }
+        parts
+    }
+
+    /// The equations of some unknowns, where the others are known; those that depend on these are of no account.
+    pub(crate) fn part(&self, unknowns: &[usize], known: &[f64]) -> Self {
+        let others: Vec<f64> =
+            (0..self.count()).map(|k| if unknowns.contains(&k) { 0.0 } else { known[k] }).collect();
+        let slopes = |j: &usize| unknowns.iter().map(|k| self.slopes[*j][*k]).collect();
+        Self {
+            widths: unknowns.iter().map(|j| self.widths[*j]).collect(),
+            constants: unknowns.iter().map(|j| self.vector(*j, &others)).collect(),
+            slopes: unknowns.iter().map(slopes).collect(),
+        }
     }
 }
 
 pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
     if y == 0.0 { x.abs() } else { x.hypot(y) }
 }
+
+/// A slope below this part of the greatest that its unknown has, and of 1, is rounding of the linear equations that gave it.
+const NOTHING: f64 = 1e-12;
 
 /// A solution goes on a path where its moduli are as expected but for this part of them.
 const NEAR: f64 = 0.02;

@@ -132,11 +132,12 @@ impl<'a> Steps<'a> {
             && (self.change(z).is_none() || self.change.iter().all(|change| change.abs() <= most))
     }
 
-    /// Whether the determinant of the derivative at some moduli is positive, as it is without friction.
-    pub(crate) fn is_ahead(&mut self, z: &[f64]) -> bool {
+    /// Whether the determinant of the derivative of some equations by their unknowns is positive, as it is without friction.
+    pub(crate) fn is_ahead(&mut self, z: &[f64], part: &[usize]) -> bool {
         self.look(z);
         self.derive();
-        nalgebra::DMatrix::from_row_slice(z.len(), z.len(), &self.matrix).determinant() > 0.0
+        let entry = |i: usize, j: usize| self.matrix[part[i] * z.len() + part[j]];
+        nalgebra::DMatrix::from_fn(part.len(), part.len(), entry).determinant() > 0.0
     }
 
     /// Writes the correction of Newton's method at the moduli that were looked at last; `None` where the derivative is singular.
