@@ -653,3 +653,4 @@ cli-no-sweep = it is no result of a sweep: parameters stand before the column `s
 cli-semicolons = its cells are separated by semicolons, as spreadsheets save it in some languages: take the CSV as `assur sweep` wrote it
 cli-sweep-doubt = note: at { $point }: { $note }
 cli-sweep-size = note: { $rows } rows of { $columns } columns, up to { $megabytes } MB of CSV; `--measure` names what is needed, Parquet takes less.
+cli-sweep-no-room = the rows may take { $needed } MB, and { $free } MB are free here; `--measure` names what is needed, `--shard` calculates a part

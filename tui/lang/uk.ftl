@@ -643,3 +643,4 @@ cli-no-sweep = це не результат варіювання: парамет
 cli-semicolons = його клітинки розділені крапкою з комою, як їх зберігають таблиці деякими мовами: візьміть CSV таким, як його записав `assur sweep`
 cli-sweep-doubt = примітка: при { $point }: { $note }
 cli-sweep-size = примітка: рядків { $rows }, стовпців { $columns }, до { $megabytes } МБ у CSV; `--measure` називає потрібне, Parquet займає менше.
+cli-sweep-no-room = рядки можуть зайняти { $needed } МБ, а вільно тут { $free } МБ; `--measure` називає потрібне, `--shard` обчислює частину

@@ -61,6 +61,8 @@ pub struct PositionError {
     /// A slide of the group whose guide goes through the origin of its link, which is so where a scene does not say through what:
     /// the slide and that link.
     pub by_default: Option<Box<[Name; 2]>>,
+    /// Two slides of one link of a singular group whose guides are always parallel.
+    pub parallel: Option<Box<[Name; 2]>>,
 }
 
 /// Gaps above this suggest a length written without its unit, m.
@@ -96,6 +98,10 @@ impl Describe for CompileError {
 
 impl Describe for PositionError {
     fn describe(&self) -> Text {
+        if let Some([one, other]) = self.parallel.as_deref() {
+            let group = Text::clone(&self.group_name);
+            return text!("kinematics-parallel-guides", group, one, other);
+        }
         let number = self.index.map(|index| text!("kinematics-position", number = index));
         let at = text!(
             "kinematics-coordinate",

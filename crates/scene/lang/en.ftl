@@ -10,6 +10,7 @@ scene-more-faults = ... and { $more } more
 scene-fault = error: { $message }
 scene-place = { $file }, line { $line }, column { $column }
 scene-did-you-mean = did you mean `{ $name }`?
+scene-did-you-mean-letters = did you mean `{ $name }`? they look the same, but there are letters of another alphabet: { $codes }
 scene-such-as = such as { $example }
 scene-and-more = { $names } and { $more } more
 scene-key = key
@@ -446,6 +447,7 @@ scene-rough = A coefficient of friction of { $found } belongs to no pair of soli
 scene-great-journal = The journal has a radius of { $radius }, and the mechanism measures { $size }: is a unit wrong?
 scene-empty-output = [output] names nothing, so nothing is calculated: name points, links, slides or reactions, or leave it out.
 scene-long-spring = The spring has a free length of { $length }, and the mechanism measures { $size }: is a unit wrong?
+scene-spring-without-stiffness = The spring has neither `stiffness` nor `damping`, so it has no force: is its stiffness missing?
 scene-strong = The load is that of a force of { $force } on a mechanism of { $size }, which no steel would withstand: is a unit wrong?
 scene-long-time = The table over time goes up to { $last }, and the motion lasts { $lasts }: is the time meant in another unit?
 scene-drives-clockwise = This moment drives the input at every speed: `w` is the speed along `direction`, and a moment is counter-clockwise positive; a resistance to an input that turns clockwise is positive, `5*w`.
@@ -475,5 +477,7 @@ scene-mass-without-inertia = Link `{ $link }` turns and has a mass, but no momen
 scene-far-lighter = Link `{ $link }` has a mass of { $mass }, the others about { $others }: is a unit wrong?
 scene-turned-twice = A negative speed along direction = "cw" turns counter-clockwise: leave the minus sign out.
 scene-odd-ratio = `ratio` is motor speed / input speed; with { $ratio } the motor is far from its rated speed, { $needed } would reach it.
+scene-great-torque-ratio = `max_torque_ratio` = { $found } is a breakdown torque of { $found } times the rated one, where motors have 1.5 to 4; write { $part } if per cent were meant.
+scene-table-ends = The table ends at { $last }, and the cycle at { $end }: { $held } is held up to there, then it jumps to { $first }. If that is meant, write `repeat = true`, else a row at { $end }.
 scene-unevenness-unused = `unevenness` has no effect: it determines a flywheel, and none is to be found. Write flywheel = "solve" under [drive], or leave it out.
 scene-counted-twice = { $point } stands at { $angle } in the frame of the input link, and `from` turns this frame by as much again: { $point } begins at { $twice }. Put { $point } on the x axis of its link, or leave `from` out.

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Notice, Place, appearance};
 use assur_words::{name, quantity, text};
 
-use crate::text::{rounded, shown};
+use crate::text::{codes, rounded, shown};
 
 /// A link so many times as long as the middle one of the others has a wrong unit: mm for m gives a thousand times, and lengths that
 /// are meant differ by less than a hundred.
@@ -72,15 +72,6 @@ fn names(mechanism: &Mechanism) -> Vec<Notice> {
         }
     }
     notices
-}
-
-/// The letters of a name that are not ASCII, by their numbers in Unicode: `U+0410`; of an ASCII name the letters themselves.
-fn codes(name: &str) -> String {
-    if name.is_ascii() {
-        return name.to_owned();
-    }
-    let foreign = name.chars().filter(|letter| !letter.is_ascii());
-    foreign.map(|letter| format!("U+{:04X}", u32::from(letter))).collect::<Vec<_>>().join(" ")
 }
 
 /// The key of a link.

@@ -13,7 +13,7 @@ use toml::de::DeValue;
 use crate::error::{Fault, Faults};
 use crate::numbers::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
-use crate::units::Dimension;
+use crate::units::{Dimension, quantity};
 use crate::walk::{Entry, Section};
 
 /// Links, points and slides of the scene.
@@ -138,7 +138,7 @@ impl SceneLinks {
         entry.faults.note(|| {
             let near = nearest(name, known.clone());
             let label = match (near, known.clone().next()) {
-                (Some(_), _) => did_you_mean(near),
+                (Some(_), _) => did_you_mean(name, near),
                 (None, None) => text!("scene-none-of-them", what = words(what)),
                 (None, Some(_)) => text!("scene-all-of-them", what = words(what), names = row(known)),
             };
@@ -204,7 +204,7 @@ impl SceneLinks {
         let Some(point) = self.point_named(name) else {
             let known = self.points_of(link).map(|point| point.0);
             let near = nearest(name, known.clone());
-            let label = if near.is_some() { did_you_mean(near) } else { self.listed(link) };
+            let label = if near.is_some() { did_you_mean(name, near) } else { self.listed(link) };
             let key = shown(&entry.name);
             let message = text!("scene-no-point-on-link", key = key, link = shown(on), point = shown(name));
             return (message, label);
@@ -239,7 +239,22 @@ pub(crate) fn coordinates(entry: &Entry<'_>) -> Option<[f64; 2]> {
         entry.wrong(text!("scene-coordinates"), text!("scene-such-coordinates"));
         return None;
     }
+    if let Some([x, y]) = entry.value.as_str().and_then(two_in_one) {
+        entry.wrong(text!("scene-coordinates"), words(format!("[{x}, {y}]")));
+        return None;
+    }
     entry.bounded(Dimension::Length, Bound::Any).map(|x| [x, 0.0])
+}
+
+/// Both coordinates of "15 mm, 0" as they are written in a list; `None` of another text: "15,5 mm" has a decimal comma.
+fn two_in_one(text: &str) -> Option<[String; 2]> {
+    let both = text.split_once(',').filter(|(x, y)| y.starts_with(' ') || x.contains(char::is_alphabetic))?;
+    let shown = |text: &str| {
+        let (text, is_bare) = (text.trim(), text.trim().parse::<f64>().is_ok());
+        let is_length = quantity(text, Dimension::Length).is_ok();
+        is_length.then(|| if is_bare { text.to_owned() } else { format!("\"{text}\"") })
+    };
+    Some([shown(both.0)?, shown(both.1)?])
 }
 
 /// Two quantities of one dimension.

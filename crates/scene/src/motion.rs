@@ -137,7 +137,7 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, wanted: &'static str) -
     let (got, label) = match fault.as_ref().map(|error| (&error.fault, &error.text)) {
         Some((UnitFault::WrongDimension(found), unit)) => (measures(unit, *found), Text::default()),
         Some((UnitFault::UnknownUnit(near), unit)) => {
-            (text!("scene-got-unknown-unit", unit = shown(unit)), did_you_mean(near.as_deref()))
+            (text!("scene-got-unknown-unit", unit = shown(unit)), did_you_mean(unit, near.as_deref()))
         }
         Some((UnitFault::NotANumber, _)) => (entry.written(), Text::default()),
         _ => return entry.bounded(Dimension::Time, Bound::Positive).map(Err),

@@ -136,7 +136,7 @@ impl Entry<'_> {
             Err(error) => error,
         };
         let label = match &error.fault {
-            UnitFault::UnknownUnit(Some(near)) => did_you_mean(Some(near)),
+            UnitFault::UnknownUnit(Some(near)) => did_you_mean(&error.text, Some(near)),
             UnitFault::TooLarge | UnitFault::TooSmall => text!("scene-no-digits"),
             _ => example(wanted),
         };

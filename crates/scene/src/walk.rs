@@ -50,7 +50,9 @@ impl Known {
 
     /// What is meant by a key that the table does not have: the known one, or the tables that have it.
     fn meant(self, word: &str, known: &[&'static str]) -> Text {
-        let Self::Table(table, _) = self else { return did_you_mean(nearest(word, known.iter().copied())) };
+        let Self::Table(table, _) = self else {
+            return did_you_mean(word, nearest(word, known.iter().copied()));
+        };
         if let Some(sorts) = table.sorts(word) {
             return text!("scene-key-of-sorts", sorts = name(sorts));
         }
@@ -60,7 +62,7 @@ impl Known {
                 text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
             }
             None if KeyTable::is_of_the_file(word) => text!("scene-key-at-top"),
-            near => did_you_mean(near),
+            near => did_you_mean(word, near),
         }
     }
 }
@@ -175,7 +177,7 @@ impl<'a> Section<'a> {
             if text.starts_with(char::is_alphabetic) {
                 let quantity = known.dimension(coordinate.or(Some(Dimension::Angle)))?.with_units();
                 let wanted = text!("scene-word-or", word = name(word), quantity = quantity);
-                entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, [word])));
+                entry.wants(wanted, in_quotes(text), did_you_mean(text, nearest(text, [word])));
                 return None;
             }
             let dimension = known.dimension(coordinate);
@@ -271,7 +273,7 @@ impl<'a> Entry<'a> {
         self.faults.note(|| {
             let near = nearest(&self.name, known);
             let message = text!("scene-unknown", what = what, name = shown(&self.name));
-            Fault::new(self.key.clone(), message).label(did_you_mean(near)).help(help())
+            Fault::new(self.key.clone(), message).label(did_you_mean(&self.name, near)).help(help())
         });
     }
 
@@ -368,7 +370,7 @@ impl<'a> Entry<'a> {
         let found = words.iter().find(|word| word.0 == text);
         if found.is_none() {
             let near = nearest(text, words.iter().map(|word| word.0));
-            self.wants(wanted(), quoted(text), did_you_mean(near));
+            self.wants(wanted(), quoted(text), did_you_mean(text, near));
         }
         found.map(|word| word.1)
     }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use assur_mechanism::Mechanism;
 use assur_scene::edit::{ParsedText, TextPlace, decimal, split};
 use assur_scene::{Dimension, Reading, SceneNumber, Unit, quantity};
-use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text};
+use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text, unit as quantity_unit};
 use strum::VariantArray;
 
 use crate::vary::Range as Ends;
@@ -38,6 +38,8 @@ pub(crate) struct Axis {
     unit: Option<Unit>,
     /// What it measures; `None` for a count.
     measures: Option<Dimension>,
+    /// The value of the scene, number and unit.
+    written: Option<(f64, String)>,
 }
 
 /// One end of a range.
@@ -63,6 +65,7 @@ impl Axis {
         let unit = dimension.map(|dimension| Unit::of(&from.unit, dimension)).transpose();
         let unit = unit.map_err(|error| fault(error.describe()))?;
         let count = vary.range.count;
+        let written = found.first().and_then(|place| split(place.text.as_ref()?));
         Ok(Self {
             key,
             column,
@@ -78,6 +81,7 @@ impl Axis {
             name: from.unit,
             unit,
             measures: dimension,
+            written,
         })
     }
 
@@ -139,6 +143,24 @@ impl Axis {
     /// A value as it is written into the scene.
     pub(crate) fn toml(&self, number: f64) -> String {
         toml(number, &self.name, !self.name.is_empty())
+    }
+
+    /// What is said of ends without a unit that are SI, where in the unit of the scene they would be nearer to the value of the scene.
+    pub(crate) fn doubt(&self) -> Option<Text> {
+        let (own, written) =
+            self.written.as_ref().filter(|_| self.name.is_empty() && self.follows.is_none())?;
+        let (measures, end) = (self.measures?, self.from.abs().max(self.to.abs()));
+        let unit = Unit::of(written, measures).ok().filter(|_| !written.is_empty())?;
+        let away = |value: f64| (value / unit.si(*own)).abs().ln().abs();
+        (away(unit.si(end)) < away(end)).then(|| {
+            let ends = [self.from, self.to].map(|number| End { number, unit: written.clone() }.text());
+            text!(
+                "sweep-other-unit",
+                unit = quantity_unit(measures.si().replace('*', "·")),
+                own = quantity_of(*own, written.clone()),
+                instead = name(format!("{}={}", self.key, ends.join("..")))
+            )
+        })
     }
 
     /// A value for messages with its key, SI where it is written without a unit: `link.crank.mass = 2 kg`.

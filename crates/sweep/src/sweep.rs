@@ -81,6 +81,8 @@ pub struct Sweep {
     pub(crate) options: Options,
     pub(crate) columns: Arc<Columns>,
     count: usize,
+    /// What is probably not meant in the call itself.
+    doubts: Vec<(Text, Text)>,
 }
 
 impl Sweep {
@@ -117,6 +119,10 @@ impl Sweep {
         let richest = variants.richest(&axes).unwrap_or_else(|| variants.base().clone());
         let mut layout = Layout::of(&richest, &options);
         layout.aim(&targets)?;
+        let places = richest.points.iter().flat_map(|point| &point.places);
+        let size = places.map(|place| place.at[0].hypot(place.at[1])).fold(0.0, f64::max);
+        let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.doubt()?)));
+        let doubts = of_units.chain(targets.iter().filter_map(|target| target.doubt(size))).collect();
         let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);
         let mut names = Vec::new();
         let mut sink = Sink::Names(&mut names);
@@ -126,7 +132,7 @@ impl Sweep {
         }
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
-        Ok(Self { axes, points, variants, layout, reached, measures, options, columns, count })
+        Ok(Self { axes, points, variants, layout, reached, measures, options, columns, count, doubts })
     }
 
     /// The columns of its rows.
@@ -246,13 +252,13 @@ impl Sweep {
         list(self.axes.iter().zip(numbers).map(|(axis, number)| axis.told(number)))
     }
 
-    /// What is probably not meant at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
+    /// What is probably not meant in the call and at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
     /// and the note.
     pub fn doubts(&self) -> Vec<(Text, Text)> {
         let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
         let known = &self.variants.base().notes;
-        let mut found: Vec<(Text, Text)> = Vec::new();
-        for (index, axis) in self.axes.iter().enumerate() {
+        let mut found = self.doubts.clone();
+        for (index, axis) in self.axes.iter().enumerate().filter(|(_, axis)| axis.doubt().is_none()) {
             for end in [axis.from, axis.to] {
                 numbers[index] = end;
                 let notes = self.variants.read(&self.axes, &numbers).map(|scene| scene.notes);

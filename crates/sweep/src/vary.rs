@@ -2,7 +2,7 @@
 
 use assur_mechanism::Key;
 use assur_scene::edit::decimal;
-use assur_words::{Text, name, text};
+use assur_words::{Text, joined, name, quantity, text};
 
 use crate::{Points, SweepError};
 
@@ -102,6 +102,8 @@ pub struct Target {
     pub(crate) text: String,
     pub(crate) point: String,
     pub(crate) at: [f64; 2],
+    /// Whether both coordinates are written without a unit.
+    is_bare: bool,
 }
 
 impl Target {
@@ -115,9 +117,30 @@ impl Target {
         let read = || {
             let (point, place) = text.split_once('=')?;
             let (x, y) = place.trim().trim_matches(['[', ']']).split_once(',')?;
-            Some(Self { text: text.to_owned(), point: point.trim().to_owned(), at: [length(x)?, length(y)?] })
+            let is_bare = [x, y].iter().all(|text| text.trim().parse::<f64>().is_ok());
+            let at = [length(x)?, length(y)?];
+            Some(Self { text: text.to_owned(), point: point.trim().to_owned(), at, is_bare })
         };
         read().ok_or_else(|| SweepError::vary(text, text!("sweep-write-target")))
+    }
+}
+
+impl Target {
+    /// What is said of a place without units that lies far from a mechanism of this size, m.
+    pub(crate) fn doubt(&self, size: f64) -> Option<(Text, Text)> {
+        /// A place so many sizes of the mechanism away was meant in mm.
+        const FAR: f64 = 20.0;
+        let [x, y] = self.at;
+        (self.is_bare && x.hypot(y) > FAR * size).then(|| {
+            let shown = |length: f64| quantity(format!("{length:.3e}").parse().unwrap_or(length), "m");
+            let told = text!(
+                "sweep-far-target",
+                away = shown(x.hypot(y)),
+                size = shown(size),
+                instead = name(format!("{}={x} mm,{y} mm", self.point))
+            );
+            (joined(" ", [name("--target"), name(self.text.clone())]), told)
+        })
     }
 }
 

@@ -261,7 +261,14 @@ impl<'m> Seen<'m> {
                 (true, false) => text!("analysis-load-without-work", load = name),
                 (true, true) => continue,
             };
-            notices.push(Notice::mistake(mechanism.key_of_load(*load), text));
+            let key = mechanism.key_of_load(*load);
+            // A spring without stiffness was told of when the scene was read.
+            let is_of =
+                |note: &Notice| note.key.as_ref().is_some_and(|of| of.steps().starts_with(key.steps()));
+            if !acts && mechanism.notes.iter().any(is_of) {
+                continue;
+            }
+            notices.push(Notice::mistake(key, text));
         }
         notices
     }

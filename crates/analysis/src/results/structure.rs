@@ -44,6 +44,9 @@ pub struct PassiveReport {
     pub link: Option<LinkId>,
     /// Greatest distance over the cycle between the two places that it should keep together, m.
     pub misfit: f64,
+    /// The angle by which a slide of it misses, rad, where that is what is greatest.
+    #[serde(skip)]
+    pub angle: Option<f64>,
     /// Up to this it fits, m.
     pub limit: f64,
     /// Where it is greatest, rad or m.
@@ -66,6 +69,9 @@ pub struct ClosingReport {
     pub key: Key,
     /// The value, m or rad.
     pub value: f64,
+    /// Whether it is an angle.
+    #[serde(skip)]
+    pub is_angle: bool,
 }
 
 /// One group.
@@ -126,7 +132,7 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
 }
 
 /// A part in words: `link rod3`.
-pub(crate) fn part(mechanism: &Mechanism, part: PassivePart) -> Text {
+pub fn passive_name(mechanism: &Mechanism, part: PassivePart) -> Text {
     match part {
         PassivePart::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
         PassivePart::Pair(pair, link) => text!(
@@ -141,15 +147,17 @@ pub(crate) fn part(mechanism: &Mechanism, part: PassivePart) -> Text {
 pub fn passive(linkage: &Linkage) -> Vec<PassiveReport> {
     let mechanism = &linkage.mechanism;
     let of = |found: &Misfit| PassiveReport {
-        what: part(mechanism, found.part),
+        what: passive_name(mechanism, found.part),
         link: if let PassivePart::Link(link) = found.part { Some(link) } else { None },
         misfit: found.misfit,
+        angle: found.angle,
         limit: found.limit,
         at: found.at,
-        closes: found
-            .closes
-            .as_ref()
-            .map(|closing| ClosingReport { key: key(mechanism, closing.number), value: closing.value }),
+        closes: found.closes.as_ref().map(|closing| ClosingReport {
+            key: key(mechanism, closing.number),
+            value: closing.value,
+            is_angle: closing.number.is_angle(),
+        }),
     };
     linkage.misfits.iter().map(of).collect()
 }

@@ -23,6 +23,8 @@ const ROUGHEST: f64 = 2.0;
 const SAME_DIRECTION: f64 = 2e-3;
 /// A ratio so many times as great, or as small, as motor and mean speed need is meant the other way round.
 const MOST_TIMES_THE_RATIO: f64 = 2.0;
+/// Asynchronous motors have a breakdown torque of 1.5 to 4 rated ones; above this it was given in per cent.
+const GREATEST_TORQUE_RATIO: f64 = 20.0;
 /// A table over time that is so many times as long as the motion was meant in another unit.
 const MOST_TIMES_THE_MOTION: f64 = 100.0;
 /// A spring so many times as long as the mechanism was meant in another unit.
@@ -118,6 +120,13 @@ fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Notice> 
             text!("scene-counted-twice", point = shown(key), angle = angle, twice = twice),
         );
     }
+    if let Some(Torque::Motor { motor: MotorChoice::Rated(motor), .. }) =
+        mechanism.drive.as_ref().map(|drive| &drive.torque)
+        && let Some(ratio) = motor.max_torque_ratio.filter(|ratio| *ratio > GREATEST_TORQUE_RATIO)
+    {
+        let text = text!("scene-great-torque-ratio", found = rounded(ratio), part = rounded(ratio / 100.0));
+        doubt(true, &Key::of("drive").at("motor").at("max_torque_ratio"), text);
+    }
     if let Some((ratio, needed)) = odd_ratio(mechanism, speed.1) {
         let [ratio, needed] = [ratio, needed].map(rounded);
         doubt(true, &Key::of("drive").at("ratio"), text!("scene-odd-ratio", ratio = ratio, needed = needed));
@@ -160,6 +169,9 @@ fn of_load(mechanism: &Mechanism, load: &Load, key: Key, size: f64) -> Option<(K
         LoadKind::Spring(spring) => {
             let [length, whole] = [spring.length, size].map(|length| quantity(rounded(length), "m"));
             let is_long = spring.length > LONGEST_SPRING * size;
+            if spring.stiffness == 0.0 && spring.damping == 0.0 {
+                return Some((key.at("stiffness"), text!("scene-spring-without-stiffness")));
+            }
             return is_long
                 .then(|| (key.at("length"), text!("scene-long-spring", length = length, size = whole)));
         }

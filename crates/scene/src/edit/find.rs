@@ -96,7 +96,10 @@ fn in_table<'a, 'b>(
     let Step::Name(name) = &steps[depth] else {
         return Err(text!("scene-table-is-no-list", owner = owner, names = listed(names)));
     };
-    table.get(name.as_str()).ok_or_else(|| absent(owner, steps, depth, name, names))
+    table.get(name.as_str()).ok_or_else(|| {
+        let longer = if depth == 0 { longer(table, steps) } else { None };
+        absent(owner, (steps, depth), (name, longer), names)
+    })
 }
 
 fn in_array<'a, 'b>(
@@ -123,7 +126,7 @@ fn in_array<'a, 'b>(
                 if names.is_empty() {
                     return text!("scene-list-without-names", owner = owner, list = list);
                 }
-                let problem = absent(owner, steps, depth, name, names);
+                let problem = absent(owner, (steps, depth), (name, None), names);
                 text!("scene-or-by-number", problem = problem, list = list)
             })
         }
@@ -173,12 +176,31 @@ fn key(steps: &[Step]) -> Text {
     Text::from(&Key::from(steps))
 }
 
-fn absent(owner: Text, steps: &[Step], depth: usize, absent: &str, names: Vec<String>) -> Text {
-    let near = nearest(absent, names.iter().map(String::as_str)).map(|near| {
+/// The first key of the file that has these steps among its own, in their order and with the last of them last: `link.crank.points.A`
+/// of `crank.A`.
+fn longer(table: &DeTable<'_>, steps: &[Step]) -> Option<Key> {
+    let is_part = |key: &&(usize, Key)| {
+        let mut rest = key.1.steps().iter();
+        steps.iter().all(|step| rest.any(|other| other == step))
+            && rest.all(|step| matches!(step, Step::Index(_)))
+    };
+    let keys: Vec<(usize, Key)> = crate::reading::keys(table).into_iter().collect();
+    keys.iter().filter(is_part).min_by_key(|key| key.0).map(|key| key.1.clone())
+}
+
+/// What is said of an absent name; `longer`: a key of the scene of which the steps are a part.
+fn absent(
+    owner: Text,
+    (steps, depth): (&[Step], usize),
+    (absent, longer): (&str, Option<Key>),
+    names: Vec<String>,
+) -> Text {
+    let near = longer.or_else(|| {
         let mut steps = steps[..=depth].to_vec();
-        steps[depth] = Step::Name(near.to_owned());
-        text!("scene-did-you-mean", name = key(&steps))
+        steps[depth] = Step::Name(nearest(absent, names.iter().map(String::as_str))?.to_owned());
+        Some(Key::from(&steps[..]))
     });
+    let near = near.map(|near| text!("scene-did-you-mean", name = &near));
     // An absent key has its default; only a value that is written in the scene can be replaced.
     let hint = near.unwrap_or_else(|| text!("scene-default-not-written"));
     let absent = name(absent.to_owned());
