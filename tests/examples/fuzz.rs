@@ -1,4 +1,5 @@
-//! The long fuzz run: `cargo run --release -p assur-tests --example fuzz -- FROM COUNT FOLDER`.
+//! The long fuzz run: `cargo run --release -p assur-tests --example fuzz -- FROM COUNT FOLDER`; with `variants` at the end, of
+//! variants of the shipped scenes instead.
 //!
 //! Inputs are run in a child process, which ends itself when one of them takes too long; then another child goes on with the
 //! next. Every input of which something was found, or a check of which fails, is written to the folder, with what was found as
@@ -12,18 +13,34 @@ use std::process::{Command, Stdio};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use assur_tests::fuzz::{Outcome, input, known, run};
+use assur_tests::fuzz::{Outcome, input, known, run, variant};
 
 /// An input that takes longer hangs: six times as long as anything may take, since the run may share its processors.
 const LONGEST: Duration = Duration::from_mins(1);
 
+/// The word that asks for variants of the shipped scenes.
+const VARIANTS: &str = "variants";
+
 /// What may become of an input: the names of [`assur_tests::fuzz::Outcome`].
 const OUTCOMES: [&str; 5] = ["Refused", "Unsolved", "Stopped", "Solved", "CheckFailed"];
 
-/// Runs inputs and prints a line for each: its number and what became of it.
-fn child(from: u64, end: u64) -> Result<(), Box<dyn Error>> {
-    std::panic::set_hook(Box::new(|_| {}));
+/// What makes the inputs: where one comes from, and its text.
+type Maker = Box<dyn Fn(u64) -> (String, String)>;
+
+fn maker(variants: bool) -> Result<Maker, Box<dyn Error>> {
+    if variants {
+        return Ok(Box::new(|number| ("Variant".to_owned(), variant(number))));
+    }
     let known = known()?;
+    Ok(Box::new(move |number| {
+        let (source, text) = input(number, &known);
+        (format!("{source:?}"), text)
+    }))
+}
+
+/// Runs inputs and prints a line for each: its number and what became of it.
+fn child(from: u64, end: u64, input: &Maker) {
+    std::panic::set_hook(Box::new(|_| {}));
     let now = Arc::new(Mutex::new((from, Instant::now())));
     let watched = Arc::clone(&now);
     std::thread::spawn(move || {
@@ -40,24 +57,23 @@ fn child(from: u64, end: u64) -> Result<(), Box<dyn Error>> {
         if let Ok(mut now) = now.lock() {
             *now = (number, Instant::now());
         }
-        let (source, text) = input(number, &known);
+        let (source, text) = input(number);
         let (what, detail) = match run(&text) {
             Ok(Outcome::CheckFailed(detail)) => ("CheckFailed".to_owned(), detail),
-            Ok(outcome) => (format!("{outcome:?}"), format!("{source:?}")),
+            Ok(outcome) => (format!("{outcome:?}"), source),
             Err(finding) => (finding.what.to_owned(), finding.detail.escape_debug().to_string()),
         };
         println!("{number}\t{what}\t{detail}");
     }
-    Ok(())
 }
 
-fn parent(from: u64, count: u64, folder: &Path) -> Result<(), Box<dyn Error>> {
+fn parent([from, count]: [u64; 2], folder: &Path, kind: &str) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(folder)?;
-    let known = known()?;
+    let input = maker(kind == VARIANTS)?;
     let mut counts: BTreeMap<String, u64> = BTreeMap::new();
     let (mut next, end) = (from, from + count);
     while next < end {
-        let arguments = ["child".to_owned(), next.to_string(), end.to_string()];
+        let arguments = ["child".to_owned(), next.to_string(), end.to_string(), kind.to_owned()];
         let mut child = Command::new(std::env::current_exe()?)
             .args(arguments)
             .stdout(Stdio::piped())
@@ -72,17 +88,14 @@ fn parent(from: u64, count: u64, folder: &Path) -> Result<(), Box<dyn Error>> {
             hangs = what == "hang";
             *counts.entry(what.to_owned()).or_default() += 1;
             if !OUTCOMES.contains(&what) || what == "CheckFailed" {
-                let text = format!("# {what}: {detail}\n{}", input(number, &known).1);
+                let text = format!("# {what}: {detail}\n{}", input(number).1);
                 std::fs::write(folder.join(format!("{number}.toml")), text)?;
             }
             next = number + 1;
         }
         if !child.wait()?.success() && !hangs && next < end {
             *counts.entry("abort".to_owned()).or_default() += 1;
-            std::fs::write(
-                folder.join(format!("{next}.toml")),
-                format!("# abort\n{}", input(next, &known).1),
-            )?;
+            std::fs::write(folder.join(format!("{next}.toml")), format!("# abort\n{}", input(next).1))?;
             next += 1;
         }
     }
@@ -100,12 +113,26 @@ fn parent(from: u64, count: u64, folder: &Path) -> Result<(), Box<dyn Error>> {
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["child", from, end] => child(from.parse()?, end.parse()?),
-        [from, count, folder] => parent(from.parse()?, count.parse()?, Path::new(folder)),
+        ["child", from, end, kind] => {
+            child(from.parse()?, end.parse()?, &maker(*kind == VARIANTS)?);
+            Ok(())
+        }
+        [from, count, folder] => parent([from.parse()?, count.parse()?], Path::new(folder), ""),
+        [from, count, folder, VARIANTS] => {
+            parent([from.parse()?, count.parse()?], Path::new(folder), VARIANTS)
+        }
+        ["write", from, count, folder] => {
+            let from: u64 = from.parse()?;
+            std::fs::create_dir_all(folder)?;
+            for number in from..from + count.parse::<u64>()? {
+                std::fs::write(Path::new(folder).join(format!("{number}.toml")), variant(number))?;
+            }
+            Ok(())
+        }
         [file] => {
             println!("{:?}", run(&std::fs::read_to_string(file)?)?);
             Ok(())
         }
-        _ => Err("usage: fuzz FROM COUNT FOLDER, or fuzz FILE for one scene".into()),
+        _ => Err("usage: fuzz FROM COUNT FOLDER [variants], fuzz write FROM COUNT FOLDER for the texts of variants, or fuzz FILE for one scene".into()),
     }
 }

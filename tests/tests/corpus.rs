@@ -1,11 +1,14 @@
 //! Every kept scene, each of which was once answered wrongly or not at all, has its right answer.
 
+use std::ops::ControlFlow;
+
 use assur_all as _;
 use assur_analysis::{Calculation, Coverage, Options, unwatched};
 use assur_force::LoadState;
 use assur_geometry::geometry;
 use assur_kinematics::Linkage;
 use assur_shaking::{Criterion, Shaking, shaking};
+use assur_study::stability::{Margin, stability};
 use assur_tests::fuzz::{Finding, corpus, run};
 use serde_json::Value;
 
@@ -20,9 +23,17 @@ enum Answer {
 use Answer::{Message, Numbers};
 
 const ANSWERS: &[(&str, Answer)] = &[
+    ("agreement-friction", Numbers(the_least_of_two_solutions)),
     ("andrews-undriven", Numbers(nothing_drives)),
     ("b-turned", Numbers(any)),
     ("balance-on-the-loaded-link", Numbers(any)),
+    // (30 - 10 - 0.1 * 0.1 * 20) N m on 0.1 kg m².
+    (
+        "brake-formula-from-rest",
+        Numbers(|found| nothing_drives(found) && is(&found["trajectory"][0]["acceleration"], 198.0, 1e-9)),
+    ),
+    ("brake-formula-turn", Numbers(nothing_drives)),
+    ("brake-rod-friction", Numbers(nothing_drives)),
     ("change-point-in-part-of-a-turn", Numbers(central_slider)),
     ("check-jump-mm", Numbers(any)),
     ("check-stroke-transient", Numbers(any)),
@@ -60,7 +71,10 @@ const ANSWERS: &[(&str, Answer)] = &[
     // 5 |sin q| on the crank itself, which turns at a constant speed.
     ("chk-abs-zero", Numbers(|found| balances(found, &[0.0, -5.0, 0.0, -5.0]))),
     ("check_silent_1_0", Numbers(|found| no_value_anywhere(found, "load `z`"))),
+    ("contact-formula-from-rest", Numbers(nothing_drives)),
+    ("contact-formula-moving", Numbers(any)),
     ("cycle-not-whole", Message(&["does not repeat", "whole turns"])),
+    ("defect-length-h900014", Numbers(any)),
     ("direction-of-a-short-link", Numbers(any)),
     ("duplicate_keys", Message(&["name"])),
     ("explain_nan", Numbers(|found| no_value_anywhere(found, "load `contact 1 on rod`"))),
@@ -77,6 +91,7 @@ const ANSWERS: &[(&str, Answer)] = &[
                 && is(&positions[13]["balancing"], -4.594_761_88, 1e-8)
         }),
     ),
+    ("friction-after-gap-nan", Numbers(friction_takes_power)),
     ("geo-rigid-h800227", Numbers(any)),
     ("formula-mixed", Numbers(any)),
     // 3 + 0 - 512/512 - 4.
@@ -90,6 +105,20 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("hang_49fcf9055d", Message(&["too large"])),
     ("hang_eab2dafae2", Message(&["until"])),
     ("hang_gravity", Message(&["too small"])),
+    (
+        "incline-6-steep-no-jam",
+        Numbers(|found| is(&found["positions"][0]["balancing"], up_an_incline(), 1e-6)),
+    ),
+    // J' w²/2, with J' = 0.12 cos 3q.
+    (
+        "inertia-formula-3q",
+        Numbers(|found| {
+            balances(
+                found,
+                &std::array::from_fn::<_, 48, _>(|i| 6.0 * (std::f64::consts::PI * i as f64 / 8.0).cos()),
+            )
+        }),
+    ),
     // A name of a load is text in every form of the note.
     ("markdown-script", Numbers(any)),
     ("nan_steady_slidercrank", Message(&["inertia"])),
@@ -149,6 +178,21 @@ fn any(_: &Value) -> bool {
     true
 }
 
+/// Where no solution goes on from small coefficients, the one of the least balancing load is taken of two.
+fn the_least_of_two_solutions(found: &Value) -> bool {
+    [0, 3, 4, 5].into_iter().all(|index| {
+        let solutions = found["positions"][index]["solutions"].as_array().map_or(&[][..], Vec::as_slice);
+        solutions.len() == 2 && (index != 5 || is(&solutions[1]["balancing"], -27.604_216_02, 1e-7))
+    }) && is(&found["positions"][5]["balancing"], -27.604_216_02, 1e-7)
+}
+
+/// Friction takes power in each of the ten positions that can be assembled.
+fn friction_takes_power(found: &Value) -> bool {
+    let positions = found["positions"].as_array().map_or(&[][..], Vec::as_slice);
+    let power = |position: &Value| position["friction"]["F"]["power"].as_f64();
+    positions.len() == 10 && positions.iter().all(|at| power(at).is_some_and(|power| power < 0.0))
+}
+
 /// A load without a value is the reason in all 24 positions, none of which has forces.
 fn no_value_anywhere(found: &Value, load: &str) -> bool {
     let failures = found["failures"].as_array().map_or(&[][..], Vec::as_slice);
@@ -167,6 +211,12 @@ fn central_slider(found: &Value) -> bool {
                 .iter()
                 .all(|(key, value)| is(&point[key][0], *value, 1e-9))
         })
+}
+
+/// The horizontal force that moves 500 N up 62 degrees with a coefficient of 0.52.
+fn up_an_incline() -> f64 {
+    let (sin, cos) = 62_f64.to_radians().sin_cos();
+    500.0 * (sin + 0.52 * cos) / (cos - 0.52 * sin)
 }
 
 fn is(found: &Value, wanted: f64, tolerance: f64) -> bool {
@@ -259,6 +309,29 @@ fn the_least_maximum_of_a_kept_scene_is_the_least() {
 fn the_greatest_force_of_a_kept_scene_lies_between_positions() {
     let greatest = shaken("shkmax-h800144").unwrap().before.greatest_force;
     assert!((greatest - 286.996).abs() < 6e-4, "{greatest}");
+}
+
+/// The rod `l2` may lose what it is longer than the crank and the distance of the crank's pin from the guide, and the crank gain it,
+/// wherever the cycle begins.
+#[test]
+fn the_least_change_of_a_length_of_a_kept_scene_does_not_depend_on_the_first_position() {
+    let (_, scene) =
+        corpus().unwrap().into_iter().find(|(known, _)| known == "defect-length-h900014").unwrap();
+    let (sin, cos) = 1.5873_f64.sin_cos();
+    let left = 0.627 - 0.1211 - (sin * 0.1994 + cos * 0.2294);
+    for from in ["0", "0.002", "0.005"] {
+        let scene = scene.replace("from = 0\n", &format!("from = {from}\n"));
+        let mechanism = assur_scene::read("scene.toml", &scene).unwrap();
+        let ControlFlow::Continue(found) = stability(mechanism, &mut |_, _| ControlFlow::Continue(())) else {
+            panic!("nothing stops the search");
+        };
+        let found = found.unwrap();
+        for length in ["crank", "l2"] {
+            let margin = found.lengths.iter().find(|margin| margin.length.to_string().starts_with(length));
+            let least = margin.and_then(Margin::least).unwrap();
+            assert!((least - left).abs() < 1e-12, "from {from}, {length}: {least} for {left}");
+        }
+    }
 }
 
 /// The dyad of `l6` and `l7` has both of its outer pins on `l2`.

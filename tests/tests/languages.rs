@@ -186,6 +186,7 @@ fn errors_of_groups_positions_and_loads() {
             source: gap,
             range,
             by_default: None,
+            parallel: None,
         }
     };
     all.extend([position(None, true), position(Some([0.1, 0.2]), false)].map(|error| error.describe()));

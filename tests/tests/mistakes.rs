@@ -94,6 +94,28 @@ const MISTAKES: &[(&str, &str, &str, &str, &str)] = &[
         "scene-degrees-in-formula",
         "`cos`",
     ),
+    (
+        "value = { over = \"angle\", table = [[0, 0], [\"180 deg\", 1000]] }",
+        "value = \"1 kN\"",
+        "force.cutting.value.table",
+        "scene-table-ends",
+        "360 deg",
+    ),
+    (
+        "[[spring]]\nbetween = [\"O\", \"B\"]\nlength = \"300 mm\"\n[[force]]",
+        "[[force]]",
+        "spring[0].stiffness",
+        "scene-spring-without-stiffness",
+        "stiffness missing",
+    ),
+    (
+        "kind = \"transient\"\nuntil = \"10 ms\"\n[drive]\nmotor = { power = 1100, synchronous_speed = \"60 rpm\", rated_speed = \
+         \"58 rpm\", max_torque_ratio = 220 }",
+        "speed = \"60 rpm\"",
+        "drive.motor.max_torque_ratio",
+        "scene-great-torque-ratio",
+        "2.2",
+    ),
     ("value = 1e9", "value = \"1 kN\"", "force[0].value", "scene-strong", "1000000000 N"),
     (
         "value = { over = \"time\", table = [[0, 0], [500, 1000]] }",
@@ -170,8 +192,28 @@ fn each_mistake_is_told_once_at_its_key() {
         // A wrong place of the first position, for one, has a wrong place of the assembly as its consequence.
         let mut told = found.iter().filter(|notice| notice.text.identity() == Some(id));
         let (Some(notice), None) = (told.next(), told.next()) else { panic!("{wrong}: {found:?}") };
-        assert_eq!(notice.key.as_deref(), Some(key), "{wrong}");
+        assert_eq!(notice.key.as_ref().map(ToString::to_string).as_deref(), Some(key), "{wrong}");
         assert!(notice.to_string().contains(part), "{wrong}: {notice}");
+    }
+}
+
+/// A resistance of the speed with the sign of an input that turns the other way.
+#[test]
+fn a_moment_that_drives_an_input_clockwise_is_told() {
+    let told = |formula: &str, direction: &str| {
+        let input = format!("link = \"crank\"\ndirection = \"{direction}\"\n");
+        let moment =
+            format!("[[moment]]\nlink = \"crank\"\nvalue = {{ formula = \"{formula}\" }}\n[[force]]");
+        let scene = SCENE.replacen("link = \"crank\"\n", &input, 1).replacen("[[force]]", &moment, 1);
+        assert!(scene.contains(&input) && scene.contains(&moment));
+        mistakes(&scene).iter().any(|notice| notice.text.identity() == Some("scene-drives-clockwise"))
+    };
+    for resisting in ["5*w", "0.1*w*abs(w)", "-5*w + 10", "-5*w*cos(q)", "-5*sign(w + 1)"] {
+        assert!(!told(resisting, "cw"), "{resisting}");
+    }
+    for driving in ["-5*w", "-0.1*w*abs(w)", "w*(-5)", "-5*(2*w)^3"] {
+        assert!(told(driving, "cw"), "{driving}");
+        assert!(!told(driving, "ccw"), "{driving}");
     }
 }
 
@@ -192,7 +234,10 @@ fn a_moment_of_inertia_that_others_have_is_missed() {
         std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures/four-bar.toml")).unwrap();
     let told = |line: &str| {
         let found = mistakes(&scene.replace(line, ""));
-        found.into_iter().map(|one| (one.key.unwrap_or_default(), one.text.identity())).collect::<Vec<_>>()
+        found
+            .into_iter()
+            .map(|one| (one.key.map_or_else(String::new, |key| key.to_string()), one.text.identity()))
+            .collect::<Vec<_>>()
     };
     let id = Some("scene-mass-without-inertia");
     assert_eq!(told("inertia = \"0.019 kg*m^2\"\n"), [("link.coupler.mass".to_owned(), id)]);
@@ -238,6 +283,12 @@ fn what_is_right_is_not_doubted() {
         ("value = \"1 kN\"", "value = \"5 MN\""),
         ("value = \"1 kN\"", "value = { over = \"time\", table = [[0, 0], [5, 1000]] }"),
         ("speed = \"60 rpm\"", "speed = \"9000 rpm\""),
+        // A table that ends inside the cycle as it begins, with a jump, with a row at the end, or with `repeat`.
+        ("value = \"1 kN\"", "value = { over = \"angle\", table = [[0, 0], [1, 9], [2, 0]] }"),
+        ("value = \"1 kN\"", "value = { over = \"angle\", table = [[0, 9], [2, 9], [2, 0]] }"),
+        ("value = \"1 kN\"", "value = { over = \"angle\", table = [[0, 0], [2, 9], [\"360 deg\", 9]] }"),
+        ("value = \"1 kN\"", "value = { over = \"angle\", table = [[0, 0], [2, 9]], repeat = true }"),
+        ("[[force]]", "[[spring]]\nbetween = [\"O\", \"B\"]\ndamping = 9\n[[force]]"),
         ("[[force]]", "[[friction]]\npair = \"A\"\ncoefficient = 0.8\nradius = \"5 mm\"\n[[force]]"),
         ("[[force]]", "[[spring]]\nbetween = [\"O\", \"B\"]\nstiffness = 100\nlength = 1\n[[force]]"),
         ("points = { O = [0, 0] }", "points = { O = [0, 0], Far = [3, 0] }"),
@@ -294,6 +345,8 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
         ("from = \"10 degrees\"", "from = \"10 deg\"", "did you mean `deg`?"),
         ("value = \"1 000 N\"", "value = \"1 kN\"", "digits together"),
         ("mass = \"2 kg\" // rod", "mass = \"2 kg\"", "a comment begins with `#`"),
+        ("center = \"15 mm, 0\"", "center = [\"150 mm\", 0]", "[\"15 mm\", 0]"),
+        ("link = \"\u{441}rank\"\nfrom", "link = \"crank\"\nfrom", "letters of another alphabet: U+0441"),
         ("mass: \"2 kg\"", "mass = \"2 kg\"", "joined by `=`"),
         ("mass = \"2 kg\";", "mass = \"2 kg\"", "without `;`"),
         ("mass = 2,5", "mass = \"2 kg\"", "is a comma meant as the decimal sign?"),
@@ -335,13 +388,6 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
 
 #[test]
 fn a_guide_through_the_origin_and_pins_of_one_link_are_named() {
-    let refused = |scene: &str| {
-        let mechanism = assur_scene::read("test.toml", scene).unwrap();
-        match Calculation::of(mechanism, &Options::default(), &mut unwatched) {
-            Err(error) => error.to_string(),
-            Ok(study) => study.analyze(&mut unwatched).unwrap().failures[0].message.to_string(),
-        }
-    };
     let away =
         SCENE.replacen("O = [0, 0]", "O = [\"600 mm\", 0]", 1).replacen("angle = 0", "angle = \"90 deg\"", 1);
     let error = refused(&away);
@@ -373,4 +419,83 @@ fn no_shipped_scene_has_a_mistake() {
     for (name, text) in assur_fixtures::SCENES {
         assert_eq!(mistakes(text), [], "{name}");
     }
+}
+
+fn refused(scene: &str) -> String {
+    let mechanism = assur_scene::read("test.toml", scene).unwrap();
+    match Calculation::of(mechanism, &Options::default(), &mut unwatched) {
+        Err(error) => error.to_string(),
+        Ok(study) => study.analyze(&mut unwatched).unwrap().failures[0].message.to_string(),
+    }
+}
+
+/// A crank, a coupler of two links, a rocker: a chain of five links, which two inputs move.
+#[test]
+fn two_degrees_of_freedom_are_told_as_such() {
+    let error = refused(
+        "[ground]\npoints = { O = 0, E = 0.5 }\n[link.a]\npoints = { O = 0, A = 0.1 }\n[link.b]\npoints = { A = 0, B = 0.3 }\n\
+         [link.c]\npoints = { B = 0, C = 0.3 }\n[link.d]\npoints = { C = 0, E = 0.2 }\n[input]\nlink = 'a'\n",
+    );
+    assert!(error.contains("2 degrees of freedom (3*4 - 2*5), so it takes 2 inputs"), "{error}");
+}
+
+#[test]
+fn parallel_guides_are_named() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.crank]\npoints = { O = 0, A = 0.1 }\n[link.yoke]\npoints = { B = 0 }\n\
+        [link.block]\npoints = { A = 0 }\n[[slide]]\nlink = 'yoke'\non = 'ground'\n[[slide]]\nlink = 'block'\non = 'yoke'\n\
+        [input]\nlink = 'crank'\nfrom = 0.2\n";
+    let error = refused(scene);
+    assert!(error.contains("the guides of `yoke/ground` and `block/yoke` are parallel"), "{error}");
+    let across = scene.replace("on = 'yoke'", "on = 'yoke'\nangle = '90 deg'");
+    let mechanism = assur_scene::read("test.toml", &across).unwrap();
+    let study = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
+    assert_eq!(study.analyze(&mut unwatched).unwrap().failures.len(), 0);
+}
+
+/// A ram that slides on the rod to which it is pinned leaves the rod loose; a shoe that is pinned to the ram and slides on it goes with
+/// the ram, and its constraints repeat.
+#[test]
+fn a_slide_between_pinned_links_is_refused_where_it_is_not_passive() {
+    let error = refused(&SCENE.replacen("on = \"ground\"", "on = \"rod\"", 1));
+    assert!(error.contains("slide `ram/rod`: pin `B` joins the same two links"), "{error}");
+    let shoe = SCENE.replacen(
+        "points = { B = 0 }",
+        "points = { B = 0, C = 0.05 }\n[link.shoe]\npoints = { C = 0 }",
+        1,
+    );
+    let shoe = shoe.replacen("mass = \"5 kg\"\n", "", 1) + "[[slide]]\nlink = \"shoe\"\non = \"ram\"\n";
+    let mechanism = assur_scene::read("test.toml", &shoe).unwrap();
+    let study = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
+    let passive = study.analyze(&mut unwatched).unwrap().structure.passive;
+    assert!(matches!(&passive[..], [one] if one.link == Some(4) && one.fits()), "{passive:?}");
+}
+
+/// A wedge of 5 deg on the ground lifts a block in a vertical guide: the block's x axis lies along that guide, so 85 deg from the
+/// wedge's face.
+#[test]
+fn slides_that_disagree_about_an_angle_are_told_with_the_tilt() {
+    let scene = "[ground]\npoints = { O = 0 }\n[link.wedge]\npoints = { W = 0 }\n[link.block]\npoints = { B = 0 }\n\
+        [[slide]]\nlink = 'wedge'\non = 'ground'\n[[slide]]\nlink = 'block'\non = 'ground'\nangle = '90 deg'\n\
+        [[slide]]\nlink = 'block'\non = 'wedge'\nangle = '5 deg'\n[input]\nlink = 'wedge'\nto = 0.1\npositions = 3\n";
+    let error = refused(scene);
+    assert!(
+        error.contains("`block/wedge` misses by 85 deg") && error.contains("tilt = \"85 deg\""),
+        "{error}"
+    );
+    let right = scene.replace("angle = '5 deg'", "angle = '5 deg'\ntilt = '85 deg'");
+    let mechanism = assur_scene::read("test.toml", &right).unwrap();
+    let study = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
+    let analysis = study.analyze(&mut unwatched).unwrap();
+    assert!(analysis.structure.passive.iter().all(assur_analysis::results::PassiveReport::fits));
+    // Turned round, the block carries the guide: there the tilt is what closes.
+    let turned = scene.replace(
+        "link = 'block'\non = 'wedge'\nangle = '5 deg'",
+        "link = 'wedge'\non = 'block'\nangle = '-85 deg'",
+    );
+    let mechanism = assur_scene::read("test.toml", &turned).unwrap();
+    let study = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap();
+    let passive = study.analyze(&mut unwatched).unwrap().structure.passive;
+    let closes = passive[0].closes.as_ref().unwrap();
+    assert_eq!(closes.key.to_string(), "slide.wedge/block.tilt");
+    assert!((closes.value + 5.0_f64.to_radians()).abs() < 1e-9 && passive[0].angle.is_some());
 }

@@ -225,6 +225,32 @@ fn without_places_the_groups_are_assembled_as_the_passive_link_needs_them() {
     }
 }
 
+/// Three wheels coupled by one rod. At 0 and at 180 degrees all pins lie on one line, a change point in which no place of a point tells
+/// wheels that turn alike from wheels that turn against each other; with the latter none is passive.
+#[test]
+fn wheels_that_begin_in_a_change_point_turn_alike() {
+    let wheels = "[ground]\npoints = { O1 = 0, O2 = 1.5, O3 = 3 }\n[link.wheel1]\npoints = { O1 = 0, A = 0.3 }\n\
+        [link.wheel2]\npoints = { O2 = 0, B = 0.3 }\n[link.wheel3]\npoints = { O3 = 0, C = 0.3 }\n\
+        [link.rod]\npoints = { A = 0, B = 1.5, C = 3 }\n[input]\nlink = \"wheel1\"\npositions = 12\n";
+    let ends = [
+        "",
+        "[assembly]\nB = [1.8, 0]\n",
+        "from = \"180 deg\"\n",
+        "from = \"180 deg\"\ndirection = \"cw\"\n",
+    ];
+    for end in ends {
+        let linkage = compiled(&format!("{wheels}{end}"));
+        assert!(linkage.misfits[0].misfit < 1e-12, "{end}: {:?}", linkage.misfits);
+        let mut position = linkage.position();
+        for index in 0..12 {
+            linkage.solve_index(index, Order::Second, &mut position).unwrap();
+            let speeds = [1, 2, 3, 4].map(|link: usize| position.bodies[link].w1);
+            let off = speeds.iter().zip([1.0, 1.0, 1.0, 0.0]).map(|(w1, wanted)| (w1 - wanted).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-9, "{end}: {speeds:?} in position {index}");
+        }
+    }
+}
+
 #[test]
 fn a_crank_of_another_length_misses_by_the_difference_and_its_length_closes() {
     let linkage = compiled(&CRANKS.replace("O3 = 0, C = 0.1 ", "O3 = 0, C = 0.103 "));

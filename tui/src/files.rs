@@ -58,6 +58,14 @@ impl FileError {
     }
 }
 
+/// Bytes that the file system of a file to be written has free for this user; `None` where it does not say.
+pub(crate) fn free_beside(file: &Path) -> Option<u64> {
+    let real = behind_links(file);
+    let folder = real.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let found = rustix::fs::statvfs(folder.unwrap_or(Path::new("."))).ok()?;
+    found.f_bavail.checked_mul(found.f_frsize)
+}
+
 /// The text of a scene or a configuration.
 pub(crate) fn read(path: &Path) -> Result<String, FileError> {
     let error = |problem: Text| FileError::read(path, problem);

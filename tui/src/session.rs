@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use assur_analysis::{AnalysisError, Calculation, Options, Watch, plan};
 use assur_fixtures::SCENES;
 use assur_kinematics::{CompileError, Linkage, decompose};
-use assur_mechanism::{Mechanism, Motion, Notice};
+use assur_mechanism::{Key, Mechanism, Motion, Notice};
 use assur_scene::Note;
 use assur_structure::Structure;
 use assur_words::{Describe, Text, joined, name, text};
@@ -87,7 +87,7 @@ impl Session {
         let (mechanism, note) = read(&source, &text)?;
         let structure = decompose(&mechanism).map_err(|error| {
             // What is probably not meant may be why the links don't form a mechanism.
-            let doubts = mechanism.notes.iter().map(|doubt| doubt_at(&source, &text, doubt));
+            let doubts = mechanism.notes.iter().map(|doubt| placed(&source, &text, doubt));
             joined("\n", doubts.chain([uncompiled(&source, &text, &error.into())]))
         })?;
         Ok(Self { source, text, note, mechanism, structure, linkage: OnceLock::new() })
@@ -147,20 +147,19 @@ impl Session {
     }
 
     /// A fault that is found while calculating, at a key of the scene, or in its file.
-    pub(crate) fn fault_at(&self, key: Option<Vec<String>>, message: Text) -> Text {
+    pub(crate) fn fault_at(&self, key: Option<Key>, message: Text) -> Text {
         let located = key.and_then(|key| self.at_key(&key, message.clone()));
         located.unwrap_or_else(|| self.in_file(message))
     }
 
     /// A fault at a key of the scene; `None` if the scene has no such key.
-    pub(crate) fn at_key(&self, key: &[String], message: Text) -> Option<Text> {
-        let key: Vec<&str> = key.iter().map(String::as_str).collect();
-        at_key(&self.source, &self.text, &key, message)
+    pub(crate) fn at_key(&self, key: &Key, message: Text) -> Option<Text> {
+        at_key(&self.source, &self.text, key, message)
     }
 
     /// What is probably not meant in the scene, with its place.
     pub(crate) fn doubt(&self, doubt: &Notice) -> Text {
-        doubt_at(&self.source, &self.text, doubt)
+        placed(&self.source, &self.text, doubt)
     }
 
     /// A fault of the scene as a whole.
@@ -188,22 +187,21 @@ fn read(source: &Source, text: &str) -> Result<(Mechanism, Note), Text> {
         }
         _ => None,
     };
-    let fault = unknown.and_then(|error| at_key(source, text, &["motion", "integrator"], error.describe()));
+    let key = Key::of("motion").at("integrator");
+    let fault = unknown.and_then(|error| at_key(source, text, &key, error.describe()));
     fault.map_or(Ok((mechanism, note)), Err)
 }
 
 /// What is probably not meant in a scene, with file, line and column where it has a key.
-fn doubt_at(source: &Source, text: &str, doubt: &Notice) -> Text {
-    let key = doubt.key.as_deref().unwrap_or_default().replace(['"', ']'], "").replace('[', ".");
-    let steps: Vec<&str> = key.split('.').collect();
-    let found = assur_scene::fault_at(&source.name(), text, &steps, doubt.text.clone());
-    let place =
-        found.and_then(|found| Some(format!(":{}:{}", found.errors.first()?.line, found.errors[0].column)));
-    let place = name(source.name() + &place.unwrap_or_default());
+fn placed(source: &Source, text: &str, doubt: &Notice) -> Text {
+    let errors =
+        doubt.key.as_ref().and_then(|key| assur_scene::fault_at(&source.name(), text, key, Text::default()));
+    let place = errors.iter().flat_map(|found| &found.errors).map(|at| format!(":{}:{}", at.line, at.column));
+    let place = name(source.name() + &place.collect::<String>());
     text!("cli-mistake", place, text = &doubt.text)
 }
 
-fn at_key(source: &Source, text: &str, key: &[&str], message: Text) -> Option<Text> {
+fn at_key(source: &Source, text: &str, key: &Key, message: Text) -> Option<Text> {
     assur_scene::fault_at(&source.name(), text, key, message).map(|errors| errors.describe())
 }
 

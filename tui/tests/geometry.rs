@@ -108,3 +108,11 @@ fn a_load_without_a_finite_value_has_its_place() {
     assert!(err.contains("has no finite value at coordinate 1.570796327"), "{err}");
     assert!(err.contains(&format!("line {line}, column 1")), "{err}");
 }
+
+/// Over 40 deg about its lower dead point, crank and rod in one line, the press turns back once.
+#[test]
+fn a_slide_that_turns_back_once_is_told() {
+    let output = assur(&["geometry", "press.toml"]);
+    let (_, out, _) = text(&output);
+    assert!(out.contains("slider/ground turns back at -90 deg"), "{out}");
+}

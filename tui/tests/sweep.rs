@@ -357,7 +357,7 @@ fn a_scale_of_a_load_and_a_column_of_its_table_are_parameters() {
     // Without masses every reaction is proportional to the only load.
     let table = format!(
         "{}[[force]]\nname = \"load\"\nlink = \"piston\"\nat = \"B\"\nangle = 0\nscale = 1\n\
-         value = {{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300]] }}\n",
+         value = {{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300], [\"360 deg\", 300]] }}\n",
         SLIDER.replace("mass = \"2 kg\"\n", "")
     );
     let found = greatest(&table, "force.load.scale=0.5..2:4");
@@ -365,7 +365,8 @@ fn a_scale_of_a_load_and_a_column_of_its_table_are_parameters() {
     assert!(near(found[1], 2.0 * found[0]) && near(found[3], 4.0 * found[0]), "{found:?}");
     // A constant load: the same in every place of the table.
     let found = greatest(&table, "force.load.value.table[*][1]=200..400:2");
-    let constant = table.replace("{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300]] }", "100");
+    let constant = table
+        .replace("{ over = \"angle\", table = [[0, 100], [3, 300], [6, 300], [\"360 deg\", 300]] }", "100");
     let wanted = greatest(&constant, "force.load.value=200..400:2");
     assert!(near(found[0], wanted[0]) && near(found[1], wanted[1]), "{found:?} {wanted:?}");
     // A factor on the constant load is the load, whether it is set as a number or read.
@@ -414,5 +415,44 @@ fn a_row_becomes_a_scene_with_its_comments() {
         let set = set.current_dir(folder.path()).env("LC_ALL", "C.UTF-8").output().unwrap();
         assert!(end(&set).0 == 2 && end(&set).1.contains(problem), "{:?}", end(&set));
         assert!(!folder.path().join("c.toml").exists());
+    }
+}
+
+#[test]
+fn rows_that_find_no_room_are_not_begun() {
+    let folder = folder();
+    // 10^12 points of more than two columns take more than 40 TB.
+    for file in ["b.csv", "b.parquet"] {
+        let output =
+            sweep(folder.path(), &["--vary", "link.crank.points.A=100 mm..200 mm:1000000000000", "-o", file]);
+        let (code, message) = end(&output);
+        assert!(
+            code == 2 && message.contains(&format!("can't write {file}: the rows may take")),
+            "{message}"
+        );
+    }
+    assert_eq!(names(folder.path()), ["a.toml"]);
+}
+
+/// 0.1 and 0.2 are nearer to 100 mm in m, 100 and 200 in mm; a place in all digits of m is one, 232 m is none.
+#[test]
+fn bare_numbers_of_another_unit_are_doubted() {
+    let folder = folder();
+    for (arguments, told) in [
+        (&["--vary", "link.crank.points.A=0.1..0.2:3"][..], None),
+        (&["--vary", "link.crank.points.A=100..200:3"], Some("write \"link.crank.points.A=100 mm..200 mm\"")),
+        (&["--vary", LENGTHS, "--target", "B=0,0.232"], None),
+        (&["--vary", LENGTHS, "--target", "B=0,232 mm"], None),
+        (&["--vary", LENGTHS, "--target", "B=0,232"], Some("this is 232 m from the origin")),
+    ] {
+        let output = sweep(folder.path(), arguments);
+        let (_, message) = end(&output);
+        let notes = message.lines().filter(|line| line.starts_with("note: ")).collect::<Vec<_>>();
+        match told {
+            Some(told) => {
+                assert!(matches!(notes[..], [note] if note.contains(told)), "{arguments:?}: {message}")
+            }
+            None => assert!(notes.is_empty(), "{arguments:?}: {message}"),
+        }
     }
 }

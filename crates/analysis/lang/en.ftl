@@ -53,7 +53,9 @@ analysis-no-forces = No forces at { $count ->
 analysis-unrest = The motion does not come to rest for good ({ $why }); it ends at its first turning point, as with `until = "turn"`.
 analysis-other-mean-speed = The requested mean speed of { $wanted } is not met: with the given ratio it is { $found }. Power, flywheel and the course are those of the regime found.
 analysis-other-mean-speed-by-moment = The requested mean speed of { $wanted } is not met: with the given moment it is { $found }. Power, flywheel and the course are those of the regime found.
-analysis-loads-drive = The loads drive: over a cycle they do { $work } of work, and the motor has to brake with { $power }.
+analysis-loads-drive = The loads drive: over a cycle they do { $work } of work, and { $brakes } with { $power }.
+analysis-motor-brakes = the motor has to brake
+analysis-drive-brakes = the drive has to brake
 analysis-more-failures = { $more } more failures are not listed.
 analysis-drive-unused = `[drive]` is not used: the motion is prescribed or absent; take `kind = "steady"` or "transient".
 analysis-integrator-unused-steady = Integrator `{ $method }` is not used: the steady regime is found by collocation over the cycle, not by steps in time.

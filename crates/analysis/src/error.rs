@@ -2,7 +2,7 @@
 
 use assur_force::{LoadError, RegistryError};
 use assur_kinematics::CompileError;
-use assur_mechanism::Mechanism;
+use assur_mechanism::{Key, Mechanism};
 use assur_words::{Describe, Text, name, text};
 
 use crate::Stopped;
@@ -32,8 +32,8 @@ pub enum AnalysisError {
         message: Text,
         /// Whether the scene or the chosen method is at fault, rather than the machine that it describes.
         usage: bool,
-        /// The key of the scene that it concerns, step by step.
-        key: Option<&'static [&'static str]>,
+        /// The key of the scene that it concerns.
+        key: Key,
     },
 }
 
@@ -56,18 +56,18 @@ impl Describe for AnalysisError {
 
 impl From<assur_dynamics::DynamicsError> for AnalysisError {
     fn from(error: assur_dynamics::DynamicsError) -> Self {
-        let (usage, key) = (crate::motion::is_usage(&error), Some(error.key()));
+        let (usage, key) = (crate::motion::is_usage(&error), error.key());
         Self::Motion { message: error.describe(), usage, key }
     }
 }
 
 impl AnalysisError {
-    /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
-    pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
+    /// The key of the scene that the error concerns.
+    pub fn key(&self, mechanism: &Mechanism) -> Option<Key> {
         match self {
-            Self::Compile(error) => Some(error.key()?.into_iter().map(str::to_owned).collect()),
+            Self::Compile(error) => error.key(),
             Self::Load(error) => error.key(mechanism),
-            Self::Motion { key: Some(key), .. } => Some(key.iter().map(|step| (*step).to_owned()).collect()),
+            Self::Motion { key, .. } => Some(key.clone()),
             _ => None,
         }
     }

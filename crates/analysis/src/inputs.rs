@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::modes::GroupModes;
 use crate::results::StructureReport;
-use crate::results::structure::{part, report};
+use crate::results::structure::{passive_name, report};
 
 /// Structure of a mechanism, and of the same links driven by another one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -177,7 +177,7 @@ fn one(
         passive: found
             .iter()
             .flat_map(|structure| &structure.passive)
-            .map(|one| part(mechanism, one.part))
+            .map(|one| passive_name(mechanism, one.part))
             .collect(),
         why: found.err().map(|error| error.describe()),
         simpler: false,

@@ -8,7 +8,7 @@ use assur_integrator::{
     AUTO, Dependence, EquationOfMotion as _, IntegrationError, RankedMethod, State, choose,
 };
 use assur_kinematics::Linkage;
-use assur_mechanism::{Mechanism, Motion, Torque};
+use assur_mechanism::{Key, Mechanism, Motion, Torque};
 use assur_words::{Describe, Text, joined, name, number, text};
 
 use crate::progress::{Stopped, Watch};
@@ -54,7 +54,7 @@ impl InputMotion {
             Some(coordinate) => {
                 let message =
                     text!("analysis-infinite", coordinate = number(format_args!("{coordinate:.6}")));
-                Err(AnalysisError::Motion { message, usage: false, key: Some(&["motion"]) })
+                Err(AnalysisError::Motion { message, usage: false, key: Key::of("motion") })
             }
             None => Ok(found),
         }

@@ -36,10 +36,13 @@ fn compare_with(case: &Case<'_>, other: &Reactions, method: &AnalyzerPlugin, col
         let both = [&case.subject.methods[case.full], method].map(|method| rounding(case, method));
         both.map(|rounding| rounding.map(|numbers| sizes(&numbers, scale, units)))
     });
+    let gained = measured.as_ref().and_then(|_| gained_by_friction(case));
+    let gained = gained.map(|numbers| sizes(&numbers, scale, units));
     for (k, off) in off[..shown].iter().enumerate() {
+        let gained = usual * gained.as_ref().map_or(0.0, |gained| gained[k]);
         let limit = match &measured {
             None => usual,
-            Some([Some(one), Some(other)]) => usual + SAFETY * (one[k] + other[k]),
+            Some([Some(one), Some(other)]) => usual + gained + SAFETY * (one[k] + other[k]),
             // Nothing can be measured beyond the end of the assembly; what the rounding of the coordinate makes of the
             // determinant is known.
             Some(_) => usual / case.one.health,
@@ -65,12 +68,28 @@ fn rounding(case: &Case<'_>, method: &AnalyzerPlugin) -> Option<Numbers> {
     let row = |i: usize| {
         let shift = (i as f64 - 3.0) * SPACING * unit;
         let at = subject.solve(case.one.index, case.one.position.coordinate + shift)?;
-        subject.answer(method, case.loads, case.state, &at.position).map(|answer| numbers(&answer))
+        let answer = subject.answer(method, case.loads, case.state, &at.position, 1.0)?;
+        Some(numbers(&answer))
     };
     let rows = (0..SAMPLES).map(row).collect::<Option<Vec<_>>>()?;
     let number = |k: usize| rounding_of(&std::array::from_fn(|i| rows[i][k]));
     Some((0..rows[0].len()).map(number).collect())
 }
+
+/// By how much each number changes where all coefficients of friction grow in proportion: by as much as that, rounding of the
+/// response to friction shows in it, 1/(1 - k) times with one pair and W = k in z = |a + W z|. `None` without friction.
+fn gained_by_friction(case: &Case<'_>) -> Option<Numbers> {
+    let Case { subject, loads, state, reactions, .. } = case;
+    let method = &subject.methods[case.full];
+    reactions.friction.as_ref()?;
+    // Beside jamming there is no solution with greater coefficients.
+    let less = subject.answer(method, loads, state, &case.one.position, 1.0 - GROWTH)?;
+    let changes = numbers(reactions).into_iter().zip(numbers(&less));
+    Some(changes.map(|(all, less)| (all - less) / GROWTH).collect())
+}
+
+/// Change of the coefficients for a difference, small beside the distance to jamming wherever a limit can judge.
+const GROWTH: f64 = 1e-7;
 
 fn numbers(reactions: &Reactions) -> Numbers {
     let pairs = reactions.pairs.iter().flat_map(|r| [r.fx, r.fy, r.m]);

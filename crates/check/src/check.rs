@@ -81,13 +81,14 @@ impl Check {
 }
 
 impl Serialize for Check {
-    /// As results show it: `ok` is null where the check is not conclusive, and `why` says why it is not.
+    /// As results show it: a residual or limit that is not finite is null; `ok` is null where the check is not conclusive, and `why` says why it is not.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Finding { place, error, bound, holds, why } = &self.finding;
+        let Finding { place, bound, holds, why, .. } = &self.finding;
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("name", &self.name)?;
-        map.serialize_entry("residual", error)?;
-        map.serialize_entry("limit", bound)?;
+        // A residual that is not finite fails its check; the results are written all the same.
+        map.serialize_entry("residual", &self.finding.number())?;
+        map.serialize_entry("limit", &Some(*bound).filter(|bound| bound.is_finite()))?;
         if let Some(at) = self.at {
             map.serialize_entry("at", &at)?;
         }

@@ -61,7 +61,7 @@ impl<'a> Forces<'a> {
         compare_loads(subject, (items, &given), one, &mut self.written);
         let methods = subject.methods.iter();
         let answers: Vec<_> =
-            methods.map(|method| subject.answer(method, loads, state, &one.position)).collect();
+            methods.map(|method| subject.answer(method, loads, state, &one.position, 1.0)).collect();
         let full = (0..answers.len()).find(|&i| subject.methods[i].gives_reactions && answers[i].is_some());
         let Some((full, reactions)) = full.and_then(|i| Some((i, answers[i].as_ref()?))) else {
             let [links, joints, guides] = &mut self.balance;

@@ -33,17 +33,26 @@ pub(crate) fn own_inertia<T: Real>(link: &Link, coordinate: T) -> [T; 2] {
     })
 }
 
-/// Size of the terms of J' before they cancel.
-pub(crate) fn slope_terms(mechanism: &Mechanism, coordinate: f64, bodies: &[Body<f64>]) -> f64 {
-    let term = |(link, body): (&Link, &Body<f64>)| {
+/// The sizes of the terms of the moment of inertia of a link and of its derivative, in which these have a rounding unit: that of the
+/// argument of a sine shows where the derivative is zero.
+pub(crate) fn inertia_terms(link: &Link, coordinate: f64) -> [f64; 2] {
+    let Some(law) = link.inertia.varying() else { return [link.inertia.constant(), 0.0] };
+    let rounding = law.formula.rounding_with_slope(coordinate);
+    rounding.map(|bound| law.factor.abs() * bound / f64::EPSILON)
+}
+
+/// Sizes of the terms of J and of J' before they cancel, in which these have a rounding unit.
+pub(crate) fn sizes(mechanism: &Mechanism, coordinate: f64, bodies: &[Body<f64>]) -> [f64; 2] {
+    let mut sum = [0.0; 2];
+    for (link, body) in mechanism.links.iter().zip(bodies).skip(1) {
         let arm = body.arm(link.center);
-        let (v, a) = (body.first(arm), body.second(arm));
-        let [inertia, slope] = own_inertia(link, coordinate);
-        let size = |v: [f64; 2]| v[0].hypot(v[1]);
-        let turning = 2.0 * inertia * (body.w1 * body.w2).abs() + slope.abs() * body.w1 * body.w1;
-        2.0 * link.mass * size(v) * size(a) + turning
-    };
-    mechanism.links.iter().zip(bodies).skip(1).map(term).sum()
+        let [v, a] = [body.first(arm), body.second(arm)].map(|v| v[0].hypot(v[1]));
+        let [inertia, slope] = inertia_terms(link, coordinate);
+        let square = body.w1 * body.w1;
+        sum[0] += link.mass * v * v + inertia * square;
+        sum[1] += 2.0 * (link.mass * v * a + inertia * (body.w1 * body.w2).abs()) + slope * square;
+    }
+    sum
 }
 
 #[cfg(test)]

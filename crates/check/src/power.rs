@@ -143,10 +143,13 @@ fn compare_reduced(case: &Case<'_>, mine: [f64; 3], [sizes, added]: [f64; 2], co
     let (linkage, bodies) = (case.subject.linkage, &case.one.position.bodies);
     let found = case.loads.reduced(case.state, bodies);
     let theirs = [found.inertia, found.inertia_derivative, found.moment];
-    // J' is a sum of terms that cancel; their sizes are those of products of PF1 and PF2.
-    let slopes = kinetics::slope_terms(&linkage.mechanism, case.state.coordinate, bodies);
+    // J' is a sum of terms that cancel; their sizes are those of products of PF1 and PF2. Of a moment of inertia by formula the
+    // rounding may be greater than that of its value.
+    let [inertia, slope] = kinetics::sizes(&linkage.mechanism, case.state.coordinate, bodies);
     let names = ["J", "J'", "Q"];
-    for (k, size) in [mine[0], slopes + mine[0] / linkage.coordinate_unit(), sizes].into_iter().enumerate() {
+    for (k, size) in
+        [inertia.max(mine[0]), slope + mine[0] / linkage.coordinate_unit(), sizes].into_iter().enumerate()
+    {
         if size > 0.0 {
             let off = (mine[k] - theirs[k]).abs() / size;
             let of_loads = if k == 2 { added } else { 0.0 };

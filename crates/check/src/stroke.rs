@@ -76,6 +76,26 @@ pub(crate) fn sizes(value: &Value, at: &At<'_>) -> Sizes {
     Sizes { range, terms: 0.0 }
 }
 
+/// The value of a law over the coordinate at exactly this one, after a jump; not a number of a law over something else.
+pub(crate) fn over_coordinate(value: &Value, coordinate: f64, period: Option<f64>) -> f64 {
+    match value {
+        Value::Constant(size) => *size,
+        Value::Table { over: Over::Coordinate, table, repeat } => {
+            table.at(within(table, coordinate, period.filter(|_| *repeat)))
+        }
+        Value::Formula { formula, factor, axis: None } => {
+            factor * formula.value(&Variables { coordinate, ..Variables::default() })
+        }
+        Value::Table { .. } | Value::Formula { .. } | Value::Stroke { .. } => f64::NAN,
+    }
+}
+
+/// An argument of a table in the cycle that begins with its first row.
+fn within(table: &LawTable, x: f64, period: Option<f64>) -> f64 {
+    let first = table.rows.first().map_or(0.0, |row| row[0]);
+    period.map_or(x, |period| first + (x - first).rem_euclid(period))
+}
+
 /// The values of a formula within rounding of its variables, on either side of the jumps that lie there.
 fn by_formula(formula: &Formula, factor: f64, axis: Option<f64>, at: &At<'_>) -> Sizes {
     let LoadState { coordinate, speed, time, .. } = *at.state;
@@ -167,8 +187,7 @@ fn on_stroke(axis: f64, [forward, back]: [&LawTable; 2], at: &At<'_>) -> [f64; 2
 /// Least and greatest value of a table within a tolerance of the argument. Near a row, the formulas of both sides count,
 /// continued by the tolerance: at a jump both values, at a steep line what it gains over the rounding of the argument.
 fn around(table: &LawTable, x: f64, tolerance: f64, period: Option<f64>) -> [f64; 2] {
-    let first = table.rows.first().map_or(0.0, |row| row[0]);
-    let place = |x: f64| period.map_or(x, |period| first + (x - first).rem_euclid(period));
+    let place = |x: f64| within(table, x, period);
     let apart = |row: f64| {
         let distance = (row - place(x)).abs();
         period.map_or(distance, |period| distance.min((period - distance).abs()))

@@ -1,5 +1,7 @@
 //! What is checked: a linkage, and where there are loads the states and methods.
 
+use std::sync::Arc;
+
 use assur_force::{AnalyzerPlugin, LoadState, Loads, Reactions, applicable, choose};
 use assur_group::Order;
 use assur_kinematics::{Interpolation, Linkage, Position};
@@ -98,18 +100,24 @@ impl Subject<'_> {
         (0..orders).fold(1.0, |factor, _| factor / Interpolation::GREATEST_HALF_WIDTH)
     }
 
-    /// The result of a method under the loads of a state; `None` where it fails.
+    /// The result of a method under the loads of a state, with all coefficients of friction times `part`; `None` where it fails.
     pub(crate) fn answer(
         &self,
         method: &AnalyzerPlugin,
         loads: &Loads,
         state: &LoadState,
         position: &Position,
+        part: f64,
     ) -> Option<Reactions> {
         let mut wrenches = loads.total(state, &position.bodies);
         let mut reactions = Reactions::new(self.linkage).with_friction(loads, self.linkage);
         if let Some(friction) = &mut reactions.friction {
             loads.senses(state, &position.bodies, &mut friction.senses);
+            if part < 1.0 {
+                for bearing in &mut Arc::make_mut(&mut friction.frictions).bearings {
+                    bearing.coefficient *= part;
+                }
+            }
         }
         method.instance.solve(self.linkage, position, &mut wrenches, &mut reactions).ok()?;
         Some(reactions)

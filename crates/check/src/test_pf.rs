@@ -214,7 +214,7 @@ impl<'a> Comparison<'a> {
         // J' sums products of PF1 and PF2 that cancel; the rounding of each is that of the terms.
         let terms = {
             let position = &one.position;
-            kinetics::slope_terms(&subject.linkage.mechanism, position.coordinate, &position.bodies)
+            kinetics::sizes(&subject.linkage.mechanism, position.coordinate, &position.bodies)[1]
         };
         let floor = FLOOR * f64::EPSILON;
         let below = around.below.inertia(0).max(around.floor * floor * size.abs());

@@ -7,6 +7,7 @@ mod coverage;
 mod differences;
 mod double;
 mod fixtures;
+mod formulas;
 mod many;
 mod mutants;
 mod mutations;

@@ -10,8 +10,8 @@ use assur_mechanism::{
     Spring, Value,
 };
 
-use crate::kinetics::own_inertia;
-use crate::stroke::{At, Extremes, Sizes, extremes, sizes};
+use crate::kinetics::{inertia_terms, own_inertia};
+use crate::stroke::{At, Extremes, Sizes, extremes, over_coordinate, sizes};
 use crate::subject::Subject;
 
 /// Distance of a rest, in the coordinate, rad or m, that counts as zero: a coordinate of a few turns is rounded by
@@ -156,7 +156,9 @@ impl<'a> Writer<'a> {
             + (body.x1.hypot(body.y1) + body.w1.abs() * lever) * e.abs();
         let mut item = self.at(body, link.center, a.map(|a| -link.mass * a), link.mass * terms);
         item.wrench.m += turn;
-        let turning = inertia * (body.w2.abs() * w * w + (body.w1 * e).abs()) + changing.abs();
+        let [inertia, slope] = inertia_terms(link, now.state.coordinate);
+        let turning =
+            inertia * (body.w2.abs() * w * w + (body.w1 * e).abs()) + 0.5 * slope * body.w1.abs() * w * w;
         item.size += turning / self.scale;
         items.insert((Cause::Inertia(id), id), item);
     }
@@ -237,10 +239,12 @@ impl<'a> Writer<'a> {
         let lever = -speed.signum() * brake.moment_of_unit_force();
         // At rest up to rounding the moment is zero, or of either sense.
         let rests = speed == 0.0 || body.w1.abs() <= REST * (body.w2.abs() + 1.0);
-        let found = if lever == 0.0 || rests { given.abs() } else { given / lever };
-        let size = self.size(now, &brake.force, place, None, found);
-        if rests && given.abs() <= (brake.moment_of_unit_force() * size.value).abs() {
-            return Size { value: given, terms: given.abs() };
+        let found = if lever == 0.0 { 0.0 } else { given / lever };
+        let size = self.size(now, &brake.force, place, None, if rests { found.abs() } else { found });
+        if rests {
+            let most = (lever * size.value).abs();
+            let value = if given.abs() <= most { given } else { most.copysign(given) };
+            return Size { value, terms: given.abs() };
         }
         Size { value: lever * size.value, terms: brake.moment_of_unit_force().abs() * size.terms }
     }
@@ -290,34 +294,41 @@ impl<'a> Writer<'a> {
         wrench.add_at(arm, along.map(|a| size.value * a), 0.0);
         let lever = 1.0 + (arm[0].hypot(arm[1]) + contact.radius) / self.scale;
         // The rounding of the angle turns the force, and beyond half a turn there is nothing left of its direction.
-        let turned = (angle.abs() + self.turned(now, contact) / f64::EPSILON).min(1.0 / f64::EPSILON);
+        let terms = self.size(now, &contact.angle, center, None, angle).terms;
+        let turned = (terms + self.turned(now, contact) / f64::EPSILON).min(1.0 / f64::EPSILON);
         Item { wrench, size: size.terms.max(size.value.abs()) * square.sqrt() * lever * (1.0 + turned) }
     }
 
     /// By how much the angle of a contact changes over the rounding of the coordinate.
     fn turned(&self, now: &Now<'_>, contact: &Contact) -> f64 {
         let rounding = f64::EPSILON * now.state.coordinate;
-        let [before, after] = [-rounding, rounding].map(|off| {
-            let state = LoadState { coordinate: now.state.coordinate + off, ..*now.state };
-            self.size(&Now { state: &state, ..*now }, &contact.angle, contact.center, None, f64::INFINITY)
-                .value
-        });
+        let [before, after] =
+            [-rounding, rounding].map(|off| self.angle(contact, now.state.coordinate + off));
         (after - before).abs()
     }
 
-    /// The friction of a contact with its sign. Where the arc just rolls, or the input rests, the scene leaves the sign open.
+    /// The angle of a contact at exactly this coordinate, after a jump.
+    fn angle(&self, contact: &Contact, coordinate: f64) -> f64 {
+        over_coordinate(&contact.angle, coordinate, self.mechanism.input.period())
+    }
+
+    /// The friction of a contact with its sign. Where the arc just rolls, or the input rests and stays there, the scene leaves the
+    /// sign open.
     fn contact_friction(&self, now: &Now<'_>, contact: &Contact, given: [f64; 2]) -> f64 {
         if !contact.against_sliding {
             return contact.friction;
         }
-        let angle = self.size(now, &contact.angle, contact.center, None, f64::INFINITY).value;
-        let (s, c) = angle.sin_cos();
+        let (s, c) = self.angle(contact, now.state.coordinate).sin_cos();
         let body = &now.bodies[contact.center.link];
         let arm = body.arm(contact.center.at);
         let slides = body.first([arm[0] - contact.radius * s, arm[1] - contact.radius * c]);
         let along = slides[0] * c - slides[1] * s;
-        let sense = if now.state.speed == 0.0 { self.mechanism.input.sign() } else { now.state.speed };
-        let open = now.state.side != Side::Prescribed && now.state.speed == 0.0;
+        let LoadState { speed, acceleration, side, .. } = *now.state;
+        let of_input = self.mechanism.input.sign();
+        let rests = speed == 0.0;
+        let sense = if rests && side == Side::Prescribed { of_input } else { senses(now.state, of_input)[0] };
+        let stays = acceleration == 0.0 || matches!(side, Side::Held { .. });
+        let open = rests && stays && side != Side::Prescribed;
         if open || along.abs() <= REST * (slides[0].hypot(slides[1]) + contact.radius * body.w1.abs()) {
             let [across, pressed] = [given[0] * c - given[1] * s, given[0] * s + given[1] * c];
             let found = if pressed == 0.0 { 0.0 } else { across / pressed };
@@ -328,7 +339,7 @@ impl<'a> Writer<'a> {
 
     /// The angle of a contact: the one of the given force, if the scene allows it.
     fn contact_angle(&self, now: &Now<'_>, contact: &Contact, friction: f64, given: [f64; 2]) -> f64 {
-        let of_scene = self.size(now, &contact.angle, contact.center, None, f64::INFINITY).value;
+        let of_scene = self.angle(contact, now.state.coordinate);
         // The force may point either way along its line.
         let apart = given[0].atan2(given[1]) - friction.atan() - of_scene;
         let apart = if given[0].hypot(given[1]) == 0.0 { 0.0 } else { apart - PI * (apart / PI).round() };

@@ -4,6 +4,7 @@
 //! * [`velocity_plan`], [`acceleration_plan`]: pole, images of the points, the parts of each vector.
 //! * [`construction_plans`]: the construction of a force analyzer (longitudinal reactions, Zhukovsky's lever).
 //! * [`split`]: reactions by cause; [`Hodograph`], [`sign_changes`]: reactions over the cycle.
+//! * [`FrictionDiagram`]: a reaction beside the friction of its pair.
 //! * [`enveloping`]: the straight line that an arc envelopes.
 //! * [`sheet`]: all plans of one position.
 //!
@@ -13,6 +14,7 @@ mod construction;
 mod cycle;
 mod enveloping;
 mod error;
+mod friction;
 mod motion_plan;
 mod plan;
 mod polygon;
@@ -24,6 +26,7 @@ pub use construction::{construction_picture, construction_plans};
 pub use cycle::{Hodograph, ReactionExtreme, Sizes};
 pub use enveloping::{Enveloping, EnvelopingPoint, enveloping};
 pub use error::DiagramError;
+pub use friction::FrictionDiagram;
 pub use motion_plan::{acceleration_plan, velocity_plan};
 pub use plan::{PlanPoint, PlanVector, VectorPlan};
 pub use polygon::force_polygons;

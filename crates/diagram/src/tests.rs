@@ -2,6 +2,7 @@
 
 mod causes;
 mod closing;
+mod friction;
 mod known;
 mod press;
 mod words;

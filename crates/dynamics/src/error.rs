@@ -1,6 +1,7 @@
 //! Why there is no motion to report.
 
 use assur_integrator::{IntegrationError, MotionError};
+use assur_mechanism::Key;
 use assur_motor::MotorError;
 use assur_words::{Describe, Text, name, number, quantity, text};
 
@@ -189,23 +190,23 @@ impl Describe for DynamicsError {
 }
 
 impl DynamicsError {
-    /// The key of the scene that the error concerns, step by step; the motion where it concerns the machine as a whole.
-    pub fn key(&self) -> &'static [&'static str] {
+    /// The key of the scene that the error concerns; the motion where it concerns the machine as a whole.
+    pub fn key(&self) -> Key {
         match self {
-            Self::Integration(IntegrationError::NotReached { .. }) => &["motion", "until"],
-            Self::Integration(IntegrationError::Registry(_)) => &["motion", "integrator"],
-            Self::OtherSpeed { .. } => &["motion", "mean_speed"],
-            Self::NoCycle => &["input"],
-            Self::NotRepeating { .. } => &["input", "cycle"],
-            Self::SteadyOnly(_) | Self::Stalled(_) | Self::NotTuned { .. } => &["drive"],
+            Self::Integration(IntegrationError::NotReached { .. }) => Key::of("motion").at("until"),
+            Self::Integration(IntegrationError::Registry(_)) => Key::of("motion").at("integrator"),
+            Self::OtherSpeed { .. } => Key::of("motion").at("mean_speed"),
+            Self::NoCycle => Key::of("input"),
+            Self::NotRepeating { .. } => Key::of("input").at("cycle"),
+            Self::SteadyOnly(_) | Self::Stalled(_) | Self::NotTuned { .. } => Key::of("drive"),
             Self::TooWeak { .. }
             | Self::OffSection { .. }
             | Self::NoMotor
             | Self::NoLoad(_)
             | Self::Rated(_)
             | Self::Motor(_)
-            | Self::Selection(_) => &["drive", "motor"],
-            _ => &["motion"],
+            | Self::Selection(_) => Key::of("drive").at("motor"),
+            _ => Key::of("motion"),
         }
     }
 }

@@ -211,6 +211,14 @@ pub type Watcher<'w> = dyn FnMut(&State) -> ControlFlow<()> + 'w;
 pub(crate) struct Watched<'a, 'w> {
     pub(crate) motion: &'a mut dyn EquationOfMotion,
     pub(crate) watcher: Option<&'a mut Watcher<'w>>,
+    /// The least and the greatest speed of all states that were evaluated, those within steps among them.
+    pub(crate) speeds: [f64; 2],
+}
+
+impl<'a, 'w> Watched<'a, 'w> {
+    pub(crate) fn new(motion: &'a mut dyn EquationOfMotion, watcher: Option<&'a mut Watcher<'w>>) -> Self {
+        Self { motion, watcher, speeds: [f64::INFINITY, f64::NEG_INFINITY] }
+    }
 }
 
 impl EquationOfMotion for Watched<'_, '_> {
@@ -223,6 +231,7 @@ impl EquationOfMotion for Watched<'_, '_> {
     }
 
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
+        self.speeds = [self.speeds[0].min(state.speed), self.speeds[1].max(state.speed)];
         let flow = self.watcher.as_mut().map_or(ControlFlow::Continue(()), |watcher| watcher(state));
         if flow.is_break() {
             return Err(MotionError::Mechanism(text!("dynamics-stopped")));

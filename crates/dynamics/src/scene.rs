@@ -70,7 +70,7 @@ pub(crate) fn steady_motion(
     watcher: Option<&mut Watcher<'_>>,
 ) -> Result<Steady, DynamicsError> {
     let (request, unevenness) = cycle_request(mechanism)?;
-    let mut motion = Watched { motion, watcher };
+    let mut motion = Watched::new(motion, watcher);
     let mut solver = RegimeSolver::new(&mut motion, request)?;
     let given = if let Some(Solve::Given(value)) = unevenness { Some(value) } else { None };
     let (drive, motor) = drive_request(mechanism, &solver, given)?;

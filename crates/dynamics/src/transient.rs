@@ -97,7 +97,7 @@ pub fn transient(
     let mut request = request(mechanism, &mut motion)?;
     request.tolerance = method.tolerance.unwrap_or(*tolerance);
     let dependence = motion.dependence();
-    let mut watched = Watched { motion: &mut motion, watcher };
+    let mut watched = Watched::new(&mut motion, watcher);
     let named = method.integrator.unwrap_or(named);
     let (found, unrest) = solve(named, &mut watched, &request)?;
     let Solution { trajectory, integrator, reason } = found;
@@ -116,7 +116,7 @@ pub fn transient(
 /// reason is returned with it.
 fn solve(
     named: &str,
-    motion: &mut dyn EquationOfMotion,
+    motion: &mut Watched<'_, '_>,
     request: &Request,
 ) -> Result<(Solution, Option<Text>), IntegrationError> {
     let first = assur_integrator::solve(named, motion, request);
@@ -127,6 +127,11 @@ fn solve(
         }
         _ => return Ok((first?, None)),
     };
+    let [slowest, fastest] = motion.speeds;
+    if slowest > 0.0 || fastest < 0.0 {
+        // It turned nowhere.
+        return Ok((first?, None));
+    }
     let turning = Request { until: Until::Turn, ..*request };
     let Ok(found) = assur_integrator::solve(named, motion, &turning) else { return Ok((first?, None)) };
     Ok((found, Some(why)))

@@ -17,9 +17,9 @@ pub(crate) trait Formulas {
     fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &LoadState) -> bool;
     /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
     fn friction_sense(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &LoadState) -> f64;
-    /// Factor of the unit vector of PF1 for a load against the motion; 0 where the point is at rest. `lengths`: of PF1
-    /// and PF2 of its point.
-    fn against(&self, loads: &Loads, load: usize, state: &LoadState, lengths: [f64; 2]) -> f64;
+    /// Factor of a unit vector for a load against the motion of a point: of that of PF1, or where the point `turns`, at rest
+    /// between two motions, of that of PF2, along which it goes on. 0 where nothing moves.
+    fn against(&self, loads: &Loads, load: usize, state: &LoadState, turns: bool) -> f64;
 }
 
 /// Says which formulas apply at a state.
@@ -89,11 +89,15 @@ impl Formulas for Selection {
     }
 
     #[inline(always)]
-    fn against(&self, loads: &Loads, _: usize, _: &LoadState, [first, second]: [f64; 2]) -> f64 {
-        /// A rest within this distance of the coordinate is at the coordinate: the difference is rounding.
-        const AT_REST: f64 = 1e-12;
-        let rests = first <= loads.standing.max(AT_REST * second);
-        if !self.moves || rests { 0.0 } else { -self.sense }
+    fn against(&self, _: &Loads, _: usize, state: &LoadState, turns: bool) -> f64 {
+        // Of a prescribed motion a point that turns has no force against it; nor where the input is held at rest.
+        let held = state.speed == 0.0 && matches!(state.side, Side::Held { .. });
+        match (self.moves, turns) {
+            (false, _) => 0.0,
+            (true, true) if self.closed || held => 0.0,
+            (true, true) => -self.ahead,
+            (true, false) => -self.sense,
+        }
     }
 }
 
@@ -119,8 +123,14 @@ impl Formulas for Phase {
     }
 
     #[inline(always)]
-    fn against(&self, _: &Loads, load: usize, state: &LoadState, _: [f64; 2]) -> f64 {
+    fn against(&self, _: &Loads, load: usize, state: &LoadState, turns: bool) -> f64 {
         let [low, high] = self.loads[load].stays;
+        if turns {
+            // The piece begins there, or ends.
+            let [begin, end] = if self.sense < 0.0 { [high, low] } else { [low, high] };
+            let begins = (state.coordinate - begin).abs() <= (state.coordinate - end).abs();
+            return if begins { -1.0 } else { 1.0 };
+        }
         // Beyond a rest PF1 has reversed; the formula of the piece has not.
         let within = state.coordinate >= low && state.coordinate <= high;
         if within { -self.sense } else { self.sense }

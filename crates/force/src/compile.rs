@@ -1,11 +1,12 @@
 //! From the loads of a scene to flat compiled ones.
 
+use std::f64::consts::TAU;
 use std::mem::discriminant;
 use std::sync::Arc;
 
 use assur_formula::Formula;
 use assur_group::Body;
-use assur_kinematics::Linkage;
+use assur_kinematics::{AssemblyRange, Linkage};
 use assur_mechanism::{
     Contact, Direction, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism, Over,
     Place, Range, Value,
@@ -177,11 +178,16 @@ impl<'a> Compiler<'a> {
         loads.frictions = Some(Arc::new(Frictions { bearings, unknowns, blocks, whole }));
     }
 
-    /// Where the senses of friction are looked for: over the cycle, or where an input that can't turn fully may be. There the two
-    /// ends of a turn don't join, so that the senses don't repeat with it.
+    /// Where the senses of friction are looked for: over the cycle, or where an input that can't turn fully may be. Positions of a
+    /// given motion beyond the gap are there again, perhaps by a whole turn, so that the cycle is looked at with its gap.
     fn span_of_friction(&self) -> Span {
         let whole = self.linkage.range.filter(|range| !range.full && self.linkage.angular());
-        if let Some(range) = whole {
+        let listed = self.positions();
+        let leaves =
+            |range: &AssemblyRange| listed.from < range.low || listed.from + listed.length > range.high;
+        let goes_beyond =
+            |range: &AssemblyRange| self.is_given() && leaves(range) && range.high - range.low < TAU;
+        if let Some(range) = whole.filter(|range| !goes_beyond(range)) {
             let length = range.high - range.low;
             let from = range.low + AT_ENDS * length;
             return Span { from, length: (1.0 - 2.0 * AT_ENDS) * length, periodic: false, cells: GRID };

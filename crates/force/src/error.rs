@@ -1,7 +1,7 @@
 //! What is wrong with the loads of a mechanism.
 
 use assur_kinematics::PositionError;
-use assur_mechanism::{LoadKind, Mechanism, Value};
+use assur_mechanism::{Key, LoadKind, Mechanism, Value};
 use assur_words::{Describe, Text, name, number, quantity, text};
 
 /// A load that can't be compiled, or has no value.
@@ -86,11 +86,11 @@ impl Describe for LoadError {
 }
 
 impl LoadError {
-    /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
-    pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
+    /// The key of the scene that the error concerns.
+    pub fn key(&self, mechanism: &Mechanism) -> Option<Key> {
         let loads = &mechanism.loads;
         let found = loads.iter().position(|load| Text::from(&load.name) == self.load)?;
-        let (list, number) = mechanism.place_of_load(found);
+        let key = mechanism.key_of_load(found);
         let varies = |value: &Value| !matches!(value, Value::Constant(_));
         // The key that gives its size.
         let size = match &loads[found].kind {
@@ -99,7 +99,6 @@ impl LoadError {
             LoadKind::Contact(found) if varies(&found.angle) && !varies(&found.force) => "angle",
             LoadKind::Brake(_) | LoadKind::Contact(_) => "force",
         };
-        let size = Some(size.to_owned()).filter(|_| !matches!(self.fault, LoadFault::NeedsMotion(_)));
-        Some([list.to_owned(), number.to_string()].into_iter().chain(size).collect())
+        Some(if matches!(self.fault, LoadFault::NeedsMotion(_)) { key } else { key.at(size) })
     }
 }

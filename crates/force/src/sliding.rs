@@ -3,7 +3,7 @@
 use assur_group::Body;
 use assur_group::plane::dot;
 use assur_kinematics::PositionError;
-use assur_number::search::try_newton_root;
+use assur_number::search::{bisect, try_newton_root};
 
 use crate::breaks::{Breaks, Interval};
 use crate::grid::Span;
@@ -49,11 +49,14 @@ impl Rate {
 impl Sliding {
     /// Finds where the sliding turns; coordinates without a position of the mechanism are skipped.
     pub(crate) fn find(rate: &mut dyn FnMut(f64) -> Result<Rate, PositionError>, span: &Span) -> Self {
-        let rates: Vec<_> = (0..=span.cells).map(|cell| (span.at(cell), rate(span.at(cell)).ok())).collect();
+        let mut rates: Vec<_> =
+            (0..=span.cells).map(|cell| (span.at(cell), rate(span.at(cell)).ok())).collect();
         let greatest =
             rates.iter().filter_map(|(_, rate)| *rate).fold(0.0, |most: f64, rate| most.max(rate.size));
+        let gaps = to_the_limits(&mut rates, rate);
         let sign = |first: f64| if first.abs() <= STILL * greatest { 0.0 } else { first.signum() };
-        let mut turns = Vec::new();
+        // Beyond a gap the sliding may have another sense.
+        let mut turns = gaps;
         for cell in rates.windows(2) {
             let [(low, Some(a)), (high, Some(b))] = [cell[0], cell[1]] else { continue };
             let [before, after] = [sign(a.first), sign(b.first)];
@@ -123,6 +126,35 @@ impl Sliding {
         let interval = self.breaks.interval(coordinate);
         (interval, self.signs[interval.index])
     }
+}
+
+/// Adds to the rates of ascending coordinates those at the limits of assembly between them, which are found by bisection; returns the
+/// middle of each gap that begins after a position.
+fn to_the_limits(
+    rates: &mut Vec<(f64, Option<Rate>)>,
+    rate: &mut dyn FnMut(f64) -> Result<Rate, PositionError>,
+) -> Vec<f64> {
+    let mut limits = Vec::new();
+    for cell in rates.windows(2) {
+        let [(low, a), (high, b)] = [cell[0], cell[1]];
+        let [there, gone] = if a.is_some() { [low, high] } else { [high, low] };
+        if a.is_some() != b.is_some() {
+            let limit = bisect(there, gone, 0.0, |q| rate(q).is_ok())[0];
+            limits.push((limit, rate(limit).ok()));
+        }
+    }
+    let begins = limits.iter().map(|(limit, _)| *limit).filter(|limit| {
+        let after = rates.iter().find(|(q, _)| q > limit);
+        after.is_some_and(|(_, rate)| rate.is_none())
+    });
+    let middle = |begin: f64| {
+        let end = limits.iter().map(|(limit, _)| *limit).find(|limit| *limit > begin);
+        f64::midpoint(begin, end.unwrap_or(begin))
+    };
+    let gaps = begins.map(middle).collect();
+    rates.extend(limits);
+    rates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    gaps
 }
 
 /// Where a part of the rate changes its sign between two coordinates.

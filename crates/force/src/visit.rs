@@ -35,6 +35,19 @@ pub(crate) struct Visit<'a, T: LoadNumber, C> {
     pub(crate) bodies: &'a [Body<T>],
 }
 
+impl Loads {
+    /// By which derivative a point moves, from the lengths of its PF1 and PF2: 0, or 1 where it turns; `None` where it stays at rest.
+    #[inline(always)]
+    fn moving(&self, [first, second]: [f64; 2]) -> Option<usize> {
+        /// A rest within this distance of the coordinate is at the coordinate: the difference is rounding.
+        const AT_REST: f64 = 1e-12;
+        if first > self.standing.max(AT_REST * second) {
+            return Some(0);
+        }
+        (second > self.standing).then_some(1)
+    }
+}
+
 impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
     /// Passes on all applied loads except weights.
     #[inline(always)]
@@ -92,31 +105,28 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             Along::Ground(unit) => scaled(self.size(index, point), vector(unit)),
             Along::Link(unit) => scaled(self.size(index, point), body.turned(vector(unit))),
             Along::AgainstMotion => {
-                let (first, second) = (body.first(arm), body.second(arm));
-                let (length, curvature) = (dot(first, first).sqrt(), dot(second, second).sqrt());
-                let per_length = self.by_lane(|formulas, lane| {
-                    let lengths = [length.lane(lane), curvature.lane(lane)];
-                    if lengths[0] == 0.0 {
-                        return 0.0;
-                    }
-                    let turn = formulas.against(self.loads, index, T::state(self.states, lane), lengths);
-                    turn * self.value(formulas, index, lane, point) / lengths[0]
-                });
-                scaled(per_length, first)
+                let orders = [body.first(arm), body.second(arm)];
+                let lengths = orders.map(|of| dot(of, of).sqrt());
+                let lengths = |lane: usize| lengths.map(|length| length.lane(lane));
+                let of = |part: fn(f64) -> f64| {
+                    self.by_lane(|formulas, lane| {
+                        let Some(order) = self.loads.moving(lengths(lane)) else { return 0.0 };
+                        let state = T::state(self.states, lane);
+                        let turn = part(formulas.against(self.loads, index, state, order == 1));
+                        turn * self.value(formulas, index, lane, point)
+                    })
+                };
+                if S::SIZES {
+                    sink.size(of(f64::abs));
+                }
+                let order = |lane: usize| self.loads.moving(lengths(lane)).unwrap_or(0);
+                let length = T::of_lanes(|lane| lengths(lane)[order(lane)].max(f64::MIN_POSITIVE));
+                let along = [0, 1].map(|axis| T::of_lanes(|lane| orders[order(lane)][axis].lane(lane)));
+                scaled(of(|turn| turn) / length, along)
             }
         };
-        if S::SIZES {
-            sink.size(match force.along {
-                Along::Ground(_) | Along::Link(_) => self.size(index, point),
-                Along::AgainstMotion => {
-                    let lengths = [body.first(arm), body.second(arm)].map(|of| dot(of, of).sqrt());
-                    self.by_lane(|formulas, lane| {
-                        let lengths = lengths.map(|length| length.lane(lane));
-                        let turn = formulas.against(self.loads, index, T::state(self.states, lane), lengths);
-                        turn.abs() * self.value(formulas, index, lane, point)
-                    })
-                }
-            });
+        if S::SIZES && !matches!(force.along, Along::AgainstMotion) {
+            sink.size(self.size(index, point));
         }
         sink.force(force.at.link, body, arm, along);
     }
@@ -129,8 +139,9 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
             let [w1, w2] = [body.w1, body.w2].map(|number| number.lane(lane));
             // Of the rim of the disc, for the comparison with lengths.
             let lengths = [w1, w2].map(|number| shoe.radius * number.abs());
-            let turn = formulas.against(self.loads, index, T::state(self.states, lane), lengths);
-            let sense = if w1 < 0.0 { -turn } else { turn };
+            let Some(order) = self.loads.moving(lengths) else { return 0.0 };
+            let turn = formulas.against(self.loads, index, T::state(self.states, lane), order == 1);
+            let sense = if [w1, w2][order] < 0.0 { -turn } else { turn };
             sense * shoe.lever * self.value(formulas, index, lane, [T::ZERO; 2])
         })
     }

@@ -220,6 +220,11 @@ impl Formula {
         self.differentiated(coordinate)
     }
 
+    /// Bounds of the rounding of both numbers of [`with_slope`](Self::with_slope) at exactly this coordinate.
+    pub fn rounding_with_slope(&self, coordinate: f64) -> [f64; 2] {
+        self.differentiated(Rounded::of(coordinate)).map(|number| number.error)
+    }
+
     /// [`with_slope`](Self::with_slope) in about 32 digits.
     pub fn precise(&self, coordinate: Dd) -> [Dd; 2] {
         self.differentiated(coordinate)

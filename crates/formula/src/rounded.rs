@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::number::{Number, Sign, turn};
 use crate::program::{Function, Kind};
+use crate::slope::Signed;
 
 /// Rounding of one operation, as part of its result: functions of the standard library are good to a unit in the last
 /// place.
@@ -81,6 +82,12 @@ impl Rounded {
         let (far, off) = (self.value.hypot(x.value), self.error.hypot(x.error));
         let cut = x.value < 0.0 && self.value.abs() <= self.error;
         Self::result(value, if cut || off >= far { TAU } else { (off / far).asin() })
+    }
+}
+
+impl Signed for Rounded {
+    fn sign(self) -> Option<Sign> {
+        Self::sign(self)
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::matrix::solve;
 use crate::moduli::{Moduli, Width, length};
 use crate::quadrics::{self, Quadric};
+use crate::steps::Steps;
 
 /// Two solutions this near, as part of their size, are one.
 const SAME: f64 = 1e-9;
@@ -14,8 +15,14 @@ const SIGN: f64 = 1e-9;
 /// for a choice of signs, from microseconds to milliseconds. Groups of two links have no more.
 const MOST: [usize; 4] = [8, 6, 4, 2];
 
+/// Most solutions that are followed from part to part: each of them may lead to several in the next.
+const MOST_POINTS: usize = 64;
+
 /// Places from which Newton's method looks for solutions where algebra does not give all of them.
 const TRIALS: u32 = 64;
+
+/// Most steps of Newton's method from each of them: it converges in fewer or hardly ever.
+const STEPS: usize = 24;
 
 /// All solutions that were found.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -33,15 +40,21 @@ pub struct Solutions {
 const FOUND: f64 = 1e-6;
 
 /// Whether the moduli of two solutions that were found in different ways are those of one.
-pub fn is_same(one: &[f64], other: &[f64]) -> bool {
+fn is_same(one: &[f64], other: &[f64]) -> bool {
     let size = one.iter().chain(other).fold(0.0_f64, |most, z| most.max(z.abs()));
     distance(one, other) <= FOUND * size
+}
+
+/// Which of some solutions is that of these moduli, which were found in another way; the nearest of those that may be.
+pub fn nearest<'a>(all: impl IntoIterator<Item = &'a Vec<f64>>, z: &[f64]) -> Option<usize> {
+    let same = all.into_iter().enumerate().filter(|(_, one)| is_same(one, z));
+    same.min_by(|(_, a), (_, b)| distance(a, z).total_cmp(&distance(b, z))).map(|(index, _)| index)
 }
 
 impl Solutions {
     /// The index of a solution that was found in another way. One that is missing among these joins them: they were not all.
     pub fn index_of(&mut self, z: Vec<f64>) -> usize {
-        if let Some(known) = self.points.iter().position(|known| is_same(known, &z)) {
+        if let Some(known) = nearest(&self.points, &z) {
             return known;
         }
         self.complete = false;
@@ -51,55 +64,94 @@ impl Solutions {
 }
 
 impl Moduli {
-    /// All solutions: none, one, or several; for at most three vectors of two components and few of one.
+    /// All solutions: none, one, or several; where each of the [parts](Self::parts) has at most three vectors of two components and
+    /// few of one.
     pub fn solutions(&self) -> Solutions {
+        let parts = self.parts();
+        if parts.len() < 2 {
+            return self.together();
+        }
+        let mut found = Solutions { complete: true, ..Solutions::default() };
+        let mut points = vec![vec![0.0; self.count()]];
+        for part in &parts {
+            for known in std::mem::take(&mut points) {
+                let own = self.part(part, &known).together();
+                found.complete &= own.complete;
+                found.continuum |= own.continuum;
+                points.extend(own.points.into_iter().map(|solved| {
+                    let mut point = known.clone();
+                    part.iter().zip(solved).for_each(|(at, z)| point[*at] = z);
+                    point
+                }));
+            }
+            if points.len() > MOST_POINTS {
+                points.truncate(MOST_POINTS);
+                found.complete = false;
+            }
+        }
+        let steps = &mut Steps::new(self);
+        points.into_iter().for_each(|point| add(point, steps, &mut found));
+        found
+    }
+
+    /// All solutions of equations of one part.
+    fn together(&self) -> Solutions {
         let of = |width: Width| (0..self.count()).filter(|j| self.widths[*j] == width).collect::<Vec<_>>();
         let (lines, planes) = (of(Width::One), of(Width::Two));
         let mut found = Solutions { complete: true, ..Solutions::default() };
+        let steps = &mut Steps::new(self);
         if MOST.get(planes.len()).is_none_or(|most| lines.len() > *most) {
             found.complete = false;
-            self.seek(&mut found);
+            self.seek(steps, &mut found);
             return found;
         }
         for signs in 0..1_u32 << lines.len() {
             let signs: Vec<f64> =
                 (0..lines.len()).map(|i| if signs >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
-            self.with_signs(&lines, &planes, &signs, &mut found);
+            self.with_signs([&lines, &planes], &signs, steps, &mut found);
         }
         if !found.complete {
-            self.seek(&mut found);
+            self.seek(steps, &mut found);
         }
         found
     }
 
     /// Adds the solutions to which Newton's method leads from moduli of many sizes.
-    fn seek(&self, found: &mut Solutions) {
-        let size = self.size(&vec![0.0; self.count()]);
+    fn seek(&self, steps: &mut Steps<'_>, found: &mut Solutions) {
+        let size = steps.size(&vec![0.0; self.count()]);
         for trial in 0..TRIALS {
             // Each modulus has a sequence of its own: the fractions of the multiples of an irrational number.
             let part = |j: usize| (f64::from(trial) * (1.0 + j as f64).sin()).rem_euclid(1.0);
             let start: Vec<f64> =
                 (0..self.count()).map(|j| size * 10_f64.powf(4.0 * part(j) - 2.0)).collect();
-            if let Some(z) = self.newton(&start) {
-                self.add(z, found);
+            if let Some(z) = steps.newton_within(STEPS, &start) {
+                add(z, steps, found);
             }
         }
     }
 
     /// Adds the solutions in which the vectors of one component have these signs.
-    fn with_signs(&self, lines: &[usize], planes: &[usize], signs: &[f64], found: &mut Solutions) {
+    fn with_signs(
+        &self,
+        [lines, planes]: [&[usize]; 2],
+        signs: &[f64],
+        steps: &mut Steps<'_>,
+        found: &mut Solutions,
+    ) {
         // (1 - S W) z of the lines = S (a + W z of the planes).
         let signed = |i: usize, k: usize| signs[i] * self.slopes[lines[i]][k][0];
-        let matrix: Vec<Vec<f64>> = (0..lines.len())
-            .map(|i| (0..lines.len()).map(|j| f64::from(u8::from(i == j)) - signed(i, lines[j])).collect())
-            .collect();
-        let constant = (0..lines.len()).map(|i| signs[i] * self.constants[lines[i]][0]).collect();
-        let by_planes = planes.iter().map(|&p| (0..lines.len()).map(|i| signed(i, p)).collect());
-        let rights: Vec<Vec<f64>> = std::iter::once(constant).chain(by_planes).collect();
-        let Some(solved) = solve(matrix.clone(), rights.clone()) else {
-            self.singular(lines, planes, &matrix, &rights, found);
+        let n = lines.len();
+        let entry = |(i, j): (usize, usize)| f64::from(u8::from(i == j)) - signed(i, lines[j]);
+        let matrix: Vec<f64> = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).map(entry).collect();
+        let mut solved: Vec<f64> = (0..n).map(|i| signs[i] * self.constants[lines[i]][0]).collect();
+        let constant = solved.clone();
+        solved.extend(planes.iter().flat_map(|&p| (0..n).map(move |i| (i, p))).map(|(i, p)| signed(i, p)));
+        if solve(&mut matrix.clone(), &mut solved, n).is_none() {
+            self.singular([lines, planes], [&matrix, &constant], steps, found);
             return;
-        };
+        }
+        // By line: without planes; then what each of these adds.
+        let solved: Vec<&[f64]> = (0..=planes.len()).map(|k| &solved[k * n..(k + 1) * n]).collect();
         let put = |lines_of: &[f64], planes_of: &[f64]| {
             let mut z = vec![0.0; self.count()];
             lines.iter().zip(lines_of).for_each(|(at, value)| z[*at] = *value);
@@ -114,51 +166,30 @@ impl Moduli {
             .map(|&p| {
                 let w = |l: usize| self.slopes[p][l];
                 let slopes =
-                    planes.iter().enumerate().map(|(k, &q)| with(&w, self.slopes[p][q], &solved[1 + k]));
-                Quadric { constant: with(&w, self.constants[p], &solved[0]), slopes: slopes.collect() }
+                    planes.iter().enumerate().map(|(k, &q)| with(&w, self.slopes[p][q], solved[1 + k]));
+                Quadric { constant: with(&w, self.constants[p], solved[0]), slopes: slopes.collect() }
             })
             .collect();
         let (roots, complete) = quadrics::roots(&quadrics);
         found.complete &= complete;
         for root in roots {
-            let of_lines: Vec<f64> = (0..lines.len())
+            let of_lines: Vec<f64> = (0..n)
                 .map(|i| root.iter().enumerate().fold(solved[0][i], |sum, (k, z)| sum + solved[1 + k][i] * z))
                 .collect();
             let z = put(&of_lines, &root);
-            let size = self.size(&z);
+            let size = steps.size(&z);
             if z.iter().all(|z| *z >= -SIGN * size) {
-                self.add(z, found);
+                add(z, steps, found);
             }
-        }
-    }
-
-    /// Adds a solution that is near these moduli, if it is new.
-    fn add(&self, near: Vec<f64>, found: &mut Solutions) {
-        let near: Vec<f64> = near.into_iter().map(|z| z.max(0.0)).collect();
-        let polished = self.newton(&near).filter(|z| distance(z, &near) <= 1e-3 * self.size(&near));
-        let z = match polished {
-            Some(z) => z,
-            None if self.is_solved(&near) => near,
-            None => return,
-        };
-        self.keep(z, found);
-    }
-
-    /// Keeps a solution, if it is new.
-    fn keep(&self, z: Vec<f64>, found: &mut Solutions) {
-        let size = self.size(&z);
-        if found.points.iter().all(|known| distance(known, &z) > SAME * size) {
-            found.points.push(z);
         }
     }
 
     /// Signs with which the linear equations are singular: where they have solutions all the same, these are a continuum.
     fn singular(
         &self,
-        lines: &[usize],
-        planes: &[usize],
-        matrix: &[Vec<f64>],
-        rights: &[Vec<f64>],
+        [lines, planes]: [&[usize]; 2],
+        [matrix, constant]: [&[f64]; 2],
+        steps: &Steps<'_>,
         found: &mut Solutions,
     ) {
         if !planes.is_empty() {
@@ -166,8 +197,8 @@ impl Moduli {
             return;
         }
         let n = lines.len();
-        let all = nalgebra::DMatrix::from_fn(n, n, |i, j| matrix[i][j]);
-        let right = nalgebra::DVector::from_column_slice(&rights[0]);
+        let all = nalgebra::DMatrix::from_row_slice(n, n, matrix);
+        let right = nalgebra::DVector::from_column_slice(constant);
         let svd = all.clone().svd(true, true);
         let Some(directions) = &svd.v_t else { return };
         let greatest = svd.singular_values.max();
@@ -188,8 +219,29 @@ impl Moduli {
         for t in ends {
             let mut z = vec![0.0; self.count()];
             lines.iter().enumerate().for_each(|(i, at)| z[*at] = (point[i] + t * direction[i]).max(0.0));
-            self.keep(z, found);
+            keep(z, steps, found);
         }
+    }
+}
+
+/// Adds a solution that is near these moduli, if it is new.
+fn add(near: Vec<f64>, steps: &mut Steps<'_>, found: &mut Solutions) {
+    let near: Vec<f64> = near.into_iter().map(|z| z.max(0.0)).collect();
+    let reach = 1e-3 * steps.size(&near);
+    let polished = steps.newton(&near).filter(|z| distance(z, &near) <= reach);
+    let z = match polished {
+        Some(z) => z,
+        None if steps.is_solved(&near) => near,
+        None => return,
+    };
+    keep(z, steps, found);
+}
+
+/// Keeps a solution, if it is new.
+fn keep(z: Vec<f64>, steps: &Steps<'_>, found: &mut Solutions) {
+    let size = steps.size(&z);
+    if found.points.iter().all(|known| distance(known, &z) > SAME * size) {
+        found.points.push(z);
     }
 }
 

@@ -20,9 +20,10 @@ mod every;
 mod matrix;
 mod moduli;
 mod quadrics;
+mod steps;
 mod unique;
 
-pub use every::{Solutions, is_same};
+pub use every::{Solutions, nearest};
 pub use matrix::spectral_radius;
 pub use moduli::{Moduli, PathPoint, Width, path};
 pub use unique::{Sum, Unique};

@@ -7,6 +7,33 @@ const SQUARINGS: i32 = 50;
 /// Number of squarings after which a power may have converged.
 const ENOUGH: i32 = 5;
 
+/// Number of images of a vector by which the spectral radius is set off from 1 before it is calculated.
+const IMAGES: usize = 16;
+
+/// Whether the spectral radius of a nonnegative square matrix, given by its rows one after the other, is below 1: it lies between the
+/// least and the greatest quotient of a positive vector and its image (Collatz and Wielandt). `None` where these don't tell.
+pub(crate) fn is_contraction(matrix: &[f64], n: usize) -> Option<bool> {
+    let [mut vector, mut next] = [vec![1.0; n], vec![1.0; n]];
+    for _ in 0..IMAGES {
+        let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
+        for ((row, own), next) in matrix.chunks_exact(n.max(1)).zip(&vector).zip(&mut next) {
+            let image: f64 = row.iter().zip(&vector).map(|(entry, x)| entry * x).sum();
+            let quotient = image / own;
+            if quotient.is_nan() {
+                return None;
+            }
+            (least, greatest) = (least.min(quotient), greatest.max(quotient));
+            // With a part of the vector before, none of the quotients goes to and fro.
+            *next = own + image;
+        }
+        if greatest < 1.0 || least >= 1.0 {
+            return Some(greatest < 1.0);
+        }
+        std::mem::swap(&mut vector, &mut next);
+    }
+    None
+}
+
 /// The spectral radius where a power of the matrix has converged: between the least and the greatest quotient of a positive
 /// vector and its image (Collatz and Wielandt), where these agree.
 fn by_vector(matrix: &[Vec<f64>], power: &[Vec<f64>]) -> Option<f64> {
@@ -59,32 +86,35 @@ pub fn spectral_radius(matrix: &[Vec<f64>]) -> f64 {
 /// Below this ratio of least to greatest pivot a matrix is singular: rounding alone gives as much.
 pub(crate) const SINGULAR: f64 = 1e-14;
 
-/// Solves `matrix x = right` for several right sides (each a row of `rights`) by elimination with partial pivoting; the
-/// matrix is given by rows. `None` where it is singular.
-pub(crate) fn solve(mut matrix: Vec<Vec<f64>>, mut rights: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
-    let n = matrix.len();
+/// Solves `matrix x = right` in place by elimination with partial pivoting: the matrix is given by rows, one after the other, and so
+/// are several right sides. `None` where it is singular.
+pub(crate) fn solve(matrix: &mut [f64], rights: &mut [f64], n: usize) -> Option<()> {
+    if n == 0 {
+        return Some(());
+    }
     let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
     for k in 0..n {
-        let best = (k..n).max_by(|&a, &b| matrix[a][k].abs().total_cmp(&matrix[b][k].abs()))?;
-        matrix.swap(k, best);
-        for right in &mut rights {
-            right.swap(k, best);
+        let size = |row: usize| matrix[row * n + k].abs();
+        let best = (k..n).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
+        let (above, below) = matrix.split_at_mut((k + 1) * n);
+        let own = &mut above[k * n..];
+        if best > k {
+            own.swap_with_slice(&mut below[(best - k - 1) * n..(best - k) * n]);
         }
-        let pivot = matrix[k][k];
+        rights.chunks_exact_mut(n).for_each(|right| right.swap(k, best));
+        let pivot = own[k];
         least = least.min(pivot.abs());
         greatest = greatest.max(pivot.abs());
         if pivot == 0.0 || !pivot.is_finite() {
             return None;
         }
-        let (above, below) = matrix.split_at_mut(k + 1);
-        let own = &above[k];
-        for (i, row) in below.iter_mut().enumerate() {
+        for (i, row) in below.chunks_exact_mut(n).enumerate() {
             let factor = row[k] / pivot;
             if factor == 0.0 {
                 continue;
             }
-            row.iter_mut().zip(own).skip(k).for_each(|(entry, own)| *entry -= factor * own);
-            for right in &mut rights {
+            row[k..].iter_mut().zip(&own[k..]).for_each(|(entry, own)| *entry -= factor * own);
+            for right in rights.chunks_exact_mut(n) {
                 right[k + 1 + i] -= factor * right[k];
             }
         }
@@ -92,11 +122,12 @@ pub(crate) fn solve(mut matrix: Vec<Vec<f64>>, mut rights: Vec<Vec<f64>>) -> Opt
     if least < SINGULAR * greatest {
         return None;
     }
-    for right in &mut rights {
+    for right in rights.chunks_exact_mut(n) {
         for k in (0..n).rev() {
-            let known: f64 = (k + 1..n).map(|j| matrix[k][j] * right[j]).sum();
-            right[k] = (right[k] - known) / matrix[k][k];
+            let row = &matrix[k * n..(k + 1) * n];
+            let known: f64 = row[k + 1..].iter().zip(&right[k + 1..]).map(|(entry, x)| entry * x).sum();
+            right[k] = (right[k] - known) / row[k];
         }
     }
-    Some(rights)
+    Some(())
 }

@@ -1,6 +1,7 @@
 //! The equations in moduli, and what is found of them by iteration, and along a path: how a solution changes as friction grows.
 
-use crate::matrix::{solve, spectral_radius};
+use crate::matrix::spectral_radius;
+use crate::steps::Steps;
 
 /// How many components a vector has whose modulus is an unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,18 +23,6 @@ pub struct Moduli {
     pub slopes: Vec<Vec<[f64; 2]>>,
 }
 
-/// Most steps of the iteration before Newton's method.
-const MOST_STEPS: usize = 400;
-
-/// Most steps of Newton's method.
-const MOST_NEWTON: usize = 60;
-
-/// Relative residual at which equations count as solved; rounding leaves some 1e-16 times the condition.
-pub(crate) const SOLVED: f64 = 1e-11;
-
-/// Greatest part of moduli by which Newton's method would change those of a solution.
-const STILL: f64 = 1e-3;
-
 impl Moduli {
     /// Number of unknowns.
     pub fn count(&self) -> usize {
@@ -52,6 +41,13 @@ impl Moduli {
         (0..self.count()).map(|j| length(self.vector(j, z))).collect()
     }
 
+    /// The equations with a part of the friction.
+    #[must_use]
+    pub fn scaled(&self, part: f64) -> Self {
+        let slopes = self.slopes.iter().map(|row| row.iter().map(|[x, y]| [part * x, part * y]).collect());
+        Self { slopes: slopes.collect(), ..self.clone() }
+    }
+
     /// The matrix L of the lengths of W.
     pub fn lengths(&self) -> Vec<Vec<f64>> {
         self.slopes.iter().map(|row| row.iter().map(|w| length(*w)).collect()).collect()
@@ -62,106 +58,93 @@ impl Moduli {
         spectral_radius(&self.lengths())
     }
 
-    /// Greatest residual |z - |a + W z|| as part of the greatest term.
-    pub fn residual(&self, z: &[f64]) -> f64 {
-        let size = self.size(z);
-        let off = self.step(z).iter().zip(z).fold(0.0_f64, |most, (new, z)| most.max((new - z).abs()));
-        if off == 0.0 { 0.0 } else { off / size }
+    /// The solution where the [certificate](Self::certificate) is below 1, which is often known before it is.
+    pub fn only(&self) -> Option<Vec<f64>> {
+        let mut steps = Steps::new(self);
+        if steps.is_contraction() { steps.follow(&vec![0.0; self.count()]) } else { None }
     }
 
-    /// The greatest term of the equations at some moduli.
-    pub(crate) fn size(&self, z: &[f64]) -> f64 {
-        let constants = self.constants.iter().map(|a| length(*a));
-        let terms = self.slopes.iter().flat_map(|row| row.iter().zip(z).map(|(w, z)| length(*w) * z.abs()));
-        constants.chain(terms).chain(z.iter().map(|z| z.abs())).fold(0.0, f64::max)
+    /// Greatest residual |z - |a + W z|| as part of the greatest term.
+    pub fn residual(&self, z: &[f64]) -> f64 {
+        Steps::new(self).residual(z)
     }
 
     /// The solution to which the textbook iteration and then Newton's method lead, from some moduli; `None` where they lead
     /// to none. Where the [certificate](Self::certificate) is below 1 this is the only one.
     pub fn follow(&self, start: &[f64]) -> Option<Vec<f64>> {
-        let mut z = start.to_vec();
-        for round in 1..=MOST_STEPS {
-            let next = self.step(&z);
-            let off = next.iter().zip(&z).fold(0.0_f64, |most, (new, z)| most.max((new - z).abs()));
-            z = next;
-            let size = self.size(&z);
-            if !size.is_finite() {
-                return None;
-            }
-            // Newton's method finishes from wherever it converges, but is tried only now and then.
-            if (off <= f64::EPSILON * size || off <= 1e-3 * size && round % 8 == 0)
-                && let Some(found) = self.newton(&z)
-            {
-                return Some(found);
-            }
-        }
-        self.newton(&z)
+        Steps::new(self).follow(start)
     }
 
     /// Newton's method from some moduli; `None` where it leads to no solution. Moduli of a solution are not negative.
     pub fn newton(&self, start: &[f64]) -> Option<Vec<f64>> {
-        let mut z = start.to_vec();
-        let mut best: Option<(f64, Vec<f64>)> = None;
-        for _ in 0..MOST_NEWTON {
-            let residual = self.residual(&z);
-            if !residual.is_finite() {
-                break;
-            }
-            if best.as_ref().is_none_or(|(least, _)| residual < *least) {
-                best = Some((residual, z.clone()));
-            } else if best.as_ref().is_some_and(|(least, _)| *least <= SOLVED) {
-                break;
-            }
-            if residual == 0.0 {
-                break;
-            }
-            let Some(change) = self.change(&z) else { break };
-            z.iter_mut().zip(change).for_each(|(z, change)| *z -= change);
-        }
-        let (_, z) = best?;
-        let size = self.size(&z);
-        let solved = self.is_solved(&z) && z.iter().all(|z| *z >= -SOLVED * size);
-        solved.then(|| z.into_iter().map(|z| z.max(0.0)).collect())
-    }
-
-    /// Whether moduli solve the equations. Towards a solution at infinity the residual vanishes beside them, but Newton's method
-    /// would change them as much as ever.
-    pub(crate) fn is_solved(&self, z: &[f64]) -> bool {
-        let still = |change: Vec<f64>| change.iter().all(|change| change.abs() <= STILL * self.size(z));
-        self.residual(z) <= SOLVED && self.change(z).is_none_or(still)
-    }
-
-    /// The correction of Newton's method; `None` where the derivative is singular.
-    fn change(&self, z: &[f64]) -> Option<Vec<f64>> {
-        let vectors: Vec<[f64; 2]> = (0..self.count()).map(|j| self.vector(j, z)).collect();
-        let off = vectors.iter().zip(z).map(|(vector, z)| z - length(*vector)).collect();
-        solve(self.derivative(&vectors), vec![off])?.pop()
-    }
-
-    /// Derivative of z - |a + W z| by z, where the vectors are these.
-    fn derivative(&self, vectors: &[[f64; 2]]) -> Vec<Vec<f64>> {
-        let row = |(j, vector): (usize, &[f64; 2])| {
-            let size = length(*vector);
-            let unit = if size > 0.0 { [vector[0] / size, vector[1] / size] } else { [0.0; 2] };
-            let entry =
-                |(k, w): (usize, &[f64; 2])| f64::from(u8::from(j == k)) - unit[0] * w[0] - unit[1] * w[1];
-            self.slopes[j].iter().enumerate().map(entry).collect()
-        };
-        vectors.iter().enumerate().map(row).collect()
+        Steps::new(self).newton(start)
     }
 
     /// The solution near expected moduli; `None` where there is none so near that a path goes on there.
+    ///
+    /// A path from no friction, where the derivative is the unit matrix, keeps the sign of its determinant: it changes where two
+    /// solutions meet and the path ends. So of two solutions side by side only one is on the path, however near they are. Each of
+    /// the [parts](Self::parts) is judged by itself: a method that solves a whole mechanism at once has the path of one that solves
+    /// group by group.
     pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
-        let found = self.newton(expected)?;
-        let size = found.iter().fold(0.0_f64, |most, z| most.max(*z));
-        let is_near = |(z, expected): (&f64, &f64)| (z - expected).abs() <= NEAR * size;
-        found.iter().zip(expected).all(is_near).then_some(found)
+        let mut steps = Steps::new(self);
+        let found = steps.newton(expected)?;
+        let goes_on = |part: &Vec<usize>| {
+            let size = part.iter().fold(0.0_f64, |most, j| most.max(found[*j]));
+            let is_near = |j: &usize| (found[*j] - expected[*j]).abs() <= NEAR * size;
+            part.iter().all(is_near) && steps.is_ahead(&found, part)
+        };
+        self.parts().iter().all(goes_on).then_some(found)
+    }
+
+    /// The unknowns in parts that depend on themselves and on parts before them alone; in each, any depends on any other.
+    pub fn parts(&self) -> Vec<Vec<usize>> {
+        let n = self.count();
+        let lengths = self.lengths();
+        let most = |k: usize| lengths.iter().fold(1.0, |most: f64, row| most.max(row[k]));
+        let limits: Vec<f64> = (0..n).map(|k| NOTHING * most(k)).collect();
+        let mut reaches: Vec<Vec<bool>> = lengths
+            .iter()
+            .map(|row| row.iter().zip(&limits).map(|(length, limit)| length > limit).collect())
+            .collect();
+        for through in 0..n {
+            let row = reaches[through].clone();
+            for from in reaches.iter_mut().filter(|from| from[through]) {
+                from.iter_mut().zip(&row).for_each(|(own, other)| *own |= other);
+            }
+        }
+        let mut left: Vec<usize> = (0..n).collect();
+        let mut parts = Vec::new();
+        let is_next =
+            |j: usize, left: &[usize]| left.iter().all(|&k| !reaches[j][k] || reaches[k][j] || k == j);
+        while let Some(&first) = left.iter().find(|j| is_next(**j, &left)) {
+            let (part, rest) =
+                left.iter().partition(|&&k| k == first || reaches[first][k] && reaches[k][first]);
+            parts.push(part);
+            left = rest;
+        }
+        parts
+    }
+
+    /// The equations of some unknowns, where the others are known; those that depend on these are of no account.
+    pub(crate) fn part(&self, unknowns: &[usize], known: &[f64]) -> Self {
+        let others: Vec<f64> =
+            (0..self.count()).map(|k| if unknowns.contains(&k) { 0.0 } else { known[k] }).collect();
+        let slopes = |j: &usize| unknowns.iter().map(|k| self.slopes[*j][*k]).collect();
+        Self {
+            widths: unknowns.iter().map(|j| self.widths[*j]).collect(),
+            constants: unknowns.iter().map(|j| self.vector(*j, &others)).collect(),
+            slopes: unknowns.iter().map(slopes).collect(),
+        }
     }
 }
 
 pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
     if y == 0.0 { x.abs() } else { x.hypot(y) }
 }
+
+/// A slope below this part of the greatest that its unknown has, and of 1, is rounding of the linear equations that gave it.
+const NOTHING: f64 = 1e-12;
 
 /// A solution goes on a path where its moduli are as expected but for this part of them.
 const NEAR: f64 = 0.02;

@@ -94,6 +94,32 @@ fn a_journal_has_the_roots_of_its_quadratic() {
 }
 
 #[test]
+fn parts_are_solved_one_after_the_other() {
+    // The journal above, whose roots 1/2.25 and 4 load five pins, each of them with the friction of the one before: more at once than
+    // algebra solves. Responses to loads elsewhere are zero but for rounding.
+    let n = 6;
+    let mut slopes = vec![vec![[1e-16, -1e-17]; n]; n];
+    slopes[0][0] = [-1.25, 0.0];
+    (1..n).for_each(|j| slopes[j][j - 1] = [0.0, 0.5]);
+    let mut constants = vec![[3.0, 0.0]; n];
+    constants[0] = [1.0, 0.0];
+    let system = Moduli { widths: vec![Width::Two; n], constants, slopes };
+    let mut found = system.solutions();
+    found.points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    assert!(found.complete && found.points.len() == 2, "{found:?}");
+    for (point, root) in found.points.iter().zip([1.0 / 2.25, 4.0]) {
+        let mut z = root;
+        for found in point {
+            assert!((found - z).abs() < 1e-12, "{point:?}");
+            z = 3_f64.hypot(0.5 * z);
+        }
+    }
+    // The small root is on the path from no friction, the great one is not.
+    let near = |i: usize| system.near(&found.points[i]);
+    assert!(near(0).is_some() && near(1).is_none());
+}
+
+#[test]
 fn a_wedge_at_the_angle_of_friction_has_a_continuum() {
     // z = |1 - z| has one solution, z = |0 + z| a ray of them that begins at zero.
     let slide = |a: f64, w: f64| Moduli {
@@ -164,6 +190,9 @@ proptest! {
         let followed = system.follow(&vec![0.0; system.count()]).unwrap();
         let size = followed.iter().fold(0.0_f64, |most, z| most.max(*z));
         prop_assert!(found.points[0].iter().zip(&followed).all(|(a, b)| (a - b).abs() <= 1e-9 * size));
+        prop_assert_eq!(system.only(), Some(followed));
+        system.slopes.iter_mut().flatten().flatten().for_each(|w| *w *= 1.001 / part);
+        prop_assert_eq!(system.only(), None);
     }
 
     #[test]

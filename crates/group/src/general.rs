@@ -175,7 +175,16 @@ fn derive_sized<T: Real, S: Solver<T>>(
     bodies: &mut [Body<T>],
     order: Order,
 ) -> Result<(), GroupError> {
-    let lu = S::factor(frame, bodies, false);
+    derive_by(&S::factor(frame, bodies, false), frame, bodies, order)
+}
+
+/// As [`derive_generally`] with the factored J.
+pub(crate) fn derive_by<T: Real, S: Solver<T>>(
+    lu: &S,
+    frame: &GroupFrame,
+    bodies: &mut [Body<T>],
+    order: Order,
+) -> Result<(), GroupError> {
     if lu.health().is_nan() || lu.health() < LEAST_HEALTH {
         return Err(GroupError::Singular { health: lu.health() });
     }
@@ -228,7 +237,18 @@ pub fn reactions_generally<T: Real>(
     loads: &mut [Wrench<T>],
     reactions: &mut [Wrench<T>],
 ) -> Result<(), GroupError> {
-    sized!(frame, reactions_sized(frame, bodies, loads, reactions), Err(unfit(frame)))
+    reactions_under_generally(frame, bodies, loads, reactions, 1)
+}
+
+/// As [`reactions_generally`] under several sets of loads, set after set: the matrix is factored once.
+pub(crate) fn reactions_under_generally<T: Real>(
+    frame: &GroupFrame,
+    bodies: &[Body<T>],
+    loads: &mut [Wrench<T>],
+    reactions: &mut [Wrench<T>],
+    sets: usize,
+) -> Result<(), GroupError> {
+    sized!(frame, reactions_sized(frame, bodies, loads, reactions, sets), Err(unfit(frame)))
 }
 
 fn reactions_sized<T: Real, S: Solver<T>>(
@@ -236,11 +256,26 @@ fn reactions_sized<T: Real, S: Solver<T>>(
     bodies: &[Body<T>],
     loads: &mut [Wrench<T>],
     reactions: &mut [Wrench<T>],
+    sets: usize,
 ) -> Result<(), GroupError> {
     let lu = S::factor(frame, bodies, true);
     if lu.health().is_nan() || lu.health() < LEAST_HEALTH {
         return Err(GroupError::Singular { health: lu.health() });
     }
+    let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
+    for (loads, reactions) in loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs)) {
+        balance(frame, bodies, &lu, loads, reactions);
+    }
+    Ok(())
+}
+
+fn balance<T: Real, S: Solver<T>>(
+    frame: &GroupFrame,
+    bodies: &[Body<T>],
+    transposed: &S,
+    loads: &mut [Wrench<T>],
+    reactions: &mut [Wrench<T>],
+) {
     let scale = T::from_f64(frame.scale);
     let inverse_scale = T::ONE / T::from_f64(frame.scale);
     let mut right = S::zeros(frame);
@@ -248,7 +283,7 @@ fn reactions_sized<T: Real, S: Solver<T>>(
         let load = &loads[link];
         part.copy_from_slice(&[-load.fx, -load.fy, -(load.m * inverse_scale)]);
     }
-    let lambda = lu.solve(&right);
+    let lambda = transposed.solve(&right);
     let lambda = lambda.as_ref();
     for (k, pair) in frame.pairs().enumerate() {
         let (one, two) = (lambda[2 * k], lambda[2 * k + 1]);
@@ -259,7 +294,6 @@ fn reactions_sized<T: Real, S: Solver<T>>(
         reactions[pair.id] = reaction;
         push_outer(frame, bodies, pair, &reaction, loads);
     }
-    Ok(())
 }
 
 /// Adds the reaction of an outer pair to the load of the body outside the group.

@@ -5,11 +5,12 @@
 
 use assur_number::Real;
 
-use crate::general::{entries, guide, quadratic, sized, unfit};
+use crate::general::{derive_by, entries, guide, quadratic, reactions_under_generally, sized, unfit};
 use crate::plane::{direction, minus, times, vector};
 use crate::solver::Solver;
 use crate::{
-    AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, LEAST_HEALTH, Number, Pair, PairGeometry,
+    AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, LEAST_HEALTH, Number, Order, Pair,
+    PairGeometry, Wrench,
 };
 
 /// Kernel of any kind without closed forms: places by Newton's method, derivatives and reactions by the general solution.
@@ -30,8 +31,22 @@ impl<T: Real> AssurGroup<T> for Iterated {
     }
 
     fn place(&self, bodies: &mut [Body<T>], way: usize) -> Result<T, GroupError> {
+        self.solve(bodies, way, Order::Place)
+    }
+
+    fn solve(&self, bodies: &mut [Body<T>], way: usize, order: Order) -> Result<T, GroupError> {
         let frame = &self.0;
-        sized!(frame, place_signed(frame, bodies, way == 0), Err(unfit(frame)))
+        sized!(frame, solve_signed(frame, bodies, way == 0, order), Err(unfit(frame)))
+    }
+
+    fn reactions_under(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+        sets: usize,
+    ) -> Result<(), GroupError> {
+        reactions_under_generally(&self.0, bodies, loads, reactions, sets)
     }
 }
 
@@ -72,20 +87,34 @@ fn newton_health<T: Real, S: Solver<T>>(frame: &GroupFrame, bodies: &mut [Body<T
     newton_sized::<T, S>(frame, bodies).map(|lu| T::from_f64(lu.health()))
 }
 
-/// Places a group in the mode near the poses on entry whose determinant has the sign asked for.
+/// Places a group in the mode near the poses on entry whose determinant has the sign asked for, and differentiates its motion.
+fn solve_signed<T: Real, S: Solver<T>>(
+    frame: &GroupFrame,
+    bodies: &mut [Body<T>],
+    is_positive: bool,
+    order: Order,
+) -> Result<T, GroupError> {
+    let found: S = place_signed(frame, bodies, is_positive)?;
+    if order > Order::Place {
+        derive_by(&found, frame, bodies, order)?;
+    }
+    Ok(T::from_f64(found.health()))
+}
+
+/// Places a group in the mode near the poses on entry whose determinant has the sign asked for; its factored J.
 fn place_signed<T: Real, S: Solver<T>>(
     frame: &GroupFrame,
     bodies: &mut [Body<T>],
     is_positive: bool,
-) -> Result<T, GroupError> {
+) -> Result<S, GroupError> {
     let found = newton_sized::<T, S>(frame, bodies)?;
     if found.is_positive() == is_positive || found.health() < (256.0 * T::EPSILON).sqrt() {
-        return Ok(T::from_f64(found.health()));
+        return Ok(found);
     }
     to_partner(frame, bodies, &found);
     let other = newton_sized::<T, S>(frame, bodies)?;
     if other.is_positive() == is_positive {
-        return Ok(T::from_f64(other.health()));
+        return Ok(other);
     }
     Err(GroupError::NoAssembly { gap_m: 0.0 })
 }

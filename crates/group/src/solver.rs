@@ -56,7 +56,7 @@ impl<T: Real, const N: usize> Solver<T> for Lu<T, N> {
         }
         for i in (0..N).rev() {
             let mut sum = x[i];
-            for (&factor, &known) in self.factors[i].iter().zip(&x).skip(i + 1) {
+            for (&factor, &known) in self.factors[i][i + 1..].iter().zip(&x[i + 1..]) {
                 sum -= factor * known;
             }
             x[i] = sum / self.factors[i][i];
@@ -136,13 +136,16 @@ impl<T: Real, const N: usize> Lu<T, N> {
             is_positive ^= (best != k) != (pivot.to_f64() < 0.0);
             least = least.min(pivot.abs().least());
             greatest = greatest.max(pivot.abs().greatest());
-            for i in k + 1..N {
-                let factor = matrix[i][k] / pivot;
-                matrix[i][k] = factor;
-                let above = matrix[k];
-                for (entry, above) in matrix[i].iter_mut().zip(above).skip(k + 1) {
-                    *entry -= factor * above;
+            let (above, below) = matrix.split_at_mut(k + 1);
+            let above = &above[k][k + 1..];
+            for row in below {
+                // Most entries are zero.
+                if row[k].abs().greatest() == 0.0 {
+                    continue;
                 }
+                let factor = row[k] / pivot;
+                row[k] = factor;
+                row[k + 1..].iter_mut().zip(above).for_each(|(entry, above)| *entry -= factor * *above);
             }
         }
         let health = if greatest > 0.0 && greatest.is_finite() { least / greatest } else { 0.0 };

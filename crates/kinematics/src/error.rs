@@ -1,7 +1,7 @@
 //! Errors in compiling a mechanism and in calculating a position.
 
 use assur_group::{BuildError, GroupError};
-use assur_mechanism::Name;
+use assur_mechanism::{Key, Name};
 use assur_structure::StructureError;
 use assur_words::{Describe, Text, joined, list, name, quantity, text};
 
@@ -30,12 +30,12 @@ pub enum CompileError {
 }
 
 impl CompileError {
-    /// The key of the scene that the error concerns, step by step, if it is about a link.
-    pub fn key(&self) -> Option<Vec<&str>> {
+    /// The key of the scene that the error concerns, if it is about a link.
+    pub fn key(&self) -> Option<Key> {
         match self {
-            Self::Structure(error) => Some(vec!["link", error.link()?]),
-            Self::NoStart { .. } => Some(vec!["assembly"]),
-            Self::Build { link, .. } => Some(vec!["link", link.as_deref()?, "points"]),
+            Self::Structure(error) => Some(Key::of("link").at(error.link()?)),
+            Self::NoStart { .. } => Some(Key::of("assembly")),
+            Self::Build { link, .. } => Some(Key::of("link").at(link.as_deref()?).at("points")),
         }
     }
 }
@@ -61,6 +61,8 @@ pub struct PositionError {
     /// A slide of the group whose guide goes through the origin of its link, which is so where a scene does not say through what:
     /// the slide and that link.
     pub by_default: Option<Box<[Name; 2]>>,
+    /// Two slides of one link of a singular group whose guides are always parallel.
+    pub parallel: Option<Box<[Name; 2]>>,
 }
 
 /// Gaps above this suggest a length written without its unit, m.
@@ -96,6 +98,10 @@ impl Describe for CompileError {
 
 impl Describe for PositionError {
     fn describe(&self) -> Text {
+        if let Some([one, other]) = self.parallel.as_deref() {
+            let group = Text::clone(&self.group_name);
+            return text!("kinematics-parallel-guides", group, one, other);
+        }
         let number = self.index.map(|index| text!("kinematics-position", number = index));
         let at = text!(
             "kinematics-coordinate",

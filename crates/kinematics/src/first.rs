@@ -68,7 +68,9 @@ pub(crate) fn first_ways(
         if is_wanted && (rivals || candidates.len() > 1 && least_health < WELL_PLACED) {
             exact.measure(group, &mut candidates, &wanted, (&ways, &bodies));
         }
-        ways[group] = closest(&candidates, SAME * structure.scale);
+        let needed = structure.ways.iter().filter(|one| one.0 == group && health < WELL_PLACED);
+        let needed = needed.map(|one| one.1).find(|way| candidates.iter().any(|one| one.0 == *way));
+        ways[group] = needed.unwrap_or_else(|| closest(&candidates, SAME * structure.scale));
         // The group was already placed from the same starting pose.
         let _ = kernel.place(&mut bodies, usize::from(ways[group]));
         if iterates && certify_generally(kernel.frame(), &bodies).is_none() {

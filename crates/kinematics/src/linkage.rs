@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
-use assur_mechanism::{GROUND, Mechanism, Slide};
+use assur_mechanism::{GROUND, Mechanism, Name, Slide};
 use assur_number::{Lanes, Real};
 use assur_structure::Structure;
 
@@ -333,6 +333,28 @@ impl Linkage {
         found
     }
 
+    /// Two slides of a link whose guides are parallel wherever it is: between them it is not held.
+    fn parallel_guides(&self, group: usize) -> Option<Box<[Name; 2]>> {
+        /// The sine of the angle between parallel directions, to the rounding of angles in degrees.
+        const PARALLEL: f64 = 1e-9;
+        let slides = &self.mechanism.slides;
+        // The direction of the guide in the frame of a link.
+        let direction = |slide: &Slide, link| match link {
+            _ if slide.link == link => Some(-slide.tilt),
+            _ if slide.on == link => Some(slide.angle),
+            _ => None,
+        };
+        let links = &self.structure.groups[group].frame.links;
+        let both = links.iter().flat_map(|link| {
+            let own = slides.iter().filter_map(move |slide| Some((slide, direction(slide, *link)?)));
+            own.clone()
+                .enumerate()
+                .flat_map(move |(k, one)| own.clone().skip(k + 1).map(move |other| [one, other]))
+        });
+        let mut parallel = both.filter(|[one, other]| (one.1 - other.1).sin().abs() < PARALLEL);
+        parallel.next().map(|both| Box::new(both.map(|(slide, _)| slide.name.clone())))
+    }
+
     #[cold]
     fn explain(&self, coordinate: f64, failure: ChainError) -> PositionError {
         let failure = self.first_failure.filter(|_| self.range.is_none()).unwrap_or(failure);
@@ -345,7 +367,12 @@ impl Linkage {
         let by_default = mechanism.slides.iter().find(of_ground);
         let by_default =
             by_default.map(|slide| Box::new([slide.name.clone(), mechanism.links[GROUND].name.clone()]));
+        let parallel =
+            matches!(failure.source, GroupError::Singular { .. } | GroupError::SingularStart { .. })
+                .then(|| self.parallel_guides(failure.group))
+                .flatten();
         PositionError {
+            parallel,
             group: failure.group,
             group_name: Box::new(self.structure.group_name(&self.mechanism, failure.group)),
             index: None,

@@ -1,9 +1,11 @@
 //! Finds where links run to infinity: two guides of a group become parallel without coinciding.
 
 use assur_group::Order;
+use assur_number::Real;
 use assur_number::search::least;
 
-use crate::{Linkage, Position};
+use crate::regular::INTERVALS;
+use crate::{AssemblyRange, Enclosures, Linkage, Position};
 
 /// Samples over one turn, or over the range of a sliding input.
 const SAMPLES: u32 = 720;
@@ -16,6 +18,9 @@ const SUSPECT: f64 = 0.2;
 const NEAR: f64 = 1e-6;
 const AWAY: f64 = 1e3;
 
+/// While the determinant is greater than this, no link is as far away.
+const CLEAR: f64 = 10.0 / AWAY;
+
 impl Linkage {
     /// Coordinates at which links of a group with a single way run to infinity, with the index of the group.
     /// Positions can be calculated on both sides, but no real mechanism passes through. Every call searches anew,
@@ -25,6 +30,9 @@ impl Linkage {
             .filter(|&i| self.chain.is_needed(i) && self.groups()[i].ways() == 1)
             .collect();
         let Some(range) = self.range.filter(|_| !suspects.is_empty()) else { return Vec::new() };
+        if self.keep_clear(&suspects, &range) {
+            return Vec::new();
+        }
         let mut position = self.position();
         let step = (range.high - range.low) / f64::from(SAMPLES);
         // One sample more on each side of a full turn, for a zero at the seam.
@@ -32,14 +40,16 @@ impl Linkage {
             .map(|i| range.low + step * i as f64)
             .filter(|q| range.full || (range.low..=range.high).contains(q))
             .collect();
+        let samples: Vec<Vec<f64>> =
+            places.iter().map(|q| self.health_at(&suspects, *q, &mut position)).collect();
         let mut found: Vec<(f64, usize)> = Vec::new();
-        for group in suspects {
-            let health: Vec<f64> = places.iter().map(|q| self.health_at(group, *q, &mut position)).collect();
-            for (i, three) in health.windows(3).enumerate() {
+        for (nth, &group) in suspects.iter().enumerate() {
+            for (i, three) in samples.windows(3).enumerate() {
+                let three = [three[0][nth], three[1][nth], three[2][nth]];
                 if three[1] > SUSPECT || three[1] > three[0] || three[1] >= three[2] {
                     continue;
                 }
-                let health = |q: f64| self.health_at(group, q, &mut position);
+                let health = |q: f64| self.health_at(&[group], q, &mut position)[0];
                 let (place, _) = least(places[i], places[i + 2], 90, health);
                 // A zero at the seam of a full turn is found at both ends.
                 let turn = if range.full { range.high - range.low } else { f64::INFINITY };
@@ -55,11 +65,24 @@ impl Linkage {
         found
     }
 
-    fn health_at(&self, group: usize, q: f64, position: &mut Position) -> f64 {
-        match self.solve(q, Order::Place, position) {
-            Ok(()) => position.health[group].abs(),
-            Err(_) => 0.0,
-        }
+    /// Whether the closed forms prove over intervals of the coordinate that the determinants of groups stay away from zero.
+    fn keep_clear(&self, groups: &[usize], range: &AssemblyRange) -> bool {
+        let mut needed = vec![false; self.groups().len()];
+        groups.iter().flat_map(|group| self.ancestors(*group)).for_each(|group| needed[group] = true);
+        let ways = self.ways.are_constant().then(|| self.ways.at(range.low));
+        let enclosures =
+            ways.and_then(|ways| Enclosures::of(&self.mechanism, &self.structure, &needed, ways));
+        let Some(mut enclosures) = enclosures else { return false };
+        INTERVALS.into_iter().any(|count| {
+            enclosures.all([range.low, range.high], count, Order::Place, |_, health| {
+                groups.iter().all(|group| health[*group].abs().exceeds(CLEAR))
+            })
+        })
+    }
+
+    fn health_at(&self, groups: &[usize], q: f64, position: &mut Position) -> Vec<f64> {
+        let solved = self.solve(q, Order::Place, position).is_ok();
+        groups.iter().map(|group| if solved { position.health[*group].abs() } else { 0.0 }).collect()
     }
 
     /// Whether a link of the group is far away at a small distance from the coordinate.

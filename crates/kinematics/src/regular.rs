@@ -12,7 +12,7 @@ use crate::samples::SUSPECT;
 
 /// Into how many intervals the turn is divided; if one is not proved, all are divided further. Beyond these, following
 /// the samples takes less time.
-const INTERVALS: [u32; 3] = [8, 32, 128];
+pub(crate) const INTERVALS: [u32; 3] = [8, 32, 128];
 
 /// Whether the input turns, each needed group can be assembled in its way at every angle, and its determinant stays so far
 /// from zero that following its samples finds no event. It is proved by the closed forms over intervals of the angle; `false`

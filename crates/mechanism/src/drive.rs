@@ -24,6 +24,16 @@ pub enum Solve {
     Wanted,
 }
 
+impl Solve {
+    /// The number, given from now on.
+    pub fn given(&mut self) -> Option<&mut f64> {
+        if let Self::Wanted = self {
+            *self = Self::Given(0.0);
+        }
+        if let Self::Given(number) = self { Some(number) } else { None }
+    }
+}
+
 /// Source of the driving torque.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Torque {

@@ -7,6 +7,7 @@ mod alike;
 mod drive;
 mod friction;
 mod inertia;
+mod key;
 mod load;
 mod name;
 mod notice;
@@ -21,6 +22,7 @@ pub use drive::{
 };
 pub use friction::{Friction, Middle, Surfaces};
 pub use inertia::{Inertia, VaryingInertia};
+pub use key::{Key, Step};
 pub use load::{
     Balance, Brake, Contact, Direction, Force, LawTable, Load, LoadKind, Moment, Over, Shape, Spring, Value,
 };
@@ -282,10 +284,10 @@ pub enum PairId {
 }
 
 impl Mechanism {
-    /// Where the scene has a load: the name of its list, and its number there, from 0.
-    pub fn place_of_load(&self, load: LoadId) -> (&'static str, usize) {
+    /// Where the scene has a load: its list, and its number there, from 0.
+    pub fn key_of_load(&self, load: LoadId) -> Key {
         let list = self.loads[load].kind.list();
-        (list, self.loads[..load].iter().filter(|before| before.kind.list() == list).count())
+        Key::of(list).at(self.loads[..load].iter().filter(|before| before.kind.list() == list).count())
     }
 
     /// Whether its links have the same positions at every coordinate as those of another mechanism: lengths, pairs, input and

@@ -265,6 +265,40 @@ impl Load {
 }
 
 impl LoadKind {
+    /// The number under a key of the scene, if any other one may stand there as well.
+    pub fn number(&mut self, key: &str) -> Option<&mut f64> {
+        use Value::{Constant, Formula, Stroke};
+        match self {
+            Self::Force(Force { value, direction, at: _ }) => match (key, value, direction) {
+                ("value", Constant(number), _)
+                | ("value.axis", Stroke { axis: number, .. } | Formula { axis: Some(number), .. }, _)
+                | ("angle", _, Direction::Ground(number) | Direction::Link(number)) => Some(number),
+                _ => None,
+            },
+            Self::Moment(Moment { value: Constant(number), .. }) => (key == "value").then_some(number),
+            Self::Moment(_) => None,
+            Self::Brake(Brake { force, radius, friction, lever, link: _ }) => match (key, force) {
+                ("force", Constant(number)) => Some(number),
+                ("radius", _) => Some(radius),
+                ("friction", _) => Some(friction),
+                ("lever", _) => Some(lever),
+                _ => None,
+            },
+            Self::Spring(Spring { stiffness, length, damping, ends: _ }) => match key {
+                "stiffness" => Some(stiffness),
+                "length" => Some(length),
+                "damping" => Some(damping),
+                _ => None,
+            },
+            Self::Contact(Contact { radius, angle, force, friction, .. }) => match (key, angle, force) {
+                ("angle", Constant(number), _) | ("force", _, Constant(number)) => Some(number),
+                ("radius", ..) => Some(radius),
+                ("friction" | "friction.against_sliding", ..) => Some(friction),
+                _ => None,
+            },
+        }
+    }
+
     /// The list of the scene in which it stands.
     pub fn list(&self) -> &'static str {
         match self {

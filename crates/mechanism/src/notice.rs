@@ -5,6 +5,8 @@ use std::fmt;
 use assur_words::Text;
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
+use crate::Key;
+
 /// What a notice is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -23,15 +25,15 @@ pub enum NoticeKind {
 pub struct Notice {
     /// What it is about.
     pub kind: NoticeKind,
-    /// The key of the scene that it concerns: `input.from`; an item of a list by its number from 0: `force[0].angle`.
-    pub key: Option<String>,
+    /// The key of the scene that it concerns.
+    pub key: Option<Key>,
     /// What it says.
     pub text: Text,
 }
 
 impl Notice {
     /// Something that is probably not meant, at a key of the scene.
-    pub fn mistake(key: impl Into<Option<String>>, text: Text) -> Self {
+    pub fn mistake(key: impl Into<Option<Key>>, text: Text) -> Self {
         Self { kind: NoticeKind::Mistake, key: key.into(), text }
     }
 

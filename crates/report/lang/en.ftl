@@ -280,6 +280,8 @@ report-no-motion = There is no motion to report: { $reason }
 report-equation = Equation of motion: { $equation } (case { $case } of D 3.21)
 report-integrator = Integrator: { $method } ({ $reason })
 report-integration-cost = Tolerance { $tolerance }; { $steps } steps, { $rejected } rejected or redone, { $evaluations } evaluations, { $jacobians } Jacobians, { $pieces } smooth pieces
+report-integration-fixed = Fixed step { $step }; { $steps } intervals, { $evaluations } evaluations, { $jacobians } Jacobians, { $pieces } smooth pieces
+report-mean-step = { $step } on average
 report-stiffness = Step times largest eigenvalue at the end: { $value }
 report-motion-error = Estimated error of the motion, as a part of its largest speed and of its travel: { $value }
 report-end = End: { $time }, { $raw } ({ $coordinate }), { $speed }
@@ -351,6 +353,7 @@ report-not-judged = not judged: { $check }: { $reason }
 # The geometry of the motion.
 geometry-strokes = Strokes and dead points
 geometry-no-strokes = Nothing goes to and fro.
+geometry-turns-back = { $slide } turns back at { $places }; without a second dead point in the range it has no stroke.
 geometry-extremes = Extremes over the cycle
 geometry-modulus = |{ $of }|
 geometry-displacement = displacement
@@ -474,6 +477,7 @@ explain-not-modelled = Not modelled
 explain-run = { $stage }: run: { $reason }; method: { $method }
 explain-left-out = { $stage }: left out: { $reason }
 explain-mobility = Mobility by Chebyshev's formula: W = 3*{ $links } - 2*{ $pairs } = { $mobility }
+explain-passive = Passive: { $parts }; by count this repeats constraints of other parts, and without it W = 1
 explain-not-needed = not needed for what is asked for
 explain-carries-nothing = carries no load: its reactions are zero
 explain-singular-at = singular at: { $place }
@@ -637,6 +641,7 @@ model-flywheel = a constant moment of inertia on its shaft
 # What is not modelled.
 missing-mass = mass of { $links }
 missing-mass-how = the scene gives none, so they have neither weight nor inertia loads; add `mass`, `center` and `inertia` to the link
+missing-mass-of-rotor = the scene gives none, so they have no weight and no inertia force, only the moment of their `inertia`; add `mass` and `center` to the link
 missing-inertia = moment of inertia of { $links }
 missing-inertia-how = the scene gives none; add `inertia` (about the center of mass) to the link
 missing-inertia-needless = the scene gives none, and none is missed: sliding on the ground, it never turns
@@ -707,8 +712,8 @@ report-simpler-inputs = With { $count ->
     } as the input the groups would be of a lower class.
 head-structure = Structural formula
 report-passive = Passive: { $what } repeats constraints of other parts; positions are solved without it
-report-misfit = { $what } is passive by count, but misses by { $misfit } mm at { $place } (limit { $limit } mm){ $closes }
-report-closes = ; it closes with { $key } = { $value } (SI)
+report-misfit = { $what } is passive by count, but misses by { $misfit } at { $place } (limit { $limit }){ $closes }
+report-closes = ; it closes with { $key } = { $value }
 report-formula-without = { $formula }; passive: { $parts }
 report-modes-of = Modes of group { $group } ({ $kind } { $links }) over the cycle
 report-modes-unlisted = { $group }: its kind does not list its modes.

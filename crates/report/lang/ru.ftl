@@ -287,6 +287,8 @@ report-no-motion = Движение не найдено: { $reason }
 report-equation = Уравнение движения: { $equation } (случай { $case } по D 3.21)
 report-integrator = Метод интегрирования: { $method } ({ $reason })
 report-integration-cost = Точность { $tolerance }; шагов { $steps }, отвергнутых или повторённых { $rejected }, вычислений { $evaluations }, матриц Якоби { $jacobians }, гладких участков { $pieces }
+report-integration-fixed = Постоянный шаг { $step }; промежутков { $steps }, вычислений { $evaluations }, матриц Якоби { $jacobians }, гладких участков { $pieces }
+report-mean-step = { $step } в среднем
 report-stiffness = Шаг, умноженный на наибольшее собственное значение, в конце: { $value }
 report-motion-error = Оценка погрешности движения как доли его наибольшей скорости и пути: { $value }
 report-end = Конец: { $time }, { $raw } ({ $coordinate }), { $speed }
@@ -355,6 +357,7 @@ report-not-judged = не оценено: { $check }: { $reason }
 # Геометрия движения.
 geometry-strokes = Ходы и крайние положения
 geometry-no-strokes = Ни одно звено не движется возвратно.
+geometry-turns-back = { $slide } поворачивает назад при { $places }; без второй мёртвой точки на промежутке хода нет.
 geometry-extremes = Экстремумы за цикл
 geometry-modulus = |{ $of }|
 geometry-displacement = перемещение
@@ -478,6 +481,7 @@ explain-not-modelled = Что не учтено
 explain-run = { $stage }: выполняется: { $reason }; метод: { $method }
 explain-left-out = { $stage }: пропущено: { $reason }
 explain-mobility = Степень подвижности по формуле Чебышёва: W = 3·{ $links } − 2·{ $pairs } = { $mobility }
+explain-passive = Пассивное: { $parts }; по подсчёту это повторяет связи других частей, без него W = 1
 explain-not-needed = не нужна для того, что запрошено
 explain-carries-nothing = не нагружена: её реакции равны нулю
 explain-singular-at = особые положения: { $place }
@@ -614,6 +618,7 @@ model-flywheel = постоянный момент инерции на его в
 # Что не учтено.
 missing-mass = масса звеньев { $links }
 missing-mass-how = сцена её не задаёт, поэтому у них нет ни силы тяжести, ни сил инерции; добавьте к звену `mass`, `center` и `inertia`
+missing-mass-of-rotor = сцена её не задаёт, поэтому у них нет ни силы тяжести, ни силы инерции, только момент от `inertia`; добавьте к звену `mass` и `center`
 missing-inertia = момент инерции звеньев { $links }
 missing-inertia-how = сцена его не задаёт; добавьте к звену `inertia` (относительно центра масс)
 missing-inertia-needless = сцена его не задаёт, и он не нужен: скользя по стойке, звено не вращается
@@ -684,8 +689,8 @@ report-simpler-inputs = { $count ->
     } группы были бы более низкого класса.
 head-structure = Формула строения
 report-passive = Пассивное: { $what } повторяет то, что уже задано, и в движении не учитывается
-report-misfit = { $what }: по подсчёту пассивно, но расходится на { $misfit } мм при { $place } (предел { $limit } мм){ $closes }
-report-closes = ; замыкается, если { $key } = { $value } (СИ)
+report-misfit = { $what }: по подсчёту пассивно, но расходится на { $misfit } при { $place } (предел { $limit }){ $closes }
+report-closes = ; замыкается, если { $key } = { $value }
 report-formula-without = { $formula }; пассивное: { $parts }
 report-modes-of = Сборки группы { $group } ({ $kind } { $links }) за цикл
 report-modes-unlisted = { $group }: её вид не перечисляет сборок.

@@ -287,6 +287,8 @@ report-no-motion = Рух не знайдено: { $reason }
 report-equation = Рівняння руху: { $equation } (випадок { $case } за D 3.21)
 report-integrator = Метод інтегрування: { $method } ({ $reason })
 report-integration-cost = Точність { $tolerance }; кроків { $steps }, відхилених чи повторених { $rejected }, обчислень { $evaluations }, матриць Якобі { $jacobians }, гладких ділянок { $pieces }
+report-integration-fixed = Сталий крок { $step }; проміжків { $steps }, обчислень { $evaluations }, матриць Якобі { $jacobians }, гладких ділянок { $pieces }
+report-mean-step = { $step } у середньому
 report-stiffness = Крок, помножений на найбільше власне значення, у кінці: { $value }
 report-motion-error = Оцінка похибки руху як частки його найбільшої швидкості та шляху: { $value }
 report-end = Кінець: { $time }, { $raw } ({ $coordinate }), { $speed }
@@ -355,6 +357,7 @@ report-not-judged = не оцінено: { $check }: { $reason }
 # Геометрія руху.
 geometry-strokes = Ходи та крайні положення
 geometry-no-strokes = Жодна ланка не рухається зворотно.
+geometry-turns-back = { $slide } повертає назад при { $places }; без другої мертвої точки на проміжку ходу немає.
 geometry-extremes = Екстремуми за цикл
 geometry-modulus = |{ $of }|
 geometry-displacement = переміщення
@@ -478,6 +481,7 @@ explain-not-modelled = Чого не враховано
 explain-run = { $stage }: виконується: { $reason }; метод: { $method }
 explain-left-out = { $stage }: пропущено: { $reason }
 explain-mobility = Ступінь рухомості за формулою Чебишова: W = 3·{ $links } − 2·{ $pairs } = { $mobility }
+explain-passive = Пасивне: { $parts }; за підрахунком це повторює в'язі інших частин, без нього W = 1
 explain-not-needed = не потрібна для того, що запитано
 explain-carries-nothing = не навантажена: її реакції дорівнюють нулю
 explain-singular-at = особливі положення: { $place }
@@ -614,6 +618,7 @@ model-flywheel = сталий момент інерції на його валу
 # Чого не враховано.
 missing-mass = маса ланок { $links }
 missing-mass-how = сцена її не задає, тому в них немає ні сили ваги, ні сил інерції; додайте до ланки `mass`, `center` та `inertia`
+missing-mass-of-rotor = сцена її не задає, тому в них немає ні сили ваги, ні сили інерції, лише момент від `inertia`; додайте до ланки `mass` та `center`
 missing-inertia = момент інерції ланок { $links }
 missing-inertia-how = сцена його не задає; додайте до ланки `inertia` (відносно центра мас)
 missing-inertia-needless = сцена його не задає, і він не потрібен: ковзаючи по стояку, ланка не обертається
@@ -684,8 +689,8 @@ report-simpler-inputs = { $count ->
     } групи мали б нижчий клас.
 head-structure = Формула будови
 report-passive = Пасивне: { $what } повторює те, що вже задано, і в русі не враховується
-report-misfit = { $what }: за підрахунком пасивне, але розходиться на { $misfit } мм при { $place } (межа { $limit } мм){ $closes }
-report-closes = ; замикається, якщо { $key } = { $value } (SI)
+report-misfit = { $what }: за підрахунком пасивне, але розходиться на { $misfit } при { $place } (межа { $limit }){ $closes }
+report-closes = ; замикається, якщо { $key } = { $value }
 report-formula-without = { $formula }; пасивне: { $parts }
 report-modes-of = Складання групи { $group } ({ $kind } { $links }) за цикл
 report-modes-unlisted = { $group }: її вид не перелічує складань.

@@ -10,6 +10,7 @@ scene-more-faults = ... and { $more } more
 scene-fault = error: { $message }
 scene-place = { $file }, line { $line }, column { $column }
 scene-did-you-mean = did you mean `{ $name }`?
+scene-did-you-mean-letters = did you mean `{ $name }`? they look the same, but there are letters of another alphabet: { $codes }
 scene-such-as = such as { $example }
 scene-and-more = { $names } and { $more } more
 scene-key = key
@@ -280,11 +281,6 @@ scene-the-scene = the scene
 scene-default-not-written = a default must be written in the scene before it can be varied
 scene-owner-has-no = { $owner } has no `{ $name }`; { $hint }; it has: { $names }
 scene-nothing = nothing
-scene-bracket-not-closed = a `[` is not closed
-scene-key-continues = a key continues with `.` or `[`, not `{ $rest }`
-scene-no-index = `[{ $index }]` is no element: write a whole number from 0, two of them as in `[1..2]`, or `[*]` for all
-scene-quote-not-closed = a quote is not closed
-scene-what-is-a-key = a key consists of names joined by dots, such as `link.crank.mass`
 scene-angle-of-sliding = the friction is `against_sliding`, and `angle` depends on more than the input coordinate
 scene-law-over-coordinate = a number, or a table or formula over the input coordinate
 scene-friction-against-sliding = friction against the sliding
@@ -393,7 +389,7 @@ scene-key-repeat = Whether a table over angle repeats with the cycle; absent, it
 scene-key-axis = The direction along which the stroke of the point is measured.
 scene-key-forward = The value while the point moves along the axis: a number, or rows over its place from 0 to 1.
 scene-key-back = The value while the point returns: a number, or rows over its place from 0 to 1.
-scene-key-formula = A formula of q (coordinate, rad or m), w (speed), t (time), x (place of the point along the axis, 0 to 1), in SI, with sin cos tan asin acos atan atan2 sqrt exp ln abs sign min max step pi; angles in radians.
+scene-key-formula = A formula of q (coordinate, rad or m), w (speed, positive along `direction`: a resistance to the input is -5*w where it turns ccw, 5*w where cw), t (time), x (place of the point along the axis, 0 to 1), in SI, with sin cos tan asin acos atan atan2 sqrt exp ln abs sign min max step pi; angles in radians.
 scene-key-inertia-formula = A formula of q, the input coordinate, that is smooth and positive wherever the input comes.
 scene-key-unit = Unit of the formula's result; absent, SI.
 scene-key-friction-pair = The pin or slide in which the friction acts.
@@ -451,8 +447,10 @@ scene-rough = A coefficient of friction of { $found } belongs to no pair of soli
 scene-great-journal = The journal has a radius of { $radius }, and the mechanism measures { $size }: is a unit wrong?
 scene-empty-output = [output] names nothing, so nothing is calculated: name points, links, slides or reactions, or leave it out.
 scene-long-spring = The spring has a free length of { $length }, and the mechanism measures { $size }: is a unit wrong?
+scene-spring-without-stiffness = The spring has neither `stiffness` nor `damping`, so it has no force: is its stiffness missing?
 scene-strong = The load is that of a force of { $force } on a mechanism of { $size }, which no steel would withstand: is a unit wrong?
 scene-long-time = The table over time goes up to { $last }, and the motion lasts { $lasts }: is the time meant in another unit?
+scene-drives-clockwise = This moment drives the input at every speed: `w` is the speed along `direction`, and a moment is counter-clockwise positive; a resistance to an input that turns clockwise is positive, `5*w`.
 scene-degrees-in-formula = `{ $function }` takes radians, and here its argument looks like degrees: write 30*pi/180 for 30 degrees, and q is in radians already.
 scene-negative-against = A negative `value` against the motion drives: leave the minus sign out.
 scene-key-at-top = it belongs at the top of the file, before the first [table]
@@ -479,5 +477,7 @@ scene-mass-without-inertia = Link `{ $link }` turns and has a mass, but no momen
 scene-far-lighter = Link `{ $link }` has a mass of { $mass }, the others about { $others }: is a unit wrong?
 scene-turned-twice = A negative speed along direction = "cw" turns counter-clockwise: leave the minus sign out.
 scene-odd-ratio = `ratio` is motor speed / input speed; with { $ratio } the motor is far from its rated speed, { $needed } would reach it.
+scene-great-torque-ratio = `max_torque_ratio` = { $found } is a breakdown torque of { $found } times the rated one, where motors have 1.5 to 4; write { $part } if per cent were meant.
+scene-table-ends = The table ends at { $last }, and the cycle at { $end }: { $held } is held up to there, then it jumps to { $first }. If that is meant, write `repeat = true`, else a row at { $end }.
 scene-unevenness-unused = `unevenness` has no effect: it determines a flywheel, and none is to be found. Write flywheel = "solve" under [drive], or leave it out.
 scene-counted-twice = { $point } stands at { $angle } in the frame of the input link, and `from` turns this frame by as much again: { $point } begins at { $twice }. Put { $point } on the x axis of its link, or leave `from` out.

@@ -10,6 +10,7 @@ scene-more-faults = ... и ещё { $more }
 scene-fault = ошибка: { $message }
 scene-place = { $file }, строка { $line }, столбец { $column }
 scene-did-you-mean = возможно, `{ $name }`?
+scene-did-you-mean-letters = возможно, `{ $name }`? вид одинаков, но есть буквы другого алфавита: { $codes }
 scene-such-as = например { $example }
 scene-and-more = { $names } и ещё { $more }
 scene-key = ключ
@@ -286,11 +287,6 @@ scene-the-scene = сцена
 scene-default-not-written = значение по умолчанию нужно записать в сцене, чтобы его менять
 scene-owner-has-no = { $owner }: нет `{ $name }`; { $hint }; там есть: { $names }
 scene-nothing = ничего
-scene-bracket-not-closed = `[` не закрыта
-scene-key-continues = ключ продолжается через `.` или `[`, а не `{ $rest }`
-scene-no-index = `[{ $index }]` не является элементом: пишите целое число от 0, два числа как в `[1..2]` или `[*]` для всех
-scene-quote-not-closed = кавычка не закрыта
-scene-what-is-a-key = ключ состоит из имён через точку, например `link.crank.mass`
 scene-angle-of-sliding = трение задано как `against_sliding`, а `angle` зависит не только от координаты входного звена
 scene-law-over-coordinate = число либо таблица или формула по координате входного звена
 scene-friction-against-sliding = трение против скольжения
@@ -399,7 +395,7 @@ scene-key-repeat = Повторяется ли таблица от угла с �
 scene-key-axis = Направление, вдоль которого измеряется ход точки.
 scene-key-forward = Величина, пока точка движется вдоль оси: число или строки от ее места от 0 до 1.
 scene-key-back = Величина, пока точка возвращается: число или строки от ее места от 0 до 1.
-scene-key-formula = Формула от q (координата, рад или м), w (скорость), t (время), x (место точки вдоль оси, от 0 до 1) в SI, с sin cos tan asin acos atan atan2 sqrt exp ln abs sign min max step pi; углы в радианах.
+scene-key-formula = Формула от q (координата, рад или м), w (скорость, положительная вдоль `direction`: сопротивление входу — -5*w, где он вращается ccw, 5*w, где cw), t (время), x (место точки вдоль оси, от 0 до 1) в SI, с sin cos tan asin acos atan atan2 sqrt exp ln abs sign min max step pi; углы в радианах.
 scene-key-inertia-formula = Гладкая формула от q, входной координаты, положительная везде, куда попадает входное звено.
 scene-key-unit = Единица результата формулы; без нее SI.
 scene-key-friction-pair = Шарнир или поступательная пара, в которой действует трение.
@@ -457,8 +453,10 @@ scene-rough = Коэффициент трения { $found } не имеет н�
 scene-great-journal = Цапфа имеет радиус { $radius }, а размер механизма { $size }: не ошибочна ли единица?
 scene-empty-output = [output] ничего не называет, поэтому ничего не вычисляется: назовите точки, звенья, поступательные пары или реакции или уберите ее.
 scene-long-spring = Пружина имеет свободную длину { $length }, а размер механизма { $size }: не ошибочна ли единица?
+scene-spring-without-stiffness = У пружины нет ни `stiffness`, ни `damping`, поэтому нет силы: не пропущена ли жёсткость?
 scene-strong = Нагрузка соответствует силе { $force } на механизм размером { $size }, которой не выдержит никакая сталь: не ошибочна ли единица?
 scene-long-time = Таблица от времени доходит до { $last }, а движение длится { $lasts }: время в другой единице?
+scene-drives-clockwise = Этот момент движет вход при любой скорости: `w` — скорость вдоль `direction`, а момент положителен против часовой стрелки; сопротивление входу, который вращается по часовой стрелке, положительно: `5*w`.
 scene-degrees-in-formula = `{ $function }` берет радианы, а здесь ее аргумент похож на градусы: для 30 градусов пишите 30*pi/180, а q уже в радианах.
 scene-negative-against = Отрицательное `value` против движения движет механизм: уберите минус.
 scene-key-at-top = он должен стоять в начале файла, перед первой [таблицей]
@@ -485,5 +483,7 @@ scene-mass-without-inertia = Звено `{ $link }` вращается и име
 scene-far-lighter = Звено `{ $link }` имеет массу { $mass }, остальные - около { $others }: не ошибочна ли единица?
 scene-turned-twice = Отрицательная скорость вдоль direction = "cw" - это вращение против часовой стрелки: уберите минус.
 scene-odd-ratio = `ratio` - это скорость двигателя / скорость входного звена; с { $ratio } двигатель далёк от номинальной скорости, её дало бы { $needed }.
+scene-great-torque-ratio = `max_torque_ratio` = { $found } - это критический момент в { $found } раз больше номинального, а у двигателей от 1.5 до 4; если это проценты, напишите { $part }.
+scene-table-ends = Таблица кончается на { $last }, а цикл на { $end }: дотуда держится { $held }, потом скачок к { $first }. Если так и нужно, напишите `repeat = true`, иначе строку для { $end }.
 scene-unevenness-unused = `unevenness` ничего не меняет: по нему находят маховик, а его не ищут. Напишите flywheel = "solve" в [drive] или уберите его.
 scene-counted-twice = { $point } стоит под углом { $angle } в системе координат входного звена, а `from` поворачивает её ещё на столько же: { $point } начинает с { $twice }. Поставьте { $point } на ось x своего звена или уберите `from`.

@@ -10,6 +10,7 @@ scene-more-faults = ... і ще { $more }
 scene-fault = помилка: { $message }
 scene-place = { $file }, рядок { $line }, стовпець { $column }
 scene-did-you-mean = можливо, `{ $name }`?
+scene-did-you-mean-letters = можливо, `{ $name }`? вигляд однаковий, але є літери іншої абетки: { $codes }
 scene-such-as = наприклад { $example }
 scene-and-more = { $names } і ще { $more }
 scene-key = ключ
@@ -287,11 +288,6 @@ scene-the-scene = сцена
 scene-default-not-written = значення за умовчанням треба записати в сцені, щоб його змінювати
 scene-owner-has-no = { $owner }: немає `{ $name }`; { $hint }; там є: { $names }
 scene-nothing = нічого
-scene-bracket-not-closed = `[` не закрито
-scene-key-continues = ключ продовжується через `.` або `[`, а не `{ $rest }`
-scene-no-index = `[{ $index }]` не є елементом: пишіть ціле число від 0, два числа як у `[1..2]` або `[*]` для всіх
-scene-quote-not-closed = лапку не закрито
-scene-what-is-a-key = ключ складається з імен через крапку, наприклад `link.crank.mass`
 scene-angle-of-sliding = тертя задано як `against_sliding`, а `angle` залежить не лише від координати вхідної ланки
 scene-law-over-coordinate = число або таблиця чи формула за координатою вхідної ланки
 scene-friction-against-sliding = тертя проти ковзання
@@ -400,7 +396,7 @@ scene-key-repeat = Чи повторюється таблиця від кута 
 scene-key-axis = Напрям, уздовж якого вимірюється хід точки.
 scene-key-forward = Величина, поки точка рухається вздовж осі: число або рядки від її місця від 0 до 1.
 scene-key-back = Величина, поки точка повертається: число або рядки від її місця від 0 до 1.
-scene-key-formula = Формула від q (координата, рад або м), w (швидкість), t (час), x (місце точки вздовж осі, від 0 до 1) в SI, із sin cos tan asin acos atan atan2 sqrt exp ln abs sign min max step pi; кути в радіанах.
+scene-key-formula = Формула від q (координата, рад або м), w (швидкість, додатна вздовж `direction`: опір входові — -5*w, де він обертається ccw, 5*w, де cw), t (час), x (місце точки вздовж осі, від 0 до 1) в SI, із sin cos tan asin acos atan atan2 sqrt exp ln abs sign min max step pi; кути в радіанах.
 scene-key-inertia-formula = Гладка формула від q, вхідної координати, додатна всюди, куди потрапляє вхідна ланка.
 scene-key-unit = Одиниця результату формули; без неї SI.
 scene-key-friction-pair = Шарнір або поступальна пара, в якій діє тертя.
@@ -458,8 +454,10 @@ scene-rough = Коефіцієнт тертя { $found } не має жодна 
 scene-great-journal = Цапфа має радіус { $radius }, а розмір механізму { $size }: чи не хибна одиниця?
 scene-empty-output = [output] нічого не називає, тому нічого не обчислюється: назвіть точки, ланки, поступальні пари чи реакції або вилучіть її.
 scene-long-spring = Пружина має вільну довжину { $length }, а розмір механізму { $size }: чи не хибна одиниця?
+scene-spring-without-stiffness = Пружина не має ні `stiffness`, ні `damping`, тож не має сили: чи не бракує жорсткості?
 scene-strong = Навантаження відповідає силі { $force } на механізм розміром { $size }, якої не витримає жодна сталь: чи не хибна одиниця?
 scene-long-time = Таблиця від часу сягає { $last }, а рух триває { $lasts }: час в іншій одиниці?
+scene-drives-clockwise = Цей момент рухає вхід за будь-якої швидкості: `w` — швидкість уздовж `direction`, а момент додатний проти годинникової стрілки; опір входові, що обертається за годинниковою стрілкою, додатний: `5*w`.
 scene-degrees-in-formula = `{ $function }` бере радіани, а тут її аргумент схожий на градуси: для 30 градусів пишіть 30*pi/180, а q вже в радіанах.
 scene-negative-against = Від'ємне `value` проти руху рухає механізм: вилучіть мінус.
 scene-key-at-top = він належить на початок файлу, перед першою [таблицею]
@@ -486,5 +484,7 @@ scene-mass-without-inertia = Ланка `{ $link }` обертається й м
 scene-far-lighter = Ланка `{ $link }` має масу { $mass }, інші - близько { $others }: чи не хибна одиниця?
 scene-turned-twice = Від'ємна швидкість уздовж direction = "cw" - це обертання проти годинникової стрілки: приберіть мінус.
 scene-odd-ratio = `ratio` - це швидкість двигуна / швидкість вхідної ланки; з { $ratio } двигун далеко від номінальної швидкості, її дало б { $needed }.
+scene-great-torque-ratio = `max_torque_ratio` = { $found } - це критичний момент у { $found } разів більший за номінальний, а двигуни мають від 1.5 до 4; якщо це відсотки, напишіть { $part }.
+scene-table-ends = Таблиця закінчується на { $last }, а цикл на { $end }: доти тримається { $held }, потім стрибок до { $first }. Якщо так і треба, напишіть `repeat = true`, інакше рядок для { $end }.
 scene-unevenness-unused = `unevenness` нічого не змінює: з нього знаходять маховик, а його не шукають. Напишіть flywheel = "solve" у [drive] або приберіть його.
 scene-counted-twice = { $point } стоїть під кутом { $angle } у системі координат вхідної ланки, а `from` повертає її ще на стільки ж: { $point } починає з { $twice }. Поставте { $point } на вісь x своєї ланки або приберіть `from`.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::{GROUND, Input, Load, LoadKind, Name};
+use assur_mechanism::{GROUND, Input, Load, LoadId, LoadKind, Name};
 use assur_words::{Text, text};
 
 use crate::error::Fault;
@@ -61,25 +61,31 @@ pub(crate) struct Sort {
     /// The name of one that has none of its own, by its number from 1 and the first link on which it acts.
     pub(crate) unnamed: fn(usize, &Name) -> Text,
     /// Reads one from its section.
-    pub(crate) one: fn(&Section<'_>, &Context<'_>) -> Option<LoadKind>,
+    pub(crate) one: fn(&Section<'_>, &Context<'_>, LoadId) -> Option<LoadKind>,
 }
 
 impl Sort {
-    /// Reads all loads of this sort; `names`: those of the loads before them.
+    /// Reads all loads of this sort, after those before them with their names.
     pub(crate) fn read(
         &self,
         root: &Section<'_>,
         context: &Context<'_>,
-        names: &mut BTreeSet<String>,
-    ) -> Vec<Load> {
-        let mut loads = Vec::new();
+        (loads, names): (&mut Vec<Load>, &mut BTreeSet<String>),
+    ) {
         for (index, section) in root.inners(self.list).iter().enumerate() {
-            let kind = (self.one)(section, context);
+            let (id, moves) = (loads.len(), context.moves);
+            let kind = (self.one)(section, context, id);
+            let is_scaled = section.get("scale").is_some_and(|scale| scale.written().to_string() != "1");
+            section.sets(1.0, move |scene, key| match key {
+                // A scale is multiplied into what it scales, and without a motion there is no damping.
+                "value" | "force" if is_scaled => None,
+                "damping" if !moves => None,
+                _ => scene.loads[id].kind.number(key),
+            });
             let on = kind.as_ref().and_then(|kind| kind.links().next()).unwrap_or(GROUND);
             let name = name(section, names, || (self.unnamed)(index + 1, &context.linkage.links[on].name));
             loads.extend(kind.map(|kind| Load { name, kind }));
         }
-        loads
     }
 }
 

@@ -54,18 +54,17 @@ pub fn read<T>(
     known: &'static [&'static str],
     make: impl FnOnce(&Section<'_>) -> T,
 ) -> Result<T, SceneErrors> {
-    read_known(file_name, text, what, Known::Names(known), make)
+    read_known((file_name, text), what, Known::Names(known), Faults::default(), make)
 }
 
 /// Reads a TOML file whose keys stand in a table of the reference, or in a list.
 pub(crate) fn read_known<T>(
-    file_name: &str,
-    text: &str,
+    (file_name, text): (&str, &str),
     what: Text,
     known: Known,
+    faults: Faults,
     make: impl FnOnce(&Section<'_>) -> T,
 ) -> Result<T, SceneErrors> {
-    let faults = Faults::default();
     if text.len() > MOST_BYTES {
         let size = text.len().div_ceil(1 << 20);
         let message = text!("scene-file-too-large", what = what, most = MOST_BYTES >> 20, size = size);

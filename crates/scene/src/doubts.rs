@@ -4,11 +4,10 @@ mod task;
 
 use std::collections::HashMap;
 
-use assur_mechanism::{GROUND, LinkId, Mechanism, Notice, Place, appearance};
+use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Notice, Place, appearance};
 use assur_words::{name, quantity, text};
 
-use crate::edit::key_of_steps;
-use crate::text::{rounded, shown};
+use crate::text::{codes, rounded, shown};
 
 /// A link so many times as long as the middle one of the others has a wrong unit: mm for m gives a thousand times, and lengths that
 /// are meant differ by less than a hundred.
@@ -62,7 +61,7 @@ fn names(mechanism: &Mechanism) -> Vec<Notice> {
         if like != point.name.as_str() {
             let link = point.places.first().map_or(GROUND, |place| place.link);
             notices.push(Notice::mistake(
-                key(mechanism, link, &["points", &point.name]),
+                key(mechanism, link).at("points").at(&point.name),
                 text!(
                     "scene-same-appearance",
                     name = shown(&point.name),
@@ -75,19 +74,9 @@ fn names(mechanism: &Mechanism) -> Vec<Notice> {
     notices
 }
 
-/// The letters of a name that are not ASCII, by their numbers in Unicode: `U+0410`; of an ASCII name the letters themselves.
-fn codes(name: &str) -> String {
-    if name.is_ascii() {
-        return name.to_owned();
-    }
-    let foreign = name.chars().filter(|letter| !letter.is_ascii());
-    foreign.map(|letter| format!("U+{:04X}", u32::from(letter))).collect::<Vec<_>>().join(" ")
-}
-
-/// The key of a value of a link.
-fn key(mechanism: &Mechanism, link: LinkId, steps: &[&str]) -> String {
-    let owner: &[&str] = if link == GROUND { &["ground"] } else { &["link", &mechanism.links[link].name] };
-    key_of_steps(owner.iter().chain(steps).copied())
+/// The key of a link.
+fn key(mechanism: &Mechanism, link: LinkId) -> Key {
+    if link == GROUND { Key::of("ground") } else { Key::of("link").at(&mechanism.links[link].name) }
 }
 
 /// The greatest distance between two points of a link, m.
@@ -111,7 +100,7 @@ fn all_lengths(mechanism: &Mechanism, extents: &[f64]) -> Option<Notice> {
     let middle = middle(extents.iter().skip(1).copied()).filter(|middle| *middle > LONGEST)?;
     let link = (1..extents.len()).find(|link| extents[*link] >= middle)?;
     let text = text!("scene-long-links", length = quantity(rounded(middle), "m"));
-    Some(Notice::mistake(key(mechanism, link, &["points"]), text))
+    Some(Notice::mistake(key(mechanism, link).at("points"), text))
 }
 
 /// A link that is far longer than the others.
@@ -122,7 +111,7 @@ fn length(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Option<Notice
         let [own, middle] = [extents[link], middle].map(|length| quantity(rounded(length), "m"));
         let link_name = shown(&mechanism.links[link].name);
         let text = text!("scene-far-longer", link = link_name, length = own, others = middle);
-        Notice::mistake(key(mechanism, link, &["points"]), text)
+        Notice::mistake(key(mechanism, link).at("points"), text)
     })
 }
 
@@ -150,7 +139,7 @@ fn inertia(mechanism: &Mechanism, link: LinkId, size: f64, length: f64) -> Optio
     let [radius, size] =
         [radius, if radius > size { size } else { length }].map(|length| quantity(rounded(length), "m"));
     let text = text!(id, link = shown(&body.name), radius = radius, size = size);
-    Some(Notice::mistake(key(mechanism, link, &["inertia"]), text))
+    Some(Notice::mistake(key(mechanism, link).at("inertia"), text))
 }
 
 /// Links whose mass has another unit than those of the others: far from every other one, or else far above the middle one.
@@ -173,7 +162,7 @@ fn masses(mechanism: &Mechanism) -> Vec<Notice> {
             let id = if heavy { "scene-far-heavier" } else { "scene-far-lighter" };
             let link_name = shown(&mechanism.links[link].name);
             let text = text!(id, link = link_name, mass = own, others = others);
-            Notice::mistake(key(mechanism, link, &["mass"]), text)
+            Notice::mistake(key(mechanism, link).at("mass"), text)
         })
     };
     let found = |alone: bool| links().filter_map(|(link, _)| doubt(link, alone)).collect::<Vec<_>>();
@@ -186,7 +175,7 @@ fn without_mass(mechanism: &Mechanism, link: LinkId) -> Option<Notice> {
     let body = &mechanism.links[link];
     (body.mass == 0.0 && !is_pinned(mechanism, link) && body.inertia.constant() > 0.0).then(|| {
         let text = text!("scene-inertia-without-mass", link = shown(&body.name));
-        Notice::mistake(key(mechanism, link, &["inertia"]), text)
+        Notice::mistake(key(mechanism, link).at("inertia"), text)
     })
 }
 
@@ -213,7 +202,7 @@ fn without_inertia(mechanism: &Mechanism, link: LinkId, extents: &[f64]) -> Opti
     let mut others = (0..extents.len()).filter(|other| *other != link && turns(*other)).peekable();
     (turns(link) && !has(link) && others.peek().is_some() && others.all(has)).then(|| {
         let text = text!("scene-mass-without-inertia", link = shown(&mechanism.links[link].name));
-        Notice::mistake(key(mechanism, link, &["mass"]), text)
+        Notice::mistake(key(mechanism, link).at("mass"), text)
     })
 }
 
@@ -227,6 +216,6 @@ fn center(mechanism: &Mechanism, link: LinkId, size: f64) -> Option<Notice> {
     (body.mass > 0.0 && away.is_finite() && away > most * size).then(|| {
         let [away, size] = [away, size].map(|length| quantity(rounded(length), "m"));
         let text = text!("scene-far-center", link = shown(&body.name), distance = away, size = size);
-        Notice::mistake(key(mechanism, link, &["center"]), text)
+        Notice::mistake(key(mechanism, link).at("center"), text)
     })
 }

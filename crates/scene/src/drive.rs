@@ -1,7 +1,9 @@
 //! `[drive]`: motor, reducer and flywheel.
 
+use std::ops::Bound as End;
+
 use assur_mechanism::{
-    CharacteristicKind, Drive, FlywheelPlace, Motion, MotorChoice, RatedMotor, Solve, Torque,
+    CharacteristicKind, Drive, FlywheelPlace, Mechanism, Motion, MotorChoice, RatedMotor, Solve, Torque,
 };
 
 use assur_words::{name, text};
@@ -27,10 +29,11 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
     check_motion(&section, motion, context);
     check_motor_keys(&section, context);
     let torque = torque(&section, context);
+    section.sets(1.0, number);
     let ratio = section.solved("ratio", None);
     let flywheel = section.solved("flywheel", None);
     let efficiency = section.number("efficiency").unwrap_or_default();
-    if let Some(entry) = section.get("efficiency").filter(|_| efficiency > 1.0) {
+    if let Some(entry) = section.get("efficiency").filter(|entry| !entry.is_within(efficiency, ..=1.0)) {
         entry.fault(text!("scene-large-efficiency", got = brief(efficiency)), such_as("0.95"));
     }
     check_solved(&section, motion);
@@ -42,6 +45,29 @@ pub(crate) fn read(root: &Section<'_>, motion: Option<&Motion>, context: &Contex
         flywheel,
         flywheel_on: place.unwrap_or(FlywheelPlace::Crank),
     })
+}
+
+/// A number of the drive in a mechanism. The rated speed of a motor must stay below the synchronous one.
+fn number<'m>(scene: &'m mut Mechanism, key: &str) -> Option<&'m mut f64> {
+    let Drive { torque, ratio, efficiency, flywheel, flywheel_on: _ } = scene.drive.as_mut()?;
+    match (key, torque) {
+        ("ratio", _) => ratio.given(),
+        ("efficiency", _) => Some(efficiency),
+        ("flywheel", _) => flywheel.as_mut()?.given(),
+        ("torque", torque @ Torque::Balance) => {
+            *torque = Torque::Constant(0.0);
+            if let Torque::Constant(moment) = torque { Some(moment) } else { None }
+        }
+        ("torque", Torque::Constant(moment)) => Some(moment),
+        ("max_motor_speed", Torque::Motor { max_speed, .. }) => max_speed.as_mut(),
+        (key, Torque::Motor { motor: MotorChoice::Rated(motor), .. }) => match key {
+            "motor.power" => Some(&mut motor.power),
+            "motor.max_torque_ratio" => motor.max_torque_ratio.as_mut(),
+            "motor.inertia" => motor.inertia.as_mut(),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 fn check_motion(section: &Section<'_>, motion: Option<&Motion>, context: &Context<'_>) {
@@ -177,7 +203,7 @@ fn rated(section: &Section<'_>) -> Option<RatedMotor> {
     }
     let max_torque_ratio = section.number("max_torque_ratio");
     if let Some((ratio, entry)) = max_torque_ratio.zip(section.get("max_torque_ratio"))
-        && ratio <= 1.0
+        && !entry.is_within(ratio, (End::Excluded(1.0), End::Unbounded))
     {
         let message = text!("scene-small-torque-ratio", got = brief(ratio));
         entry.fault(message, text!("scene-breakdown-by-rated"));

@@ -2,20 +2,19 @@
 //! preserved byte by byte.
 
 mod find;
-mod key;
 #[cfg(test)]
 mod tests;
 mod values;
 
 use std::ops::Range;
 
+use assur_mechanism::Key;
 use assur_words::Text;
 use toml::de::DeTable;
 
-pub use key::KeyPath;
+pub(crate) use find::{element_name, place, within};
 pub use values::{SceneValue, bare};
 pub use values::{decimal, quoted, split};
-pub(crate) use values::{key_of, key_of_steps};
 
 /// Place of a number or a text in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,20 +43,26 @@ impl<'a> ParsedText<'a> {
     /// # Errors
     ///
     /// A message about the key, with the keys that exist instead.
-    pub fn find(&self, key: &KeyPath) -> Result<Vec<TextPlace>, Text> {
-        find::find(self.table.get_ref(), &key.0)
+    pub fn find(&self, key: &Key) -> Result<Vec<TextPlace>, Text> {
+        find::find(self.table.get_ref(), key.steps())
+    }
+
+    /// The bytes of the file at which a key stands; where the scene leaves it out, of the table that would have it. `None` if there
+    /// is none either.
+    pub(crate) fn place(&self, key: &Key) -> Option<Range<usize>> {
+        find::place(self.table.get_ref(), key.steps())
     }
 
     /// A table that stands in one line (`{ ... }`), as a value that can be replaced as a whole; `None` where there is none of this key.
-    pub fn table(&self, key: &str) -> Option<SceneValue> {
-        let found = find::table(self.table.get_ref(), &KeyPath::parse(key).ok()?.0)?;
+    pub fn table(&self, key: &Key) -> Option<SceneValue> {
+        let found = find::table(self.table.get_ref(), key.steps())?;
         let written = self.text.get(found.clone()).filter(|text| text.starts_with('{'))?;
         Some(SceneValue::whole(key, found, written))
     }
 
-    /// Every number with or without a unit, and the choice of the motor, in the order of the file.
+    /// Every number with or without a unit, and the choice of the motor, in the order of the file; of a scene with faults none.
     pub fn values(&self) -> Vec<SceneValue> {
-        values::of(self.text, self.table.get_ref())
+        values::of(self)
     }
 }
 

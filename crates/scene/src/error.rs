@@ -1,13 +1,14 @@
 //! Faults of a scene: collected with byte ranges, returned with lines and columns.
 
 use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
 use std::ops::Range;
 
-use assur_mechanism::Notice;
+use assur_mechanism::{Key, Notice};
 use assur_words::Text;
 use toml::de::DeTable;
 
-use crate::edit::key_of;
+use crate::reading::{Told, keys};
 
 /// One fault of a scene file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -131,6 +132,8 @@ pub(crate) struct Faults {
     more: Cell<usize>,
     /// What is allowed, but probably not meant: its place and what it says.
     mistakes: RefCell<Vec<(Range<usize>, Text)>>,
+    /// What is told of the numbers, where somebody asks.
+    pub(crate) told: Option<RefCell<Told>>,
 }
 
 impl Faults {
@@ -141,6 +144,18 @@ impl Faults {
             self.kept.borrow_mut().push(fault);
         } else {
             self.more.set(self.more.get() + 1);
+        }
+    }
+
+    /// Faults of a reader that tells of its numbers as well.
+    pub(crate) fn telling() -> Self {
+        Self { told: Some(RefCell::default()), ..Self::default() }
+    }
+
+    /// Tells something of the numbers, if somebody asks.
+    pub(crate) fn tell(&self, tell: impl FnOnce(&mut Told)) {
+        if let Some(told) = &self.told {
+            tell(&mut told.borrow_mut());
         }
     }
 
@@ -161,8 +176,9 @@ impl Faults {
         let mut mistakes = self.mistakes.borrow().clone();
         mistakes.sort_by_key(|(span, _)| span.start);
         let mut notes: Vec<Notice> = Vec::new();
+        let keys = if mistakes.is_empty() { HashMap::new() } else { keys(tables) };
         for (span, text) in mistakes {
-            let key = key_of(tables, &span);
+            let key = keys.get(&span.start).map(Key::of_list);
             let same = |note: &Notice| note.key == key && note.text.identity() == text.identity();
             if !notes.iter().any(same) {
                 notes.push(Notice::mistake(key, text));

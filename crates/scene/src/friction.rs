@@ -23,7 +23,7 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Mot
     }
     let mut all: Vec<Friction> = Vec::new();
     for section in root.inners("friction") {
-        let Some(friction) = one(&section, linkage) else { continue };
+        let Some(friction) = one(&section, linkage, all.len()) else { continue };
         if all.iter().any(|known| known.pair == friction.pair)
             && let Some(entry) = section.get("pair")
         {
@@ -34,9 +34,16 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks, motion: Option<&Mot
     all
 }
 
-fn one(section: &Section<'_>, linkage: &SceneLinks) -> Option<Friction> {
+fn one(section: &Section<'_>, linkage: &SceneLinks, id: usize) -> Option<Friction> {
     let pair = section.need("pair").and_then(|entry| wishes::pair_id(&entry, linkage));
     let coefficient = section.number("coefficient");
+    section.sets(1.0, move |scene, key| match (&mut scene.frictions[id], key) {
+        (Friction { coefficient: number, .. }, "coefficient")
+        | (Friction { surfaces: Surfaces::Journal { radius: number, .. }, .. }, "radius")
+        | (Friction { surfaces: Surfaces::Faces { length: number, .. }, .. }, "length")
+        | (Friction { surfaces: Surfaces::Faces { offset: number, .. }, .. }, "offset") => Some(number),
+        _ => None,
+    });
     let surfaces = match pair? {
         PairId::Pin(point) => {
             refuse(section, "pin", "scene-friction-of-slides");
@@ -91,7 +98,7 @@ fn slide(section: &Section<'_>) -> Option<Surfaces> {
         return Some(Surfaces::Place);
     };
     let (length, offset) = (section.number("length"), section.number("offset"));
-    if length.is_some_and(|length| length < LEAST_CONTACT) {
+    if length.is_some_and(|length| !entry.is_within(length, LEAST_CONTACT..)) {
         entry.problem(text!("scene-friction-short-contact", got = entry.written()), such_as("\"90 mm\""));
     }
     Some(Surfaces::Faces { length: length?, middle: middle?, offset: offset? })

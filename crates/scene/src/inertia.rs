@@ -1,9 +1,10 @@
 //! `inertia` of a link: a number, or a formula over the input coordinate.
 
 use assur_formula::Used;
-use assur_mechanism::{GROUND, Inertia, Input, LinkId, Mechanism, Motion, Until, VaryingInertia};
+use assur_mechanism::{GROUND, Inertia, Input, Key, LinkId, Mechanism, Motion, Until, VaryingInertia};
 use assur_words::{Text, name, text};
 
+use crate::edit::within;
 use crate::error::Fault;
 use crate::linkage::SceneLinks;
 use crate::text::{brief, shown};
@@ -53,17 +54,16 @@ fn formula(linkage: &SceneLinks, id: LinkId, link: &Section<'_>) -> Option<Inert
 /// Refuses moments of inertia that are not positive somewhere on the way of the input.
 pub(crate) fn refuse_not_positive(root: &Section<'_>, mechanism: &Mechanism) {
     let way = way(&mechanism.input, mechanism.motion.as_ref());
-    let entries = root.get("link").map(|entry| entry.named(text!("scene-tables-of-links"), Text::default()));
-    let entries = entries.unwrap_or_default();
-    for (link, entry) in mechanism.links.iter().skip(1).zip(&entries) {
+    for link in &mechanism.links {
         let Some(law) = link.inertia.varying() else { continue };
         let Some((at, value)) = law.formula.not_positive(way) else { continue };
-        let mut inertia = entry.named(text!("scene-a-link"), Text::default()).into_iter();
-        let Some(inertia) = inertia.rfind(|key| key.name == "inertia") else { continue };
         let rounded = |number: f64| brief((number * 1e6).round() / 1e6);
         let value = brief(value * law.factor);
         let message = text!("scene-inertia-not-positive", value = value, at = rounded(at));
-        inertia.fault(message, text!("scene-inertia-positive"));
+        let key = Key::of("link").at(&link.name).at("inertia");
+        if let Ok(inertia) = within(root.table(), key.steps()) {
+            root.faults.push(Fault::new(inertia.span(), message).label(text!("scene-inertia-positive")));
+        }
     }
 }
 

@@ -33,6 +33,11 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
     let pair = link.as_ref().and_then(|(link, entry)| pair(linkage, *link, entry));
     let dimension = pair.map(coordinate_of);
     let from = section.by_input("from", dimension).unwrap_or_default();
+    // The two ends of a range must differ, and a moment of inertia by a formula must stay positive on the way.
+    let varies = linkage.links.iter().any(|link| link.inertia.varying().is_some());
+    if !varies && section.get("to").is_none() {
+        section.sets(1.0, |scene, key| (key == "from").then_some(&mut scene.input.from));
+    }
     let positions = section.get("positions").and_then(|entry| entry.count(1, MOST)).unwrap_or(12);
     let senses = [("ccw", Sense::Ccw), ("cw", Sense::Cw)];
     let sense = section.get("direction").and_then(|entry| entry.choice(&senses));

@@ -1,6 +1,6 @@
 //! `[[spring]]` and `[[contact]]`: loads between two links.
 
-use assur_mechanism::{Contact, LinkId, LoadKind, Place, PointId, Spring, Value};
+use assur_mechanism::{Contact, LinkId, LoadId, LoadKind, Place, PointId, Spring, Value};
 
 use assur_words::{name, text};
 
@@ -12,17 +12,17 @@ use crate::value;
 use crate::walk::{Entry, Section, quoted};
 
 /// Reads a `[[spring]]`.
-pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+pub(crate) fn spring(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let (stiffness, length) = (section.number("stiffness"), section.number("length"));
     let damping = section.number("damping").unwrap_or_default();
     if let Some(entry) = section.get("damping").filter(|_| damping > 0.0) {
         context.need_motion(&entry, quoted("damping"));
     }
-    let ends = section.need("between").and_then(|entry| ends(&entry, context))?;
+    let ends = section.need("between").and_then(|entry| ends(&entry, context, id))?;
     Some(Spring { ends, stiffness: stiffness?, length: length?, damping }.into())
 }
 
-fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
+fn ends(entry: &Entry<'_>, context: &Context<'_>, id: LoadId) -> Option<[Place; 2]> {
     let [a, b] = entry.pair(&text!("scene-two-points"))?;
     let (first, second) = (end(&a, context), end(&b, context));
     let ((p, first), (q, second)) = (first?, second?);
@@ -32,6 +32,11 @@ fn ends(entry: &Entry<'_>, context: &Context<'_>) -> Option<[Place; 2]> {
         let message = text!("scene-both-ends-on-link", link = shown(&linkage.links[link].name));
         entry.fault(message, text!("scene-such-a-spring"));
         return None;
+    }
+    for (end, (point, place)) in [(p, first), (q, second)].into_iter().enumerate() {
+        linkage.copied(entry.faults, (point, place.link), move |scene| {
+            Some(&mut scene.loads[id].kind.spring_mut()?.ends[end].at)
+        });
     }
     Some([first, second])
 }
@@ -64,7 +69,7 @@ fn end(entry: &Entry<'_>, context: &Context<'_>) -> Option<(PointId, Place)> {
 }
 
 /// Reads a `[[contact]]`.
-pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let linkage = context.linkage;
     let radius = section.number("radius");
     let angle = match section.get("angle").filter(|entry| entry.value.is_table()) {
@@ -80,7 +85,9 @@ pub(crate) fn contact(section: &Section<'_>, context: &Context<'_>) -> Option<Lo
     let force = value::sized(section, "force", Dimension::Force, false, context);
     let during = section.get("during").and_then(|entry| interval(&entry, context));
     let link = linkage.link_of(section, text!("scene-arc-of-a-link"));
-    let center = section.need("center").and_then(|entry| linkage.place(&entry, link?));
+    let center = section.need("center").and_then(|entry| {
+        linkage.place(&entry, link?, move |scene| Some(&mut scene.loads[id].kind.contact_mut()?.center))
+    });
     let (center, radius, angle, force) = (center?, radius?, angle?, force?);
     Some(Contact { center, radius, angle, force, friction, against_sliding, during }.into())
 }

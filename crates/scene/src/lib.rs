@@ -19,6 +19,7 @@ mod links;
 mod loads;
 mod motion;
 mod numbers;
+mod reading;
 pub mod reference;
 mod render;
 mod scan;
@@ -30,16 +31,17 @@ mod value;
 mod walk;
 mod wishes;
 
-use assur_mechanism::Mechanism;
+use assur_mechanism::{Key, Mechanism};
 use assur_words::{Text, text};
-use toml::de::DeValue;
 
 use context::Context;
+use edit::ParsedText;
 use error::{Fault, Faults};
 use linkage::SceneLinks;
 use walk::{Known, Section};
 
 pub use error::{SceneError, SceneErrors};
+pub use reading::{Reading, SceneNumber};
 pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
 pub use wishes::Note;
 
@@ -74,31 +76,33 @@ pub fn read(file_name: &str, text: &str) -> Result<Mechanism, SceneErrors> {
 ///
 /// Those of [`read`].
 pub fn read_with_note(file_name: &str, text: &str) -> Result<(Mechanism, Note), SceneErrors> {
-    let known = Known::Table(reference::table(""), None);
-    document::read_known(file_name, text, text!("scene-a-scene"), known, scene)
+    read_as(file_name, text, Faults::default()).map(|reading| (reading.mechanism, reading.note))
 }
 
-/// A fault that is found after reading, at the key that it concerns: `["link", "crank"]`, `["force", "0", "value"]`; an
-/// element of a list is given by its number, from 0. Where the scene leaves a key out, the fault is at the table that would
-/// have it; `None` if there is none either. `file_name` appears only in the error.
-pub fn fault_at(file_name: &str, text: &str, path: &[&str], message: Text) -> Option<SceneErrors> {
-    let document = document::recovered(text);
-    let (first, rest) = path.split_first()?;
-    let (key, mut value) = document.get_ref().get_key_value(*first)?;
-    let mut span = key.span();
-    for step in rest {
-        let next = match value.get_ref() {
-            DeValue::Table(table) => table.get_key_value(*step).map(|(key, value)| (key.span(), value)),
-            DeValue::Array(array) => {
-                step.parse().ok().and_then(|index: usize| array.get(index)).map(|value| (value.span(), value))
-            }
-            _ => None,
-        };
-        let Some(next) = next else { break };
-        (span, value) = next;
-    }
+/// Reads a scene with all that it tells: its mechanism, its note, its numbers. `file_name` appears only in errors.
+///
+/// # Errors
+///
+/// Those of [`read`].
+pub fn reading(file_name: &str, text: &str) -> Result<Reading, SceneErrors> {
+    read_as(file_name, text, Faults::telling())
+}
+
+fn read_as(file_name: &str, text: &str, faults: Faults) -> Result<Reading, SceneErrors> {
+    let known = Known::Table(reference::table(""), None);
+    document::read_known((file_name, text), text!("scene-a-scene"), known, faults, |root| {
+        let (mechanism, note) = scene(root);
+        let told = root.faults.told.as_ref().filter(|_| root.faults.is_empty());
+        let numbers = told.map(|told| told.take().numbers(root, mechanism.clone())).unwrap_or_default();
+        Reading { mechanism, note, numbers }
+    })
+}
+
+/// A fault that is found after reading, at the key that it concerns. Where the scene leaves a key out, the fault is at the table that
+/// would have it; `None` if there is none either. `file_name` appears only in the error.
+pub fn fault_at(file_name: &str, text: &str, key: &Key, message: Text) -> Option<SceneErrors> {
     let faults = Faults::default();
-    faults.push(Fault::new(span, message));
+    faults.push(Fault::new(ParsedText::of(text).place(key)?, message));
     Some(faults.into_errors(file_name, text))
 }
 
@@ -141,12 +145,15 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
         ..Mechanism::default()
     };
     let input = input.unwrap_or_default();
-    let SceneLinks { links, points, slides, .. } = linkage;
+    let SceneLinks { links, points, slides, has_units, .. } = linkage;
     let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
         inertia::refuse_not_positive(root, &mechanism);
-        let gives_inertia = |link: &str| links::gives_inertia(root, link);
-        mechanism.notes.extend(doubts::of(&mechanism, links::have_units(root), gives_inertia));
+        let gives_inertia = |link: &str| {
+            let key = Key::of("link").at(link).at("inertia");
+            edit::within(root.table(), key.steps()).is_ok()
+        };
+        mechanism.notes.extend(doubts::of(&mechanism, has_units, gives_inertia));
     }
     (mechanism, note)
 }

@@ -1,15 +1,19 @@
 //! The links, points and slides of a scene by name.
 
 use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 
-use assur_mechanism::{GROUND, Link, LinkId, Place, Point, PointId, Slide, SlideId};
+use assur_mechanism::{GROUND, Link, LinkId, Mechanism, Place, Point, PointId, Slide, SlideId};
 
 use assur_words::{Text, name as words, text};
 
-use crate::error::Fault;
+use toml::Spanned;
+use toml::de::DeValue;
+
+use crate::error::{Fault, Faults};
 use crate::numbers::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
-use crate::units::Dimension;
+use crate::units::{Dimension, quantity};
 use crate::walk::{Entry, Section};
 
 /// Links, points and slides of the scene.
@@ -23,6 +27,10 @@ pub(crate) struct SceneLinks {
     links_by_name: HashMap<String, LinkId>,
     /// Names of the slides.
     slide_names: HashSet<String>,
+    /// Where in the file a point has its place on a link.
+    written: HashMap<(PointId, LinkId), Range<usize>>,
+    /// Whether some coordinate of a moving link is written with a unit.
+    pub(crate) has_units: bool,
 }
 
 impl SceneLinks {
@@ -88,13 +96,32 @@ impl SceneLinks {
     }
 
     /// Adds a point of a link; the point may be new or a pin.
-    pub(crate) fn add_place(&mut self, name: &str, place: Place) {
-        if let Some(known) = self.point_named(name) {
-            self.points[known].places.push(place);
-        } else {
-            self.names.insert(name.to_owned(), self.points.len());
-            self.points.push(Point { name: name.into(), places: vec![place] });
+    pub(crate) fn add_place(&mut self, entry: &Entry<'_>, place: Place) -> PointId {
+        let id = *self.names.entry(entry.name.clone()).or_insert(self.points.len());
+        if id == self.points.len() {
+            self.points.push(Point { name: entry.name.as_str().into(), places: Vec::new() });
         }
+        let index = self.points[id].places.len();
+        self.points[id].places.push(place);
+        self.written.insert((id, place.link), entry.span.clone());
+        let mut numbers =
+            entry.value.as_array().into_iter().flatten().map(Spanned::get_ref).chain([entry.value]);
+        self.has_units |= place.link != GROUND && numbers.any(DeValue::is_str);
+        entry.faults.tell(|told| {
+            told.place([entry.span.clone()], move |scene| Some(&mut scene.points[id].places[index].at));
+        });
+        id
+    }
+
+    /// The place of a point on a link, m; tells that it has another place in the mechanism.
+    pub(crate) fn copied(
+        &self,
+        faults: &Faults,
+        (point, link): (PointId, LinkId),
+        at: impl Fn(&mut Mechanism) -> Option<&mut [f64; 2]> + Send + Sync + 'static,
+    ) -> Option<[f64; 2]> {
+        faults.tell(|told| told.place(self.written.get(&(point, link)).cloned(), at));
+        self.points[point].places.iter().find(|place| place.link == link).map(|place| place.at)
     }
 
     /// What was found of a name; where there is nothing, that is noted with the nearest known name.
@@ -111,7 +138,7 @@ impl SceneLinks {
         entry.faults.note(|| {
             let near = nearest(name, known.clone());
             let label = match (near, known.clone().next()) {
-                (Some(_), _) => did_you_mean(near),
+                (Some(_), _) => did_you_mean(name, near),
                 (None, None) => text!("scene-none-of-them", what = words(what)),
                 (None, Some(_)) => text!("scene-all-of-them", what = words(what), names = row(known)),
             };
@@ -129,19 +156,34 @@ impl SceneLinks {
         self.points.iter().filter_map(move |point| Some((point.name.as_str(), place(point)?)))
     }
 
-    /// A place fixed in a link: one of its points, coordinates, or a number on its x axis.
-    pub(crate) fn place(&self, entry: &Entry<'_>, link: LinkId) -> Option<Place> {
-        self.location(entry, link).map(|at| Place { link, at })
+    /// A place fixed in a link: one of its points, coordinates, or a number on its x axis; `at`: where it stands in the mechanism.
+    pub(crate) fn place(
+        &self,
+        entry: &Entry<'_>,
+        link: LinkId,
+        at: impl Fn(&mut Mechanism) -> Option<&mut Place> + Send + Sync + 'static,
+    ) -> Option<Place> {
+        let place = self.location(entry, link, move |scene| Some(&mut at(scene)?.at))?;
+        Some(Place { link, at: place })
     }
 
     /// Coordinates of a place fixed in a link, in the frame of the link, m: one of its points, [x, y], or a number on
-    /// its x axis.
-    pub(crate) fn location(&self, entry: &Entry<'_>, link: LinkId) -> Option<[f64; 2]> {
+    /// its x axis; `at`: where they stand in the mechanism.
+    pub(crate) fn location(
+        &self,
+        entry: &Entry<'_>,
+        link: LinkId,
+        at: impl Fn(&mut Mechanism) -> Option<&mut [f64; 2]> + Send + Sync + 'static,
+    ) -> Option<[f64; 2]> {
+        let point = entry.value.as_str().and_then(|name| self.point_named(name));
+        let source = point.and_then(|point| self.written.get(&(point, link)));
+        entry.faults.tell(|told| told.place([entry.span.clone()].into_iter().chain(source.cloned()), at));
         let Some(name) = entry.value.as_str() else {
             return coordinates(entry);
         };
-        let places = self.point_named(name).map(|point| &self.points[point].places);
+        let places = point.map(|point| &self.points[point].places);
         if let Some(place) = places.into_iter().flatten().find(|place| place.link == link) {
+            entry.may_be(Some(Dimension::Length), Bound::Any);
             return Some(place.at);
         }
         // As in `points`, a text that begins with a digit is a length on the x axis.
@@ -162,7 +204,7 @@ impl SceneLinks {
         let Some(point) = self.point_named(name) else {
             let known = self.points_of(link).map(|point| point.0);
             let near = nearest(name, known.clone());
-            let label = if near.is_some() { did_you_mean(near) } else { self.listed(link) };
+            let label = if near.is_some() { did_you_mean(name, near) } else { self.listed(link) };
             let key = shown(&entry.name);
             let message = text!("scene-no-point-on-link", key = key, link = shown(on), point = shown(name));
             return (message, label);
@@ -197,7 +239,22 @@ pub(crate) fn coordinates(entry: &Entry<'_>) -> Option<[f64; 2]> {
         entry.wrong(text!("scene-coordinates"), text!("scene-such-coordinates"));
         return None;
     }
+    if let Some([x, y]) = entry.value.as_str().and_then(two_in_one) {
+        entry.wrong(text!("scene-coordinates"), words(format!("[{x}, {y}]")));
+        return None;
+    }
     entry.bounded(Dimension::Length, Bound::Any).map(|x| [x, 0.0])
+}
+
+/// Both coordinates of "15 mm, 0" as they are written in a list; `None` of another text: "15,5 mm" has a decimal comma.
+fn two_in_one(text: &str) -> Option<[String; 2]> {
+    let both = text.split_once(',').filter(|(x, y)| y.starts_with(' ') || x.contains(char::is_alphabetic))?;
+    let shown = |text: &str| {
+        let (text, is_bare) = (text.trim(), text.trim().parse::<f64>().is_ok());
+        let is_length = quantity(text, Dimension::Length).is_ok();
+        is_length.then(|| if is_bare { text.to_owned() } else { format!("\"{text}\"") })
+    };
+    Some([shown(both.0)?, shown(both.1)?])
 }
 
 /// Two quantities of one dimension.

@@ -1,10 +1,12 @@
 //! `[ground]` and `[link.NAME]`: points, mass, center, inertia.
 
-use assur_mechanism::{GROUND, Inertia, Link, LinkId, Name, Place, Point, Slide, links_of_length_zero};
+use assur_mechanism::{
+    GROUND, Inertia, Key, Link, LinkId, Mechanism, Name, Place, Point, PointId, Slide, SlideId,
+    links_of_length_zero,
+};
 use assur_words::{Text, joined, text};
 
-use toml::de::DeValue;
-
+use crate::edit::place;
 use crate::error::Fault;
 use crate::inertia;
 use crate::limits;
@@ -14,10 +16,10 @@ use crate::text::{is_unprintable, row, shown, such_as};
 use crate::walk::{Entry, Section};
 
 /// Reads the ground and the links; returns the first point of each link as well.
-pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<[f64; 2]>) {
+pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<Option<PointId>>) {
     let mut linkage = SceneLinks::default();
     linkage.add_link(massless(Name::ground()));
-    let mut firsts = vec![[0.0; 2]];
+    let mut firsts = vec![None];
     if let Some(points) = root.inner("ground").and_then(|ground| ground.get("points")) {
         firsts[GROUND] = add_points(&mut linkage, &points, GROUND);
     }
@@ -41,14 +43,14 @@ pub(crate) fn read(root: &Section<'_>) -> (SceneLinks, Vec<[f64; 2]>) {
 /// Refuses links without a slide whose pins all coincide: they rotate freely about them, so their angle is not
 /// determined.
 pub(crate) fn refuse_points(root: &Section<'_>, linkage: &SceneLinks) {
-    let entries = root.get("link").map(|entry| entry.named(text!("scene-tables-of-links"), Text::default()));
-    let entries = entries.unwrap_or_default();
     for id in links_of_length_zero(linkage.links.len(), &linkage.points, &linkage.slides) {
-        let Some(entry) = entries.get(id - 1) else { continue };
+        let link = &linkage.links[id].name;
         let on_link = |point: &&Point| point.is_pin() && point.places.iter().any(|place| place.link == id);
         let pins = row(linkage.points.iter().filter(on_link).map(|pin| pin.name.as_str()));
-        let message = text!("scene-no-length", link = shown(&entry.name), pins = pins);
-        entry.faults.push(Fault::new(entry.key.clone(), message).label(text!("scene-give-length")));
+        let message = text!("scene-no-length", link = shown(link), pins = pins);
+        if let Some(span) = place(root.table(), Key::of("link").at(link).steps()) {
+            root.faults.push(Fault::new(span, message).label(text!("scene-give-length")));
+        }
     }
 }
 
@@ -59,7 +61,7 @@ fn massless(name: Name) -> Link {
 /// A faulty link is added too: its name is then known to the rest of the scene.
 fn add_link<'a>(
     linkage: &mut SceneLinks,
-    firsts: &mut Vec<[f64; 2]>,
+    firsts: &mut Vec<Option<PointId>>,
     entry: &Entry<'a>,
 ) -> Option<Section<'a>> {
     check_name(entry, "scene-no-link-name");
@@ -72,7 +74,7 @@ fn add_link<'a>(
         entry.faults.push(fault.label(text!("scene-results-use-it")));
     }
     let id = linkage.add_link(massless(entry.name.as_str().into()));
-    firsts.push([0.0; 2]);
+    firsts.push(None);
     let section = entry.section(reference::table("[link.NAME]"))?;
     if let Some(points) = section.need("points") {
         firsts[id] = add_points(linkage, &points, id);
@@ -81,15 +83,15 @@ fn add_link<'a>(
 }
 
 /// Adds the points of a link; returns the first of them.
-fn add_points(linkage: &mut SceneLinks, entry: &Entry<'_>, link: LinkId) -> [f64; 2] {
+fn add_points(linkage: &mut SceneLinks, entry: &Entry<'_>, link: LinkId) -> Option<PointId> {
     let mut first = None;
     for point in entry.named(text!("scene-table-of-points"), such_as("{ A = 0, B = \"120 mm\" }")) {
         check_name(&point, "scene-no-point-name");
         let at = coordinates(&point).unwrap_or_default();
-        first = first.or(Some(at));
-        linkage.add_place(&point.name, Place { link, at });
+        let id = linkage.add_place(&point, Place { link, at });
+        first = first.or(Some(id));
     }
-    first.unwrap_or_default()
+    first
 }
 
 /// Names are printed in tables and used in "link.point".
@@ -102,22 +104,36 @@ fn check_name(entry: &Entry<'_>, message: &'static str) {
     limits::check_name(entry, &entry.key, name);
 }
 
-fn add_mass(linkage: &mut SceneLinks, (id, first): (LinkId, [f64; 2]), section: &Section<'_>) {
+fn add_mass(linkage: &mut SceneLinks, (id, first): (LinkId, Option<PointId>), section: &Section<'_>) {
     let mass = section.number("mass").unwrap_or_default();
     let inertia = inertia::read(linkage, id, section);
     let center = match section.get("center") {
-        Some(entry) => linkage.location(&entry, id),
-        None => default_center(section, first, mass > 0.0 || !inertia.is_none()),
+        Some(entry) => linkage.location(&entry, id, move |scene| Some(&mut scene.links[id].center)),
+        None => default_center(linkage, section, (id, first), mass > 0.0 || !inertia.is_none()),
     };
+    // Without a center there is no mass.
+    if center.is_some() {
+        section.sets(1.0, move |scene, key| match (key, &mut scene.links[id]) {
+            ("mass", link) => Some(&mut link.mass),
+            ("inertia", Link { inertia: Inertia::Constant(inertia), .. }) => Some(inertia),
+            _ => None,
+        });
+    }
     let link = &mut linkage.links[id];
     (link.mass, link.inertia, link.center) = (mass, inertia, center.unwrap_or_default());
 }
 
 /// The center of mass of a link with one point is at this point by default.
-fn default_center(section: &Section<'_>, first: [f64; 2], heavy: bool) -> Option<[f64; 2]> {
+fn default_center(
+    linkage: &SceneLinks,
+    section: &Section<'_>,
+    (link, first): (LinkId, Option<PointId>),
+    heavy: bool,
+) -> Option<[f64; 2]> {
     let count = section.get("points").and_then(|entry| Some(entry.value.as_table()?.len()));
     if count == Some(1) {
-        return Some(first);
+        return linkage
+            .copied(section.faults, (first?, link), move |scene| Some(&mut scene.links[link].center));
     }
     if heavy {
         section.missing("center", text!("scene-why-a-center"));
@@ -126,7 +142,7 @@ fn default_center(section: &Section<'_>, first: [f64; 2], heavy: bool) -> Option
 }
 
 /// Reads the slides into the linkage.
-pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) {
+pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut SceneLinks, firsts: &[Option<PointId>]) {
     for section in root.inners("slide") {
         if let Some(slide) = one(&section, linkage, firsts) {
             linkage.slides.push(slide);
@@ -134,16 +150,26 @@ pub(crate) fn read_slides(root: &Section<'_>, linkage: &mut SceneLinks, firsts: 
     }
 }
 
-fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) -> Option<Slide> {
+fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[Option<PointId>]) -> Option<Slide> {
+    let id = linkage.slides.len();
     let [angle, tilt] = ["angle", "tilt"].map(|key| section.number(key).unwrap_or_default());
+    section.sets(1.0, move |scene, key| match key {
+        "angle" => Some(&mut scene.slides[id].angle),
+        "tilt" => Some(&mut scene.slides[id].tilt),
+        _ => None,
+    });
     let (link, on) = (section.need("link"), section.need("on"));
     let swap = || text!("scene-swap-slide");
     let link_id = link.as_ref().and_then(|entry| linkage.moving(entry, swap()));
     let on_id = on.as_ref().and_then(|entry| linkage.link(entry));
-    let through =
-        section.get("through").and_then(|entry| linkage.location(&entry, on_id?)).unwrap_or_default();
+    let through = section
+        .get("through")
+        .and_then(|entry| linkage.location(&entry, on_id?, move |scene| Some(&mut scene.slides[id].through)));
     let (link, on) = (link_id?, on_id?);
-    let point = section.get("point").map_or(Some(firsts[link]), |entry| linkage.location(&entry, link));
+    let point = match section.get("point") {
+        Some(entry) => linkage.location(&entry, link, point_of(id)),
+        None => firsts[link].and_then(|first| linkage.copied(section.faults, (first, link), point_of(id))),
+    };
     if link == on {
         let entry = section.get("on")?;
         let message = text!("scene-slide-on-itself", link = shown(&linkage.links[link].name));
@@ -151,7 +177,20 @@ fn one(section: &Section<'_>, linkage: &mut SceneLinks, firsts: &[[f64; 2]]) -> 
     }
     let default = joined("/", [link, on].map(|link| Text::from(&linkage.links[link].name)));
     let name = name(section, linkage, default);
-    Some(Slide { name, link, on, point: point.unwrap_or_default(), through, angle, tilt })
+    Some(Slide {
+        name,
+        link,
+        on,
+        point: point.unwrap_or_default(),
+        through: through.unwrap_or_default(),
+        angle,
+        tilt,
+    })
+}
+
+/// The point of a slide in a mechanism.
+fn point_of(slide: SlideId) -> impl Fn(&mut Mechanism) -> Option<&mut [f64; 2]> {
+    move |scene| Some(&mut scene.slides[slide].point)
 }
 
 fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Text) -> Name {
@@ -169,29 +208,4 @@ fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Text) -> Name 
 pub(crate) fn on_ground(linkage: &SceneLinks, link: usize) -> Vec<usize> {
     let joins = |slide: &Slide| slide.link == link && slide.on == GROUND;
     (0..linkage.slides.len()).filter(|&index| joins(&linkage.slides[index])).collect()
-}
-
-/// Whether some coordinate of a moving link is written with a unit.
-pub(crate) fn have_units(root: &Section<'_>) -> bool {
-    fn has_text(value: &DeValue<'_>) -> bool {
-        match value {
-            DeValue::String(_) => true,
-            DeValue::Array(list) => list.iter().any(|item| has_text(item.get_ref())),
-            DeValue::Table(table) => table.values().any(|item| has_text(item.get_ref())),
-            _ => false,
-        }
-    }
-    let links = root.get("link");
-    let links = links.as_ref().and_then(|links| links.value.as_table());
-    let mut points =
-        links.into_iter().flat_map(|links| links.values()).filter_map(|link| link.get_ref().get("points"));
-    points.any(|points| has_text(points.get_ref()))
-}
-
-/// Whether a link has a moment of inertia, be it 0.
-pub(crate) fn gives_inertia(root: &Section<'_>, link: &str) -> bool {
-    let links = root.get("link");
-    let links = links.as_ref().and_then(|links| links.value.as_table());
-    let link = links.and_then(|links| links.get(link));
-    link.is_some_and(|link| link.get_ref().get("inertia").is_some())
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::{Brake, Direction, Force, Load, LoadKind, Moment, Value};
+use assur_mechanism::{Brake, Direction, Force, Load, LoadId, LoadKind, Moment, Value};
 use assur_words::{Text, name, text};
 
 use crate::context::{Context, Sort};
@@ -17,10 +17,12 @@ use crate::walk::{Section, quoted};
 pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
     let entry = root.get("gravity")?;
     if entry.value.is_array() {
+        entry.faults.tell(|told| told.place([entry.span.clone()], |scene| scene.gravity.as_mut()));
         return pair(&entry, &name("[gx, gy]"), Dimension::Acceleration);
     }
     let size = entry.quantity(Dimension::Acceleration)?;
-    if size < 0.0 {
+    root.sets(-1.0, |scene, key| scene.gravity.as_mut().filter(|_| key == "gravity").map(|[_, y]| y));
+    if !entry.is_within(size, 0.0..) {
         entry.fault(text!("scene-gravity-upward"), text!("scene-or-both-components"));
     }
     Some([0.0, -size])
@@ -33,8 +35,11 @@ pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
 
 /// Reads all loads: forces, moments, brakes, springs, contacts.
 pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Vec<Load> {
-    let mut names = BTreeSet::new();
-    SORTS.iter().flat_map(|sort| sort.read(root, context, &mut names)).collect()
+    let (mut loads, mut names) = (Vec::new(), BTreeSet::new());
+    for sort in &SORTS {
+        sort.read(root, context, (&mut loads, &mut names));
+    }
+    loads
 }
 
 /// The sorts of loads, in the order of the mechanism.
@@ -50,7 +55,7 @@ pub(crate) const SORTS: [Sort; 5] = [
     },
 ];
 
-fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+fn force(section: &Section<'_>, context: &Context<'_>, id: LoadId) -> Option<LoadKind> {
     let direction = direction(section, context);
     let value = value::sized(section, "value", Dimension::Force, true, context);
     if let (Some(Direction::AgainstMotion), Some(Value::Constant(size)), Some(entry)) =
@@ -60,7 +65,9 @@ fn force(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
         entry.faults.mistake(entry.span.clone(), text!("scene-negative-against"));
     }
     let link = context.linkage.link_of(section, text!("scene-ground-carries"));
-    let at = section.need("at").and_then(|entry| context.linkage.place(&entry, link?));
+    let at = section.need("at").and_then(|entry| {
+        context.linkage.place(&entry, link?, move |scene| Some(&mut scene.loads[id].kind.force_mut()?.at))
+    });
     Some(Force { at: at?, direction: direction?, value: value? }.into())
 }
 
@@ -83,13 +90,13 @@ fn direction(section: &Section<'_>, context: &Context<'_>) -> Option<Direction> 
     Some(if in_link { Direction::Link(angle) } else { Direction::Ground(angle) })
 }
 
-fn moment(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+fn moment(section: &Section<'_>, context: &Context<'_>, _: LoadId) -> Option<LoadKind> {
     let value = value::sized(section, "value", Dimension::Moment, false, context);
     let link = context.linkage.link_of(section, text!("scene-ground-carries"));
     Some(Moment { link: link?, value: value? }.into())
 }
 
-fn brake(section: &Section<'_>, context: &Context<'_>) -> Option<LoadKind> {
+fn brake(section: &Section<'_>, context: &Context<'_>, _: LoadId) -> Option<LoadKind> {
     let [radius, friction, lever] = ["radius", "friction", "lever"].map(|key| section.number(key));
     if let Some(entry) = section.get("force") {
         context.need_motion(&entry, text!("scene-a-brake"));

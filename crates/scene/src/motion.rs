@@ -1,6 +1,8 @@
 //! `[motion]`: how the input moves.
 
-use assur_mechanism::{MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Motion, Solve, StepLength, Until};
+use assur_mechanism::{
+    MOST_PARTS_SAMPLED, MOST_SAMPLES, MOST_STEPS_KEPT, Mechanism, Motion, Solve, StepLength, Until,
+};
 
 use assur_words::{Text, name as words, number, text};
 
@@ -26,7 +28,23 @@ pub(crate) fn read(root: &Section<'_>, context: &Context<'_>) -> Option<Motion> 
         None => KINDS[0],
     };
     refuse_other_kinds(&section, kind);
+    section.sets(context.sign(), speed);
+    section.sets(1.0, |scene, key| match (scene.motion.as_mut()?, key) {
+        (Motion::Transient { tolerance, .. }, "tolerance") => Some(tolerance),
+        (Motion::Steady { unevenness, .. }, "unevenness") => unevenness.as_mut()?.given(),
+        _ => None,
+    });
     read(&section, context)
+}
+
+/// A speed or an acceleration in a mechanism.
+fn speed<'m>(scene: &'m mut Mechanism, key: &str) -> Option<&'m mut f64> {
+    match (scene.motion.as_mut()?, key) {
+        (Motion::Prescribed { speed: number, .. } | Motion::Transient { speed: number, .. }, "speed")
+        | (Motion::Prescribed { acceleration: number, .. }, "acceleration")
+        | (Motion::Steady { mean_speed: number, .. }, "mean_speed") => Some(number),
+        _ => None,
+    }
 }
 
 /// Notes a key that belongs to another kind of motion and would have no effect.
@@ -60,8 +78,12 @@ fn transient(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let integrator =
         section.get("integrator").and_then(|entry| entry.text(text!("scene-name-of-integrator")));
     let tolerance = section.number("tolerance").unwrap_or_default();
-    if let Some(entry) = section.get("tolerance").filter(|_| tolerance >= 1.0) {
+    if let Some(entry) = section.get("tolerance").filter(|entry| !entry.is_within(tolerance, ..1.0)) {
         entry.fault(text!("scene-large-tolerance", got = brief(tolerance)), such_as("1e-9"));
+    }
+    for entry in ["until", "step"].iter().filter_map(|key| section.get(key)) {
+        entry.may_be(Some(Dimension::Time), Bound::Positive);
+        entry.may_be(context.coordinate(), Bound::Positive);
     }
     let until = section.need("until").and_then(|entry| until(&entry, context))?;
     let integrator = integrator.unwrap_or("auto").to_owned();
@@ -115,7 +137,7 @@ fn time_or_way(entry: &Entry<'_>, context: &Context<'_>, wanted: &'static str) -
     let (got, label) = match fault.as_ref().map(|error| (&error.fault, &error.text)) {
         Some((UnitFault::WrongDimension(found), unit)) => (measures(unit, *found), Text::default()),
         Some((UnitFault::UnknownUnit(near), unit)) => {
-            (text!("scene-got-unknown-unit", unit = shown(unit)), did_you_mean(near.as_deref()))
+            (text!("scene-got-unknown-unit", unit = shown(unit)), did_you_mean(unit, near.as_deref()))
         }
         Some((UnitFault::NotANumber, _)) => (entry.written(), Text::default()),
         _ => return entry.bounded(Dimension::Time, Bound::Positive).map(Err),
@@ -133,7 +155,7 @@ fn steady(section: &Section<'_>, context: &Context<'_>) -> Option<Motion> {
     let wrong = section.get("unevenness").map(|_| Solve::Given(0.0));
     let unevenness = section.solved("unevenness", None).or(wrong);
     if let (Some(Solve::Given(value)), Some(entry)) = (unevenness, section.get("unevenness"))
-        && value >= 2.0
+        && !entry.is_within(value, ..2.0)
     {
         entry.fault(text!("scene-large-unevenness", got = brief(value)), such_as("0.05"));
     }

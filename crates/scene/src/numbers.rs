@@ -1,6 +1,7 @@
 //! Numbers and quantities in the file.
 
 use std::f64::consts::TAU;
+use std::ops::{Bound as End, RangeBounds};
 
 use assur_words::{Describe, Text, joined, name, number, quantity as with_unit, text, unit};
 use toml::de::DeValue;
@@ -21,6 +22,18 @@ pub(crate) enum Bound {
     Direction,
 }
 
+impl Bound {
+    /// Both ends of the range.
+    fn ends(self) -> (End<f64>, End<f64>) {
+        match self {
+            Self::Any => (End::Unbounded, End::Unbounded),
+            Self::NotNegative => (End::Included(0.0), End::Unbounded),
+            Self::Positive => (End::Excluded(0.0), End::Unbounded),
+            Self::Direction => (End::Included(-MOST_DIRECTION), End::Included(MOST_DIRECTION)),
+        }
+    }
+}
+
 /// The greatest bare angle that is not doubted, rad: a turn.
 const MOST_BARE_ANGLE: f64 = TAU;
 /// The greatest bare angular speed that is not doubted, rad/s: 9549 rpm, faster than the links of any usual machine.
@@ -39,7 +52,10 @@ impl Entry<'_> {
     /// Reads a bare number (SI) or a text with a unit. Without a dimension (which another fault has hidden) any unit
     /// is accepted.
     pub fn quantity(&self, wanted: impl Into<Option<Dimension>>) -> Option<f64> {
-        let wanted = wanted.into();
+        self.bounded(wanted, Bound::Any)
+    }
+
+    fn read_quantity(&self, wanted: Option<Dimension>) -> Option<f64> {
         match self.value {
             DeValue::String(text) => match wanted {
                 Some(wanted) => self.with_unit(text, wanted),
@@ -66,14 +82,16 @@ impl Entry<'_> {
         bound: Bound,
         word: Option<&'static str>,
     ) -> Option<f64> {
-        let value = self.quantity(wanted)?;
+        let value = self.read_quantity(wanted)?;
         let Some(wanted) = wanted else { return Some(value) };
-        let (holds, limit) = match bound {
+        self.may_be(Some(wanted), bound);
+        let limit = match bound {
             Bound::Any => return Some(value),
-            Bound::NotNegative => (value >= 0.0, "scene-negative"),
-            Bound::Positive => (value > 0.0, "scene-not-positive"),
-            Bound::Direction => (value.abs() <= MOST_DIRECTION, "scene-many-turns"),
+            Bound::NotNegative => "scene-negative",
+            Bound::Positive => "scene-not-positive",
+            Bound::Direction => "scene-many-turns",
         };
+        let holds = bound.ends().contains(&value);
         if !holds {
             let example = example(wanted);
             let label = match word {
@@ -83,6 +101,18 @@ impl Entry<'_> {
             self.problem(text!(limit, got = self.written()), label);
         }
         holds.then_some(value)
+    }
+
+    /// Tells that a number of this kind may stand here, whatever does.
+    pub(crate) fn may_be(&self, kind: Option<Dimension>, bound: Bound) {
+        self.faults.tell(|told| told.number(&self.span, kind, Some(bound.ends())));
+    }
+
+    /// Whether the number is within further limits; tells of them.
+    pub(crate) fn is_within(&self, value: f64, limits: impl RangeBounds<f64>) -> bool {
+        let ends = (limits.start_bound().cloned(), limits.end_bound().cloned());
+        self.faults.tell(|told| told.number(&self.span, None, Some(ends)));
+        ends.contains(&value)
     }
 
     /// The value as it is written in the file.
@@ -106,7 +136,7 @@ impl Entry<'_> {
             Err(error) => error,
         };
         let label = match &error.fault {
-            UnitFault::UnknownUnit(Some(near)) => did_you_mean(Some(near)),
+            UnitFault::UnknownUnit(Some(near)) => did_you_mean(&error.text, Some(near)),
             UnitFault::TooLarge | UnitFault::TooSmall => text!("scene-no-digits"),
             _ => example(wanted),
         };
@@ -176,6 +206,7 @@ impl Entry<'_> {
         if value.is_none() {
             self.wants(wanted(), self.written(), Text::default());
         }
+        self.faults.tell(|told| told.number(&self.span, None, None));
         value
     }
 }

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use assur_mechanism::appearance;
 use assur_words::{Text, name, number, text};
 
 /// The longest piece of a scene that a message quotes, in characters.
@@ -45,10 +46,10 @@ fn cut(piece: &str) -> String {
 pub(crate) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     // A third of the letters may be wrong: `lenght` for `length`, but not `mm` for `kg`.
     let limit = (word.chars().count() / 3).max(1);
-    let lower = word.to_lowercase();
+    let lower = appearance(word).to_lowercase();
     let mut best: Option<(usize, &str)> = None;
     for candidate in known.into_iter().filter(|_| word.len() <= 64) {
-        let distance = strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
+        let distance = strsim::damerau_levenshtein(&lower, &appearance(candidate).to_lowercase());
         let short = distance >= candidate.chars().count() || distance >= word.chars().count();
         if distance <= limit && !short && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
@@ -57,9 +58,23 @@ pub(crate) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) 
     best.map(|(_, candidate)| candidate)
 }
 
-/// "did you mean `x`?", or an empty text.
-pub(crate) fn did_you_mean(near: Option<&str>) -> Text {
-    near.map(|near| text!("scene-did-you-mean", name = shown(near))).unwrap_or_default()
+/// "did you mean `x`?" of a word, or an empty text. Of two that look the same it says which letters differ.
+pub(crate) fn did_you_mean(word: &str, near: Option<&str>) -> Text {
+    let Some(near) = near else { return Text::default() };
+    if word != near && appearance(word) == appearance(near) {
+        let foreign = if word.is_ascii() { near } else { word };
+        return text!("scene-did-you-mean-letters", name = shown(near), codes = name(codes(foreign)));
+    }
+    text!("scene-did-you-mean", name = shown(near))
+}
+
+/// The letters of a name that are not ASCII, by their numbers in Unicode: `U+0410`; of an ASCII name the letters themselves.
+pub(crate) fn codes(name: &str) -> String {
+    if name.is_ascii() {
+        return name.to_owned();
+    }
+    let foreign = name.chars().filter(|letter| !letter.is_ascii());
+    foreign.map(|letter| format!("U+{:04X}", u32::from(letter))).collect::<Vec<_>>().join(" ")
 }
 
 /// An example of what may be written, as it is written.

@@ -11,7 +11,7 @@ use crate::context::Context;
 use crate::error::Fault;
 use crate::numbers::{Bound, in_quotes};
 use crate::reference::table;
-use crate::text::{brief, shown, such_as};
+use crate::text::{brief, rounded, shown, such_as};
 use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Known, Section};
 
@@ -203,8 +203,39 @@ fn plain(
     }
     if repeat {
         check_span(&entry, &table, context);
+        if given.is_none() {
+            doubt_end(&entry, &table, (dimension, context));
+        }
     }
     Some(Value::Table { over, table, repeat })
+}
+
+/// Notes a table of lines that ends inside the cycle with another value than it begins with: the last one holds from there, and the
+/// value jumps where the cycle begins anew. Two last rows with one argument are a jump that is meant.
+fn doubt_end(entry: &Entry<'_>, table: &LawTable, (dimension, context): (Dimension, &Context<'_>)) {
+    let (Some(cycle), [first, .., last], [.., before, _]) =
+        (context.input.and_then(assur_mechanism::Input::period), &table.rows[..], &table.rows[..])
+    else {
+        return;
+    };
+    let is_jump = (last[1] - first[1]).abs() > 0.0 && last[0] > before[0];
+    let ends = last[0] - first[0] < cycle * (1.0 - 1e-9);
+    let value = entry.list(Text::default()).pop().and_then(|row| row.pair(&Text::default()));
+    if let (true, true, Shape::Linear, Some([at, _])) = (ends, is_jump, table.shape, value) {
+        let (symbol, scale) = match context.coordinate() {
+            Some(Dimension::Angle) => ("deg", 180.0 / std::f64::consts::PI),
+            _ => ("m", 1.0),
+        };
+        let shown = |value: f64, symbol| joined(" ", [rounded(value), unit(symbol)]);
+        let text = text!(
+            "scene-table-ends",
+            last = shown(last[0] * scale, symbol),
+            end = shown((first[0] + cycle) * scale, symbol),
+            held = shown(last[1], dimension.si()),
+            first = shown(first[1], dimension.si())
+        );
+        entry.faults.mistake(at.span, text);
+    }
 }
 
 /// Rows of a repeating table beyond the cycle would never be reached.

@@ -5,8 +5,9 @@
 //! faults.
 
 use std::ops::Range;
+use std::sync::Arc;
 
-use assur_mechanism::{Name, Solve};
+use assur_mechanism::{Mechanism, Name, Solve};
 use assur_words::{Text, joined, name, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -49,7 +50,9 @@ impl Known {
 
     /// What is meant by a key that the table does not have: the known one, or the tables that have it.
     fn meant(self, word: &str, known: &[&'static str]) -> Text {
-        let Self::Table(table, _) = self else { return did_you_mean(nearest(word, known.iter().copied())) };
+        let Self::Table(table, _) = self else {
+            return did_you_mean(word, nearest(word, known.iter().copied()));
+        };
         if let Some(sorts) = table.sorts(word) {
             return text!("scene-key-of-sorts", sorts = name(sorts));
         }
@@ -59,7 +62,7 @@ impl Known {
                 text!("scene-key-elsewhere", tables = name(elsewhere.join(", ")))
             }
             None if KeyTable::is_of_the_file(word) => text!("scene-key-at-top"),
-            near => did_you_mean(near),
+            near => did_you_mean(word, near),
         }
     }
 }
@@ -88,6 +91,10 @@ impl<'a> Section<'a> {
     /// What is allowed, but probably not meant, as far as it was read.
     pub(crate) fn mistakes(&self) -> Vec<assur_mechanism::Notice> {
         self.faults.mistakes(self.table)
+    }
+
+    pub(crate) fn table(&self) -> &'a DeTable<'a> {
+        self.table
     }
 
     fn refuse_unknown(&self) {
@@ -164,18 +171,29 @@ impl<'a> Section<'a> {
         if let (Some(entry), Some(known)) = (self.get(key), self.known(key)) {
             let (text, word) = (entry.value.as_str().unwrap_or_default(), known.words().next()?);
             if text == word {
+                entry.may_be(known.dimension(coordinate), known.limits);
                 return Some(Solve::Wanted);
             }
             if text.starts_with(char::is_alphabetic) {
                 let quantity = known.dimension(coordinate.or(Some(Dimension::Angle)))?.with_units();
                 let wanted = text!("scene-word-or", word = name(word), quantity = quantity);
-                entry.wants(wanted, in_quotes(text), did_you_mean(nearest(text, [word])));
+                entry.wants(wanted, in_quotes(text), did_you_mean(text, nearest(text, [word])));
                 return None;
             }
             let dimension = known.dimension(coordinate);
             return entry.bounded_or(dimension, known.limits, Some(word)).map(Solve::Given);
         }
         self.by_input(key, coordinate).map(Solve::Given)
+    }
+
+    /// Tells where in a mechanism the numbers of its keys stand, by key (`value.axis`), and with which sign. Only numbers that may
+    /// have any value within their limits whatever the others are have such a place.
+    pub(crate) fn sets(
+        &self,
+        sign: f64,
+        slot: impl for<'m> Fn(&'m mut Mechanism, &str) -> Option<&'m mut f64> + Send + Sync + 'static,
+    ) {
+        self.faults.tell(|told| told.slots(self.table, "", sign, &Arc::new(slot)));
     }
 
     /// Its key `name`, or else the default name; and where a fault of the name is noted.
@@ -255,7 +273,7 @@ impl<'a> Entry<'a> {
         self.faults.note(|| {
             let near = nearest(&self.name, known);
             let message = text!("scene-unknown", what = what, name = shown(&self.name));
-            Fault::new(self.key.clone(), message).label(did_you_mean(near)).help(help())
+            Fault::new(self.key.clone(), message).label(did_you_mean(&self.name, near)).help(help())
         });
     }
 
@@ -352,7 +370,7 @@ impl<'a> Entry<'a> {
         let found = words.iter().find(|word| word.0 == text);
         if found.is_none() {
             let near = nearest(text, words.iter().map(|word| word.0));
-            self.wants(wanted(), quoted(text), did_you_mean(near));
+            self.wants(wanted(), quoted(text), did_you_mean(text, near));
         }
         found.map(|word| word.1)
     }

@@ -15,10 +15,12 @@ pub(crate) fn assembly(root: &Section<'_>, linkage: &SceneLinks) -> Vec<(PointId
         return Vec::new();
     };
     let hints = entry.named(text!("scene-table-of-points"), such_as("D = [0.17, 0.28]"));
-    hints
-        .iter()
-        .filter_map(|hint| Some((hinted(hint, linkage)?, pair(hint, &name("[x, y]"), Dimension::Length)?)))
-        .collect()
+    let read = |(index, hint): (usize, &Entry<'_>)| {
+        let span = hint.span.clone();
+        hint.faults.tell(|told| told.place([span], move |scene| Some(&mut scene.assembly.get_mut(index)?.1)));
+        Some((hinted(hint, linkage)?, pair(hint, &name("[x, y]"), Dimension::Length)?))
+    };
+    hints.iter().enumerate().filter_map(read).collect()
 }
 
 fn hinted(hint: &Entry<'_>, linkage: &SceneLinks) -> Option<PointId> {
@@ -33,7 +35,15 @@ pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balanc
     match (section.get("at"), section.get("angle")) {
         (None, None) => Some(Balance::Moment(link?)),
         (Some(at), Some(_)) => {
-            let (at, angle) = (linkage.place(&at, link?), section.number("angle"));
+            let at = linkage.place(&at, link?, |scene| match &mut scene.balance {
+                Some(Balance::Force { at, .. }) => Some(at),
+                _ => None,
+            });
+            let angle = section.number("angle");
+            section.sets(1.0, |scene, key| match (&mut scene.balance, key) {
+                (Some(Balance::Force { angle, .. }), "angle") => Some(angle),
+                _ => None,
+            });
             Some(Balance::Force { at: at?, angle: angle? })
         }
         (at, _) => {

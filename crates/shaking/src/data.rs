@@ -2,7 +2,7 @@
 
 use assur_force::{LoadError, LoadFault};
 use assur_kinematics::PositionError;
-use assur_mechanism::{LinkId, Mechanism, Named};
+use assur_mechanism::{Key, LinkId, Mechanism, Named};
 use assur_words::{Describe, Text, text};
 use serde::Serialize;
 
@@ -149,18 +149,16 @@ impl Describe for ShakingError {
 }
 
 impl ShakingError {
-    /// The key of the scene that the error concerns, step by step; an element of a list is given by its number. `None` where
-    /// it concerns a position.
-    pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
-        let steps: &[&str] = match self {
-            Self::NoCycle => &["input", "to"],
-            Self::NoMotion if mechanism.motion.is_some() => &["motion", "kind"],
-            Self::NoMotion => &["input"],
-            Self::NoMass => &["link"],
-            Self::Load(error) => return error.key(mechanism),
-            Self::Position(_) => return None,
-        };
-        Some(steps.iter().map(|step| (*step).to_owned()).collect())
+    /// The key of the scene that the error concerns; `None` where it concerns a position.
+    pub fn key(&self, mechanism: &Mechanism) -> Option<Key> {
+        match self {
+            Self::NoCycle => Some(Key::of("input").at("to")),
+            Self::NoMotion if mechanism.motion.is_some() => Some(Key::of("motion").at("kind")),
+            Self::NoMotion => Some(Key::of("input")),
+            Self::NoMass => Some(Key::of("link")),
+            Self::Load(error) => error.key(mechanism),
+            Self::Position(_) => None,
+        }
     }
 
     /// Whether the machine has no solution, though the scene is sound.

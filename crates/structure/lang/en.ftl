@@ -13,6 +13,7 @@ structure-loose = mobility { $mobility } ({ $formula }), but one input moves the
        *[other] them
     } to another link by one more pair, or leave out what hangs there ({ $hint })
 structure-loose-also = {" "}(while the pairs { $pairs } have one constraint too many)
+structure-more-inputs = the mechanism has { $mobility } degrees of freedom ({ $formula }), so it takes { $mobility } inputs; mechanisms with one are calculated. With the input fixed { $links } can still move: one more pair, or a link less, would leave one degree of freedom
 structure-surplus = mobility { $mobility } ({ $formula }), must be 1: { $pairs } { $count ->
         [one] gives
        *[other] give
@@ -22,5 +23,7 @@ structure-pattern = inner { $inner }; outer { $outer }
 structure-what-joins = a point name that stands in two links makes a pin there
 structure-alike = the points `{ $one }` and `{ $other }` stand in one link each and look alike: one name in both links makes a pin there
 structure-misses = ; it repeats no motion: what could be left out as passive misses by { $misfit } over the cycle
+structure-slide-angles = the angle of slide `{ $slide }` misses by { $off } what the other slides give, so no position fits all of them; a link whose x axis does not lie along its guide needs a `tilt`, here `tilt = "{ $tilt }"`
+structure-slide-on-pinned = nothing is left to move in slide `{ $slide }`: pin `{ $pin }` joins the same two links
 structure-too-many = ; { $surplus } surplus constraints are more than the { $most } among which passive ones are searched for
 structure-alone = a point name that stands in two links makes a pin there; in one link only stand { $points }

@@ -64,8 +64,8 @@ impl Structure {
             passive.push(Passive { part, frame });
         }
         let formula = formula(mechanism, &groups);
-        let (placed, links) = (Vec::new(), mechanism.links.len());
-        Ok(Self { mobility, pairs, groups, passive, placed, links, scale, formula })
+        let (placed, ways, links) = (Vec::new(), Vec::new(), mechanism.links.len());
+        Ok(Self { mobility, pairs, groups, passive, placed, ways, links, scale, formula })
     }
 }
 
@@ -200,6 +200,16 @@ fn links_of(graph: &Graph, part: &[usize]) -> Vec<LinkId> {
 }
 
 fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Result<Group, StructureError> {
+    let joins = |pin: &Pair, slide: &Pair| {
+        [pin.a, pin.b] == [slide.a, slide.b] || [pin.b, pin.a] == [slide.a, slide.b]
+    };
+    let held = frame.pairs().filter(|pair| pair.is_slide()).find_map(|slide| {
+        let pin = frame.pairs().find(|pair| !pair.is_slide() && joins(pair, slide))?;
+        Some([pin, slide].map(|pair| name_of(mechanism, pairs[pair.id].source).clone()))
+    });
+    if let Some([pin, slide]) = held {
+        return Err(StructureError::Held { pin, slide });
+    }
     let (class, order) = class_and_order(&frame);
     match plugin_for(&frame)? {
         Some(plugin) => Ok(Group { frame, plugin, class, order }),

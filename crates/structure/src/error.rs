@@ -1,6 +1,7 @@
 //! Errors in decomposing a mechanism.
 
 use assur_group::RegistryError;
+use assur_mechanism::Name;
 use assur_words::{Describe, Text, list, name, number, quantity, text};
 
 /// The mobility count that an error shows.
@@ -13,13 +14,22 @@ pub struct Counted {
 }
 
 /// Why surplus constraints don't just repeat constraints of others.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum SurplusCause {
     /// No part was found that could be left out.
     #[default]
     None,
     /// The best choice of parts to leave out misses by this much over the cycle, m.
     Misses(f64),
+    /// Slides alone hold a link at two different angles.
+    Angles {
+        /// The last of these slides.
+        slide: Name,
+        /// What its angle misses, rad.
+        off: f64,
+        /// The `tilt` with which it would miss nothing, rad.
+        tilt: f64,
+    },
     /// There are more of them than are searched.
     TooMany {
         /// How many there are.
@@ -57,6 +67,13 @@ pub enum StructureError {
         /// Why no part of it is passive.
         cause: SurplusCause,
     },
+    /// A pin and a slide of a group join the same two links, which so can't move on each other, while others of the group are not held.
+    Held {
+        /// The pin.
+        pin: Name,
+        /// The slide.
+        slide: Name,
+    },
     /// No plugin solves a group.
     NoPlugin {
         /// Its links.
@@ -79,7 +96,7 @@ impl StructureError {
             Self::Loose { links, .. } | Self::Surplus { links, .. } | Self::NoPlugin { links, .. } => {
                 links.first().map(String::as_str)
             }
-            Self::Registry(_) => None,
+            Self::Held { .. } | Self::Registry(_) => None,
         }
     }
 }
@@ -106,6 +123,17 @@ assur_words::errors!(StructureError; Registry(RegistryError));
 impl Describe for StructureError {
     fn describe(&self) -> Text {
         match self {
+            // A link alone hangs on one pair; several with all their points joined are held as in a chain of five links.
+            Self::Loose { counted, links, surplus, alike: None, alone }
+                if counted.mobility == 2 && links.len() > 1 && surplus.is_empty() && alone.is_empty() =>
+            {
+                text!(
+                    "structure-more-inputs",
+                    mobility = number(counted.mobility),
+                    formula = name(counted.formula.clone()),
+                    links = links_named(links)
+                )
+            }
             Self::Loose { counted, links, surplus, alike, alone } => text!(
                 "structure-loose",
                 mobility = number(counted.mobility),
@@ -126,6 +154,11 @@ impl Describe for StructureError {
                     }
                 }
             ),
+            Self::Surplus { cause: SurplusCause::Angles { slide, off, tilt }, .. } => {
+                let shown = |angle: &f64| quantity((angle.to_degrees() * 1e6).round() / 1e6, "deg");
+                let slide = Text::from(slide);
+                text!("structure-slide-angles", slide, off = shown(off), tilt = shown(tilt))
+            }
             Self::Surplus { counted, pairs, links, cause } => text!(
                 "structure-surplus",
                 mobility = number(counted.mobility),
@@ -139,10 +172,12 @@ impl Describe for StructureError {
                         "structure-misses",
                         misfit = quantity(format_args!("{:.3}", misfit * 1e3), "mm")
                     ),
+                    SurplusCause::Angles { .. } => Text::default(),
                     SurplusCause::TooMany { surplus, most } =>
                         text!("structure-too-many", surplus = *surplus, most = *most),
                 }
             ),
+            Self::Held { pin, slide } => text!("structure-slide-on-pinned", slide, pin),
             Self::NoPlugin { links, class, order, pattern } => text!(
                 "structure-no-plugin",
                 links = links_named(links),

@@ -1,11 +1,8 @@
 //! The system of counted equations: which equation determines which unknown.
 
-use std::cmp::Reverse;
-use std::collections::{BinaryHeap, VecDeque};
+use std::collections::VecDeque;
 
-use petgraph::Incoming;
-use petgraph::algo::condensation;
-use petgraph::graph::{DiGraph, NodeIndex};
+use crate::components::components;
 
 /// Unknowns: moving links with 3 degrees of freedom, pins with 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -184,13 +181,6 @@ impl Graph {
     /// The strongly connected parts of a perfectly matched system in solving order; if several could be next, the one
     /// with the first link.
     pub(crate) fn parts(&self) -> Vec<Vec<usize>> {
-        // Edges from each node to those that depend on it; then the same between the parts.
-        let needs = self.needs().into_iter().enumerate();
-        let edges = needs.flat_map(|(node, list)| list.into_iter().map(move |other| (other, node)));
-        let mut dependents = DiGraph::<usize, (), usize>::default();
-        (0..self.nodes.len()).for_each(|node| _ = dependents.add_node(node));
-        dependents.extend_with_edges(edges);
-        let mut parts = condensation(dependents, true);
         let rank = |part: &[usize]| {
             let links = part.iter().filter_map(|&node| match self.nodes[node] {
                 Node::Link(link) => Some(link),
@@ -199,21 +189,7 @@ impl Graph {
             // Parts that are a single pin are taken as soon as possible.
             links.min().unwrap_or(0)
         };
-        let entry = |part: NodeIndex<usize>| Reverse((rank(&parts[part]), part));
-        let mut open: Vec<_> =
-            parts.node_indices().map(|part| parts.neighbors_directed(part, Incoming).count()).collect();
-        let mut ready: BinaryHeap<_> = parts.externals(Incoming).map(entry).collect();
-        let mut order = Vec::with_capacity(open.len());
-        while let Some(Reverse((_, part))) = ready.pop() {
-            order.push(part);
-            for next in parts.neighbors(part) {
-                open[next.index()] -= 1;
-                if open[next.index()] == 0 {
-                    ready.push(entry(next));
-                }
-            }
-        }
-        order.into_iter().map(|part| std::mem::take(&mut parts[part])).collect()
+        components(&self.needs(), rank)
     }
 }
 

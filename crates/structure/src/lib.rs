@@ -5,6 +5,7 @@
 //! equations to unknowns shows which links are loose and which pairs are surplus. The strongly connected parts of the
 //! matched system are the Assur groups, of any class and order, in solving order.
 
+mod components;
 mod compose;
 mod error;
 mod excess;
@@ -14,6 +15,7 @@ mod taken_apart;
 
 assur_words::resources!();
 
+pub use components::components;
 pub use error::{Counted, StructureError, SurplusCause};
 pub use excess::Excess;
 pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, name_of, roman};

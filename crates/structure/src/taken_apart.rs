@@ -18,6 +18,9 @@ pub struct Structure {
     /// Where the passive parts need points in the first position, m: those of groups that `[assembly]` leaves free. Empty where the
     /// first way of each group is theirs.
     pub placed: Vec<(PointId, [f64; 2])>,
+    /// The ways of groups, by index, that the passive parts need where the ways meet in the first position, so that no place of a point
+    /// tells them apart.
+    pub ways: Vec<(usize, u8)>,
     /// Number of links, the ground included.
     pub links: usize,
     /// A typical length of the mechanism, m.

@@ -43,6 +43,8 @@ sweep-measure-acceleration = greatest accelerations of points, slides and links 
 sweep-measure-shaking = shaking force on the ground: greatest, root of the mean square; greatest shaking moment about the origin, between positions
 sweep-measure-distance = least and greatest distance of points from the places of --target, between the positions too
 sweep-write-target = write it as POINT=X,Y, such as "E=100 mm,50 mm"
+sweep-other-unit = a number without a unit is in { $unit }, and the scene has { $own }; write "{ $instead }" if that is meant
+sweep-far-target = this is { $away } from the origin, and the mechanism measures { $size }: a number without a unit is in m; write "{ $instead }" if that is meant
 sweep-no-point = there is no such point in the results; points: { $points }
 sweep-other-scene = the scene was another one
 sweep-other-origin = `{ $key }` was { $was } and is { $is }

@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
-use assur_scene::edit::{ParsedText, TextPlace, decimal, replaced, split};
-use assur_scene::{Dimension, Unit, quantity};
-use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text};
+use assur_mechanism::Mechanism;
+use assur_scene::edit::{ParsedText, TextPlace, decimal, split};
+use assur_scene::{Dimension, Reading, SceneNumber, Unit, quantity};
+use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text, unit as quantity_unit};
 use strum::VariantArray;
 
 use crate::vary::Range as Ends;
@@ -19,6 +20,10 @@ pub(crate) struct Axis {
     pub(crate) column: String,
     /// Bytes of the file that are replaced, in one place or several.
     pub(crate) spans: Vec<Range<usize>>,
+    /// The numbers that stand there.
+    numbers: Vec<SceneNumber>,
+    /// Whether a number takes the place of a word or a name.
+    pub(crate) replaces_words: bool,
     /// First value.
     pub(crate) from: f64,
     /// Last value.
@@ -33,6 +38,8 @@ pub(crate) struct Axis {
     unit: Option<Unit>,
     /// What it measures; `None` for a count.
     measures: Option<Dimension>,
+    /// The value of the scene, number and unit.
+    written: Option<(f64, String)>,
 }
 
 /// One end of a range.
@@ -44,27 +51,29 @@ struct End {
 
 impl Axis {
     /// Finds the parameter in the scene, and what it measures.
-    pub(crate) fn of(
-        vary: &Vary,
-        document: &ParsedText<'_>,
-        file: &str,
-        scene: &str,
-    ) -> Result<Self, SweepError> {
-        let key = vary.key();
+    pub(crate) fn of(vary: &Vary, document: &ParsedText<'_>, scene: &Reading) -> Result<Self, SweepError> {
+        let key = vary.key.to_string();
         let fault = |problem: Text| SweepError::vary(&key, problem);
         let found = document.find(&vary.key).map_err(fault)?;
         let (from, to) = ends(vary).map_err(fault)?;
-        let dimension = dimension(vary, &found, [&from, &to], file, scene).map_err(fault)?;
+        let numbers: Vec<_> = found.iter().filter_map(|place| scene.number(&place.span)).collect();
+        let kinds = kinds(vary, &found, &numbers).map_err(fault)?;
+        let dimension = dimension(vary, &kinds, [&from, &to]).map_err(fault)?;
         let (from, to) = in_one_unit(from, to, dimension).map_err(fault)?;
         let suffix = dimension.map(suffix).filter(|unit| !unit.is_empty());
         let column = suffix.map_or(key.clone(), |unit| format!("{key}_{unit}"));
         let unit = dimension.map(|dimension| Unit::of(&from.unit, dimension)).transpose();
         let unit = unit.map_err(|error| fault(error.describe()))?;
         let count = vary.range.count;
+        let written = found.first().and_then(|place| split(place.text.as_ref()?));
         Ok(Self {
             key,
             column,
+            replaces_words: found
+                .iter()
+                .any(|place| place.text.as_deref().is_some_and(|text| split(text).is_none())),
             spans: found.into_iter().map(|place| place.span).collect(),
+            numbers: numbers.into_iter().cloned().collect(),
             from: from.number,
             to: to.number,
             count,
@@ -72,6 +81,7 @@ impl Axis {
             name: from.unit,
             unit,
             measures: dimension,
+            written,
         })
     }
 
@@ -80,8 +90,7 @@ impl Axis {
         tie: &Tie,
         parameters: &[Self],
         document: &ParsedText<'_>,
-        file: &str,
-        scene: &str,
+        scene: &Reading,
     ) -> Result<Self, SweepError> {
         let follows = tie.follows.to_string();
         let leader = parameters.iter().position(|axis| axis.key == follows);
@@ -93,7 +102,7 @@ impl Axis {
             End { number: decimal(number * factor), unit: parameters[leader].name.clone() }.text()
         };
         let range = Ends { from: end(parameters[leader].from), to: end(parameters[leader].to), count: 1 };
-        let axis = Self::of(&Vary { key: tie.key.clone(), range }, document, file, scene)?;
+        let axis = Self::of(&Vary { key: tie.key.clone(), range }, document, scene)?;
         let kinds = [axis.measures, parameters[leader].measures];
         if let ([Some(own), Some(other)], None) = (kinds, tie.factor)
             && own != other
@@ -113,6 +122,19 @@ impl Axis {
         self.spans.iter().any(|span| other.spans.contains(span))
     }
 
+    /// Whether the mechanism with any value of the range is made by setting numbers.
+    pub(crate) fn is_free(&self) -> bool {
+        let ends = [self.from, self.to].map(|end| self.si(end));
+        self.numbers.iter().all(|number| number.is_free() && ends.iter().all(|end| number.admits(*end)))
+    }
+
+    /// Sets a value, SI, in a mechanism of the scene.
+    pub(crate) fn set(&self, mechanism: &mut Mechanism, value: f64) {
+        for number in &self.numbers {
+            number.set(mechanism, value);
+        }
+    }
+
     /// A value in SI.
     pub(crate) fn si(&self, number: f64) -> f64 {
         self.unit.map_or(number, |unit| unit.si(number))
@@ -121,6 +143,24 @@ impl Axis {
     /// A value as it is written into the scene.
     pub(crate) fn toml(&self, number: f64) -> String {
         toml(number, &self.name, !self.name.is_empty())
+    }
+
+    /// What is said of ends without a unit that are SI, where in the unit of the scene they would be nearer to the value of the scene.
+    pub(crate) fn doubt(&self) -> Option<Text> {
+        let (own, written) =
+            self.written.as_ref().filter(|_| self.name.is_empty() && self.follows.is_none())?;
+        let (measures, end) = (self.measures?, self.from.abs().max(self.to.abs()));
+        let unit = Unit::of(written, measures).ok().filter(|_| !written.is_empty())?;
+        let away = |value: f64| (value / unit.si(*own)).abs().ln().abs();
+        (away(unit.si(end)) < away(end)).then(|| {
+            let ends = [self.from, self.to].map(|number| End { number, unit: written.clone() }.text());
+            text!(
+                "sweep-other-unit",
+                unit = quantity_unit(measures.si().replace('*', "·")),
+                own = quantity_of(*own, written.clone()),
+                instead = name(format!("{}={}", self.key, ends.join("..")))
+            )
+        })
     }
 
     /// A value for messages with its key, SI where it is written without a unit: `link.crank.mass = 2 kg`.
@@ -159,32 +199,27 @@ impl End {
     }
 }
 
-/// What the parameter measures; `None` for a count.
-fn dimension(
-    vary: &Vary,
-    found: &[TextPlace],
-    ends: [&End; 2],
-    file: &str,
-    scene: &str,
-) -> Result<Option<Dimension>, Text> {
-    let written = |place: &TextPlace| scene.get(place.span.clone()).map(|text| text.replace('_', ""));
-    let own = found.first().and_then(|place| place.text.clone().or_else(|| written(place)));
-    let own = own.filter(|text| split(text).is_some());
-    let texts = ends.map(End::text);
-    let texts: Vec<&str> = own.iter().chain(&texts).map(String::as_str).collect();
-    let with = |value: &str| replaced(scene, found.iter().map(|place| (&place.span, value)));
-    match takes(&texts, |value| assur_scene::read(file, &with(value)).is_ok()) {
-        Takes::Quantity(kinds) => chosen(&kinds, ends).map(Some),
-        Takes::Bare if ends.iter().all(|end| end.unit.is_empty()) => Ok(None),
-        Takes::Bare => Err(text!("sweep-count", key = name(vary.key()))),
-        Takes::Text => Err(text!("sweep-text", key = name(vary.key()))),
-        Takes::Nothing => {
-            Err(match assur_scene::read(file, &with(&toml(ends[0].number, &ends[0].unit, true))) {
-                Err(errors) if !errors.errors.is_empty() => errors.errors[0].message.clone(),
-                _ => text!("sweep-takes-no-number", key = name(vary.key())),
-            })
-        }
+/// The kinds of quantities that may stand at every place that was found; none for a count.
+fn kinds(vary: &Vary, found: &[TextPlace], numbers: &[&SceneNumber]) -> Result<Vec<Dimension>, Text> {
+    let Some((first, others)) = numbers.split_first().filter(|_| numbers.len() == found.len()) else {
+        let is_text = found.iter().any(|place| place.text.is_some());
+        return Err(text!(if is_text { "sweep-text" } else { "sweep-takes-no-number" }, key = &vary.key));
+    };
+    let shared = |kind: &Dimension| others.iter().all(|other| other.kinds.contains(kind));
+    let kinds: Vec<Dimension> = first.kinds.iter().copied().filter(shared).collect();
+    if kinds.is_empty() && numbers.iter().any(|number| !number.is_count()) {
+        return Err(text!("sweep-takes-no-number", key = &vary.key));
     }
+    Ok(kinds)
+}
+
+/// What the parameter measures; `None` for a count.
+fn dimension(vary: &Vary, kinds: &[Dimension], ends: [&End; 2]) -> Result<Option<Dimension>, Text> {
+    if !kinds.is_empty() {
+        return chosen(kinds, ends).map(Some);
+    }
+    let is_bare = ends.iter().all(|end| end.unit.is_empty());
+    if is_bare { Ok(None) } else { Err(text!("sweep-count", key = &vary.key)) }
 }
 
 /// The kind of quantity of the ends, among those that the scene accepts there.
@@ -228,43 +263,6 @@ pub fn suffixes() -> Vec<(Dimension, String)> {
     all.retain(|(_, suffix)| !suffix.is_empty());
     all.sort_by_key(|(_, suffix)| std::cmp::Reverse(suffix.len()));
     all
-}
-
-/// The possible values of a key, as determined by the reader of scenes.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Takes {
-    /// Quantities of these kinds, one or more.
-    Quantity(Vec<Dimension>),
-    /// Bare numbers only: a count.
-    Bare,
-    /// Any text: a name.
-    Text,
-    /// No number.
-    Nothing,
-}
-
-/// The possible values of a key: quantities of each kind are tried on the reader of scenes, so there is no second list
-/// of the kinds of its keys. `accepts` says whether the scene can be read with this text as the value; `texts` are
-/// quantities whose numbers are tried: the value of the scene, which is within every bound, and the ends of the range.
-pub(crate) fn takes(texts: &[&str], accepts: impl Fn(&str) -> bool) -> Takes {
-    let takes = |dimension: Dimension| texts.iter().any(|text| accepts(&as_quantity(text, dimension)));
-    let found: Vec<_> = Dimension::VARIANTS.iter().copied().filter(|dimension| takes(*dimension)).collect();
-    if found.len() == Dimension::VARIANTS.len() {
-        Takes::Text
-    } else if !found.is_empty() {
-        Takes::Quantity(found)
-    } else if texts.iter().filter_map(|text| split(text)).any(|(number, _)| accepts(&number.to_string())) {
-        Takes::Bare
-    } else {
-        Takes::Nothing
-    }
-}
-
-/// The text itself if it is such a quantity, otherwise its number with the SI unit; as TOML.
-fn as_quantity(text: &str, dimension: Dimension) -> String {
-    let (number, unit) = split(text).unwrap_or((1.0, String::new()));
-    let as_is = !unit.is_empty() && assur_scene::quantity(text, dimension).is_ok();
-    toml(number, if as_is { &unit } else { dimension.si() }, true)
 }
 
 /// A number with a unit as TOML.

@@ -36,7 +36,7 @@ impl Reach {
             stage: vec![0; base.links.len()],
         };
         let mut numbers: Vec<f64> = axes.iter().map(|axis| axis.from).collect();
-        let (Ok(structure), Ok(first)) = (decompose(base), variants.read(axes, &numbers)) else {
+        let (Ok(structure), Ok(first)) = (decompose(base), variants.at(axes, &numbers)) else {
             return reach;
         };
         // A range of one value is calculated for what there is.
@@ -52,7 +52,7 @@ impl Reach {
         reach.everywhere = false;
         for (index, axis) in axes.iter().enumerate() {
             numbers[index] = axis.to;
-            let Ok(other) = variants.read(axes, &numbers) else { return Self { everywhere: true, ..reach } };
+            let Ok(other) = variants.at(axes, &numbers) else { return Self { everywhere: true, ..reach } };
             numbers[index] = axis.from;
             reach.compare(&first, &other);
         }

@@ -81,6 +81,8 @@ pub struct Sweep {
     pub(crate) options: Options,
     pub(crate) columns: Arc<Columns>,
     count: usize,
+    /// What is probably not meant in the call itself.
+    doubts: Vec<(Text, Text)>,
 }
 
 impl Sweep {
@@ -95,17 +97,17 @@ impl Sweep {
         vary: &[Vary],
         request: SweepRequest,
     ) -> Result<Self, SweepError> {
-        let base = assur_scene::read(file_name, scene)?;
+        let reading = assur_scene::reading(file_name, scene)?;
         if vary.is_empty() {
             return Err(SweepError::Request(text!("sweep-nothing-varied")));
         }
         let SweepRequest { points, ties, targets, measures, options } = request;
         let count = count(points, vary)?;
         let document = ParsedText::of(scene);
-        let axis = |vary| Axis::of(vary, &document, file_name, scene);
+        let axis = |vary| Axis::of(vary, &document, &reading);
         let mut axes = vary.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
         for tie in &ties {
-            axes.push(Axis::tied(tie, &axes[..vary.len()], &document, file_name, scene)?);
+            axes.push(Axis::tied(tie, &axes[..vary.len()], &document, &reading)?);
         }
         for (index, axis) in axes.iter().enumerate() {
             if let Some(same) = axes[..index].iter().find(|other| other.shares(axis)) {
@@ -113,10 +115,14 @@ impl Sweep {
                 return Err(SweepError::Request(text!("sweep-twice", first, second)));
             }
         }
-        let variants = Variants::of(file_name, scene, &axes);
-        let richest = variants.richest(&axes).unwrap_or(base);
+        let variants = Variants::of(file_name, scene, reading.mechanism, &axes);
+        let richest = variants.richest(&axes).unwrap_or_else(|| variants.base().clone());
         let mut layout = Layout::of(&richest, &options);
         layout.aim(&targets)?;
+        let places = richest.points.iter().flat_map(|point| &point.places);
+        let size = places.map(|place| place.at[0].hypot(place.at[1])).fold(0.0, f64::max);
+        let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.doubt()?)));
+        let doubts = of_units.chain(targets.iter().filter_map(|target| target.doubt(size))).collect();
         let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);
         let mut names = Vec::new();
         let mut sink = Sink::Names(&mut names);
@@ -126,7 +132,7 @@ impl Sweep {
         }
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
-        Ok(Self { axes, points, variants, layout, reached, measures, options, columns, count })
+        Ok(Self { axes, points, variants, layout, reached, measures, options, columns, count, doubts })
     }
 
     /// The columns of its rows.
@@ -246,13 +252,13 @@ impl Sweep {
         list(self.axes.iter().zip(numbers).map(|(axis, number)| axis.told(number)))
     }
 
-    /// What is probably not meant at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
+    /// What is probably not meant in the call and at the ends of the ranges, as far as the scene itself does not say it: "link.crank.mass = 3000 kg",
     /// and the note.
     pub fn doubts(&self) -> Vec<(Text, Text)> {
         let mut numbers: Vec<f64> = self.axes.iter().map(|axis| axis.from).collect();
-        let known = assur_scene::read("", self.scene()).map(|scene| scene.notes).unwrap_or_default();
-        let mut found: Vec<(Text, Text)> = Vec::new();
-        for (index, axis) in self.axes.iter().enumerate() {
+        let known = &self.variants.base().notes;
+        let mut found = self.doubts.clone();
+        for (index, axis) in self.axes.iter().enumerate().filter(|(_, axis)| axis.doubt().is_none()) {
             for end in [axis.from, axis.to] {
                 numbers[index] = end;
                 let notes = self.variants.read(&self.axes, &numbers).map(|scene| scene.notes);

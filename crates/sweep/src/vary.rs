@@ -1,7 +1,8 @@
 //! A parameter as a user writes it.
 
-use assur_scene::edit::{KeyPath, decimal};
-use assur_words::{Text, name, text};
+use assur_mechanism::Key;
+use assur_scene::edit::decimal;
+use assur_words::{Text, joined, name, quantity, text};
 
 use crate::{Points, SweepError};
 
@@ -22,7 +23,7 @@ use crate::{Points, SweepError};
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Vary {
-    pub(crate) key: KeyPath,
+    pub(crate) key: Key,
     pub(crate) range: Range,
 }
 
@@ -36,12 +37,7 @@ impl Vary {
         let fault = |problem: Text| SweepError::vary(text, problem);
         let (key, range) = text.rsplit_once('=').unwrap_or((text, ""));
         let range = parse_range(range, points).map_err(fault)?;
-        Ok(Self { key: KeyPath::parse(key).map_err(fault)?, range })
-    }
-
-    /// The key.
-    pub fn key(&self) -> String {
-        self.key.to_string()
+        Ok(Self { key: Key::parse(key).map_err(fault)?, range })
     }
 }
 
@@ -59,8 +55,8 @@ impl Vary {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tie {
-    pub(crate) key: KeyPath,
-    pub(crate) follows: KeyPath,
+    pub(crate) key: Key,
+    pub(crate) follows: Key,
     /// `None` where none is written, which is 1.
     pub(crate) factor: Option<f64>,
 }
@@ -83,8 +79,8 @@ impl Tie {
             None => (follows, None),
         };
         Ok(Self {
-            key: KeyPath::parse(key).map_err(fault)?,
-            follows: KeyPath::parse(follows).map_err(fault)?,
+            key: Key::parse(key).map_err(fault)?,
+            follows: Key::parse(follows).map_err(fault)?,
             factor,
         })
     }
@@ -106,6 +102,8 @@ pub struct Target {
     pub(crate) text: String,
     pub(crate) point: String,
     pub(crate) at: [f64; 2],
+    /// Whether both coordinates are written without a unit.
+    is_bare: bool,
 }
 
 impl Target {
@@ -119,9 +117,30 @@ impl Target {
         let read = || {
             let (point, place) = text.split_once('=')?;
             let (x, y) = place.trim().trim_matches(['[', ']']).split_once(',')?;
-            Some(Self { text: text.to_owned(), point: point.trim().to_owned(), at: [length(x)?, length(y)?] })
+            let is_bare = [x, y].iter().all(|text| text.trim().parse::<f64>().is_ok());
+            let at = [length(x)?, length(y)?];
+            Some(Self { text: text.to_owned(), point: point.trim().to_owned(), at, is_bare })
         };
         read().ok_or_else(|| SweepError::vary(text, text!("sweep-write-target")))
+    }
+}
+
+impl Target {
+    /// What is said of a place without units that lies far from a mechanism of this size, m.
+    pub(crate) fn doubt(&self, size: f64) -> Option<(Text, Text)> {
+        /// A place so many sizes of the mechanism away was meant in mm.
+        const FAR: f64 = 20.0;
+        let [x, y] = self.at;
+        (self.is_bare && x.hypot(y) > FAR * size).then(|| {
+            let shown = |length: f64| quantity(format!("{length:.3e}").parse().unwrap_or(length), "m");
+            let told = text!(
+                "sweep-far-target",
+                away = shown(x.hypot(y)),
+                size = shown(size),
+                instead = name(format!("{}={x} mm,{y} mm", self.point))
+            );
+            (joined(" ", [name("--target"), name(self.text.clone())]), told)
+        })
     }
 }
 

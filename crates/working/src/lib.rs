@@ -24,7 +24,7 @@ pub use energy::{Cycle, Done, Ending, EnergyForm};
 use assur_force::{LoadError, LoadState, Loads};
 use assur_group::{Body, Order};
 use assur_kinematics::{Linkage, PositionError};
-use assur_mechanism::Mechanism;
+use assur_mechanism::{Key, Mechanism};
 use assur_words::{Describe, Language, Text, text};
 use assur_worksheet::{Reaction, RegistryError, Section, Sheet, Symbol, Units};
 
@@ -112,8 +112,8 @@ pub enum PositionOrSample {
 }
 
 impl WorkingError {
-    /// The key of the scene that the error concerns, step by step; an element of a list is given by its number.
-    pub fn key(&self, mechanism: &Mechanism) -> Option<Vec<String>> {
+    /// The key of the scene that the error concerns.
+    pub fn key(&self, mechanism: &Mechanism) -> Option<Key> {
         if let Self::Load { error, .. } = self { error.key(mechanism) } else { None }
     }
 }

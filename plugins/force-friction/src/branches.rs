@@ -2,10 +2,10 @@
 //! several is taken, and up to which part of the coefficients there is any.
 
 use assur_force::{Block, ForceError, FrictionIteration};
-use assur_friction::{Moduli, PathPoint, is_same, path};
+use assur_friction::{Moduli, PathPoint, nearest, path};
 use assur_group::Wrench;
 
-use crate::chain::{Chain, Prepared};
+use crate::chain::{Chain, Prepared, add};
 
 /// A solution of all blocks.
 #[derive(Debug, Clone)]
@@ -87,11 +87,16 @@ impl Chain<'_> {
             found.branches.push(branch.with(block, &prepared, &[]));
             return Ok(());
         }
-        let radius = prepared.moduli.certificate();
-        block.groups().for_each(|group| found.certificates[group] = radius);
-        if radius < 1.0
-            && let Some(only) = prepared.moduli.follow(&vec![0.0; prepared.moduli.count()])
-        {
+        let only = if self.is_free() {
+            // Nobody is told the certificate of an acceleration.
+            prepared.moduli.only()
+        } else {
+            let radius = prepared.moduli.certificate();
+            block.groups().for_each(|group| found.certificates[group] = radius);
+            let start = vec![0.0; prepared.moduli.count()];
+            if radius < 1.0 { prepared.moduli.follow(&start) } else { None }
+        };
+        if let Some(only) = only {
             found.branches.push(branch.with(block, &prepared, &only));
             return Ok(());
         }
@@ -99,7 +104,7 @@ impl Chain<'_> {
         found.continuum |= all.continuum;
         if !all.complete {
             found.proved = false;
-            if let Some(continued) = self.continued(block, &branch, scale)? {
+            if let Some(continued) = self.continued(block, &branch, &prepared, scale)? {
                 all.index_of(continued);
             }
         }
@@ -148,11 +153,24 @@ impl Chain<'_> {
     }
 
     /// The solution of a block to which that without friction leads as the coefficients grow; `None` where it ends before.
-    fn continued(&self, block: &Block, branch: &Branch, scale: f64) -> Result<Option<Vec<f64>>, ForceError> {
-        let moduli = |part: f64| self.prepare(block, (&branch.loads, &branch.pairs), scale * part);
+    fn continued(
+        &self,
+        block: &Block,
+        branch: &Branch,
+        whole: &Prepared,
+        scale: f64,
+    ) -> Result<Option<Vec<f64>>, ForceError> {
+        let is_linear = whole.each.len() == block.unknowns.len();
+        let moduli = |part: f64| -> Result<Option<Moduli>, ForceError> {
+            if is_linear {
+                return Ok(Some(whole.moduli.scaled(part)));
+            }
+            let prepared = self.prepare(block, (&branch.loads, &branch.pairs), scale * part)?;
+            Ok(prepared.map(|prepared| prepared.moduli))
+        };
         let Some(ideal) = moduli(0.0)? else { return Ok(None) };
-        let start = PathPoint { part: 0.0, moduli: ideal.moduli.step(&vec![0.0; ideal.moduli.count()]) };
-        Ok(path(start, |part, expected| moduli(part).ok()??.moduli.near(expected)))
+        let start = PathPoint { part: 0.0, moduli: ideal.step(&vec![0.0; ideal.count()]) };
+        Ok(path(start, |part, expected| moduli(part).ok()??.near(expected)))
     }
 
     /// How the friction of each block is found, on the way to the solution that is taken.
@@ -205,13 +223,16 @@ fn steps(moduli: &Moduli) -> Vec<Vec<f64>> {
 
 impl Branch {
     fn with(mut self, block: &Block, prepared: &Prepared, moduli: &[f64]) -> Self {
-        let mut sum = prepared.base.clone();
-        for (response, z) in prepared.each.iter().zip(moduli) {
-            sum.add(*z, response);
+        let all = &prepared.all;
+        let mut drive = all.drive(0);
+        (self.loads, self.pairs) = (all.loads(0).to_vec(), all.pairs(0).to_vec());
+        for (&response, &z) in prepared.each.iter().zip(moduli) {
+            add(&mut self.loads, z, all.loads(response));
+            add(&mut self.pairs, z, all.pairs(response));
+            drive += z * all.drive(response);
         }
-        (self.loads, self.pairs) = (sum.loads, sum.pairs);
         if block.stages.contains(&0) {
-            self.balancing = sum.drive;
+            self.balancing = drive;
         }
         self.moduli.extend_from_slice(moduli);
         self
@@ -249,7 +270,7 @@ fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<
 
 fn followed(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
     let moduli = path(start(chain, loads, found)?, |part, expected| chain.near(loads, part, expected))?;
-    found.branches.iter().position(|branch| is_same(&branch.moduli, &moduli))
+    nearest(found.branches.iter().map(|branch| &branch.moduli), &moduli)
 }
 
 /// The upper end of the interval from 0 of the parts of the coefficients for which there is a solution.

@@ -1,5 +1,7 @@
 //! The linear part: the reactions of the groups of a block to loads and to the friction of each modulus of size 1.
 
+use std::ops::Range;
+
 use assur_force::{
     Block, ForceError, FreeMotion, Frictions, Reactions, UnitBalance, Unknown, UnknownKind, Unsolved,
     input_link,
@@ -22,24 +24,24 @@ pub(crate) struct Chain<'a> {
     free: Option<&'a FreeMotion<'a>>,
 }
 
-/// The response of some stages to loads on their links.
-#[derive(Debug, Clone)]
-pub(crate) struct Response {
-    /// The loads, with those that the stages hand on.
-    pub(crate) loads: Vec<Wrench<f64>>,
+/// The responses of some stages to several sets of loads on their links, set after set.
+#[derive(Debug)]
+pub(crate) struct Responses {
+    /// The loads, with those that the stages hand on: one wrench for each body in a set.
+    loads: Vec<Wrench<f64>>,
     /// Reactions in the pairs of the stages; in the others those that are known before, or none.
-    pub(crate) pairs: Vec<Wrench<f64>>,
-    /// Load of the drive, where the input link is one of the stages.
-    pub(crate) drive: f64,
+    pairs: Vec<Wrench<f64>>,
+    /// Loads of the drive, where the input link is one of the stages; one for each set.
+    drives: Vec<f64>,
 }
 
 /// A block with its loads: everything linear in the moduli.
 #[derive(Debug)]
 pub(crate) struct Prepared {
-    /// The response to the loads, without friction.
-    pub(crate) base: Response,
-    /// The response to the friction of each modulus of size 1.
-    pub(crate) each: Vec<Response>,
+    /// The first is that to the loads, without friction.
+    pub(crate) all: Responses,
+    /// By modulus, the response to its friction where it has size 1.
+    pub(crate) each: Vec<usize>,
     pub(crate) moduli: Moduli,
 }
 
@@ -57,6 +59,11 @@ impl<'a> Chain<'a> {
     /// The chain in a motion whose acceleration is looked for: the drive balances it.
     pub(crate) fn moved_by<'b>(&'b self, motion: &'b FreeMotion<'b>) -> Chain<'b> {
         Chain { unit: None, free: Some(motion), ..*self }
+    }
+
+    /// Whether the acceleration is looked for.
+    pub(crate) fn is_free(&self) -> bool {
+        self.free.is_some()
     }
 
     /// What has to be solved together, in solving order.
@@ -83,29 +90,31 @@ impl<'a> Chain<'a> {
         scale * self.senses[unknown.bearing] * self.frictions.bearings[unknown.bearing].coefficient
     }
 
-    /// The vector of an unknown from reactions.
-    fn vector(&self, unknown: usize, response: &Response) -> [f64; 2] {
+    /// The vector of an unknown from the reactions of a response.
+    fn vector(&self, unknown: usize, response: usize, all: &Responses) -> [f64; 2] {
         let unknown = &self.frictions.unknowns[unknown];
-        unknown.vector(&self.frictions.bearings[unknown.bearing], &self.position.bodies, &response.pairs)
+        let bearing = &self.frictions.bearings[unknown.bearing];
+        unknown.vector(bearing, &self.position.bodies, all.pairs(response))
     }
 
-    /// The response of a block to loads; `pairs`: the reactions in the other blocks.
-    fn respond(
-        &self,
-        block: &Block,
-        mut loads: Vec<Wrench<f64>>,
-        mut pairs: Vec<Wrench<f64>>,
-    ) -> Result<Response, ForceError> {
+    /// Adds the responses of a block to loads; in place of the reactions stand those in the other blocks.
+    fn respond(&self, block: &Block, all: &mut Responses) -> Result<(), ForceError> {
         let (linkage, bodies) = (self.linkage, &self.position.bodies);
-        let mut drive = 0.0;
         for &stage in &block.stages {
             match stage.checked_sub(1) {
                 None => {
                     let pair = &linkage.structure.pairs[0].pair;
-                    (pairs[0], drive) = input_link(pair, linkage.mechanism.input.link, bodies, &loads);
+                    for set in 0..all.drives.len() {
+                        let input = linkage.mechanism.input.link;
+                        let (reaction, drive) = input_link(pair, input, bodies, all.loads(set));
+                        all.drives[set] = drive;
+                        let pairs = all.pairs.len() / all.drives.len();
+                        all.pairs[set * pairs] = reaction;
+                    }
                 }
                 Some(group) if self.solved[group] => {
-                    let found = linkage.groups()[group].reactions(bodies, &mut loads, &mut pairs);
+                    let Responses { loads, pairs, drives } = &mut *all;
+                    let found = linkage.groups()[group].reactions_under(bodies, loads, pairs, drives.len());
                     found.map_err(|reason| {
                         Unsolved::Group(group, reason).explain(linkage, self.position.coordinate)
                     })?;
@@ -113,7 +122,7 @@ impl<'a> Chain<'a> {
                 Some(_) => {}
             }
         }
-        Ok(Response { loads, pairs, drive })
+        Ok(())
     }
 
     /// A block under its loads, with all coefficients times `scale`; `None` where the part of friction that is linear has no
@@ -124,96 +133,139 @@ impl<'a> Chain<'a> {
         (loads, pairs): (&[Wrench<f64>], &[Wrench<f64>]),
         scale: f64,
     ) -> Result<Option<Prepared>, ForceError> {
-        let [nothing, no_pairs] = [loads.len(), pairs.len()].map(|count| vec![Wrench::ZERO; count]);
-        let mut all = vec![self.respond(block, loads.to_vec(), pairs.to_vec())?];
-        for &unknown in &block.unknowns {
-            let (mut own, found) = (nothing.clone(), &self.frictions.unknowns[unknown]);
-            let factor = self.factor(found, scale);
-            found.kind.load(&self.frictions.bearings[found.bearing], &self.position.bodies, factor, &mut own);
-            all.push(self.respond(block, own, no_pairs.clone())?);
+        let unknowns = &block.unknowns;
+        // The last is that to the balancing load, or to the inertia loads of the acceleration.
+        let sets = 1 + unknowns.len() + usize::from(self.unit.is_some() || self.free.is_some());
+        let mut all = Responses::to(loads, pairs, sets);
+        for (index, &unknown) in unknowns.iter().enumerate() {
+            let found = &self.frictions.unknowns[unknown];
+            let bearing = &self.frictions.bearings[found.bearing];
+            let own = all.loads_mut(1 + index);
+            found.kind.load(bearing, &self.position.bodies, self.factor(found, scale), own);
         }
         if let Some(unit) = self.unit {
-            let mut own = nothing;
-            own[unit.link] = unit.wrench(&self.position.bodies);
-            self.balance(&unit, &self.respond(block, own, no_pairs)?, &mut all)?;
+            all.loads_mut(sets - 1)[unit.link] = unit.wrench(&self.position.bodies);
+        } else if let Some(motion) = self.free {
+            all.loads_mut(sets - 1).copy_from_slice(motion.inertia);
         }
-        if let Some(motion) = self.free {
-            self.accelerate(block, motion, pairs.len(), &mut all)?;
+        self.respond(block, &mut all)?;
+        if let Some(unit) = self.unit {
+            self.balance(&unit, &mut all)?;
+        } else if let Some(motion) = self.free {
+            accelerate(motion, &mut all);
         }
         let shift = |unknown: usize| self.frictions.unknowns[unknown].kind == UnknownKind::Shift;
-        for (index, &unknown) in block.unknowns.iter().enumerate().filter(|(_, unknown)| shift(**unknown)) {
-            let own = all[index + 1].clone();
-            let left = 1.0 - self.vector(unknown, &own)[0];
+        for (index, &unknown) in unknowns.iter().enumerate().filter(|(_, unknown)| shift(**unknown)) {
+            let own = all.one(index + 1);
+            let left = 1.0 - self.vector(unknown, 0, &own)[0];
             if left.abs() < SINGULAR {
                 return Ok(None);
             }
-            for response in &mut all {
-                response.add(self.vector(unknown, response)[0] / left, &own);
+            for response in 0..=unknowns.len() {
+                let part = self.vector(unknown, response, &all)[0] / left;
+                all.add(response, part, &own);
             }
         }
-        let base = all.remove(0);
-        let moduli: Vec<(usize, Response)> =
-            block.unknowns.iter().copied().zip(all).filter(|(unknown, _)| !shift(*unknown)).collect();
+        let moduli: Vec<(usize, usize)> =
+            unknowns.iter().copied().zip(1..).filter(|(unknown, _)| !shift(*unknown)).collect();
         let widths = moduli.iter().map(|(unknown, _)| match self.frictions.unknowns[*unknown].kind {
             UnknownKind::Force => Width::Two,
             _ => Width::One,
         });
         let system = Moduli {
             widths: widths.collect(),
-            constants: moduli.iter().map(|(unknown, _)| self.vector(*unknown, &base)).collect(),
+            constants: moduli.iter().map(|(unknown, _)| self.vector(*unknown, 0, &all)).collect(),
             slopes: moduli
                 .iter()
-                .map(|(unknown, _)| moduli.iter().map(|(_, of)| self.vector(*unknown, of)).collect())
+                .map(|(unknown, _)| moduli.iter().map(|(_, of)| self.vector(*unknown, *of, &all)).collect())
                 .collect(),
         };
-        Ok(Some(Prepared { base, each: moduli.into_iter().map(|(_, of)| of).collect(), moduli: system }))
+        Ok(Some(Prepared { all, each: moduli.into_iter().map(|(_, of)| of).collect(), moduli: system }))
     }
 
-    /// Adds to each response that of the inertia loads of the acceleration with which the drive gives what is known of it; the
-    /// acceleration replaces the load of the drive.
-    fn accelerate(
-        &self,
-        block: &Block,
-        motion: &FreeMotion<'_>,
-        pairs: usize,
-        all: &mut [Response],
-    ) -> Result<(), ForceError> {
-        let mut own = self.respond(block, motion.inertia.to_vec(), vec![Wrench::ZERO; pairs])?;
-        own.drive += motion.drive_inertia;
-        // The base moves under the drive, what friction adds without it.
-        for (index, response) in all.iter_mut().enumerate() {
-            let given = if index == 0 { motion.drive } else { 0.0 };
-            let acceleration = (given - response.drive) / own.drive;
-            response.add(acceleration, &own);
-            response.drive = acceleration;
-        }
-        Ok(())
-    }
-
-    /// Adds to each response that of the balancing load with which the drive is idle; its size replaces that of the drive.
-    fn balance(&self, unit: &UnitBalance, own: &Response, all: &mut [Response]) -> Result<(), ForceError> {
-        for response in all {
-            let size = unit.size(response.drive, own.drive, self.linkage);
+    /// Adds to each response that of the balancing load with which the drive is idle, the last; its size replaces that of the drive.
+    fn balance(&self, unit: &UnitBalance, all: &mut Responses) -> Result<(), ForceError> {
+        let last = all.drives.len() - 1;
+        let own = all.one(last);
+        for response in 0..last {
+            let size = unit.size(all.drives[response], own.drives[0], self.linkage);
             let size = size.map_err(|idle| idle.explain(self.linkage, self.position.coordinate))?;
-            response.add(size, own);
-            response.drive = size;
+            all.add(response, size, &own);
+            all.drives[response] = size;
         }
         Ok(())
     }
 }
 
-impl Response {
-    /// Adds a multiple of another response.
-    pub(crate) fn add(&mut self, factor: f64, other: &Self) {
-        let add = |all: &mut [Wrench<f64>], other: &[Wrench<f64>]| {
-            for (sum, one) in all.iter_mut().zip(other) {
-                sum.fx += factor * one.fx;
-                sum.fy += factor * one.fy;
-                sum.m += factor * one.m;
-            }
+/// Adds to each response that of the inertia loads of the acceleration with which the drive gives what is known of it, the last; the
+/// acceleration replaces the load of the drive.
+fn accelerate(motion: &FreeMotion<'_>, all: &mut Responses) {
+    let last = all.drives.len() - 1;
+    all.drives[last] += motion.drive_inertia;
+    let own = all.one(last);
+    // The base moves under the drive, what friction adds without it.
+    for response in 0..last {
+        let given = if response == 0 { motion.drive } else { 0.0 };
+        let acceleration = (given - all.drives[response]) / own.drives[0];
+        all.add(response, acceleration, &own);
+        all.drives[response] = acceleration;
+    }
+}
+
+impl Responses {
+    /// To these loads beside these reactions, and to no loads in the other sets.
+    fn to(loads: &[Wrench<f64>], pairs: &[Wrench<f64>], sets: usize) -> Self {
+        let first = |all: &[Wrench<f64>]| {
+            let mut every = vec![Wrench::ZERO; all.len() * sets];
+            every[..all.len()].copy_from_slice(all);
+            every
         };
-        add(&mut self.loads, &other.loads);
-        add(&mut self.pairs, &other.pairs);
-        self.drive += factor * other.drive;
+        Self { loads: first(loads), pairs: first(pairs), drives: vec![0.0; sets] }
+    }
+
+    fn range(all: &[Wrench<f64>], sets: usize, set: usize) -> Range<usize> {
+        let count = all.len() / sets;
+        set * count..(set + 1) * count
+    }
+
+    pub(crate) fn loads(&self, set: usize) -> &[Wrench<f64>] {
+        &self.loads[Self::range(&self.loads, self.drives.len(), set)]
+    }
+
+    fn loads_mut(&mut self, set: usize) -> &mut [Wrench<f64>] {
+        let range = Self::range(&self.loads, self.drives.len(), set);
+        &mut self.loads[range]
+    }
+
+    pub(crate) fn pairs(&self, set: usize) -> &[Wrench<f64>] {
+        &self.pairs[Self::range(&self.pairs, self.drives.len(), set)]
+    }
+
+    pub(crate) fn drive(&self, set: usize) -> f64 {
+        self.drives[set]
+    }
+
+    /// One of the responses.
+    pub(crate) fn one(&self, set: usize) -> Self {
+        let [loads, pairs] = [self.loads(set), self.pairs(set)].map(<[_]>::to_vec);
+        Self { loads, pairs, drives: vec![self.drives[set]] }
+    }
+
+    /// Adds a multiple of the only one of other responses to one.
+    fn add(&mut self, set: usize, factor: f64, other: &Self) {
+        let sets = self.drives.len();
+        let [loads, pairs] = [&self.loads, &self.pairs].map(|all| Self::range(all, sets, set));
+        add(&mut self.loads[loads], factor, &other.loads);
+        add(&mut self.pairs[pairs], factor, &other.pairs);
+        self.drives[set] += factor * other.drives[0];
+    }
+}
+
+/// Adds a multiple of wrenches to others.
+pub(crate) fn add(all: &mut [Wrench<f64>], factor: f64, other: &[Wrench<f64>]) {
+    for (sum, one) in all.iter_mut().zip(other) {
+        sum.fx += factor * one.fx;
+        sum.fy += factor * one.fy;
+        sum.m += factor * one.m;
     }
 }

@@ -6,15 +6,30 @@ use assur_number::Real;
 
 use crate::kernel::{Legged, Lines};
 use crate::leg::{Hold, Leg, Line};
+use crate::matrix::Inverse;
 use crate::mover::{Hub, Mover};
 
 impl<T: Real> Legged<T> {
-    /// The reactions of a placed group, which are handed on to the outer bodies.
+    /// The reactions of a placed group under several sets of loads, which are handed on to the outer bodies.
     #[inline(always)]
-    pub(crate) fn balance(&self, bodies: &[Body<T>], forces: &mut Forces<'_, T>) -> Result<(), GroupError> {
-        let loads = &*forces.loads;
+    pub(crate) fn balance_all<'f>(
+        &self,
+        bodies: &[Body<T>],
+        mut sets: impl Iterator<Item = Forces<'f, T>>,
+    ) -> Result<(), GroupError> {
         let lines = self.lines(bodies);
         let inverse = self.determined(&lines)?;
+        sets.try_for_each(|mut forces| self.balance(bodies, (&lines, &inverse), &mut forces))
+    }
+
+    #[inline(always)]
+    fn balance(
+        &self,
+        bodies: &[Body<T>],
+        (lines, inverse): (&Lines<T>, &Inverse<T>),
+        forces: &mut Forces<'_, T>,
+    ) -> Result<(), GroupError> {
+        let loads = &*forces.loads;
         let mut passed = [Line::NONE; 3];
         let mut right =
             self.plate.share(&lines.plate, bodies[self.plate.link].origin(), &loads[self.plate.link]);
@@ -34,7 +49,7 @@ impl<T: Real> Legged<T> {
             }
         }
         let sizes = inverse.solve_transposed(right.map(|part| -part));
-        self.hand_on(bodies, (&lines, &passed, &sizes), forces);
+        self.hand_on(bodies, (lines, &passed, &sizes), forces);
         GroupError::if_nan(sizes[0] + sizes[1] + sizes[2])
     }
 

@@ -274,9 +274,21 @@ impl<T: Real> AssurGroup<T> for Legged<T> {
         loads: &mut [Wrench<T>],
         reactions: &mut [Wrench<T>],
     ) -> Result<(), GroupError> {
+        self.reactions_under(bodies, loads, reactions, 1)
+    }
+
+    fn reactions_under(
+        &self,
+        bodies: &[Body<T>],
+        loads: &mut [Wrench<T>],
+        reactions: &mut [Wrench<T>],
+        sets: usize,
+    ) -> Result<(), GroupError> {
+        let [loaded, pairs] = [loads.len(), reactions.len()].map(|all| (all / sets.max(1)).max(1));
+        let sets = loads.chunks_exact_mut(loaded).zip(reactions.chunks_exact_mut(pairs));
         T::evaluate(
             #[inline(always)]
-            move || self.balance(bodies, &mut Forces { loads, reactions }),
+            move || self.balance_all(bodies, sets.map(|(loads, reactions)| Forces { loads, reactions })),
         )
     }
 

@@ -3,15 +3,18 @@
 //! [`input`] makes the text of a scene from a number: a random mechanism, or a shipped or kept scene that is mutated by
 //! numbers, lines, sections or bytes. [`run`] calculates a scene in this process as the command `analyze` does, and says what
 //! became of it, or what must not be: a panic, a number that is not finite, a key that stands twice, a fault without a place, a
-//! check that fails though the same formulas in 32 digits find the numbers right.
+//! check that fails though the same formulas in 32 digits find the numbers right. [`variant`] makes a scene that a person might
+//! write.
 
 mod exact;
 mod input;
 mod json;
 mod run;
+mod variant;
 
 pub use input::{Source, input};
 pub use run::{Finding, Outcome, run};
+pub use variant::variant;
 
 /// The scenes that mutations begin with: the shipped and the kept ones.
 ///

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use assur_scene::edit::{KeyPath, ParsedText, TextPlace, quoted, replaced, split};
+use assur_mechanism::Key;
+use assur_scene::edit::{ParsedText, TextPlace, quoted, replaced, split};
 use assur_scene::{Dimension, Unit};
 use assur_words::{Text, name, text};
 use clap::Args;
@@ -46,7 +47,7 @@ pub(crate) fn run(args: &SetArgs, style: Style) -> Result<Status, Fault> {
         let problem =
             |problem: Text| Fault::Other(text!("cli-set", value = name(value.clone()), problem = problem));
         let (key, value) = value.split_once('=').ok_or_else(|| problem(text!("cli-write-set")))?;
-        let key = KeyPath::parse(key).map_err(problem)?;
+        let key = Key::parse(key).map_err(problem)?;
         let found = document.find(&key).map_err(problem)?;
         // A later value of a key counts.
         places.retain(|(place, _)| found.iter().all(|new| new.span != place.span));
@@ -87,7 +88,7 @@ fn in_unit_of(place: &TextPlace, number: f64, dimension: Option<Dimension>) -> S
 
 /// The places of a parameter that a column holds, and what it measures: its name is the key, with the unit where it has one.
 fn measured(document: &ParsedText<'_>, column: &str) -> Result<(Vec<TextPlace>, Option<Dimension>), Fault> {
-    let find = |key: &str| KeyPath::parse(key).and_then(|key| document.find(&key));
+    let find = |key: &str| Key::parse(key).and_then(|key| document.find(&key));
     let first = match find(column) {
         Ok(places) => return Ok((places, None)),
         Err(problem) => problem,

@@ -20,8 +20,9 @@ use super::options::MethodArgs;
 use super::output::{self, Output};
 use super::scene;
 use super::style::Style;
+use crate::files::{self, FileError};
 use crate::progress::ProgressLine;
-use target::{Form, form};
+use target::{Form, begun, form};
 
 /// A sweep of so many points tells beforehand how much it will write.
 const LONG: usize = 100_000;
@@ -99,6 +100,9 @@ pub(crate) fn run(args: &SweepArgs, style: Style) -> Result<Status, Fault> {
     let sweep = sweep(args, style)?;
     let job = Job::of(args, &sweep, style);
     job.tell_size();
+    if let Some(path) = output.filter(|path| !files::is_stream(path)) {
+        job.refuse_without_room(path, form)?;
+    }
     match (output, form) {
         (Some(path), Form::Parquet) => parts::run(&job, path, args.resume),
         (path, _) => lines::run(&job, path, args.resume),
@@ -164,6 +168,23 @@ impl<'a> Job<'a> {
         }
     }
 
+    /// What the rows take as CSV, at most about.
+    fn bytes(&self) -> f64 {
+        self.points.len() as f64 * self.sweep.columns().names().len() as f64 * BYTES_OF_NUMBER
+    }
+
+    /// Refuses rows that need more room than the file system of the target has.
+    fn refuse_without_room(&self, target: &Path, form: Form) -> Result<(), Fault> {
+        // Parquet takes less than half of CSV.
+        let needed = if form == Form::Parquet { 0.5 } else { 1.0 } * self.bytes();
+        let Some(free) = files::free_beside(target) else { return Ok(()) };
+        if needed <= free as f64 + begun(target) as f64 {
+            return Ok(());
+        }
+        let [needed, free] = [needed, free as f64].map(|bytes| number((bytes / 1e6).ceil()));
+        Err(FileError::refused(target, text!("cli-sweep-no-room", needed, free)).into())
+    }
+
     /// What its rows are made of, and which of all they are.
     fn origin(&self) -> Origin {
         let mut origin = self.sweep.origin();
@@ -175,8 +196,7 @@ impl<'a> Job<'a> {
     fn tell_size(&self) {
         let (rows, columns) = (self.points.len(), self.sweep.columns().names().len());
         if rows >= LONG {
-            // What a number takes in CSV with its comma; Parquet takes less than half of it.
-            let megabytes = (rows as f64 * columns as f64 * BYTES_OF_NUMBER / 1e6).ceil();
+            let megabytes = (self.bytes() / 1e6).ceil();
             let [rows, columns] = [rows, columns].map(number);
             self.style.tell(text!(
                 "cli-sweep-size",

@@ -103,8 +103,27 @@ fn behind(scene: &str, command: &str) -> Text {
     text!("cli-scene-first", scene, command)
 }
 
-/// The command whose spelling is near to `word`: at most two letters away.
+/// What other programs call a command, and the command.
+const OTHER_NAMES: &[(&str, &str)] = &[
+    ("plot", "draw"),
+    ("graph", "draw"),
+    ("show", "draw"),
+    ("run", "analyze"),
+    ("solve", "analyze"),
+    ("calculate", "analyze"),
+    ("simulate", "analyze"),
+    ("validate", "check"),
+    ("verify", "check"),
+    ("optimize", "sweep"),
+    ("export", "report"),
+    ("init", "new"),
+];
+
+/// The command that is meant by `word`: by another name of it, or by a spelling at most two letters away.
 pub(crate) fn nearest_command(word: &str) -> Option<String> {
+    if let Some((_, command)) = OTHER_NAMES.iter().find(|(other, _)| *other == word) {
+        return Some((*command).to_owned());
+    }
     let program = Cli::command();
     let names = program.get_subcommands().map(|command| command.get_name().to_owned());
     let near = names.map(|name| (strsim::damerau_levenshtein(word, &name), name)).min()?;

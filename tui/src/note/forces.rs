@@ -6,6 +6,7 @@ use assur_book::{Document, Table, Unit, catalogue};
 use assur_diagram::VectorPlan;
 use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep};
+use assur_picture::plots;
 use assur_report::topic;
 use assur_words::{Text, list, name, number, quantity, text, unit};
 
@@ -13,7 +14,7 @@ use super::NoteError;
 use super::context::{Context, still};
 use crate::number::digits;
 use crate::screen::state::{Reaction, Series, View, ViewPart};
-use crate::screen::view::{friction, plans, plots};
+use crate::screen::view::{forces::beside_friction, plans};
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
 const POLYGONS: [f64; 2] = [165.0, 80.0];
@@ -51,7 +52,7 @@ pub(super) fn forces(context: &mut Context<'_>, page: &mut Document) -> Result<(
 /// The reactions of the pairs with friction in the first of the chosen positions, touching the circles of friction.
 fn touching(context: &Context<'_>, page: &mut Document) -> Result<(), NoteError> {
     let (scene, found, position) = (context.scene()?, context.found()?, context.positions[0]);
-    let of = |reaction| friction::panel(scene, found, position, reaction);
+    let of = |reaction| beside_friction(scene, found, position, reaction);
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [CURVE[0], 75.0 * figure.rows() as f64];
@@ -70,8 +71,13 @@ fn loads(context: &Context<'_>) -> Result<Figure, NoteError> {
         let varies = nodes.iter().any(|node| (node.value - nodes[0].value).abs() > 0.0);
         let whole = nodes.len() == scene.positions();
         let curve = [(series, Stroke::Solid, Ink::First)];
-        let mut panel =
-            plots::over_positions(context.state, scene, [title, Text::default()], &curve, Vec::new());
+        let mut panel = plots::over_positions(
+            &scene.linkage,
+            context.state.pictured(),
+            [title, Text::default()],
+            &curve,
+            Vec::new(),
+        );
         still(&mut panel);
         (varies && whole).then_some(panel)
     };

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use assur_force::{Cause, LoadState, power};
 use assur_group::{Body, Order};
 use assur_kinematics::{Position, ScalarMotion};
-use assur_mechanism::{GROUND, LoadId, Mechanism, Motion, Notice};
+use assur_mechanism::{GROUND, Key, LoadId, Mechanism, Motion, Notice};
 use assur_words::{Text, joined, name, quantity, text};
 
 use crate::{Calculation, InputMotion};
@@ -41,7 +41,7 @@ impl Calculation {
         let InputMotion::Transient(found) = &self.motion else { return None };
         let samples = &found.trajectory.samples;
         let stays = samples.iter().all(|sample| sample.speed == 0.0);
-        stays.then(|| Notice::mistake("motion".to_owned(), text!("analysis-never-starts")))
+        stays.then(|| Notice::mistake(Key::of("motion"), text!("analysis-never-starts")))
     }
 
     /// Groups with several ways of which no place in `[assembly]` chooses one.
@@ -85,7 +85,7 @@ impl Calculation {
                     taken = shown(*taken),
                     others = joined(", ", others.iter().map(|place| shown(*place)))
                 );
-                notices.push(Notice::mistake("assembly".to_owned(), text));
+                notices.push(Notice::mistake(Key::of("assembly"), text));
             }
         }
         notices
@@ -113,7 +113,7 @@ impl Calculation {
                     found = shown(found),
                     distance = quantity(format_args!("{:.4}", away * 1e3), "mm")
                 );
-                Notice::mistake(format!("assembly.{name}"), text)
+                Notice::mistake(Key::of("assembly").at(name), text)
             })
         });
         missed.collect()
@@ -265,7 +265,7 @@ impl<'m> Seen<'m> {
         for (link, _) in self.links.iter().enumerate().skip(GROUND + 1).filter(|(_, moves)| !**moves) {
             let name = &mechanism.links[link].name;
             notices.push(Notice::mistake(
-                format!("link.{name}"),
+                Key::of("link").at(name),
                 text!("analysis-link-rests", link = Text::from(name)),
             ));
         }
@@ -273,7 +273,7 @@ impl<'m> Seen<'m> {
             let slide = &mechanism.slides[index];
             if self.links[slide.link] || slide.on != GROUND {
                 let text = text!("analysis-slide-rests", slide = Text::from(&slide.name));
-                notices.push(Notice::mistake(format!("slide[{index}]"), text));
+                notices.push(Notice::mistake(Key::of("slide").at(index), text));
             }
         }
         for (load, [acts, works]) in &self.loads {
@@ -283,8 +283,14 @@ impl<'m> Seen<'m> {
                 (true, false) => text!("analysis-load-without-work", load = name),
                 (true, true) => continue,
             };
-            let (list, number) = mechanism.place_of_load(*load);
-            notices.push(Notice::mistake(format!("{list}[{number}]"), text));
+            let key = mechanism.key_of_load(*load);
+            // A spring without stiffness was told of when the scene was read.
+            let is_of =
+                |note: &Notice| note.key.as_ref().is_some_and(|of| of.steps().starts_with(key.steps()));
+            if !acts && mechanism.notes.iter().any(is_of) {
+                continue;
+            }
+            notices.push(Notice::mistake(key, text));
         }
         notices
     }

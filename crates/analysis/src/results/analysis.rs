@@ -3,7 +3,7 @@
 use assur_check::Check;
 use assur_diagram::{Enveloping, Hodograph, PlanSheet, ReactionExtreme, SignChange};
 use assur_integrator::{Event, SolutionCost, State};
-use assur_mechanism::{LinkId, Name, Named, Notice, SlideId};
+use assur_mechanism::{Key, LinkId, Name, Named, Notice, SlideId};
 use assur_words::{Text, text};
 use indexmap::IndexMap;
 use serde::{Serialize, Serializer};
@@ -103,9 +103,9 @@ pub struct Failure {
     pub coordinate: f64,
     /// What is missing, where and by how much.
     pub message: Text,
-    /// The key of the scene that is at fault, step by step, where there is one.
+    /// The key of the scene that is at fault, where there is one.
     #[serde(skip)]
-    pub key: Option<Vec<String>>,
+    pub key: Option<Key>,
     /// Where it jams by friction: the upper end of the interval from 0 of the factors of all coefficients for which there is a
     /// solution.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -46,6 +46,8 @@ pub use dynamics::{
     RegimePoint, RegimeReport, RunnerUp,
 };
 pub use schema::{Schema, Section};
-pub use structure::{ClosingReport, GroupReport, ModeReport, PassiveReport, StructureReport, passive};
+pub use structure::{
+    ClosingReport, GroupReport, ModeReport, PassiveReport, StructureReport, passive, passive_name,
+};
 pub use survey::Survey;
 pub use table::{Cells, Mask, Table};

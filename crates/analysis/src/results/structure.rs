@@ -2,7 +2,7 @@
 
 use assur_group::{Mode, Order, Pair};
 use assur_kinematics::{Length, Linkage, Misfit, Modes, mobility_in};
-use assur_mechanism::{GROUND, LinkId, Mechanism, Name, Named, PairId, Point};
+use assur_mechanism::{GROUND, Key, LinkId, Mechanism, Name, Named, PairId, Point};
 use assur_structure::PassivePart;
 use assur_words::{Text, number, text};
 use indexmap::IndexMap;
@@ -44,6 +44,9 @@ pub struct PassiveReport {
     pub link: Option<LinkId>,
     /// Greatest distance over the cycle between the two places that it should keep together, m.
     pub misfit: f64,
+    /// The angle by which a slide of it misses, rad, where that is what is greatest.
+    #[serde(skip)]
+    pub angle: Option<f64>,
     /// Up to this it fits, m.
     pub limit: f64,
     /// Where it is greatest, rad or m.
@@ -63,9 +66,12 @@ impl PassiveReport {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ClosingReport {
     /// Its key.
-    pub key: String,
+    pub key: Key,
     /// The value, m or rad.
     pub value: f64,
+    /// Whether it is an angle.
+    #[serde(skip)]
+    pub is_angle: bool,
 }
 
 /// One group.
@@ -126,7 +132,7 @@ pub(crate) fn report(linkage: &Linkage, whole: bool) -> StructureReport {
 }
 
 /// A part in words: `link rod3`.
-pub(crate) fn part(mechanism: &Mechanism, part: PassivePart) -> Text {
+pub fn passive_name(mechanism: &Mechanism, part: PassivePart) -> Text {
     match part {
         PassivePart::Link(link) => text!("analysis-passive-link", link = &mechanism.named_link(link)),
         PassivePart::Pair(pair, link) => text!(
@@ -141,40 +147,39 @@ pub(crate) fn part(mechanism: &Mechanism, part: PassivePart) -> Text {
 pub fn passive(linkage: &Linkage) -> Vec<PassiveReport> {
     let mechanism = &linkage.mechanism;
     let of = |found: &Misfit| PassiveReport {
-        what: part(mechanism, found.part),
+        what: passive_name(mechanism, found.part),
         link: if let PassivePart::Link(link) = found.part { Some(link) } else { None },
         misfit: found.misfit,
+        angle: found.angle,
         limit: found.limit,
         at: found.at,
-        closes: found
-            .closes
-            .as_ref()
-            .map(|closing| ClosingReport { key: key(mechanism, closing.number), value: closing.value }),
+        closes: found.closes.as_ref().map(|closing| ClosingReport {
+            key: key(mechanism, closing.number),
+            value: closing.value,
+            is_angle: closing.number.is_angle(),
+        }),
     };
     linkage.misfits.iter().map(of).collect()
 }
 
 /// The key of a number in the scene: `link.rod3.points.B`.
-fn key(mechanism: &Mechanism, number: Length) -> String {
-    let quoted = |name: &Name| {
-        if name.contains(['.', '[', ']']) { format!("\"{name}\"") } else { name.to_string() }
-    };
-    let slide = |slide: usize| format!("slide.{}", quoted(&mechanism.slides[slide].name));
+fn key(mechanism: &Mechanism, number: Length) -> Key {
+    let slide = |slide: usize| Key::of("slide").at(&mechanism.slides[slide].name);
     match number {
-        Length::Point(point, link, axis) => {
-            let name = quoted(&mechanism.points[point].name);
-            let at = mechanism.place_in(point, link).unwrap_or_default();
-            if link == GROUND {
-                return format!("ground.points.{name}[{axis}]");
-            }
-            // On the x axis of a link a point is written as one number.
-            let index = if at[1].abs() > 0.0 || axis == 1 { format!("[{axis}]") } else { String::new() };
-            format!("link.{}.points.{name}{index}", quoted(&mechanism.links[link].name))
+        Length::Point(point, GROUND, axis) => {
+            Key::of("ground").at("points").at(&mechanism.points[point].name).at(axis)
         }
-        Length::SlidePoint(id, axis) => format!("{}.point[{axis}]", slide(id)),
-        Length::Through(id, axis) => format!("{}.through[{axis}]", slide(id)),
-        Length::Angle(id) => format!("{}.angle", slide(id)),
-        Length::Tilt(id) => format!("{}.tilt", slide(id)),
+        Length::Point(point, link, axis) => {
+            let at = mechanism.place_in(point, link).unwrap_or_default();
+            let link = Key::of("link").at(&mechanism.links[link].name);
+            let key = link.at("points").at(&mechanism.points[point].name);
+            // On the x axis of a link a point is written as one number.
+            if at[1].abs() > 0.0 || axis == 1 { key.at(axis) } else { key }
+        }
+        Length::SlidePoint(id, axis) => slide(id).at("point").at(axis),
+        Length::Through(id, axis) => slide(id).at("through").at(axis),
+        Length::Angle(id) => slide(id).at("angle"),
+        Length::Tilt(id) => slide(id).at("tilt"),
     }
 }
 

@@ -3,7 +3,7 @@
 use assur_group::Body;
 use assur_mechanism::Link;
 
-use super::{reduced, slope_terms};
+use super::{reduced, sizes};
 
 /// A link of 3 kg and 0.5 kg m² whose center is the origin of its frame, in a motion of the origin and a turn.
 fn terms([x1, x2]: [[f64; 2]; 2], [w1, w2]: [f64; 2]) -> ([f64; 2], f64) {
@@ -12,7 +12,7 @@ fn terms([x1, x2]: [[f64; 2]; 2], [w1, w2]: [f64; 2]) -> ([f64; 2], f64) {
     mechanism.links[1] = Link { name: "a".into(), mass: 3.0, center: [0.0; 2], inertia: 0.5.into() };
     let moving = Body { x1: x1[0], y1: x1[1], x2: x2[0], y2: x2[1], w1, w2, ..Body::ground() };
     let bodies = [Body::ground(), moving];
-    (reduced(&mechanism, 0.0, &bodies), slope_terms(&mechanism, 0.0, &bodies))
+    (reduced(&mechanism, 0.0, &bodies), sizes(&mechanism, 0.0, &bodies)[1])
 }
 
 #[test]

@@ -3,8 +3,10 @@
 //! Stage 0 is the input link, stage g + 1 the group g. A stage depends on those whose reactions load its links, and on those
 //! whose reactions give the friction on its links. What depends on each other is one block.
 
+use std::cmp::Reverse;
+
 use assur_mechanism::LinkId;
-use assur_structure::Structure;
+use assur_structure::{Structure, components};
 
 use super::{Bearing, Unknown};
 
@@ -38,24 +40,23 @@ impl Block {
     ) -> (Vec<Self>, Self) {
         let stages = Stages::of(structure, input);
         let count = structure.groups.len() + 1;
-        let mut depends = vec![vec![false; count]; count];
+        let mut needs = vec![Vec::new(); count];
         for pair in &structure.pairs {
             let own = stages.of_pair[pair.pair.id];
-            for body in [pair.pair.a, pair.pair.b] {
-                if let Some(loaded) = stages.of_link[body].filter(|stage| *stage != own) {
-                    depends[loaded][own] = true;
-                }
+            for loaded in [pair.pair.a, pair.pair.b].into_iter().filter_map(|link| stages.of_link[link]) {
+                needs[loaded].push(own);
             }
         }
         for unknown in unknowns {
             let bearing = &bearings[unknown.bearing];
             for acted in [bearing.link, bearing.on].into_iter().filter_map(|link| stages.of_link[link]) {
-                for &(pair, _) in &unknown.pairs {
-                    depends[acted][stages.of_pair[pair]] |= stages.of_pair[pair] != acted;
-                }
+                needs[acted].extend(unknown.pairs.iter().map(|(pair, _)| stages.of_pair[*pair]));
             }
         }
-        let mut blocks = components(&depends);
+        // The last stages first: their loads are those of no other stage.
+        let blocks = components(&needs, |stages| Reverse(stages.last().copied()));
+        let mut blocks: Vec<Self> =
+            blocks.into_iter().map(|stages| Self::of(stages.into_iter().rev())).collect();
         let place =
             |stage: usize, blocks: &[Self]| blocks.iter().position(|block| block.stages.contains(&stage));
         for (index, unknown) in unknowns.iter().enumerate() {
@@ -90,27 +91,4 @@ impl Stages {
         }
         found
     }
-}
-
-/// The strongly connected parts of a dependence, each after those on which it depends.
-fn components(depends: &[Vec<bool>]) -> Vec<Block> {
-    let count = depends.len();
-    let mut reaches = depends.to_vec();
-    for through in 0..count {
-        let row = reaches[through].clone();
-        for from in reaches.iter_mut().filter(|from| from[through]) {
-            from.iter_mut().zip(&row).for_each(|(own, other)| *own |= other);
-        }
-    }
-    let mut left: Vec<usize> = (0..count).rev().collect();
-    let mut blocks = Vec::new();
-    while let Some(&first) = left.iter().find(|&&stage| {
-        // All that it depends on is solved, or depends on it too.
-        left.iter().all(|&other| !reaches[stage][other] || reaches[other][stage] || other == stage)
-    }) {
-        let together = |stage: &usize| *stage == first || reaches[first][*stage] && reaches[*stage][first];
-        blocks.push(Block::of(left.iter().copied().filter(together)));
-        left.retain(|stage| !together(stage));
-    }
-    blocks
 }

@@ -285,3 +285,26 @@ fn the_sense_of_sliding_in_a_range_is_found_in_the_range() {
         near(reduced(&text, degrees), reduced(&given, degrees), 100.0);
     }
 }
+
+/// Positions beyond a gap, as many of which are reached by a whole turn from those before it.
+#[test]
+fn friction_is_against_the_sliding_beyond_a_gap() {
+    let text = include_str!("../../../../tests/corpus/friction-after-gap-nan.toml");
+    let (linkage, loads) = compiled(text);
+    let bearings = &loads.frictions().unwrap().bearings;
+    let mut seen = 0;
+    for degrees in 0..360 {
+        let q = f64::to_radians(f64::from(degrees) + 0.5);
+        let mut position = linkage.position();
+        if linkage.solve(q, assur_group::Order::Second, &mut position).is_err() {
+            continue;
+        }
+        let mut senses = vec![0.0; bearings.len()];
+        loads.senses(&at(q, 20.0), &position.bodies, &mut senses);
+        for (bearing, sense) in bearings.iter().zip(senses) {
+            assert!(sense * bearing.relative(&position.bodies) > 0.0, "{degrees} deg: {sense}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 250, "{seen}");
+}

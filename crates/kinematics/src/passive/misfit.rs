@@ -25,6 +25,8 @@ pub struct Misfit {
     /// Greatest distance between the two places that a pair of it should keep together; of a slide the greater of the distance
     /// and of the angle times the size of the mechanism, m.
     pub misfit: f64,
+    /// The angle by which a slide misses, rad, where that is what is greatest.
+    pub angle: Option<f64>,
     /// Up to this it fits, m.
     pub limit: f64,
     /// The coordinate at which it is greatest, rad or m.
@@ -121,8 +123,14 @@ impl<'a> Cycle<'a> {
                 (at, misfit) = (place, -found);
             }
         }
+        let turned = self.positions.get(worst.0).is_some_and(|position| {
+            let slides = passive.frame.outer.iter().filter(|pair| pair.is_slide());
+            // The misfit of a slide by its angle is the same to rounding in all positions, or not refined far from the sample.
+            slides.map(|pair| missed(pair, &position.bodies, scale)).any(|[_, turn]| turn.abs() >= worst.1)
+        });
+        let angle = (turned && worst.1 > 0.0).then_some(misfit / scale);
         let closes = if misfit > limit { self.closing(passive, limit) } else { None };
-        Misfit { part: passive.part, misfit, limit, at, closes }
+        Misfit { part: passive.part, misfit, angle, limit, at, closes }
     }
 
     /// The first number of the part's pairs, the last pair first, that alone makes it fit over the whole cycle.
@@ -226,8 +234,9 @@ fn lengths(mechanism: &Mechanism, structure: &Structure, passive: &Passive, pair
                 Length::Through(slide, x),
                 Length::SlidePoint(slide, y),
                 Length::SlidePoint(slide, x),
-                Length::Angle(slide),
+                // With another tilt the guide stays where it is.
                 Length::Tilt(slide),
+                Length::Angle(slide),
             ]
         }
         PairId::Pin(point) => {

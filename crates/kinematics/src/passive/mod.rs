@@ -9,11 +9,43 @@ pub(crate) mod hang;
 mod misfit;
 mod search;
 
-use assur_mechanism::Mechanism;
-use assur_structure::{Structure, StructureError};
+use std::f64::consts::{PI, TAU};
+
+use assur_mechanism::{GROUND, Mechanism};
+use assur_structure::{Structure, StructureError, SurplusCause};
 
 pub(crate) use misfit::misfits;
 pub use misfit::{Closing, Length, Misfit};
+
+/// Slides that hold a link at two different angles, which no position can mend: a slide fixes the angle of one link to the other's.
+fn angles_of_slides(mechanism: &Mechanism) -> Option<SurplusCause> {
+    /// Directions that differ by less are the same, rad: the rounding of angles in degrees.
+    const SAME: f64 = 1e-9;
+    let mut angles: Vec<Option<f64>> = vec![None; mechanism.links.len()];
+    angles[GROUND] = Some(0.0);
+    // Each round knows the angle of one link more, or all that slides tell.
+    for _ in 0..mechanism.slides.len() {
+        for slide in &mechanism.slides {
+            let turn = slide.angle + slide.tilt;
+            match (angles[slide.link], angles[slide.on]) {
+                (Some(own), Some(on)) => {
+                    let off = (on + turn - own + PI).rem_euclid(TAU) - PI;
+                    if off.abs() > SAME {
+                        return Some(SurplusCause::Angles {
+                            slide: slide.name.clone(),
+                            off: off.abs(),
+                            tilt: (slide.tilt - off + PI).rem_euclid(TAU) - PI,
+                        });
+                    }
+                }
+                (Some(own), None) => angles[slide.on] = Some(own - turn),
+                (None, Some(on)) => angles[slide.link] = Some(on + turn),
+                (None, None) => {}
+            }
+        }
+    }
+    None
+}
 
 /// Decomposes a mechanism into Assur groups, without its passive parts where it counts constraints that repeat others.
 ///
@@ -23,7 +55,10 @@ pub use misfit::{Closing, Length, Misfit};
 pub fn decompose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
     match Structure::of(mechanism) {
         Err(StructureError::Surplus { counted, pairs, links, .. }) => search::without_passive(mechanism)
-            .map_err(|cause| StructureError::Surplus { counted, pairs, links, cause }),
+            .map_err(|cause| {
+                let cause = angles_of_slides(mechanism).unwrap_or(cause);
+                StructureError::Surplus { counted, pairs, links, cause }
+            }),
         found => found,
     }
 }

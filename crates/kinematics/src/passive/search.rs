@@ -6,6 +6,7 @@ use assur_structure::{Excess, PassivePart, Structure, SurplusCause};
 
 use crate::Linkage;
 use crate::passive::hang::Hanging;
+use crate::ways::{END_ROUNDING, Transition};
 
 /// Most surplus constraints that are treated.
 const MOST_SURPLUS: usize = 1000;
@@ -145,12 +146,10 @@ impl Search<'_> {
         let Some(mut found) = self.compile(structure) else { return false };
         // A group that the scene leaves free is assembled as the parts need it.
         for group in 0..found.linkage.structure.groups.len() {
-            for placed in others(&found.linkage, group) {
+            for structure in others(&found.linkage, group) {
                 if found.rank == Rank::Fits || self.compiled == 0 {
                     break;
                 }
-                let mut structure = found.linkage.structure.clone();
-                structure.placed.extend(placed);
                 found = self.compile(structure).filter(|other| other.is_better(&found)).unwrap_or(found);
             }
         }
@@ -185,8 +184,35 @@ impl Choice {
     }
 }
 
+/// The structure with each of the other assemblies of a group in the first position: its ways where they meet there, else the places of
+/// its points; none where the scene places one of them.
+fn others(linkage: &Linkage, group: usize) -> Vec<Structure> {
+    let from = linkage.mechanism.input.from;
+    let meets = |point: &Transition| {
+        let away = linkage.ways.offset(from, point.coordinate).abs();
+        point.group == group && away < END_ROUNDING * linkage.coordinate_unit()
+    };
+    if !linkage.structure.groups[group].plugin.iterates && linkage.change_points().any(meets) {
+        let present = linkage.ways.at(from)[group];
+        let ways = (0..linkage.groups()[group].ways()).filter_map(|way| u8::try_from(way).ok());
+        let with = |way| {
+            let mut structure = linkage.structure.clone();
+            structure.ways.retain(|one| one.0 != group);
+            structure.ways.push((group, way));
+            structure
+        };
+        return ways.filter(|way| *way != present).map(with).collect();
+    }
+    let with = |placed| {
+        let mut structure = linkage.structure.clone();
+        structure.placed.extend::<Vec<_>>(placed);
+        structure
+    };
+    other_places(linkage, group).into_iter().map(with).collect()
+}
+
 /// The places of a group's points in its other assemblies in the first position; none where the scene places one of them.
-fn others(linkage: &Linkage, group: usize) -> Vec<Vec<(PointId, [f64; 2])>> {
+fn other_places(linkage: &Linkage, group: usize) -> Vec<Vec<(PointId, [f64; 2])>> {
     let (mechanism, frame) = (&linkage.mechanism, &linkage.structure.groups[group].frame);
     let is_outer = |id: PointId| {
         let mut outer = frame.outer.iter().map(|pair| linkage.structure.pairs[pair.id].source);

@@ -2,7 +2,8 @@
 
 use assur_analysis::results::{Integration, Owner, Part, Quantity, Table as Results};
 use assur_book::{Column, Document, Table, Unit};
-use assur_integrator::EventKind;
+use assur_integrator::{EventKind, Knob};
+use assur_mechanism::{Motion, StepLength};
 use assur_words::{Text, name, number, text};
 
 use super::forces::{force, has_reactions, shown};
@@ -40,15 +41,28 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
     let method = name(found.method.clone());
     page.paragraph(text!("report-integrator", method, reason = &found.reason));
     let cost = &found.statistics;
-    page.paragraph(text!(
-        "report-integration-cost",
-        tolerance = number(format_args!("{:e}", found.tolerance)),
-        steps = cost.steps,
-        rejected = cost.rejected,
-        evaluations = cost.evaluations,
-        jacobians = cost.jacobians,
-        pieces = cost.pieces
-    ));
+    let (evaluations, jacobians, pieces) = (cost.evaluations, cost.jacobians, cost.pieces);
+    let has_fixed_steps = assur_integrator::find(&found.method).is_ok_and(|method| method.knob == Knob::Step);
+    page.paragraph(if has_fixed_steps {
+        let step = match source.mechanism.motion {
+            Some(Motion::Transient { step: Some(StepLength::Time(step)), .. }) => SECOND.show(step),
+            Some(Motion::Transient { step: Some(StepLength::Way(step)), .. }) => {
+                source.units.coordinate.show(step)
+            }
+            _ => text!("report-mean-step", step = SECOND.show(found.end.time / cost.steps.max(1) as f64)),
+        };
+        text!("report-integration-fixed", step, steps = cost.steps, evaluations, jacobians, pieces)
+    } else {
+        text!(
+            "report-integration-cost",
+            tolerance = number(format_args!("{:e}", found.tolerance)),
+            steps = cost.steps,
+            rejected = cost.rejected,
+            evaluations,
+            jacobians,
+            pieces
+        )
+    });
     if let Some(product) = cost.stiffness {
         page.paragraph(text!("report-stiffness", value = Unit::NONE.show(product)));
     }

@@ -1,7 +1,7 @@
 //! The geometry of the motion as tables.
 
 use assur_book::{Column, Document, Group, Table, Unit};
-use assur_geometry::{AtPosition, CenterAt, Centers, Geometry, Stroke};
+use assur_geometry::{AtPosition, CenterAt, Centers, Geometry, SlideCourse, Stroke};
 use assur_mechanism::Named;
 use assur_words::{Text, name, text};
 
@@ -61,10 +61,18 @@ fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
             stroke.mean_speeds.map(|speeds| list(&speeds, *speed))
         })
         .table();
-    if table.is_empty() {
-        return page.paragraph(text!("geometry-no-strokes"));
+    // Over a part of a cycle a slide may turn back once: a stroke takes two dead points.
+    let turns_back = |at: &SlideCourse| at.stroke.is_none() && at.pf1.min < 0.0 && at.pf1.max > 0.0;
+    let once: Vec<_> = found.slides.iter().filter(|(_, at)| turns_back(at)).collect();
+    if !table.is_empty() {
+        page.table(table);
+    } else if once.is_empty() {
+        page.paragraph(text!("geometry-no-strokes"));
     }
-    page.table(table);
+    for (slide, at) in once {
+        let places = assur_words::list(at.rests.iter().map(|rest| unit.show(*rest)));
+        page.paragraph(text!("geometry-turns-back", slide = Text::from(slide), places));
+    }
 }
 
 fn extremes(found: &Geometry, units: &Units, page: &mut Document) {

@@ -40,13 +40,17 @@ pub fn passive_part(passive: &PassiveReport, angular: bool) -> Text {
     if passive.fits() {
         return text!("report-passive", what = &passive.what);
     }
-    let place = Units::of(angular).coordinate.show(passive.at);
+    let units = Units::of(angular);
+    let (length, turn) = (units.length[0], units.angle[0]);
     let closes = passive.closes.as_ref().map_or_else(Text::default, |closing| {
-        let value = number(format_args!("{:.9}", closing.value));
-        text!("report-closes", key = name(closing.key.clone()), value = value)
+        let unit = if closing.is_angle { turn } else { length };
+        text!("report-closes", key = &closing.key, value = unit.show(closing.value))
     });
-    let [misfit, limit] =
-        [passive.misfit, passive.limit].map(|size| number(format_args!("{:.4e}", size * 1e3)));
+    let [misfit, limit] = [passive.misfit, passive.limit].map(|size| match passive.angle {
+        Some(angle) => turn.show(size * angle / passive.misfit),
+        None => length.show(size),
+    });
+    let place = units.coordinate.show(passive.at);
     text!(
         "report-misfit",
         what = &passive.what,

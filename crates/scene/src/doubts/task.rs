@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use assur_formula::{Used, Variables};
 use assur_mechanism::{
-    InputPair, Load, LoadKind, Mechanism, Motion, MotorChoice, Notice, Over, Point, Range, Solve, Surfaces,
-    Torque, Value,
+    InputPair, Key, Load, LoadKind, Mechanism, Motion, MotorChoice, Notice, Over, Point, Range, Solve,
+    Surfaces, Torque, Value,
 };
 use assur_words::{Text, quantity, text};
 
@@ -22,6 +23,8 @@ const ROUGHEST: f64 = 2.0;
 const SAME_DIRECTION: f64 = 2e-3;
 /// A ratio so many times as great, or as small, as motor and mean speed need is meant the other way round.
 const MOST_TIMES_THE_RATIO: f64 = 2.0;
+/// Asynchronous motors have a breakdown torque of 1.5 to 4 rated ones; above this it was given in per cent.
+const GREATEST_TORQUE_RATIO: f64 = 20.0;
 /// A table over time that is so many times as long as the motion was meant in another unit.
 const MOST_TIMES_THE_MOTION: f64 = 100.0;
 /// A spring so many times as long as the mechanism was meant in another unit.
@@ -30,28 +33,36 @@ const LONGEST_SPRING: f64 = 10.0;
 /// All of it; `size`: of the mechanism, m.
 pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
     let mut notices = Vec::new();
-    let mut doubt = |is: bool, key: &str, text: Text| {
+    let mut doubt = |is: bool, key: &Key, text: Text| {
         if is {
-            notices.push(Notice::mistake(key.to_owned(), text));
+            notices.push(Notice::mistake(key.clone(), text));
         }
     };
     if let Some([x, y]) = mechanism.gravity {
         let size = x.hypot(y);
         let is_odd = size > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&size);
-        doubt(!is_odd && y > 0.0 && x.abs() < y, "gravity", text!("scene-gravity-up"));
-        doubt(is_odd, "gravity", text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2")));
+        doubt(!is_odd && y > 0.0 && x.abs() < y, &Key::of("gravity"), text!("scene-gravity-up"));
+        doubt(
+            is_odd,
+            &Key::of("gravity"),
+            text!("scene-odd-gravity", size = quantity(rounded(size), "m/s^2")),
+        );
     }
     let speed = match mechanism.motion {
         Some(Motion::Prescribed { speed, .. } | Motion::Transient { speed, .. }) => {
-            ("motion.speed", speed.abs())
+            (Key::of("motion").at("speed"), speed.abs())
         }
-        Some(Motion::Steady { mean_speed, .. }) => ("motion.mean_speed", mean_speed.abs()),
-        None => ("", 0.0),
+        Some(Motion::Steady { mean_speed, .. }) => (Key::of("motion").at("mean_speed"), mean_speed.abs()),
+        None => (Key::of("motion"), 0.0),
     };
     let fastest = if mechanism.input.is_angle() { speed.1 * size } else { speed.1 };
-    doubt(fastest > FASTEST, speed.0, text!("scene-fast", speed = quantity(rounded(fastest.round()), "m/s")));
+    doubt(
+        fastest > FASTEST,
+        &speed.0,
+        text!("scene-fast", speed = quantity(rounded(fastest.round()), "m/s")),
+    );
     for (number, friction) in mechanism.frictions.iter().enumerate() {
-        let key = |name: &str| format!("friction[{number}].{name}");
+        let key = |name: &str| Key::of("friction").at(number).at(name);
         let coefficient = friction.coefficient;
         doubt(
             coefficient > ROUGHEST,
@@ -72,44 +83,53 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
             && output.slides.is_empty()
             && output.reactions.is_empty()
     });
-    doubt(nothing, "output", text!("scene-empty-output"));
+    doubt(nothing, &Key::of("output"), text!("scene-empty-output"));
     for (id, load) in mechanism.loads.iter().enumerate() {
-        let (list, number) = mechanism.place_of_load(id);
-        let key = |name: &str| format!("{list}[{number}].{name}");
-        if let Some((name, text)) = of_load(mechanism, load, size) {
-            doubt(true, &key(name), text);
+        if let Some((key, text)) = of_load(mechanism, load, mechanism.key_of_load(id), size) {
+            doubt(true, &key, text);
         }
     }
-    notices.extend(of_input_and_drive(mechanism, speed));
+    notices.extend(of_input_and_drive(mechanism, &speed));
     notices
 }
 
 /// What contradicts itself in the input, the motion and the drive; `speed`: its key and size.
-fn of_input_and_drive(mechanism: &Mechanism, speed: (&str, f64)) -> Vec<Notice> {
+fn of_input_and_drive(mechanism: &Mechanism, speed: &(Key, f64)) -> Vec<Notice> {
     let mut notices = Vec::new();
-    let mut doubt = |is: bool, key: &str, text: Text| {
+    let mut doubt = |is: bool, key: &Key, text: Text| {
         if is {
-            notices.push(Notice::mistake(key.to_owned(), text));
+            notices.push(Notice::mistake(key.clone(), text));
         }
     };
     let turned_twice = mechanism.input.sign() < 0.0
         && matches!(mechanism.motion, Some(Motion::Prescribed { speed, .. }) if speed > 0.0);
-    doubt(turned_twice, speed.0, text!("scene-turned-twice"));
+    doubt(turned_twice, &speed.0, text!("scene-turned-twice"));
     let finds_flywheel =
         mechanism.drive.as_ref().is_some_and(|drive| matches!(drive.flywheel, Some(Solve::Wanted)));
     let is_wanted = matches!(mechanism.motion, Some(Motion::Steady { unevenness: Some(_), .. }));
-    doubt(is_wanted && !finds_flywheel, "motion.unevenness", text!("scene-unevenness-unused"));
+    doubt(
+        is_wanted && !finds_flywheel,
+        &Key::of("motion").at("unevenness"),
+        text!("scene-unevenness-unused"),
+    );
     if let Some((key, angle)) = turned_by_frame_and_from(mechanism) {
         let [angle, twice] = [angle, 2.0 * angle].map(|angle| quantity(rounded(angle.to_degrees()), "deg"));
         doubt(
             true,
-            "input.from",
+            &Key::of("input").at("from"),
             text!("scene-counted-twice", point = shown(key), angle = angle, twice = twice),
         );
     }
+    if let Some(Torque::Motor { motor: MotorChoice::Rated(motor), .. }) =
+        mechanism.drive.as_ref().map(|drive| &drive.torque)
+        && let Some(ratio) = motor.max_torque_ratio.filter(|ratio| *ratio > GREATEST_TORQUE_RATIO)
+    {
+        let text = text!("scene-great-torque-ratio", found = rounded(ratio), part = rounded(ratio / 100.0));
+        doubt(true, &Key::of("drive").at("motor").at("max_torque_ratio"), text);
+    }
     if let Some((ratio, needed)) = odd_ratio(mechanism, speed.1) {
         let [ratio, needed] = [ratio, needed].map(rounded);
-        doubt(true, "drive.ratio", text!("scene-odd-ratio", ratio = ratio, needed = needed));
+        doubt(true, &Key::of("drive").at("ratio"), text!("scene-odd-ratio", ratio = ratio, needed = needed));
     }
     notices
 }
@@ -143,13 +163,17 @@ fn odd_ratio(mechanism: &Mechanism, speed: f64) -> Option<(f64, f64)> {
     (steady && (ratio / needed).ln().abs() > MOST_TIMES_THE_RATIO.ln()).then_some((ratio, needed))
 }
 
-/// What is odd in a load, and the key of it.
-fn of_load(mechanism: &Mechanism, load: &Load, size: f64) -> Option<(&'static str, Text)> {
+/// What is odd in a load of this key, and where.
+fn of_load(mechanism: &Mechanism, load: &Load, key: Key, size: f64) -> Option<(Key, Text)> {
     let value = match &load.kind {
         LoadKind::Spring(spring) => {
             let [length, whole] = [spring.length, size].map(|length| quantity(rounded(length), "m"));
             let is_long = spring.length > LONGEST_SPRING * size;
-            return is_long.then(|| ("length", text!("scene-long-spring", length = length, size = whole)));
+            if spring.stiffness == 0.0 && spring.damping == 0.0 {
+                return Some((key.at("stiffness"), text!("scene-spring-without-stiffness")));
+            }
+            return is_long
+                .then(|| (key.at("length"), text!("scene-long-spring", length = length, size = whole)));
         }
         LoadKind::Force(force) => &force.value,
         LoadKind::Moment(moment) => &moment.value,
@@ -160,7 +184,10 @@ fn of_load(mechanism: &Mechanism, load: &Load, size: f64) -> Option<(&'static st
     if most > STRONGEST * size * size {
         let text =
             text!("scene-strong", force = quantity(rounded(most), "N"), size = quantity(rounded(size), "m"));
-        return Some(("value", text));
+        return Some((key.at("value"), text));
+    }
+    if drives_clockwise(mechanism, load) {
+        return Some((key.at("value").at("formula"), text!("scene-drives-clockwise")));
     }
     let Value::Table { over: Over::Time, table, .. } = value else { return None };
     let (last, Some(Motion::Prescribed { speed, .. })) = (table.rows.last()?[0], &mechanism.motion) else {
@@ -172,5 +199,18 @@ fn of_load(mechanism: &Mechanism, load: &Load, size: f64) -> Option<(&'static st
     };
     let [last_shown, lasts] = [last, way / speed.abs()].map(|time| quantity(rounded(time), "s"));
     let is_long = last > MOST_TIMES_THE_MOTION * way / speed.abs();
-    is_long.then(|| ("value.table", text!("scene-long-time", last = last_shown, lasts = lasts)))
+    is_long.then(|| (key.at("value").at("table"), text!("scene-long-time", last = last_shown, lasts = lasts)))
+}
+
+/// Whether a moment on an input link that turns clockwise is a resistance with the wrong sign: by formula of the speed alone, none at
+/// rest, and of positive power at any speed.
+fn drives_clockwise(mechanism: &Mechanism, load: &Load) -> bool {
+    /// Speeds, rad/s, of either sign: a characteristic that crosses zero between them is that of a motor.
+    const SPEEDS: [f64; 6] = [-1000.0, -30.0, -1.0, 1.0, 30.0, 1000.0];
+    let (LoadKind::Moment(moment), input) = (&load.kind, &mechanism.input) else { return false };
+    let Value::Formula { formula, .. } = &moment.value else { return false };
+    let by_speed = formula.used() == Used { speed: true, ..Used::default() };
+    let at = |speed: f64| formula.value(&Variables { speed, ..Variables::default() });
+    let turns = moment.link == input.link && input.is_angle() && input.sign() < 0.0;
+    turns && by_speed && at(0.0) == 0.0 && SPEEDS.into_iter().all(|speed| at(speed) * speed > 0.0)
 }

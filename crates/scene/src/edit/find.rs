@@ -1,11 +1,11 @@
 //! Finds a value of the scene by its key.
 
+use assur_mechanism::{Key, Step};
 use assur_words::{Text, name, number, text};
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 use super::TextPlace;
-use super::key::{Step, shown};
 use crate::text::nearest;
 
 /// Greatest number of names that a message lists.
@@ -43,13 +43,38 @@ fn one(document: &DeTable<'_>, steps: &[Step]) -> Result<TextPlace, Text> {
     leaf(within(document, steps)?, steps)
 }
 
+/// The bytes of the file at which a key stands, of an element of a list those of the element; where the scene leaves the key out,
+/// of the table that would have it.
+pub(crate) fn place(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::Range<usize>> {
+    let of = |steps: &[Step]| {
+        let value = within(document, steps).ok()?;
+        let (last, before) = steps.split_last()?;
+        let owner = if before.is_empty() {
+            Some(document)
+        } else {
+            within(document, before).ok()?.get_ref().as_table()
+        };
+        let Step::Name(name) = last else { return Some(value.span()) };
+        Some(
+            owner
+                .and_then(|table| table.get_key_value(name.as_str()))
+                .map_or(value.span(), |(key, _)| key.span()),
+        )
+    };
+    (1..=steps.len()).rev().find_map(|depth| of(&steps[..depth]))
+}
+
 /// The bytes of the file that a table takes.
 pub(super) fn table(document: &DeTable<'_>, steps: &[Step]) -> Option<std::ops::Range<usize>> {
     let found = within(document, steps).ok()?;
     matches!(found.get_ref(), DeValue::Table(_)).then(|| found.span())
 }
 
-fn within<'a, 'b>(document: &'a DeTable<'b>, steps: &[Step]) -> Result<&'a Spanned<DeValue<'b>>, Text> {
+/// The value of a key.
+pub(crate) fn within<'a, 'b>(
+    document: &'a DeTable<'b>,
+    steps: &[Step],
+) -> Result<&'a Spanned<DeValue<'b>>, Text> {
     let mut at = in_table(document, steps, 0)?;
     for depth in 1..steps.len() {
         at = match at.get_ref() {
@@ -71,7 +96,10 @@ fn in_table<'a, 'b>(
     let Step::Name(name) = &steps[depth] else {
         return Err(text!("scene-table-is-no-list", owner = owner, names = listed(names)));
     };
-    table.get(name.as_str()).ok_or_else(|| absent(owner, steps, depth, name, names))
+    table.get(name.as_str()).ok_or_else(|| {
+        let longer = if depth == 0 { longer(table, steps) } else { None };
+        absent(owner, (steps, depth), (name, longer), names)
+    })
 }
 
 fn in_array<'a, 'b>(
@@ -98,7 +126,7 @@ fn in_array<'a, 'b>(
                 if names.is_empty() {
                     return text!("scene-list-without-names", owner = owner, list = list);
                 }
-                let problem = absent(owner, steps, depth, name, names);
+                let problem = absent(owner, (steps, depth), (name, None), names);
                 text!("scene-or-by-number", problem = problem, list = list)
             })
         }
@@ -107,7 +135,7 @@ fn in_array<'a, 'b>(
 }
 
 /// The name of a load; of a slide its name or default name; of a friction its pair.
-pub(super) fn element_name(value: &DeValue<'_>) -> Option<String> {
+pub(crate) fn element_name(value: &DeValue<'_>) -> Option<String> {
     let DeValue::Table(table) = value else { return None };
     let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
     let default = || Some(format!("{}/{}", text("link")?, text("on")?));
@@ -124,7 +152,7 @@ fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<TextPlace, Text> {
             return Err(text!("scene-is-a-table", key = key, names = listed(keys(table))));
         }
         DeValue::Array(array) => {
-            let elements = (0..array.len()).map(|index| format!("{}[{index}]", shown(steps))).collect();
+            let elements = (0..array.len()).map(|index| Key::from(steps).at(index).to_string()).collect();
             return Err(text!("scene-is-a-list", key = key, names = listed(elements)));
         }
         DeValue::Boolean(_) => return Err(text!("scene-is-a-boolean", key = key)),
@@ -141,19 +169,38 @@ fn keys(table: &DeTable<'_>) -> Vec<String> {
 }
 
 fn owner(steps: &[Step]) -> Text {
-    if steps.is_empty() { text!("scene-the-scene") } else { name(format!("`{}`", shown(steps))) }
+    if steps.is_empty() { text!("scene-the-scene") } else { name(format!("`{}`", Key::from(steps))) }
 }
 
 fn key(steps: &[Step]) -> Text {
-    name(shown(steps))
+    Text::from(&Key::from(steps))
 }
 
-fn absent(owner: Text, steps: &[Step], depth: usize, absent: &str, names: Vec<String>) -> Text {
-    let near = nearest(absent, names.iter().map(String::as_str)).map(|near| {
+/// The first key of the file that has these steps among its own, in their order and with the last of them last: `link.crank.points.A`
+/// of `crank.A`.
+fn longer(table: &DeTable<'_>, steps: &[Step]) -> Option<Key> {
+    let is_part = |key: &&(usize, Key)| {
+        let mut rest = key.1.steps().iter();
+        steps.iter().all(|step| rest.any(|other| other == step))
+            && rest.all(|step| matches!(step, Step::Index(_)))
+    };
+    let keys: Vec<(usize, Key)> = crate::reading::keys(table).into_iter().collect();
+    keys.iter().filter(is_part).min_by_key(|key| key.0).map(|key| key.1.clone())
+}
+
+/// What is said of an absent name; `longer`: a key of the scene of which the steps are a part.
+fn absent(
+    owner: Text,
+    (steps, depth): (&[Step], usize),
+    (absent, longer): (&str, Option<Key>),
+    names: Vec<String>,
+) -> Text {
+    let near = longer.or_else(|| {
         let mut steps = steps[..=depth].to_vec();
-        steps[depth] = Step::Name(near.to_owned());
-        text!("scene-did-you-mean", name = key(&steps))
+        steps[depth] = Step::Name(nearest(absent, names.iter().map(String::as_str))?.to_owned());
+        Some(Key::from(&steps[..]))
     });
+    let near = near.map(|near| text!("scene-did-you-mean", name = &near));
     // An absent key has its default; only a value that is written in the scene can be replaced.
     let hint = near.unwrap_or_else(|| text!("scene-default-not-written"));
     let absent = name(absent.to_owned());

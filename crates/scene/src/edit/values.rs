@@ -2,19 +2,16 @@
 
 use std::ops::Range;
 
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use assur_mechanism::Key;
 
-use super::find::element_name;
-use super::key::{Step, shown};
-use super::replaced;
+use super::ParsedText;
 use crate::units::{is_unit, number_length};
 
 /// A number of a scene, with or without a unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneValue {
-    /// Its key, as [`KeyPath`](super::KeyPath) reads it.
-    pub key: String,
+    /// Its key.
+    pub key: Key,
     /// Bytes of the file that the value takes, quotes included.
     pub span: Range<usize>,
     /// Its text in the file: `"100 mm"`, `0.25`.
@@ -27,8 +24,8 @@ pub struct SceneValue {
 
 impl SceneValue {
     /// A part of the file that is no number.
-    pub(super) fn whole(key: &str, span: Range<usize>, written: &str) -> Self {
-        let (key, written, unit) = (key.to_owned(), written.to_owned(), String::new());
+    pub(super) fn whole(key: &Key, span: Range<usize>, written: &str) -> Self {
+        let (key, written, unit) = (key.clone(), written.to_owned(), String::new());
         Self { key, span, written, number: 0.0, unit, whole: false }
     }
 
@@ -76,104 +73,25 @@ pub fn bare(written: &str) -> String {
 }
 
 /// All numbers in the order of the file.
-pub(super) fn of(text: &str, table: &DeTable<'_>) -> Vec<SceneValue> {
-    let mut values = Vec::new();
-    each(table, &mut |steps, leaf| {
-        let written = text.get(leaf.span()).unwrap_or_default();
-        // A choice among names has no number, and no percentage of it.
-        let choice = || (shown(steps) == MOTOR).then(|| (f64::NAN, String::new()));
-        values.extend(number(leaf.get_ref(), written).or_else(choice).map(|(number, unit)| SceneValue {
-            key: shown(steps),
-            span: leaf.span(),
-            written: written.to_owned(),
-            number,
-            unit,
-            whole: false,
-        }));
-    });
+pub(super) fn of(scene: &ParsedText<'_>) -> Vec<SceneValue> {
+    let numbers = crate::reading("", scene.text).map(|reading| reading.numbers).unwrap_or_default();
+    let value = |key: Key, span: Range<usize>, number: Option<(f64, String)>, whole: bool| {
+        let written = scene.text.get(span.clone())?.to_owned();
+        let own =
+            || split(&bare(&written).replace('_', "")).filter(|(_, unit)| unit.is_empty() || is_unit(unit));
+        let (number, unit) = number.or_else(own)?;
+        Some(SceneValue { key, span, written, number, unit, whole })
+    };
+    let motor = Key::of("drive").at("motor");
+    let choice = scene.find(&motor).ok().and_then(|found| found.into_iter().next());
+    // A choice among names has no number, and no percentage of it.
+    let choice = choice.and_then(|place| value(motor, place.span, Some((f64::NAN, String::new())), false));
+    let all = numbers
+        .into_iter()
+        .filter_map(|number| value(number.key.clone(), number.span.clone(), None, number.is_count()));
+    let mut values: Vec<SceneValue> = all.chain(choice).collect();
     values.sort_by_key(|value| value.span.start);
-    if crate::read("", text).is_ok() {
-        // Zeros can't be changed by a percentage and counts are not in lists, so most integers need no trial.
-        let may_count = |value: &&mut SceneValue| {
-            value.written.replace('_', "").parse::<i64>().is_ok_and(|number| number != 0)
-                && !value.key.ends_with(']')
-        };
-        for value in values.iter_mut().filter(may_count) {
-            // The reader of scenes decides what is a count, which avoids a second list of counts.
-            let fraction = format!("{}.0", value.written);
-            value.whole = crate::read("", &replaced(text, [(&value.span, fraction.as_str())])).is_err();
-        }
-    }
     values
-}
-
-/// Calls a function with every value that is neither a table nor a list, and the steps to it.
-fn each(table: &DeTable<'_>, take: &mut impl FnMut(&[Step], &Spanned<DeValue<'_>>)) {
-    in_table(table, &mut Vec::new(), take);
-}
-
-fn in_table(
-    table: &DeTable<'_>,
-    steps: &mut Vec<Step>,
-    take: &mut impl FnMut(&[Step], &Spanned<DeValue<'_>>),
-) {
-    for (key, value) in table {
-        steps.push(Step::Name(key.get_ref().to_string()));
-        in_value(value, steps, take);
-        steps.pop();
-    }
-}
-
-fn in_value(
-    value: &Spanned<DeValue<'_>>,
-    steps: &mut Vec<Step>,
-    take: &mut impl FnMut(&[Step], &Spanned<DeValue<'_>>),
-) {
-    match value.get_ref() {
-        DeValue::Table(table) => in_table(table, steps, take),
-        DeValue::Array(array) => {
-            let names: Vec<_> = array.iter().map(|item| element_name(item.get_ref())).collect();
-            for (index, item) in array.iter().enumerate() {
-                let name = names[index].clone();
-                let own = name.filter(|_| names.iter().filter(|other| **other == names[index]).count() == 1);
-                steps.push(own.map_or(Step::Index(index), Step::Name));
-                in_value(item, steps, take);
-                steps.pop();
-            }
-        }
-        _ => take(steps, value),
-    }
-}
-
-/// The key of names, each within the one before.
-pub(crate) fn key_of_steps<'n>(names: impl IntoIterator<Item = &'n str>) -> String {
-    shown(&names.into_iter().map(|name| Step::Name(name.to_owned())).collect::<Vec<_>>())
-}
-
-/// The key of the value that stands at these bytes of the file; of a number in a list, that of the list.
-pub(crate) fn key_of(table: &DeTable<'_>, span: &Range<usize>) -> Option<String> {
-    let mut found = None;
-    each(table, &mut |steps, leaf| {
-        if leaf.span() == *span {
-            let items = steps.iter().rev().take_while(|step| matches!(step, Step::Index(_))).count();
-            found = Some(shown(&steps[..steps.len() - items]));
-        }
-    });
-    found
-}
-
-/// The key that chooses a motor by its name.
-const MOTOR: &str = "drive.motor";
-
-/// Number and unit, of a bare number or of a text that is a number with a known unit.
-fn number(value: &DeValue<'_>, written: &str) -> Option<(f64, String)> {
-    match value {
-        DeValue::Integer(_) | DeValue::Float(_) => {
-            split(&written.replace('_', "")).filter(|(_, unit)| unit.is_empty())
-        }
-        DeValue::String(text) => split(text).filter(|(_, unit)| is_unit(unit)),
-        _ => None,
-    }
 }
 
 /// A number and the unit that follows it: "100 mm" is (100, "mm").

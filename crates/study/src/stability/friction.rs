@@ -13,7 +13,7 @@ use assur_kinematics::{Linkage, Position};
 use assur_words::{Text, name, number, text};
 use serde::Serialize;
 
-use super::nearest;
+use super::nearest::Grid;
 use super::row::{Comparison, DISTANCES, FACTOR, FRICTION};
 use super::walk::growth;
 use crate::chart::friction::{friction_and_balancing, treating};
@@ -122,7 +122,7 @@ fn greatest(own: &Scaled, method: &AnalyzerPlugin) -> Vec<FrictionHealth> {
     let mut forces = own.by(method);
     let mut position = linkage.position();
     let mut found: Vec<FrictionHealth> = Vec::new();
-    for coordinate in nearest::coordinates(linkage).into_iter().step_by(STRIDE) {
+    for coordinate in Grid::of(linkage, STRIDE).coordinates {
         if linkage.solve(coordinate, Order::Second, &mut position).is_err() {
             continue;
         }

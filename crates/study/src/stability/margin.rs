@@ -15,9 +15,10 @@ use assur_kinematics::{Linkage, Misfit};
 use assur_words::Text;
 use serde::Serialize;
 
+use super::nearest::Grid;
 use length::Length;
 use search::{Reach, SHORTEST, least};
-use survey::{Survey, grid};
+use survey::{STRIDE, Survey};
 
 /// The least change of one length at which the mechanism no longer assembles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -71,7 +72,7 @@ pub(crate) fn margins(
     lengths: &[Length],
     step: &mut impl FnMut() -> ControlFlow<()>,
 ) -> ControlFlow<(), Vec<Margin>> {
-    let grid = grid(linkage);
+    let grid = Grid::of(linkage, STRIDE);
     let mut found = Vec::with_capacity(lengths.len());
     for length in lengths {
         step()?;
@@ -82,7 +83,7 @@ pub(crate) fn margins(
     ControlFlow::Continue(found)
 }
 
-fn margin(linkage: &Linkage, length: &Length, grid: &[f64]) -> Margin {
+fn margin(linkage: &Linkage, length: &Length, grid: &Grid) -> Margin {
     let (words, value) = length.show(&linkage.mechanism);
     let scale = linkage.structure.scale.max(value.abs());
     let size = if value == 0.0 { scale } else { value.abs() };

@@ -8,7 +8,7 @@ use assur_words::{Describe, Text, number, text};
 use serde::Serialize;
 
 /// Number of coordinates that are tried over the cycle before the search is refined.
-const SAMPLES: usize = 720;
+pub(crate) const SAMPLES: usize = 720;
 
 /// Steps of the search between two of them: down to rounding.
 const SECTIONS: usize = 80;
@@ -53,14 +53,36 @@ impl GroupHealth {
     }
 }
 
-/// Coordinates over the range of the scene, both ends included.
-pub(crate) fn coordinates(linkage: &Linkage) -> Vec<f64> {
-    let input = &linkage.mechanism.input;
-    let length = match input.range {
-        Range::Cycle(cycle) => input.sign() * cycle,
-        Range::To(to) => to - input.from,
-    };
-    (0..=SAMPLES).map(|i| input.from + length * (i as f64) / (SAMPLES as f64)).collect()
+/// Coordinates over the range of the scene, both ends included, between which minima are sought.
+pub(crate) struct Grid {
+    pub(crate) coordinates: Vec<f64>,
+    /// Its end is its beginning.
+    is_cycle: bool,
+}
+
+impl Grid {
+    /// [`SAMPLES`] parts of the range of the scene, every so many together.
+    pub(crate) fn of(linkage: &Linkage, stride: usize) -> Self {
+        let input = &linkage.mechanism.input;
+        let (length, is_cycle) = match input.range {
+            Range::Cycle(cycle) => (input.sign() * cycle, true),
+            Range::To(to) => (to - input.from, false),
+        };
+        let at = |i: usize| input.from + length * (i as f64) / (SAMPLES as f64);
+        Self { coordinates: (0..=SAMPLES).step_by(stride).map(at).collect(), is_cycle }
+    }
+
+    /// The coordinates before and after that of index `i`, with the value of a function there. A cycle goes on beyond its ends; a
+    /// range does not, and the function is infinite there.
+    pub(crate) fn around(&self, i: usize, value: impl Fn(usize) -> f64) -> [(f64, f64); 2] {
+        let (q, last) = (&self.coordinates, self.coordinates.len() - 1);
+        let beyond = |end: f64, inner: usize, way: f64| {
+            if self.is_cycle { (end + way, value(inner)) } else { (end, f64::INFINITY) }
+        };
+        let before = if i == 0 { beyond(q[0], last - 1, q[0] - q[1]) } else { (q[i - 1], value(i - 1)) };
+        let after = if i == last { beyond(q[last], 1, q[1] - q[0]) } else { (q[i + 1], value(i + 1)) };
+        [before, after]
+    }
 }
 
 /// Where the health of each group is least.
@@ -69,10 +91,10 @@ pub(crate) fn coordinates(linkage: &Linkage) -> Vec<f64> {
 ///
 /// Why the first position that can't be assembled has no assembly.
 pub(crate) fn nearest(linkage: &Linkage) -> Result<Vec<GroupHealth>, Text> {
-    let grid = coordinates(linkage);
+    let grid = Grid::of(linkage, 1);
     let mut position = linkage.position();
     let mut least: Vec<(f64, usize)> = vec![(f64::INFINITY, 0); linkage.groups().len()];
-    for (i, &q) in grid.iter().enumerate() {
+    for (i, &q) in grid.coordinates.iter().enumerate() {
         linkage.solve(q, Order::Place, &mut position).map_err(|error| error.describe())?;
         for (least, health) in least.iter_mut().zip(&position.health) {
             if health.abs() < least.0 {
@@ -82,17 +104,19 @@ pub(crate) fn nearest(linkage: &Linkage) -> Result<Vec<GroupHealth>, Text> {
     }
     let mut worst: Vec<usize> = (0..least.len()).collect();
     worst.sort_by(|&a, &b| least[a].0.total_cmp(&least[b].0));
-    let mut places: Vec<f64> = least.iter().map(|(_, at)| grid[*at]).collect();
+    let mut places: Vec<f64> = least.iter().map(|(_, at)| grid.coordinates[*at]).collect();
     for &group in worst.iter().take(MOST_REFINED) {
         let (health, at) = least[group];
-        let (low, high) = (grid[at.saturating_sub(1)], grid[(at + 1).min(grid.len() - 1)]);
+        let [(low, _), (high, _)] = grid.around(at, |_| 0.0);
         let found = search::least(low, high, SECTIONS, |q| {
             linkage
                 .solve(q, Order::Place, &mut position)
                 .map_or(f64::INFINITY, |()| position.health[group].abs())
         });
         if found.1 < health {
-            places[group] = found.0;
+            // One before the first coordinate is at the end of the cycle.
+            let (q, length) = (found.0, grid.coordinates[SAMPLES] - grid.coordinates[0]);
+            places[group] = if (q - grid.coordinates[0]) * length < 0.0 { q + length } else { q };
         }
     }
     (0..places.len()).map(|group| at(linkage, group, places[group], &mut position)).collect()

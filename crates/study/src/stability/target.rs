@@ -4,7 +4,7 @@ use assur_group::Order;
 use assur_kinematics::Linkage;
 use assur_words::{Text, number, text};
 
-use super::nearest::{self, GroupHealth};
+use super::nearest::{Grid, GroupHealth, SAMPLES};
 
 /// Accuracy of the place of the least health, rad or parts of the scale.
 const SAME: f64 = 1e-6;
@@ -73,7 +73,7 @@ pub(crate) fn targets(linkage: &Linkage, groups: &[GroupHealth]) -> (Vec<Target>
 
 /// A place of the cycle, from the side that has more of the cycle.
 fn within(linkage: &Linkage, coordinate: f64, group: usize, words: Text) -> Target {
-    let grid = nearest::coordinates(linkage);
+    let grid = Grid::of(linkage, SAMPLES).coordinates;
     let (down, up) = (grid[0] - coordinate, grid[grid.len() - 1] - coordinate);
     let longer = if down.abs() > up.abs() { down } else { up };
     Target { coordinate, sides: vec![longer.signum()], reach: longer.abs(), groups: vec![group], words }

@@ -13,6 +13,7 @@ fn a_key_that_names_nothing_is_told_with_what_there_is() {
         ("lnk.crank.mass", "the scene has no `lnk`; did you mean `link`?; it has: ground, link, slide, input, force, assembly".to_owned()),
         ("link.cranck.mass", "`link` has no `cranck`; did you mean `link.crank`?; it has: crank, rod, piston".to_owned()),
         ("link.crank.mass", format!("`link.crank` has no `mass`; {default}; it has: points")),
+        ("crank.A", "the scene has no `crank`; did you mean `link.crank.points.A`?; it has: ground, link, slide, input, force, assembly".to_owned()),
         ("force.gass.value", "`force` has no `gass`; did you mean `force.gas`?; it has: gas, or name an element by its number, such as `force[0]`".to_owned()),
         ("force[2].value", "`force` has 2 elements, from [0] to [1]".to_owned()),
         ("link[0].mass", "`link` is no list; it has: crank, rod, piston".to_owned()),

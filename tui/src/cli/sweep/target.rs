@@ -139,6 +139,16 @@ impl<'a> Unfinished<'a> {
     }
 }
 
+/// Bytes that an earlier run left for this one to go on with.
+pub(super) fn begun(target: &Path) -> u64 {
+    let path = with_ending(&files::behind_links(target), ".part");
+    let length = |path: &Path| path.metadata().map_or(0, |found| found.len());
+    match path.read_dir() {
+        Ok(parts) => parts.flatten().map(|part| length(&part.path())).sum(),
+        Err(_) => length(&path),
+    }
+}
+
 fn with_ending(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(ending);

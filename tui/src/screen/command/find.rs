@@ -1,7 +1,7 @@
 //! What is looked for by its name: pairs, plans, quantities.
 
 use assur_mechanism::{LinkId, Named, PairId};
-use assur_words::{Text, name};
+use assur_words::Text;
 
 use super::act;
 use crate::screen::state::{State, View, ViewPart};
@@ -105,7 +105,7 @@ fn next_row(rows: &[String], now: usize, wanted: &str) -> Option<usize> {
 pub(super) fn row(state: &mut State, view: View, wanted: &str) -> bool {
     let Some(scene) = &state.scene else { return false };
     let rows: Vec<Text> = match (view, &scene.found) {
-        (View::Values, _) => state.what_if.values.iter().map(|value| name(value.key.clone())).collect(),
+        (View::Values, _) => state.what_if.values.iter().map(|value| (&value.key).into()).collect(),
         (View::Results, Some(found)) => found.results.iter().map(|(_, fact)| fact.what()).collect(),
         (View::Checks, Some(found)) => found.analysis.checks.iter().map(|check| check.name.clone()).collect(),
         (_, Some(_)) => {

@@ -39,7 +39,7 @@ fn takers(state: &State) -> Vec<(String, Vec<String>)> {
         ("panels", View::TABS.map(|view| view.command().to_owned()).to_vec()),
         ("open", scenes.clone()),
         ("compare", scenes),
-        ("value", state.what_if.values.iter().map(|value| value.key.clone()).collect()),
+        ("value", state.what_if.values.iter().map(|value| value.key.to_string()).collect()),
     ];
     others.map(|(word, values)| (word.to_owned(), values)).into_iter().chain(settings).collect()
 }
@@ -80,7 +80,7 @@ pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     }
     // Keys of values also match inside: their beginnings are hard to remember.
     if let Some(piece) = typed.strip_prefix("value ") {
-        let keys = state.what_if.values.iter().map(|value| &value.key);
+        let keys = state.what_if.values.iter().map(|value| value.key.to_string());
         let inside = keys.filter(|key| key.contains(piece) && !key.starts_with(piece));
         all.extend(inside.map(|key| format!("value {key}")));
     }

@@ -1,6 +1,6 @@
 //! Motors of the catalogues for the drive of the open scene.
 
-use assur_mechanism::Torque;
+use assur_mechanism::{Key, Torque};
 use assur_motor::{Candidate, MotorFilter, SelectionRequest, catalogues, list_motors, rpm, select};
 use assur_scene::{Dimension, edit, quantity};
 use assur_words::{self as words, Describe, Text, name, number, text};
@@ -8,9 +8,6 @@ use assur_words::{self as words, Describe, Text, name, number, text};
 use super::whatif;
 use crate::number::digits;
 use crate::screen::state::{Choice, Picker, PickerKind, Role, State};
-
-/// Key of the scene that names the motor.
-const KEY: &str = "drive.motor";
 
 /// Opens the list of the motors that fit the drive.
 pub(super) fn list(state: &mut State) {
@@ -100,10 +97,10 @@ fn row(state: &State, candidate: &Candidate<'_>, load: Option<f64>) -> Choice {
 
 /// Takes a motor into the scene as a change that can be undone.
 pub(super) fn take(state: &mut State, designation: &str) {
-    let (motor, key) = (name(designation.to_owned()), name(KEY));
-    let known = state.what_if.values.iter().position(|value| value.key == KEY);
+    let (motor, key) = (name(designation.to_owned()), Key::of("drive").at("motor"));
+    let known = state.what_if.values.iter().position(|value| value.key == key);
     // Data of a motor of the scene's own are replaced as a whole.
-    let index = known.or_else(|| state.what_if.add_table(KEY));
+    let index = known.or_else(|| state.what_if.add_table(&key));
     match index {
         Some(index) => {
             whatif::put(state, index, edit::quoted(designation));
@@ -112,6 +109,6 @@ pub(super) fn take(state: &mut State, designation: &str) {
                 state.say(Role::Good, text!("say-motor-replaced", motor = motor, undo = undo));
             }
         }
-        None => state.say(Role::Bad, text!("say-motor-by-data", key = key, motor = motor)),
+        None => state.say(Role::Bad, text!("say-motor-by-data", key = &key, motor = motor)),
     }
 }

@@ -28,8 +28,8 @@ pub(super) fn shift(state: &mut State, sense: f64) {
     if let Some(toml) = value.moved(what.now(what.chosen), sense * what.per_cent()) {
         put(state, state.what_if.chosen, toml);
     } else {
-        let (key, exact) = (name(value.key.clone()), name(state.keys.first("exact-value")));
-        state.say(Role::Bad, text!("say-no-per-cent", key = key, exact = exact));
+        let (key, exact) = (value.key.clone(), name(state.keys.first("exact-value")));
+        state.say(Role::Bad, text!("say-no-per-cent", key = &key, exact = exact));
     }
 }
 
@@ -172,10 +172,11 @@ pub(super) fn set(state: &mut State, rest: &str) -> bool {
         (typed.is_empty() || typed.starts_with(char::is_whitespace)).then(|| typed.trim())
     };
     let values = state.what_if.values.iter().enumerate();
-    let found = values.into_iter().find_map(|(index, value)| Some((index, value, typed(&value.key)?)));
+    let found =
+        values.into_iter().find_map(|(index, value)| Some((index, value, typed(&value.key.to_string())?)));
     let Some((index, value, typed)) = found else { return false };
     if typed.is_empty() {
-        let (key, value) = (name(value.key.clone()), name(state.what_if.shown(index)));
+        let (key, value) = (&value.key, name(state.what_if.shown(index)));
         state.say(Role::Plain, text!("say-value-is", key = key, value = value));
     } else {
         let toml = value.typed(typed);

@@ -11,9 +11,10 @@ use assur_report::topic::{self, About};
 
 use super::gather::{Gather, Reaction};
 use super::plans::Planner;
-use super::series::Series;
+use super::scene::Scene;
 use crate::session::Session;
 use crate::verdict::Verdict;
+use assur_picture::{Results, Series};
 
 #[derive(Debug)]
 pub(crate) struct Found {
@@ -87,6 +88,11 @@ impl Found {
             motion,
             ranges,
         })
+    }
+
+    /// What pictures are drawn from.
+    pub(crate) fn results<'a>(&'a self, scene: &'a Scene) -> Results<'a> {
+        Results { linkage: &scene.linkage, analysis: &self.analysis, edges: &self.edges, stops: &self.stops }
     }
 
     /// What a quantity reaches, between the positions too; `None` where no position has a value.

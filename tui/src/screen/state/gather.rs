@@ -7,7 +7,7 @@ use assur_book::{Course, catalogue};
 use assur_mechanism::{GROUND, LinkId, Named, PairId};
 use assur_words::Text;
 
-use super::series::Series;
+use assur_picture::Series;
 
 /// A value this small compared with the greatest one in its unit counts as zero.
 const ROUNDING: f64 = 1e-13;

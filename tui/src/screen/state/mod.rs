@@ -12,7 +12,6 @@ mod picker;
 mod plans;
 mod probe;
 mod scene;
-mod series;
 mod shown;
 mod subsequence;
 mod transfer;
@@ -30,6 +29,7 @@ use ratatui::layout::Rect;
 pub(crate) use crate::session::Source;
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
+pub(crate) use assur_picture::{Series, coordinate_unit};
 pub(crate) use found::Found;
 pub(crate) use gather::Reaction;
 pub(crate) use job::{
@@ -45,9 +45,7 @@ pub(crate) use picker::{Choice, Entry, Help, LONGEST, Picker, PickerKind};
 pub(crate) use plans::Plans;
 pub(crate) use probe::Probe;
 pub(crate) use scene::{Compared, Scene};
-pub(crate) use series::Series;
 pub(crate) use shown::Stop;
-pub(crate) use transfer::coordinate_unit;
 pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};
 
 /// Greatest number of frames from a position to the next one.
@@ -242,9 +240,14 @@ impl State {
         f64::from(self.phase) / f64::from(FRAMES)
     }
 
+    /// What of the results is shown.
+    pub(crate) fn pictured(&self) -> assur_picture::Look {
+        assur_picture::Look { position: self.position, part: self.part_way() }
+    }
+
     /// The place in the motion as a number of a position, with a fraction between two of them.
     pub(crate) fn at(&self) -> f64 {
-        self.position as f64 + self.part_way()
+        self.pictured().at()
     }
 
     /// Goes to a position; a message if there is none of that number.

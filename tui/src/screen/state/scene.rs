@@ -11,10 +11,10 @@ use assur_words::{Describe, Text, name, number, quantity, text};
 
 use super::found::Found;
 use super::outline::Outline;
-use super::series::{Series, Transfer};
-use super::transfer::{self, coordinate_unit};
+use super::transfer;
 use crate::number::plain;
 use crate::session::Session;
+use assur_picture::{Series, Transfer, coordinate_unit};
 
 #[derive(Debug)]
 pub(crate) struct Scene {
@@ -137,8 +137,7 @@ impl Scene {
 
     /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
     pub(crate) fn coordinate_at(&self, at: f64) -> f64 {
-        let [first, next] = [0, 1].map(|index| self.linkage.mechanism.input.coordinate(index));
-        coordinate_unit(&self.linkage).1 * (first + at * (next - first))
+        assur_picture::coordinate_at(&self.linkage, at)
     }
 
     /// The coordinate of a position with its unit.

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use assur_analysis::results::{Column, Owner, Quantity};
 
 use super::kinds::{Chosen, View, ViewPart};
-use super::series::Series;
 use super::{Source, State};
+use assur_picture::Series;
 
 impl State {
     /// Whether a view has something to show.

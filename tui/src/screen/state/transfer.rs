@@ -9,7 +9,7 @@ use assur_book::{Course, Node};
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, PointId};
 
-use super::series::{Series, Transfer};
+use assur_picture::{Series, Transfer};
 
 /// A value this small compared with the size of the mechanism counts as zero.
 const ROUNDING: f64 = 1e-13;
@@ -67,9 +67,4 @@ fn positions(linkage: &Linkage) -> Result<(Table, Edges), AnalysisError> {
     let table = calculation.analyze(&mut unwatched)?.positions;
     let edges = calculation.edges(&table);
     Ok((table, edges))
-}
-
-/// Unit in which the coordinate is shown, and its factor from SI.
-pub(crate) fn coordinate_unit(linkage: &Linkage) -> (&'static str, f64) {
-    if linkage.angular() { catalogue::ANGLE } else { catalogue::LENGTH }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
+use assur_mechanism::Key;
 use assur_scene::edit::{ParsedText, SceneValue, bare, decimal, quoted, replaced};
 
 use super::scene::Scene;
@@ -150,7 +151,7 @@ impl WhatIf {
     }
 
     /// Adds a table that stands in one line of the scene to the values, so that it can be replaced as a whole; its number.
-    pub(crate) fn add_table(&mut self, key: &str) -> Option<usize> {
+    pub(crate) fn add_table(&mut self, key: &Key) -> Option<usize> {
         let value = ParsedText::of(&self.text).table(key)?;
         self.values.push(value);
         Some(self.values.len() - 1)
@@ -207,12 +208,14 @@ impl WhatIf {
     pub(crate) fn is_of_modes(&self, edits: &Edits) -> bool {
         let differs = |index: &&usize| edits.get(*index) != self.shown.get(*index);
         let mut changed = edits.keys().chain(self.shown.keys()).filter(differs);
-        changed.any(|index| self.values.get(*index).is_some_and(|value| value.key.starts_with("assembly.")))
+        changed.any(|index| {
+            self.values.get(*index).is_some_and(|value| value.key.steps().first() == Some(&"assembly".into()))
+        })
     }
 
     /// The number of the first of the two values of a point in `[assembly]`.
     fn found(&self, point: &Assembled) -> Option<usize> {
-        let key = format!("assembly.{}[0]", point.key());
+        let key = Key::of("assembly").at(point.name.as_str()).at(0);
         self.values.iter().position(|value| value.key == key)
     }
 

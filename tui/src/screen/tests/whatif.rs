@@ -270,7 +270,7 @@ fn a_changed_length_compiles_once_and_a_changed_mass_never() {
         assert!(before.iter().all(|other| *other == before[0]), "{name}");
         let values = state.what_if.values.iter();
         let keys: Vec<_> =
-            values.map(|value| value.key.clone()).filter(|key| key.starts_with("link.")).collect();
+            values.map(|value| value.key.to_string()).filter(|key| key.starts_with("link.")).collect();
         let one = |ending: &str| keys.iter().find(|key| key.ends_with(ending)).cloned();
         if let Some(mass) = one(".mass") {
             write(&mut state, &format!(":value {mass} 7 kg"));

@@ -9,10 +9,10 @@ use assur_words::{Text, joined, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::plots::{self, Vector};
 use super::{page, plans};
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Reaction, Role, Scene, State};
+use assur_picture::plots::{self, Vector};
 
 /// A share this small compared with the greatest one counts as zero.
 const ROUNDING: f64 = 1e-13;

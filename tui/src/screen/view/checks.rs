@@ -10,9 +10,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
-use super::plots::over_positions;
 use crate::screen::draw::{paint, short};
 use crate::screen::state::{Role, Scene, State};
+use assur_picture::plots::over_positions;
 
 /// Rows that the curve of a residual needs.
 const CURVE: u16 = 10;
@@ -42,7 +42,13 @@ pub(crate) fn figure(state: &State, scene: &Scene) -> Figure {
     let residuals = residuals.filter(|series| matches!(series.column.quantity, Quantity::Residual(_)));
     let panels = residuals.map(|series| {
         let heading = [series.of.clone(), series.show(state.position)];
-        over_positions(state, scene, heading, &[(series, Stroke::Solid, Ink::First)], Vec::new())
+        over_positions(
+            &scene.linkage,
+            state.pictured(),
+            heading,
+            &[(series, Stroke::Solid, Ink::First)],
+            Vec::new(),
+        )
     });
     Figure { panels: panels.collect(), columns: 1, ..Figure::default() }
 }

@@ -12,10 +12,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::page;
-use super::plots::{self, STYLES, over_positions};
 use crate::number::{number, trimmed};
 use crate::screen::draw::{cut, paint, put, short};
 use crate::screen::state::{Compared, Found, Role, Scene, Series, State, coordinate_unit};
+use assur_picture::plots::{self, STYLES, over_positions};
 
 /// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
 const SIGNS: [(Sign, &str); 3] =
@@ -87,7 +87,7 @@ fn panel(state: &State, scene: &Scene, orders: [usize; 3], order: usize, ink: In
             signs.extend(value.map(sign));
         }
     }
-    over_positions(state, scene, [catalogue::kind(series.column), value], &curves, signs)
+    over_positions(&scene.linkage, state.pictured(), [catalogue::kind(series.column), value], &curves, signs)
 }
 
 /// The stroke of the curve of a second scene.
@@ -113,7 +113,7 @@ pub(super) fn stack(
         }
         curves.extend(same.map(|same| (same, Stroke::Stars, Ink::Third)));
         let heading = [series.of.clone(), series.show(state.position)];
-        over_positions(state, scene, heading, &curves, Vec::new())
+        over_positions(&scene.linkage, state.pictured(), heading, &curves, Vec::new())
     };
     wanted.iter().map(panel).collect()
 }
@@ -276,7 +276,7 @@ fn panel_of_unit(state: &State, scene: &Scene, all: &[&Series], unit: &str) -> P
             [list([joined("  ", names), units].into_iter().filter(|text| !text.is_empty())), Text::default()]
         }
     };
-    let mut panel = over_positions(state, scene, heading, &curves, signs);
+    let mut panel = over_positions(&scene.linkage, state.pictured(), heading, &curves, signs);
     if let Frame::Axes { y, .. } = &mut panel.frame {
         // The heading says it.
         y.label = Text::default();

@@ -3,6 +3,7 @@
 
 use assur_analysis::results::Dynamics;
 use assur_figure::Figure;
+use assur_picture::{places, regime};
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
 use assur_words::{Text, name, text};
@@ -11,7 +12,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use unicode_width::UnicodeWidthStr;
 
 use super::motion::numbers;
-use super::{page, places, reduction, regime};
+use super::{page, reduction};
 use crate::screen::draw::{cut, paint, put, short};
 use crate::screen::state::{Found, Role, Scene, State, View, ViewPart};
 
@@ -119,20 +120,22 @@ pub(super) fn whole(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
 pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
+    let results = found.results(scene);
     let panels = match state.part(View::Drive) {
         ViewPart::EnergyMass => vec![regime::energy_mass(&dynamics.energy_mass)],
         ViewPart::Reduction => reduction::link(state, scene, found).into_iter().collect(),
         ViewPart::Inertia => {
-            let (panel, legend) = regime::shares(state, scene, found, dynamics);
+            let (panel, legend) = regime::shares(&results, dynamics, state.pictured());
             return Figure { title: text!("drive-title"), panels: vec![panel], columns, legend };
         }
         // The two drives stand beside each other.
         ViewPart::Places => {
-            let (panels, legend) = (places::panels(scene, dynamics), places::legend(dynamics));
+            let (panels, legend) =
+                (places::panels(&scene.linkage.mechanism, dynamics), places::legend(dynamics));
             return Figure { title: text!("places-heading"), columns: panels.len().max(1), panels, legend };
         }
         _ => {
-            let moments = regime::moments(state, scene, found, &dynamics.regime);
+            let moments = regime::moments(&results, &dynamics.regime, state.pictured());
             let section =
                 regime::working_section(dynamics).filter(|_| state.part(View::Drive) == ViewPart::Curves);
             regime::characteristic(dynamics).into_iter().chain(section).chain([moments]).collect()

@@ -2,13 +2,14 @@
 
 use assur_book::{Cell, Column, Table, Unit};
 use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_picture::friction;
 use assur_words::{Text, list, name, number, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::causes::{self, curves};
 use super::curves::together;
-use super::{friction, page};
+use super::page;
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Purpose, Reaction, Role, Scene, Series, State, View, ViewPart};
 
@@ -55,7 +56,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
         ViewPart::Curves => curves(state, scene, found, &[0, 1, 2]),
         ViewPart::Hodograph => {
             let mut panels: Vec<Panel> = hodograph(state, found).into_iter().collect();
-            let touching = |reaction| friction::panel(scene, found, state.position, reaction);
+            let touching = |reaction| beside_friction(scene, found, state.position, reaction);
             panels.extend(chosen(state, found).and_then(touching));
             panels
         }
@@ -68,6 +69,17 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
     };
     let name = chosen(state, found).map(|reaction| reaction.name.clone()).unwrap_or_default();
     Figure { title: list([name, heading(state, scene, found)]), panels, columns, legend: Vec::new() }
+}
+
+/// The reaction of a pair with friction in a position, as the textbooks draw it; `None` without friction or force.
+pub(crate) fn beside_friction(
+    scene: &Scene,
+    found: &Found,
+    position: usize,
+    reaction: &Reaction,
+) -> Option<Panel> {
+    let (pair, link) = reaction.of.as_ref()?;
+    friction::panel(&found.results(scene), position, (pair.id, link.id), &reaction.name)
 }
 
 fn heading(state: &State, scene: &Scene, found: &Found) -> Text {

@@ -54,7 +54,7 @@ fn changed(state: &State, room: usize) -> Option<String> {
     // A table of values, such as a motor's, has no room beside its key.
     let shown = Some(format!(" {}", what.shown(last))).filter(|shown| 2 * shown.width() <= room + KEY_ROOM);
     let value = format!("{}{more}{refused}", shown.unwrap_or_default());
-    let key = values::tail(&what.values[last].key, room.saturating_sub(value.width() + 2).max(6));
+    let key = values::tail(&what.values[last].key.to_string(), room.saturating_sub(value.width() + 2).max(6));
     Some(format!("* {key}{value}"))
 }
 

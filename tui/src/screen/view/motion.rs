@@ -1,17 +1,17 @@
 //! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
 
-use assur_analysis::results::{Analysis, Column, Owner, Quantity};
-use assur_book::{Course, catalogue};
-use assur_figure::{Axis, Cursor, Figure, Panel};
+use assur_analysis::results::Analysis;
+use assur_figure::Figure;
 use assur_mechanism::Notice;
+use assur_picture::motion::over_time;
+use assur_picture::regime;
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
-use assur_words::{self as words, Text, joined, list, quantity, text};
+use assur_words::{Text, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{advice, curves, page, plots, reduction, regime};
-use crate::number::number;
+use super::{advice, curves, page, reduction};
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Role, Scene, State, View, ViewPart};
 
@@ -66,11 +66,14 @@ pub(super) fn told(state: &State, scene: &Scene, found: &Found, width: u16) -> V
 pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
+    let results = found.results(scene);
     let panels = match (regime, state.part(View::Motion)) {
         (_, ViewPart::Reduction) => reduction::panels(state, scene, found),
         (Some(regime), ViewPart::Iteration) => regime::iteration(regime),
-        (Some(regime), ViewPart::Course) => regime::course(state, scene, found, regime),
-        (_, part) if part != ViewPart::Overview || found.motion.is_empty() => course(state, found),
+        (Some(regime), ViewPart::Course) => regime::course(&results, regime, state.pictured()),
+        (_, part) if part != ViewPart::Overview || found.motion.is_empty() => {
+            over_time(&results, state.pictured())
+        }
         _ => {
             let shown = most.clamp(1, found.motion.len());
             let from_chosen = found.motion.iter().cycle().skip(state.chosen.motion % found.motion.len());
@@ -93,61 +96,6 @@ fn heading(scene: &Scene, found: &Found) -> (Role, Text) {
         (None, None) => (Role::Dim, text!("motion-none")),
         (None, Some(_)) => (Role::Plain, Text::default()),
     }
-}
-
-/// Coordinate, speed, acceleration and energies over time.
-fn course(state: &State, found: &Found) -> Vec<Panel> {
-    let analysis = &found.analysis;
-    let q = if analysis.input.angular { "rad" } else { "m" };
-    let all = [
-        ("motion-coordinate", q.to_owned(), Quantity::Transfer(0)),
-        ("motion-speed", format!("{q}/s"), Quantity::Velocity),
-        ("motion-acceleration", format!("{q}/s2"), Quantity::Acceleration),
-    ];
-    let time = Column::of(Quantity::Time, Owner::Input);
-    let Some(last) = analysis.trajectory.len().checked_sub(1) else { return Vec::new() };
-    let row = state.position.min(last);
-    let Some(now) = analysis.trajectory.get(row, time) else { return Vec::new() };
-    let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
-    let x = Axis::around(text!("motion-time"), times, 0.0);
-    let panel = |(told, unit, of): (&'static str, String, Quantity)| {
-        let course = regime::sampled(found, time, of);
-        let value = course.between(now).unwrap_or(f64::NAN);
-        let cursor = Cursor { at: now, value: quantity(number(value), unit) };
-        plots::curves(text!(told), vec![(text!(told), course)], (x.clone(), 1.0), Some(cursor))
-    };
-    let energies = regime::energies(found, time, (x.clone(), 1.0), now);
-    all.map(panel).into_iter().chain(energies).chain(loads_over_way(found, row)).collect()
-}
-
-/// The moments of drive and loads, reduced to the input, over its way (E fig. 3): what drives along the motion, what resists
-/// against it, so that it is seen where they are equal; of many the first ones.
-fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
-    /// Curves in one panel.
-    const MOST: usize = 3;
-    let (analysis, place) = (&found.analysis, Column::COORDINATE);
-    let table = &analysis.trajectory;
-    let (schema, last) = (table.schema(), table.len().checked_sub(1)?);
-    let sense = (table.get(last, place)? - table.get(0, place)?).signum();
-    let curve = |owner| {
-        let column = Column::of(Quantity::ReducedLoad, owner);
-        let resists = table.get(last, Column::of(Quantity::Work, owner)).is_some_and(|work| work < 0.0);
-        let course = regime::over_samples(found, place, column, if resists { -sense } else { sense });
-        let told =
-            if let Owner::Load(_) = owner { schema.named(owner)?.into() } else { catalogue::kind(column) };
-        let told = if resists { text!("regime-against", load = told) } else { told };
-        (!course.is_empty()).then_some((told, course))
-    };
-    let owners = schema.owners(Quantity::ReducedLoad);
-    let curves: Vec<(Text, Course)> = owners.into_iter().filter_map(curve).take(MOST).collect();
-    let now = table.get(row, place).filter(|_| !curves.is_empty())?;
-    let unit = if analysis.input.angular { "rad" } else { "m" };
-    let told = list([text!("motion-coordinate"), words::unit(unit)]);
-    let x = Axis::around(told, (0..table.len()).filter_map(|row| table.get(row, place)), 0.0);
-    // Several curves name themselves.
-    let alone = curves.iter().map(|(told, _)| told.clone()).filter(|_| curves.len() == 1);
-    let title = joined(": ", std::iter::once(text!("motion-loads")).chain(alone));
-    Some(plots::curves(title, curves, (x, 1.0), Some(now.into())))
 }
 
 /// The numbers of the regime that have room beside its curves.

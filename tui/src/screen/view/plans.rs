@@ -8,11 +8,11 @@ use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::plots::{self, Drawn, Vector};
 use super::{advice, mechanism, page};
 use crate::number::digits;
 use crate::screen::draw::{paint, put_lines, wrapped};
 use crate::screen::state::{Found, Plans, Role, Scene, State, View, ViewPart};
+use assur_picture::plots::{self, Drawn, Vector};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;

@@ -44,7 +44,7 @@ fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
     block.render(area, buffer);
     let column = area.width.saturating_sub(short(place.width()) + 1);
     put(buffer, area, column, 0, &place, theme.style(Role::Plain));
-    let widest = what.values.iter().map(|value| value.key.width()).max().unwrap_or(0);
+    let widest = what.values.iter().map(|value| value.key.to_string().width()).max().unwrap_or(0);
     let widest = widest.min(KEYS).min(usize::from(area.width).saturating_sub(VALUE));
     let rows = usize::from(inner.height);
     let skip = what.chosen.saturating_sub(rows / 2).min(what.values.len().saturating_sub(rows));
@@ -52,7 +52,7 @@ fn draw_list(state: &State, area: Rect, buffer: &mut Buffer) {
         let chosen = index == what.chosen;
         let sign = [' ', '>'][usize::from(chosen)];
         let mark = [' ', '*'][usize::from(what.is_changed(index))];
-        let (key, shown) = (tail(&value.key, widest), what.shown(index));
+        let (key, shown) = (tail(&value.key.to_string(), widest), what.shown(index));
         let room = usize::from(area.width).saturating_sub(widest + 5);
         // Where both don't fit, the new value is more informative than the old one.
         let shown = match shown.split_once(" -> ") {

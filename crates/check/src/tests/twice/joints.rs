@@ -21,7 +21,7 @@ fn a_joint_whose_forces_are_unequal_by_twice_the_limit_is_caught() {
         let one = subject.solve(trial.index, state.coordinate).unwrap();
         let bodies = &one.position.bodies;
         let items = Writer::new(&subject).items(&given(&trial.loads, &state, bodies), &state, bodies);
-        let answers = [subject.answer(&subject.methods[0], &trial.loads, &state, &one.position)];
+        let answers = [subject.answer(&subject.methods[0], &trial.loads, &state, &one.position, 1.0)];
         let [Some(reactions)] = &answers else { continue };
         let all = joints(trial.mechanism(), &trial.linkage.structure);
         width.add(&format!("{name}, seed {}", trial.seed), |error| {

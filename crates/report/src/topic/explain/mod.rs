@@ -5,6 +5,7 @@ mod stages;
 
 use assur_analysis::Methods;
 use assur_analysis::plan::Plan;
+use assur_analysis::results::passive_name;
 use assur_book::{Document, link_name};
 use assur_mechanism::{LinkId, Mechanism};
 use assur_structure::{Structure, roman};
@@ -49,6 +50,10 @@ fn describe_structure(mechanism: &Mechanism, structure: &Structure, plan: &Plan,
         pairs = number(count.pairs),
         mobility = number(count.value)
     ));
+    if !structure.passive.is_empty() {
+        let parts = structure.passive.iter().map(|passive| passive_name(mechanism, passive.part));
+        page.paragraph(text!("explain-passive", parts = list(parts)));
+    }
     page.paragraph(text!("report-formula", formula = &structure.formula));
     page.paragraph(text!("report-class", class = name(roman(structure.class()))));
     for (index, group) in structure.groups.iter().enumerate() {

@@ -204,10 +204,12 @@ fn only_slides(mechanism: &Mechanism, link: LinkId) -> bool {
 
 fn missing_masses(mechanism: &Mechanism, list: &mut Vec<Text>) {
     let moving = || 1..mechanism.links.len();
-    let massless: Vec<_> = moving().filter(|id| mechanism.links[*id].mass == 0.0).collect();
-    if !massless.is_empty() {
-        let of = links(mechanism, &massless);
-        list.push(remark(text!("missing-mass", links = of), text!("missing-mass-how")));
+    let massless = moving().filter(|id| mechanism.links[*id].mass == 0.0);
+    let (nothing, rotors): (Vec<_>, Vec<_>) = massless.partition(|id| mechanism.links[*id].inertia.is_none());
+    for (of, how) in [(nothing, text!("missing-mass-how")), (rotors, text!("missing-mass-of-rotor"))] {
+        if !of.is_empty() {
+            list.push(remark(text!("missing-mass", links = links(mechanism, &of)), how));
+        }
     }
     let slender =
         moving().filter(|id| mechanism.links[*id].mass > 0.0 && mechanism.links[*id].inertia.is_none());

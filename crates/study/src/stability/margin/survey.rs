@@ -7,9 +7,10 @@ use assur_number::search::try_least;
 use assur_structure::Structure;
 
 use super::length::Length;
+use crate::stability::nearest::Grid;
 
 /// Number of coordinates of the cycle that are tried; minima are sought between them.
-const STRIDE: usize = 4;
+pub(super) const STRIDE: usize = 4;
 
 /// Steps of the search for a minimum over the coordinate: its place to 1e-10 of the spacing, and so its value to
 /// rounding.
@@ -19,7 +20,7 @@ const STEPS: usize = 48;
 pub(super) struct Survey<'a> {
     linkage: &'a Linkage,
     length: &'a Length,
-    grid: &'a [f64],
+    grid: &'a Grid,
     /// By group: whether its iteration starts from an earlier position.
     iterates: Vec<bool>,
     /// For each coordinate the bodies of the last mechanism that assembled; one entry for all if no kind iterates.
@@ -30,14 +31,9 @@ pub(super) struct Survey<'a> {
     suspect: Option<(usize, f64)>,
 }
 
-/// The coordinates of the grid.
-pub(super) fn grid(linkage: &Linkage) -> Vec<f64> {
-    super::super::nearest::coordinates(linkage).into_iter().step_by(STRIDE).collect()
-}
-
 impl<'a> Survey<'a> {
     /// Starts with the unchanged mechanism.
-    pub(super) fn of(linkage: &'a Linkage, length: &'a Length, grid: &'a [f64]) -> Self {
+    pub(super) fn of(linkage: &'a Linkage, length: &'a Length, grid: &'a Grid) -> Self {
         let links = iterated(&linkage.structure);
         let iterates: Vec<bool> = linkage
             .structure
@@ -55,9 +51,9 @@ impl<'a> Survey<'a> {
                 let _ = linkage.solve(q, Order::Place, &mut position);
                 position.bodies.clone()
             };
-            grid.iter().map(&mut at).collect()
+            grid.coordinates.iter().map(&mut at).collect()
         };
-        let squares = vec![vec![0.0; iterates.len()]; grid.len()];
+        let squares = vec![vec![0.0; iterates.len()]; grid.coordinates.len()];
         Self { linkage, length, grid, iterates, starts, squares, suspect: None }
     }
 
@@ -71,7 +67,7 @@ impl<'a> Survey<'a> {
             trial.place(q, &self.iterates, &mut bodies)?;
         }
         let mut placed = Vec::with_capacity(self.starts.len());
-        for (i, &q) in self.grid.iter().enumerate() {
+        for (i, &q) in self.grid.coordinates.iter().enumerate() {
             let start = i.min(self.starts.len() - 1);
             bodies.clone_from(&self.starts[start]);
             if trial.place(q, &self.iterates, &mut bodies).is_none() {
@@ -95,14 +91,13 @@ impl<'a> Survey<'a> {
         let mut least = f64::INFINITY;
         let mut bodies = self.starts[0].clone();
         for group in 0..self.iterates.len() {
-            for i in 0..self.grid.len() {
+            for i in 0..self.squares.len() {
                 let at = self.squares[i][group];
                 least = least.min(at);
-                let neighbors = [i.saturating_sub(1), (i + 1).min(self.grid.len() - 1)];
-                if !may_touch(at, neighbors.map(|k| self.squares[k][group])) {
+                let [(low, before), (high, after)] = self.grid.around(i, |k| self.squares[k][group]);
+                if !may_touch(at, [before, after]) {
                     continue;
                 }
-                let [low, high] = neighbors.map(|k| self.grid[k]);
                 let found = try_least(low, high, STEPS, |q| {
                     if let Some(start) = placed.get(i) {
                         bodies.clone_from(start);

@@ -161,3 +161,68 @@ fn a_passive_guide_takes_no_margin_from_other_lengths() {
     check(&found, "rear", Some(0.0), Some(0.0));
     check(&found, "slider", Some(0.0), Some(0.0));
 }
+
+/// Numbers between 0 and 1 (a linear congruence).
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// Wherever the cycle begins, also a little before, at and after the coordinate at which the limit is met.
+#[test]
+fn limits_do_not_depend_on_where_the_cycle_begins() {
+    use std::f64::consts::{FRAC_PI_2, TAU};
+    let mut seed = 5;
+    for trial in 0..24 {
+        let mut between = |low: f64, high: f64| low + (high - low) * random(&mut seed);
+        let (crank, offset, over) = (between(0.05, 0.2), between(-0.1, 0.1), between(0.01, 0.3));
+        let rod = crank + offset.abs() + over;
+        // The crank stands across the guide there.
+        let across = -FRAC_PI_2.copysign(offset);
+        let near = across + between(-1.0, 1.0) * TAU / 180.0;
+        let from = [near, across, between(-4.0, 4.0)][trial % 3];
+        let clockwise = if trial % 2 == 0 { "" } else { "direction = \"cw\"\n" };
+        let text = slider_crank(crank, rod, offset)
+            .replace("from = 0.3\n", &format!("from = {from:?}\n{clockwise}"));
+        let found = margins(&text);
+        let left = rod - crank - offset.abs();
+        check(&found, "rod", None, Some(left));
+        check(&found, "crank", Some(left), None);
+
+        let (x, y) = (between(0.2, 0.4), between(-0.2, 0.2));
+        let ground = x.hypot(y);
+        let crank = between(0.2, 0.5) * ground;
+        let (coupler, rocker) = (ground + between(-0.3, 0.3) * crank, ground + between(-0.3, 0.3) * crank);
+        let sum = coupler + rocker - ground - crank;
+        let difference = ground - crank - (coupler - rocker).abs();
+        // Crank and ground in line.
+        let near = y.atan2(x) + between(-1.0, 1.0) * TAU / 180.0;
+        let from = [near, between(-4.0, 4.0)][trial % 2];
+        let text = four_bar([x, y], crank, coupler, rocker) + &format!("from = {from:?}\n");
+        let found = margins(&text);
+        check(&found, "crank", Some(sum.min(difference)), None);
+        let shorter = if coupler < rocker { "coupler" } else { "rocker" };
+        let margin = found.iter().find(|margin| margin.length.to_string().starts_with(shorter)).unwrap();
+        assert!((margin.decrease.unwrap() - sum.min(difference)).abs() < 1e-12, "{margin:?}");
+    }
+}
+
+/// A guide at 1.5873 rad whose limit is met at 0.0165 rad, beside the first position.
+#[test]
+fn the_limit_at_the_seam_of_the_cycle_is_found() {
+    let (through, angle) = ([-0.1994_f64, 0.2294], 1.5873_f64);
+    let left = 0.627 - 0.1211 - (angle.cos() * through[1] - angle.sin() * through[0]).abs();
+    assert!((left - 0.310_312_925_567_150_5).abs() < 1e-15);
+    for from in [0.0, 0.002, 0.005, 0.0165, 0.03, 3.0] {
+        let found = margins(&format!(
+            "[ground]\npoints = {{ O = [0, 0] }}\n[link.crank]\npoints = {{ O = 0, A = 0.1211 }}\n\
+             [link.rod]\npoints = {{ A = 0, B = 0.627 }}\n[link.slider]\npoints = {{ B = 0 }}\n\
+             [[slide]]\nlink = \"slider\"\non = \"ground\"\nthrough = {through:?}\nangle = {angle:?}\npoint = \"B\"\n\
+             [input]\nlink = \"crank\"\nfrom = {from:?}\n[assembly]\nB = [-0.2045, 0.5359]\n"
+        ));
+        check(&found, "rod", None, Some(left));
+        check(&found, "crank", Some(left), None);
+        let offset = found.iter().find(|margin| margin.length.to_string().starts_with("slider")).unwrap();
+        assert!((offset.least().unwrap() - left).abs() < 1e-12, "{from}: {offset:?}");
+    }
+}

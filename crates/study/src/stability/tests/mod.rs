@@ -22,7 +22,8 @@ use assur_group::Order;
 use assur_kinematics::{CompileError, Linkage};
 use assur_mechanism::Mechanism;
 
-use super::{Comparison, Stability, nearest, stability, walk};
+use super::nearest::Grid;
+use super::{Comparison, Stability, stability, walk};
 
 /// What the rows of a section are about, and what is expected of a method there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,7 +61,7 @@ fn healthiest(linkage: &Linkage) -> Option<f64> {
         let health = position.health.iter().fold(1.0_f64, |least, health| least.min(health.abs()));
         (!linkage.is_interpolated(q)).then_some((q, health))
     };
-    let all = nearest::coordinates(linkage).into_iter().filter_map(&mut least);
+    let all = Grid::of(linkage, 1).coordinates.into_iter().filter_map(&mut least);
     all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(q, _)| q)
 }
 

@@ -1,0 +1,162 @@
+//! The textbook iteration and Newton's method on equations in moduli, in memory that their steps share.
+
+use crate::Moduli;
+use crate::matrix::{is_contraction, solve};
+use crate::moduli::length;
+
+/// Most steps of the iteration before Newton's method.
+const MOST_STEPS: usize = 400;
+
+/// Most steps of Newton's method.
+const MOST_NEWTON: usize = 60;
+
+/// Relative residual at which equations count as solved; rounding leaves some 1e-16 times the condition.
+const SOLVED: f64 = 1e-11;
+
+/// Greatest part of moduli by which Newton's method would change those of a solution.
+const STILL: f64 = 1e-3;
+
+/// Equations in moduli, with memory for a step.
+pub(crate) struct Steps<'a> {
+    system: &'a Moduli,
+    /// The greatest length of a constant.
+    constant: f64,
+    /// The lengths of the slopes, by equation.
+    slopes: Vec<f64>,
+    /// By unknown, the greatest length of a slope, and at least 1.
+    columns: Vec<f64>,
+    /// The vectors of all equations at the moduli that were looked at last, and their lengths.
+    vectors: Vec<[f64; 2]>,
+    lengths: Vec<f64>,
+    matrix: Vec<f64>,
+    change: Vec<f64>,
+}
+
+impl<'a> Steps<'a> {
+    pub(crate) fn new(system: &'a Moduli) -> Self {
+        let n = system.count();
+        let slopes: Vec<f64> = system.slopes.iter().flatten().map(|slope| length(*slope)).collect();
+        let mut columns = vec![1.0_f64; n];
+        for row in slopes.chunks_exact(n.max(1)) {
+            columns.iter_mut().zip(row).for_each(|(most, slope)| *most = most.max(*slope));
+        }
+        let constant = system.constants.iter().map(|constant| length(*constant)).fold(0.0, f64::max);
+        let [lengths, change] = [vec![0.0; n], vec![0.0; n]];
+        let (vectors, matrix) = (vec![[0.0; 2]; n], vec![0.0; n * n]);
+        Self { system, constant, slopes, columns, vectors, lengths, matrix, change }
+    }
+
+    /// Whether the [certificate](Moduli::certificate) is below 1.
+    pub(crate) fn is_contraction(&self) -> bool {
+        let told = is_contraction(&self.slopes, self.lengths.len());
+        told.unwrap_or_else(|| self.system.certificate() < 1.0)
+    }
+
+    /// The greatest term of the equations at some moduli.
+    pub(crate) fn size(&self, z: &[f64]) -> f64 {
+        self.columns.iter().zip(z).map(|(most, z)| most * z.abs()).fold(self.constant, f64::max)
+    }
+
+    /// Looks at some moduli; the greatest difference of a modulus and the length of its vector.
+    fn look(&mut self, z: &[f64]) -> f64 {
+        let mut off = 0.0_f64;
+        for (j, z_j) in z.iter().enumerate() {
+            let vector = self.system.vector(j, z);
+            (self.vectors[j], self.lengths[j]) = (vector, length(vector));
+            off = off.max((self.lengths[j] - z_j).abs());
+        }
+        off
+    }
+
+    /// As [`Moduli::residual`].
+    pub(crate) fn residual(&mut self, z: &[f64]) -> f64 {
+        let off = self.look(z);
+        if off == 0.0 { 0.0 } else { off / self.size(z) }
+    }
+
+    /// As [`Moduli::follow`].
+    pub(crate) fn follow(&mut self, start: &[f64]) -> Option<Vec<f64>> {
+        let mut z = start.to_vec();
+        for round in 1..=MOST_STEPS {
+            let off = self.look(&z);
+            z.copy_from_slice(&self.lengths);
+            let size = self.size(&z);
+            if !size.is_finite() {
+                return None;
+            }
+            // Newton's method finishes from wherever it converges, but is tried only now and then.
+            if (off <= f64::EPSILON * size || off <= 1e-3 * size && round % 8 == 0)
+                && let Some(found) = self.newton(&z)
+            {
+                return Some(found);
+            }
+        }
+        self.newton(&z)
+    }
+
+    /// As [`Moduli::newton`].
+    pub(crate) fn newton(&mut self, start: &[f64]) -> Option<Vec<f64>> {
+        self.newton_within(MOST_NEWTON, start)
+    }
+
+    /// Newton's method with at most so many steps.
+    pub(crate) fn newton_within(&mut self, most: usize, start: &[f64]) -> Option<Vec<f64>> {
+        let mut z = start.to_vec();
+        let (mut least, mut best) = (f64::INFINITY, z.clone());
+        for _ in 0..most {
+            let residual = self.residual(&z);
+            if !residual.is_finite() {
+                break;
+            }
+            if residual < least {
+                least = residual;
+                best.copy_from_slice(&z);
+            } else if least <= SOLVED {
+                break;
+            }
+            if residual == 0.0 || self.change(&z).is_none() {
+                break;
+            }
+            z.iter_mut().zip(&self.change).for_each(|(z, change)| *z -= change);
+        }
+        let size = self.size(&best);
+        let solved = least <= SOLVED && self.is_solved(&best) && best.iter().all(|z| *z >= -SOLVED * size);
+        solved.then(|| best.into_iter().map(|z| z.max(0.0)).collect())
+    }
+
+    /// Whether moduli solve the equations. Towards a solution at infinity the residual vanishes beside them, but Newton's method
+    /// would change them as much as ever.
+    pub(crate) fn is_solved(&mut self, z: &[f64]) -> bool {
+        let most = STILL * self.size(z);
+        self.residual(z) <= SOLVED
+            && (self.change(z).is_none() || self.change.iter().all(|change| change.abs() <= most))
+    }
+
+    /// Whether the determinant of the derivative of some equations by their unknowns is positive, as it is without friction.
+    pub(crate) fn is_ahead(&mut self, z: &[f64], part: &[usize]) -> bool {
+        self.look(z);
+        self.derive();
+        let entry = |i: usize, j: usize| self.matrix[part[i] * z.len() + part[j]];
+        nalgebra::DMatrix::from_fn(part.len(), part.len(), entry).determinant() > 0.0
+    }
+
+    /// Writes the correction of Newton's method at the moduli that were looked at last; `None` where the derivative is singular.
+    fn change(&mut self, z: &[f64]) -> Option<()> {
+        self.derive();
+        let off = z.iter().zip(&self.lengths).map(|(z, length)| z - length);
+        self.change.iter_mut().zip(off).for_each(|(change, off)| *change = off);
+        solve(&mut self.matrix, &mut self.change, z.len())
+    }
+
+    /// Writes the derivative of z - |a + W z| by z at the moduli that were looked at last.
+    fn derive(&mut self) {
+        let n = self.lengths.len();
+        for (j, row) in self.matrix.chunks_exact_mut(n.max(1)).enumerate() {
+            let (vector, size) = (self.vectors[j], self.lengths[j]);
+            let unit = if size > 0.0 { [vector[0] / size, vector[1] / size] } else { [0.0; 2] };
+            for (k, (entry, w)) in row.iter_mut().zip(&self.system.slopes[j]).enumerate() {
+                *entry = f64::from(u8::from(j == k)) - unit[0] * w[0] - unit[1] * w[1];
+            }
+        }
+    }
+}

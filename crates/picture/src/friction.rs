@@ -1,0 +1,124 @@
+//! The reaction of a pair with dry friction as the textbooks draw it ([`FrictionDiagram`]).
+
+use std::f64::consts::TAU;
+
+use assur_analysis::results::{Column, Owner, Part, Quantity};
+use assur_diagram::FrictionDiagram;
+use assur_figure::number::digits;
+use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_group::Order;
+use assur_mechanism::{LinkId, PairId, Surfaces};
+use assur_words::{Text, name, quantity, text};
+
+use crate::Results;
+
+/// Straight pieces of a circle.
+const PIECES: usize = 48;
+/// Length of the force beside a circle, and half the side of the drawing, in radii of the circle.
+const FORCE: f64 = 2.5;
+const ROOM: f64 = 3.0;
+/// Half the length of a guide that is drawn, in lengths of the force.
+const GUIDE: f64 = 0.5;
+
+/// The force of a pair on a link in a position, under the name of the reaction; `None` where the pair has no friction, or no force.
+pub fn panel(
+    found: &Results<'_>,
+    position: usize,
+    (pair, link): (PairId, LinkId),
+    reaction: &Text,
+) -> Option<Panel> {
+    let mechanism = &found.linkage.mechanism;
+    let friction = mechanism.frictions.iter().find(|friction| friction.pair == pair)?;
+    let table = &found.analysis.positions;
+    let row = table.row_of(position)?;
+    let value = |quantity, owner| table.get(row, Column::of(quantity, owner));
+    let whole = Column::of(Quantity::Force, Owner::PairOn(pair, link));
+    let part = |part| table.get(row, whole.part(part)).filter(|value| value.is_finite());
+    let force = [part(Part::X)?, part(Part::Y)?];
+    let diagram = match (pair, friction.surfaces) {
+        (PairId::Pin(_), Surfaces::Journal { owner, .. }) => {
+            let moment = if mechanism.friction_links(friction).len() > 1 {
+                value(Quantity::FrictionMoment, Owner::PairOn(pair, link))?
+            } else {
+                // On the journal itself it has the other sign, as the force has.
+                let sign = if link == owner { -1.0 } else { 1.0 };
+                sign * value(Quantity::FrictionMoment, Owner::Pair(pair))?
+            };
+            FrictionDiagram::of_pin(friction, force, moment)?
+        }
+        (PairId::Slide(id), _) => {
+            let (slide, mut pose) = (&mechanism.slides[id], found.linkage.position());
+            found.linkage.solve_index(position, Order::Second, &mut pose).ok()?;
+            let (s, c) = slide.angle.sin_cos();
+            let along = pose.bodies[slide.on].turned([c, s]);
+            let share = value(Quantity::FrictionForce, Owner::Pair(pair))?;
+            FrictionDiagram::of_slide(friction, force, along, share)?
+        }
+        (PairId::Pin(_), _) => return None,
+    };
+    Some(match diagram {
+        FrictionDiagram::Circle { radius, lever } => circle(reaction, radius, force, lever),
+        FrictionDiagram::Cone { angle, along, normal, on_both_ends } => {
+            let angle_told = quantity(digits(angle.to_degrees(), 4), "deg");
+            let title = if on_both_ends {
+                text!("friction-cone-of-ends", reaction = reaction, angle = angle_told)
+            } else {
+                text!("friction-cone", reaction = reaction, angle = angle_told)
+            };
+            cone(title, angle, force, (along, normal))
+        }
+    })
+}
+
+/// A circle about the center of a pin, and the force at the distance `lever` from it.
+fn circle(reaction: &Text, radius: f64, force: Point, lever: f64) -> Panel {
+    let size = force[0].hypot(force[1]);
+    let [x, y] = [force[0] / size, force[1] / size];
+    let foot = [lever * y, -lever * x];
+    let along = |length: f64| [foot[0] + length * radius * x, foot[1] + length * radius * y];
+    let points = (0..=PIECES).map(|piece| {
+        let (s, c) = (TAU * piece as f64 / PIECES as f64).sin_cos();
+        [radius * c, radius * s]
+    });
+    let items = vec![
+        Item::line(points.collect::<Vec<_>>(), Stroke::Dashed, Ink::Third),
+        Item::line(vec![along(-ROOM), along(ROOM)], Stroke::Dotted, Ink::Trace),
+        Item::sign([0.0; 2], Sign::Ring, Ink::Title),
+        Item::Arrow { from: foot, to: along(FORCE), stroke: Stroke::Solid, ink: Ink::First },
+        Item::name(along(FORCE), name("R"), Ink::Title),
+    ];
+    let bounds = Bounds { low: [-ROOM * radius; 2], high: [ROOM * radius; 2] };
+    let frame = Frame::Plane { bounds, unit: "mm".into(), factor: 1e3, scale: ("l", "m".into()) };
+    let radius = quantity(digits(1e3 * radius, 4), "mm");
+    let title = text!("friction-circle", reaction = reaction, radius = radius);
+    Panel { title, frame, items }
+}
+
+/// The force of a slide with its part across the guide, between the lines that lean from that by the angle of friction.
+fn cone(title: Text, angle: f64, force: Point, (along, pressing): (Point, f64)) -> Panel {
+    let size = force[0].hypot(force[1]);
+    let times = |length: f64, [x, y]: Point| [length * x, length * y];
+    let normal = times(pressing.signum(), [-along[1], along[0]]);
+    let leaning = |angle: f64| {
+        let (s, c) = angle.sin_cos();
+        vec![[0.0; 2], times(size, [c * normal[0] - s * normal[1], s * normal[0] + c * normal[1]])]
+    };
+    let across = times(pressing.abs(), normal);
+    let arrow = |to, stroke, ink| Item::Arrow { from: [0.0; 2], to, stroke, ink };
+    let items = vec![
+        Item::line(
+            vec![times(-GUIDE * size, along), times(GUIDE * size, along)],
+            Stroke::Dashed,
+            Ink::Ground,
+        ),
+        Item::line(leaning(angle), Stroke::Dotted, Ink::Trace),
+        Item::line(leaning(-angle), Stroke::Dotted, Ink::Trace),
+        arrow(across, Stroke::Solid, Ink::Second),
+        Item::name(across, name("N"), Ink::Title),
+        arrow(force, Stroke::Solid, Ink::First),
+        Item::name(force, name("R"), Ink::Title),
+    ];
+    let bounds = Bounds::around(items.iter().flat_map(Item::points));
+    let frame = Frame::Plane { bounds, unit: "N".into(), factor: 1.0, scale: ("F", "N".into()) };
+    Panel { title, frame, items }
+}

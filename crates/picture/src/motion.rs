@@ -1,0 +1,95 @@
+//! A motion over its samples: coordinate, speed, acceleration, energies over time, moments of the loads over its way.
+
+use assur_analysis::results::{Column, Owner, Quantity, Table};
+use assur_book::{Course, catalogue};
+use assur_figure::number::number;
+use assur_figure::{Axis, Cursor, Panel};
+use assur_words::{self as words, Text, joined, list, quantity, text};
+
+use crate::{Look, Results, plots};
+
+/// Coordinate, speed, acceleration and energies over time.
+pub fn over_time(found: &Results<'_>, look: Look) -> Vec<Panel> {
+    let analysis = found.analysis;
+    let q = if analysis.input.angular { "rad" } else { "m" };
+    let all = [
+        ("motion-coordinate", q.to_owned(), Quantity::Transfer(0)),
+        ("motion-speed", format!("{q}/s"), Quantity::Velocity),
+        ("motion-acceleration", format!("{q}/s2"), Quantity::Acceleration),
+    ];
+    let time = Column::of(Quantity::Time, Owner::Input);
+    let Some(last) = analysis.trajectory.len().checked_sub(1) else { return Vec::new() };
+    let row = look.position.min(last);
+    let Some(now) = analysis.trajectory.get(row, time) else { return Vec::new() };
+    let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
+    let x = Axis::around(text!("motion-time"), times, 0.0);
+    let panel = |(told, unit, of): (&'static str, String, Quantity)| {
+        let course = sampled(found, time, of);
+        let value = course.between(now).unwrap_or(f64::NAN);
+        let cursor = Cursor { at: now, value: quantity(number(value), unit) };
+        plots::curves(text!(told), vec![(text!(told), course)], (x.clone(), 1.0), Some(cursor))
+    };
+    let energies = energies(found, time, (x.clone(), 1.0), now);
+    all.map(panel).into_iter().chain(energies).chain(loads_over_way(found, row)).collect()
+}
+
+/// The moments of drive and loads, reduced to the input, over its way (E fig. 3): what drives along the motion, what resists
+/// against it, so that it is seen where they are equal; of many the first ones.
+fn loads_over_way(found: &Results<'_>, row: usize) -> Option<Panel> {
+    /// Curves in one panel.
+    const MOST: usize = 3;
+    let (analysis, place) = (found.analysis, Column::COORDINATE);
+    let table = &analysis.trajectory;
+    let (schema, last) = (table.schema(), table.len().checked_sub(1)?);
+    let sense = (table.get(last, place)? - table.get(0, place)?).signum();
+    let curve = |owner| {
+        let column = Column::of(Quantity::ReducedLoad, owner);
+        let resists = table.get(last, Column::of(Quantity::Work, owner)).is_some_and(|work| work < 0.0);
+        let course = over_samples(found, place, column, if resists { -sense } else { sense });
+        let told =
+            if let Owner::Load(_) = owner { schema.named(owner)?.into() } else { catalogue::kind(column) };
+        let told = if resists { text!("regime-against", load = told) } else { told };
+        (!course.is_empty()).then_some((told, course))
+    };
+    let owners = schema.owners(Quantity::ReducedLoad);
+    let curves: Vec<(Text, Course)> = owners.into_iter().filter_map(curve).take(MOST).collect();
+    let now = table.get(row, place).filter(|_| !curves.is_empty())?;
+    let unit = if analysis.input.angular { "rad" } else { "m" };
+    let told = list([text!("motion-coordinate"), words::unit(unit)]);
+    let x = Axis::around(told, (0..table.len()).filter_map(|row| table.get(row, place)), 0.0);
+    // Several curves name themselves.
+    let alone = curves.iter().map(|(told, _)| told.clone()).filter(|_| curves.len() == 1);
+    let title = joined(": ", std::iter::once(text!("motion-loads")).chain(alone));
+    Some(plots::curves(title, curves, (x, 1.0), Some(now.into())))
+}
+
+/// A quantity of the input over the samples of the motion: over their times, or over their coordinates.
+fn sampled(found: &Results<'_>, over: Column, quantity: Quantity) -> Course {
+    over_samples(found, over, Column::of(quantity, Owner::Input), 1.0)
+}
+
+/// A column over the samples of the motion, times a factor; where the motion comes to rest, the value before it comes first.
+fn over_samples(found: &Results<'_>, over: Column, column: Column, factor: f64) -> Course {
+    let point = |table: &Table, row| Some([table.get(row, over)?, factor * table.get(row, column)?]);
+    let samples = &found.analysis.trajectory;
+    let points = (0..samples.len()).flat_map(|row| {
+        let before = found.stops.row_of(samples.numbers()[row]).and_then(|row| point(found.stops, row));
+        before.into_iter().chain(point(samples, row))
+    });
+    Course::from_points(points)
+}
+
+/// The works of the driving and the resisting loads and of dry friction, and the kinetic energy at the samples of the motion; `None` where they are
+/// not known.
+pub(crate) fn energies(found: &Results<'_>, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
+    let all = [
+        ("regime-driving-work", Quantity::DrivingWork),
+        ("regime-resisting-work", Quantity::ResistingWork),
+        ("regime-kinetic-energy", Quantity::KineticEnergy),
+    ];
+    let mut curves: Vec<_> = all.map(|(told, of)| (text!(told), sampled(found, over, of))).into();
+    let known = curves.iter().all(|(_, course)| !course.is_empty());
+    let friction = sampled(found, over, Quantity::FrictionWork);
+    curves.extend((!friction.is_empty()).then(|| (text!("regime-friction-work"), friction)));
+    known.then(|| plots::curves(text!("regime-energies"), curves, x, Some(cursor.into())))
+}

@@ -1,0 +1,193 @@
+//! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
+
+use assur_book::{Course, Node};
+use assur_figure::number::digits;
+use assur_figure::{Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_kinematics::Linkage;
+use assur_words::{Text, joined, name, number, text, unit};
+
+use crate::{Look, Series, coordinate_at, coordinate_unit};
+
+/// Positions that are marked on a curve at most; more of them would hide it.
+const MARKED: usize = 24;
+
+/// Strokes and inks of several curves, told apart without color.
+pub const STYLES: [(Stroke, Ink); 6] = [
+    (Stroke::Solid, Ink::First),
+    (Stroke::Dotted, Ink::Third),
+    (Stroke::Chain, Ink::Second),
+    (Stroke::Dashed, Ink::Link(5)),
+    (Stroke::Solid, Ink::Link(2)),
+    (Stroke::Chain, Ink::Link(4)),
+];
+
+/// The axis of the coordinate, from the first position to the end of the cycle or to the last position.
+pub fn coordinate_axis(linkage: &Linkage) -> Axis {
+    let (symbol, input) = (coordinate_unit(linkage).0, &linkage.mechanism.input);
+    let last = input.positions - usize::from(!input.is_cycle());
+    let ends = [0.0, last as f64].map(|at| coordinate_at(linkage, at));
+    let kind = if linkage.angular() { AxisKind::Degrees } else { AxisKind::Linear };
+    Axis { kind, ..Axis::around(text!("chart-coordinate", unit = unit(symbol)), ends, 0.0) }
+}
+
+/// The curve of a quantity over the positions, with the cursor at the present one, at which it has a value.
+pub fn over_positions(
+    linkage: &Linkage,
+    look: Look,
+    [title, value]: [Text; 2],
+    curves: &[(&Series, Stroke, Ink)],
+    signs: Vec<Item>,
+) -> Panel {
+    let (_, coordinate) = coordinate_unit(linkage);
+    let at_positions = |series: &Series| {
+        let place = |node: &Node| [coordinate * node.at, series.factor * node.value];
+        series.course.nodes().iter().map(place).collect::<Vec<Point>>()
+    };
+    let line = |(series, stroke, ink): &(&Series, Stroke, Ink)| {
+        // Each star is a position.
+        let points = match stroke {
+            Stroke::Stars => at_positions(series),
+            _ => series.course.points([coordinate, series.factor]),
+        };
+        Item::line(points, *stroke, *ink)
+    };
+    let mut items: Vec<Item> = curves.iter().map(line).collect();
+    let marked = curves
+        .first()
+        .filter(|_| linkage.mechanism.input.positions <= MARKED)
+        .map(|(series, ..)| at_positions(series));
+    items.extend(marked.into_iter().flatten().map(|at| Item::sign(at, Sign::Node, Ink::Title)));
+    let values: Vec<f64> = items.iter().flat_map(Item::points).map(|at| at[1]).collect();
+    let (floor, unit) = curves.first().map_or((0.0, Text::default()), |(series, ..)| {
+        (series.factor * series.floor, unit(series.unit.clone()))
+    });
+    items.extend(signs);
+    let frame = Frame::Axes {
+        x: coordinate_axis(linkage),
+        y: Axis::around(unit, values, floor),
+        cursor: Some(Cursor { at: coordinate_at(linkage, look.at()), value }),
+    };
+    Panel { title, frame, items }
+}
+
+/// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
+/// the horizontal axis.
+pub fn curves(
+    title: Text,
+    curves: Vec<(Text, Course)>,
+    (x, factor): (Axis, f64),
+    cursor: Option<Cursor>,
+) -> Panel {
+    let count = curves.len();
+    let cursor = cursor.map(|cursor| {
+        let own = |(_, course): &(Text, Course)| {
+            number(
+                course.between(cursor.at / factor).map_or_else(|| "-".to_owned(), |value| digits(value, 4)),
+            )
+        };
+        let value = if cursor.value.is_empty() { joined("; ", curves.iter().map(own)) } else { cursor.value };
+        Cursor { value, ..cursor }
+    });
+    let names = curves.iter().enumerate().map(|(at, curve)| numbered(at, curve.0.clone()));
+    let title = if count > 1 { joined(": ", [title, joined("  ", names)]) } else { title };
+    let mut items = Vec::new();
+    for (index, ((_, course), (stroke, ink))) in curves.into_iter().zip(STYLES).enumerate() {
+        let points = course.points([factor, 1.0]);
+        // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
+        let at = points.get((2 * index + 1) * points.len() / (2 * count)).copied();
+        items.push(Item::line(points, stroke, ink));
+        let sign =
+            at.filter(|_| count > 1).map(|at| Item::name(at, name((index + 1).to_string()), Ink::Title));
+        items.extend(sign);
+    }
+    let points = || items.iter().flat_map(Item::points);
+    let y = Axis::around(Text::default(), points().map(|at| at[1]), 0.0);
+    Panel { title, frame: Frame::Axes { x, y, cursor }, items }
+}
+
+/// A name behind its number: `2 resistance`.
+pub fn numbered(at: usize, told: Text) -> Text {
+    joined(" ", [name((at + 1).to_string()), told])
+}
+
+/// A vector from one point to another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Vector {
+    /// Its tail.
+    pub from: Point,
+    /// Its tip.
+    pub to: Point,
+    /// May be empty: then it is a thin line.
+    pub name: Text,
+    /// Its color.
+    pub ink: Ink,
+    /// How it is drawn.
+    pub kind: Drawn,
+}
+
+impl Vector {
+    /// With a head.
+    pub fn arrow(from: Point, to: Point, name: Text, ink: Ink) -> Self {
+        Self { from, to, name, ink, kind: Drawn::Arrow }
+    }
+}
+
+/// How a vector is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drawn {
+    /// With a head; without a name as a thin line.
+    Arrow,
+    /// Without a head.
+    Line,
+    /// A point.
+    Point,
+}
+
+/// Vectors that are drawn together, in a unit, with the index of its scale factor. With a pole, it is marked and names
+/// are at the tips, as in textbooks.
+pub fn vectors(
+    title: Text,
+    vectors: &[Vector],
+    (unit, symbol): (&str, &'static str),
+    pole: Option<&'static str>,
+) -> Panel {
+    let mut items: Vec<Item> = vectors.iter().map(arrow).collect();
+    let part = if pole.is_some() { 1.0 } else { 0.6 };
+    items.extend(vectors.iter().filter(|vector| !vector.name.is_empty()).map(|vector| {
+        let part = if vector.kind == Drawn::Line { 0.5 } else { part };
+        let at = [0, 1].map(|axis| (1.0 - part) * vector.from[axis] + part * vector.to[axis]);
+        Item::name(at, vector.name.clone(), Ink::Title)
+    }));
+    if let Some(pole) = pole {
+        items.push(Item::sign([0.0; 2], Sign::Ring, Ink::Title));
+        items.push(Item::name([0.0; 2], name(pole), Ink::Title));
+    }
+    let bounds = Bounds::around(items.iter().flat_map(Item::points));
+    let frame = Frame::Plane { bounds, unit: unit.into(), factor: 1.0, scale: (symbol, unit.into()) };
+    Panel { title, frame, items }
+}
+
+fn arrow(vector: &Vector) -> Item {
+    let Vector { from, to, ink, kind, .. } = *vector;
+    match kind {
+        Drawn::Point => Item::sign(from, Sign::Dot, Ink::Title),
+        Drawn::Line => Item::line([from, to], Stroke::Solid, ink),
+        Drawn::Arrow if vector.name.is_empty() => Item::line([from, to], Stroke::Dotted, ink),
+        Drawn::Arrow => Item::Arrow { from, to, stroke: Stroke::Solid, ink },
+    }
+}
+
+/// Gives all panels the bounds of the largest one, so that they have one scale.
+pub fn one_scale(panels: &mut [Panel]) {
+    let of =
+        |panel: &Panel| if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] };
+    let most =
+        panels.iter().map(of).fold([0.0_f64; 2], |most, size| [most[0].max(size[0]), most[1].max(size[1])]);
+    for panel in panels {
+        if let Frame::Plane { bounds, .. } = &mut panel.frame {
+            let center = bounds.center();
+            let corner = |side: f64| [0, 1].map(|axis| center[axis] + side * most[axis] / 2.0);
+            *bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
+        }
+    }
+}
