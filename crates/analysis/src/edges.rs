@@ -2,6 +2,7 @@
 //! formula of a load changes, and the end of the cycle. Drawings and extremes between the positions need them; no other result does.
 
 use assur_force::{LoadState, Loads, Side, tolerance};
+use assur_mechanism::Motion;
 use assur_number::Lanes;
 
 use crate::Calculation;
@@ -66,7 +67,9 @@ impl Calculation {
         let input = &self.linkage.mechanism.input;
         let ends = [0, last].map(|index| input.coordinate(index));
         let sense = (ends[1] - ends[0]).signum();
-        let mut changes = self.changes(ends).into_iter().peekable();
+        let changes = self.changes(ends);
+        let changes = if changes.len() > MOST { Vec::new() } else { changes };
+        let mut changes = changes.into_iter().peekable();
         let parts = count.div_ceil(last.max(1)).max(1);
         let mut states = Vec::new();
         for index in 0..=last {
@@ -88,9 +91,19 @@ impl Calculation {
         states
     }
 
+    /// The coordinates between two ends, in no order, at which forces may jump or bend: where the formula of a load changes or the
+    /// sense of a friction.
+    pub(crate) fn known_places(&self, ends: [f64; 2]) -> Vec<f64> {
+        let mut places = self.changes(ends);
+        let frictions = self.loads.as_ref().and_then(Loads::frictions);
+        let ends = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        places.extend(frictions.into_iter().flat_map(|frictions| frictions.turns(ends)));
+        places
+    }
+
     /// The coordinates between two ends, in their order, at which the formula of a load changes; none where forces are not
-    /// determined, or where there are very many.
-    fn changes(&self, ends: [f64; 2]) -> Vec<f64> {
+    /// determined; of very many the first ones.
+    pub(crate) fn changes(&self, ends: [f64; 2]) -> Vec<f64> {
         let Some(loads) = self.loads.as_ref().filter(|_| self.positions_have_forces()) else {
             return Vec::new();
         };
@@ -100,7 +113,7 @@ impl Calculation {
         if !along {
             places.reverse();
         }
-        if places.len() > MOST { Vec::new() } else { places }
+        places
     }
 
     /// The changes on the way of the motion.
@@ -108,9 +121,10 @@ impl Calculation {
         let (sense, mut phase) = ((end - start).signum(), loads.phase());
         let least = tolerance(start.abs().max(end.abs()), None);
         let (mut at, mut places) = (start, Vec::new());
-        while places.len() <= MOST {
+        for _ in 0..=MOST {
             let piece = loads.enter(&LoadState { side: Side::After, ..self.state(at) }, &mut phase);
             let next = piece.coordinate[usize::from(sense > 0.0)];
+            let next = self.passed_at(piece.time[1]).filter(|by| sense * (next - by) > 0.0).unwrap_or(next);
             let (way, left) = (sense * (next - at), sense * (end - next));
             if way.is_nan() || way <= least || left.is_nan() || left < -least {
                 break;
@@ -119,6 +133,16 @@ impl Calculation {
             at = next;
         }
         places
+    }
+
+    /// The coordinate that a prescribed motion passes at a time, before it turns back.
+    fn passed_at(&self, time: f64) -> Option<f64> {
+        let Some(Motion::Prescribed { speed, acceleration }) = self.linkage.mechanism.motion else {
+            return None;
+        };
+        let way = time * (speed + 0.5 * acceleration * time);
+        let is_ahead = time.is_finite() && speed * (speed + acceleration * time) > 0.0;
+        is_ahead.then(|| self.linkage.mechanism.input.from + way)
     }
 
     /// Whether the motion goes from the first end to the second one.

@@ -1,7 +1,8 @@
 //! Extremes and means of a quantity between the positions: the points of its curve show between which coordinates an extreme lies,
 //! and the calculation at further ones finds it.
 
-use assur_number::panel::chebyshev::{INSIDE, NODES, integral, value};
+use assur_force::tolerance;
+use assur_number::quadrature::{Integrals, PLACES, integrals, panels};
 use assur_number::{Lanes, Statistic};
 
 use crate::Calculation;
@@ -10,15 +11,23 @@ use crate::results::{Column, Table};
 
 /// Refinement rounds. Eight interior points keep 2/9 of the bracket in each; after these rounds rounding of the values decides.
 const ROUNDS: usize = 8;
-/// Panels over a cycle, of which each has [`NODES`] places: between two jumps a load has no more waves.
-const PANELS: f64 = 24.0;
+/// Even panels over a cycle, each of which has [`PLACES`] places: between two places where its formula changes a load has no more waves.
+const PANELS: u32 = 24;
+/// Accuracy of means, as a part of the greatest integral over a panel.
+const ACCURACY: f64 = 1e-10;
+/// Halvings of panels at most: a curve that needs more is told as one whose means are not sure.
+const HALVINGS: usize = 1000;
+/// Means are sure up to this part of the root mean square: no more digits are shown.
+const SURE: f64 = 1e-6;
+/// A mean below this part of the root mean square has no correct digit: some rounding units.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A local extreme of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
     /// Its coordinate, rad or m.
     pub at: f64,
-    /// The value, SI.
+    /// The value, SI; infinite where the values grow without limit towards the coordinate.
     pub value: f64,
     /// Whether the values beside it are smaller; otherwise they are greater.
     pub is_greatest: bool,
@@ -33,8 +42,26 @@ pub struct Peaks {
     pub farthest: Vec<(Column, Turn)>,
     /// The extreme of the power of the balancing load, W.
     pub power: Option<Turn>,
-    /// Mean and root mean square of the balancing load over the whole cycle.
-    pub balancing: Option<[f64; 2]>,
+    /// Means of the balancing load over the whole cycle.
+    pub balancing: Option<Means>,
+}
+
+/// Means of a quantity over the coordinate, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Means {
+    /// The mean.
+    pub mean: f64,
+    /// The root mean square.
+    pub rms: f64,
+    /// By how much either may be off, as the quadrature estimates.
+    pub error: f64,
+}
+
+impl Means {
+    /// Whether all digits that are shown are right.
+    pub fn are_sure(&self) -> bool {
+        self.error <= SURE * self.rms
+    }
 }
 
 impl Turn {
@@ -62,33 +89,39 @@ impl Calculation {
         self.with_values(read, |values| turns.iter().map(|turn| refined(*turn, values)).collect())
     }
 
-    /// Mean and root mean square, between two coordinates, of what is read from a row; `jumps`: coordinates at which it jumps.
-    /// `None` where it has no value somewhere.
+    /// Where what is read from a row grows without limit: towards the end of the values between a coordinate that has one and a
+    /// coordinate that has none, in each of some pairs.
+    pub fn unlimited(&self, ends: &[[f64; 2]], read: impl Fn(&Table, usize) -> Option<f64>) -> Vec<Turn> {
+        self.with_values(read, |values| ends.iter().filter_map(|ends| unlimited(*ends, values)).collect())
+    }
+
+    /// Means, between two coordinates, of what is read from a row; `size`: its greatest modulus, about. `None` where it has no value
+    /// somewhere.
     pub fn means(
         &self,
         ends: [f64; 2],
-        jumps: &[f64],
+        size: f64,
         read: impl Fn(&Table, usize) -> Option<f64>,
-    ) -> Option<[f64; 2]> {
-        let mut places: Vec<f64> = jumps.to_vec();
-        places.extend((0..=24).map(|part| ends[0] + (ends[1] - ends[0]) * f64::from(part) / PANELS));
-        places.sort_by(f64::total_cmp);
-        let sums = self.with_values(read, |values| {
-            let of_panel = |two: &[f64]| {
-                let at = |node: usize| {
-                    0.5 * (two[0] + two[1] + (two[1] - two[0]) * INSIDE.nodes[node.min(NODES - 1)])
-                };
+    ) -> Option<Means> {
+        let length = (ends[1] - ends[0]).abs();
+        let least = tolerance(ends[0].abs().max(ends[1].abs()), Some(length));
+        let parts = panels(ends, PANELS, &self.known_places(ends), least);
+        // Value and square have one accuracy.
+        let size = if size > 0.0 { size } else { 1.0 };
+        let Integrals { values, error } = self.with_values(read, |values| {
+            integrals(parts, ACCURACY, HALVINGS, |places: &[f64; PLACES]| {
+                let at = |lane: usize| places[lane.min(PLACES - 1)];
                 let halves =
                     [0, Lanes::WIDTH].map(|first| values(std::array::from_fn(|lane| at(first + lane))));
-                let found: [f64; NODES] =
-                    std::array::from_fn(|node| halves[node / Lanes::WIDTH][node % Lanes::WIDTH]);
-                let sum = |values| value(&integral(&INSIDE.fit(&values), 0.5 * (two[1] - two[0])), 1.0);
-                [sum(found), sum(found.map(|value| value * value))]
-            };
-            places.windows(2).map(of_panel).fold([0.0; 2], |all, one| [all[0] + one[0], all[1] + one[1]])
-        });
-        let [mean, square] = sums.map(|sum| sum / (ends[1] - ends[0]).abs());
-        (mean.is_finite() && square.is_finite()).then(|| [mean, square.max(0.0).sqrt()])
+                let row = |value: &f64| value.is_finite().then_some([value / size, (value / size).powi(2)]);
+                halves.as_flattened()[..PLACES].iter().map(row).collect()
+            })
+        })?;
+        let [mean, square] = [values[0] / length, (values[1] / length).max(0.0)];
+        let error = (error / length).max((square + error / length).sqrt() - square.sqrt());
+        // What is left of a mean of zero is rounding.
+        let mean = if mean.abs() <= ROUNDING * square.sqrt() { 0.0 } else { mean };
+        Some(Means { mean: size * mean, rms: size * square.sqrt(), error: size * error })
     }
 
     /// Hands over what gives the values at eight coordinates; NaN where there is none.
@@ -125,4 +158,28 @@ fn refined(turn: Turn, values: &mut dyn FnMut([f64; Lanes::WIDTH]) -> [f64; Lane
         [low, high] = [at - step, at + step];
     }
     best
+}
+
+/// The end of the values between a coordinate that has one and one that has none, if they grow without limit towards it: at least
+/// like the inverse root of the distance, as all does of which a determinant that vanishes there is the divisor.
+fn unlimited(
+    [known, without]: [f64; 2],
+    values: &mut dyn FnMut([f64; Lanes::WIDTH]) -> [f64; Lanes::WIDTH],
+) -> Option<Turn> {
+    /// Rounds of sections, each of which leaves 1/9 of the interval: down to rounding.
+    const ROUNDS: usize = 17;
+    /// Parts of the interval in which the values lie: how near to its end two of them are compared.
+    const NEAR: [f64; 2] = [1e-3, 1e-7];
+    /// The inverse root is 100 times as great at the nearer one.
+    const GROWTH: f64 = 10.0;
+    let (mut inside, mut outside) = (known, without);
+    for _ in 0..ROUNDS {
+        let step = (outside - inside) / (Lanes::WIDTH + 1) as f64;
+        let found = values(std::array::from_fn(|lane| inside + step * (lane + 1) as f64));
+        let count = found.iter().take_while(|value| !value.is_nan()).count() as f64;
+        (inside, outside) = (inside + step * count, inside + step * (count + 1.0));
+    }
+    let at = |lane: usize| inside + (known - inside) * NEAR[lane.min(1)];
+    let [far, near, ..] = values(std::array::from_fn(at));
+    (near.abs() > GROWTH * far.abs()).then(|| Turn::at(inside, f64::INFINITY.copysign(near)))
 }

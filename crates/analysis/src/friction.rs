@@ -4,6 +4,7 @@ use assur_force::{ForceError, Kinetostatics, Loads, UnitBalance};
 use assur_group::Order;
 use assur_kinematics::Position;
 use assur_mechanism::{Mechanism, PairId};
+use assur_number::quadrature::{PLACES, integrals, panels};
 use assur_number::search::{bisect, least};
 use assur_structure::name_of;
 use assur_words::{Text, number, text};
@@ -81,9 +82,9 @@ const SECTIONS: usize = 40;
 /// Places of the grid on which intervals are looked for.
 const GRID: u32 = 720;
 
-/// Relative accuracy of works, and the number of times an interval is halved at most.
+/// Relative accuracy of works, and how many times intervals are halved at most.
 const ACCURACY: f64 = 1e-11;
-const HALVINGS: u32 = 36;
+const MOST_HALVINGS: usize = 100_000;
 
 /// Cells between two changes of a direction with which works are begun.
 const CELLS: u32 = 6;
@@ -274,66 +275,9 @@ impl Cycle<'_> {
         let mut ends = vec![low];
         ends.extend(self.turns([low, high]));
         ends.push(high);
-        let pieces: Vec<[f64; 2]> = ends
-            .windows(2)
-            .flat_map(|ends| {
-                let at = move |i: u32| ends[0] + (ends[1] - ends[0]) * f64::from(i) / f64::from(CELLS);
-                (0..CELLS).map(move |i| [at(i), at(i + 1)])
-            })
-            .filter(|ends| ends[1] > ends[0])
-            .collect();
-        let mut sums = vec![0.0; self.calculation.linkage.mechanism.frictions.len() + 1];
-        let mut left = Vec::new();
-        for ends in pieces {
-            left.push((ends, self.panel(ends)?, 0));
-        }
-        let works = left.iter().flat_map(|(_, (whole, _), _)| whole);
-        let accuracy = ACCURACY * works.fold(0.0_f64, |most, work| most.max(work.abs()));
-        while let Some((ends, (whole, error), depth)) = left.pop() {
-            if error <= accuracy || depth >= HALVINGS {
-                sums.iter_mut().zip(whole).for_each(|(sum, work)| *sum += work);
-                continue;
-            }
-            let middle = f64::midpoint(ends[0], ends[1]);
-            for half in [[ends[0], middle], [middle, ends[1]]] {
-                left.push((half, self.panel(half)?, depth + 1));
-            }
-        }
-        Some(sums)
-    }
-
-    /// The integrals over a panel by Gauss and Kronrod, 7 and 15 places, and their greatest difference.
-    fn panel(&mut self, [low, high]: [f64; 2]) -> Option<(Vec<f64>, f64)> {
-        let (middle, half) = (f64::midpoint(low, high), 0.5 * (high - low));
-        let mut sums: Option<(Vec<f64>, Vec<f64>)> = None;
-        for (place, kronrod, gauss) in NODES {
-            for side in [-1.0, 1.0] {
-                if place == 0.0 && side > 0.0 {
-                    continue;
-                }
-                let powers = self.powers(middle + side * half * place).ok()?;
-                let (fine, coarse) =
-                    sums.get_or_insert_with(|| (vec![0.0; powers.len()], vec![0.0; powers.len()]));
-                for (k, power) in powers.iter().enumerate() {
-                    fine[k] += half * kronrod * power;
-                    coarse[k] += half * gauss * power;
-                }
-            }
-        }
-        let (fine, coarse) = sums?;
-        let error = fine.iter().zip(&coarse).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-        Some((fine, error))
+        let changes = self.calculation.changes([low, high]);
+        let pieces = ends.windows(2).flat_map(|ends| panels([ends[0], ends[1]], CELLS, &changes, 0.0));
+        let powers = |places: &[f64; PLACES]| places.iter().map(|place| self.powers(*place).ok()).collect();
+        integrals(pieces, ACCURACY, MOST_HALVINGS, powers).map(|works| works.values)
     }
 }
-
-/// Places of the rule of Kronrod on (0, 1), its weights, and those of Gauss.
-const NODES: [(f64, f64, f64); 8] = [
-    (0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0),
-    (0.949_107_912_342_758_5, 0.063_092_092_629_978_55, 0.129_484_966_168_869_7),
-    (0.864_864_423_359_769_1, 0.104_790_010_322_250_18, 0.0),
-    (0.741_531_185_599_394_4, 0.140_653_259_715_525_92, 0.279_705_391_489_276_67),
-    (0.586_087_235_467_691_1, 0.169_004_726_639_267_9, 0.0),
-    (0.405_845_151_377_397_2, 0.190_350_578_064_785_4, 0.381_830_050_505_118_9),
-    (0.207_784_955_007_898_47, 0.204_432_940_075_298_9, 0.0),
-    (0.0, 0.209_482_141_084_727_82, 0.417_959_183_673_469_4),
-];

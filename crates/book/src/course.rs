@@ -96,6 +96,17 @@ impl Course {
         jumps.map(|two| Jump { at: two[0][0], values: [two[0][1], two[1][1]] })
     }
 
+    /// Where the line ends or begins beside places without a value: the last place that has one, and the first that has none.
+    pub fn ends(&self) -> Vec<[f64; 2]> {
+        let end = |two: &[[f64; 2]]| match [two[0][1], two[1][1]].map(f64::is_nan) {
+            [false, true] => Some([two[0][0], two[1][0]]),
+            [true, false] => Some([two[1][0], two[0][0]]),
+            _ => None,
+        };
+        let is_apart = |ends: &[f64; 2]| ends[0].to_bits() != ends[1].to_bits() && !ends[1].is_nan();
+        self.line.windows(2).filter_map(end).filter(is_apart).collect()
+    }
+
     /// Values with their places, in the order of their numbers, and the end of the cycle.
     pub fn from_nodes(nodes: impl IntoIterator<Item = Node>, end: Option<Node>) -> Self {
         Self::of_nodes(nodes.into_iter().collect(), end, Vec::new())

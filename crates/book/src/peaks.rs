@@ -2,7 +2,7 @@
 
 use assur_analysis::Calculation;
 use assur_analysis::results::{
-    Column, Edges, Extreme, Owner, Part, Peaks, Quantity, Schema, Statistic, Table, Turn,
+    Column, Edges, Extreme, Means, Owner, Part, Peaks, Quantity, Schema, Statistic, Table, Turn,
 };
 use assur_kinematics::continuous_angle;
 use assur_mechanism::GROUND;
@@ -63,7 +63,8 @@ fn farthest(
     most(calculation, course, read, Statistic::farthest)
 }
 
-/// One of the extremes of a course, found between its places too; of a constant its first value.
+/// One of the extremes of a course, found between its places too, and beside places without a value, where it may grow without limit;
+/// of a constant its first value.
 fn most(
     calculation: &Calculation,
     course: &Course,
@@ -74,7 +75,8 @@ fn most(
     let best = pick(&Turn::statistic(&turns)).map_or(0.0, |best| best.value.abs());
     let far = NEAR * course.size().max(best);
     let near: Vec<Turn> = turns.into_iter().filter(|turn| (turn.value.abs() - best).abs() <= far).collect();
-    let found = calculation.refined(&near, read);
+    let mut found = calculation.refined(&near, read);
+    found.extend(calculation.unlimited(&course.ends(), read));
     let found = pick(&Turn::statistic(&found)).map(|best| found[best.number]);
     let first = || course.nodes().first().map(|node| Turn::at(node.at, node.value));
     found.or_else(first)
@@ -87,8 +89,8 @@ pub struct Range {
     pub greatest: Turn,
     /// The least value.
     pub least: Turn,
-    /// Mean and root mean square over the coordinate; `None` where there is no value somewhere.
-    pub means: Option<[f64; 2]>,
+    /// Means over the coordinate; `None` where there is no value somewhere.
+    pub means: Option<Means>,
 }
 
 /// What a quantity reaches, with its `course` over the positions; `None` where no position has a value.
@@ -106,25 +108,20 @@ pub fn range(calculation: &Calculation, course: &Course, column: Column) -> Opti
     Some(Range { greatest, least, means: means(calculation, course, &read) })
 }
 
-/// Mean and root mean square over the cycle or the part of it that is calculated.
+/// Means over the cycle or the part of it that is calculated.
 fn means(
     calculation: &Calculation,
     course: &Course,
     read: &dyn Fn(&Table, usize) -> Option<f64>,
-) -> Option<[f64; 2]> {
+) -> Option<Means> {
     let input = &calculation.linkage.mechanism.input;
     let last = if input.is_cycle() { input.positions } else { input.positions.saturating_sub(1) };
-    let jumps: Vec<f64> = course.jumps().map(|jump| jump.at).collect();
-    let [mean, rms] = calculation.means([0, last].map(|index| input.coordinate(index)), &jumps, read)?;
-    // What is left of a mean of zero is rounding.
-    Some([if mean.abs() <= ROUNDING * rms { 0.0 } else { mean }, rms])
+    let size = course.highest_and_lowest()?.iter().fold(0.0_f64, |most, [_, value]| most.max(value.abs()));
+    calculation.means([0, last].map(|index| input.coordinate(index)), size, read)
 }
 
-/// A mean below this part of the root mean square has no correct digit: some rounding units.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
-/// Mean and root mean square over the cycle; a part of a cycle has no mean of this kind.
-fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -> Option<[f64; 2]> {
+/// Means over the cycle; a part of a cycle has none of this kind.
+fn mean_balancing(calculation: &Calculation, positions: &Table, edges: &Edges) -> Option<Means> {
     if !calculation.linkage.mechanism.input.is_cycle() {
         return None;
     }

@@ -3,13 +3,14 @@
 //! A formula is written once, over [`Real`]: `f64` is the usual number, `f32` shows the effect of single precision,
 //! [`Dd`] (about 32 digits) gives references for the accuracy charts, [`Lanes`] computes several positions of the
 //! mechanism at once, and [`Intervals`] enclose a quantity between positions. [`search`] has bisection, bracketed roots and golden
-//! sections along one variable, and [`panel`] what a function on an interval is approximated by. A [`Statistic`] gathers extremes and
-//! means.
+//! sections along one variable, [`panel`] what a function on an interval is approximated by, and [`quadrature`] integrals with their
+//! errors. A [`Statistic`] gathers extremes and means.
 
 mod dd;
 mod intervals;
 mod lanes;
 pub mod panel;
+pub mod quadrature;
 mod real;
 pub mod search;
 mod sine;

@@ -130,20 +130,42 @@ impl Calculation {
                 // Where the mechanism can't go, nothing is known of what moves.
                 return Vec::new();
             }
-            seen.motion(&position.bodies);
-            if let Some(loads) = self.loads.as_ref().filter(|_| self.is_prescribed()) {
-                let state = LoadState::prescribed(&linkage.mechanism, position.coordinate);
-                loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
-                    let body = &position.bodies[link];
-                    let terms = [wrench.fx * body.x1, wrench.fy * body.y1, wrench.m * body.w1];
-                    let size =
-                        wrench.fx.hypot(wrench.fy) * seen.unit + wrench.m.abs() * seen.unit / seen.size;
-                    let terms = terms.iter().map(|term| term.abs()).sum::<f64>().max(size);
-                    seen.load(cause, power(&wrench, body), terms);
-                });
+            self.see(&position, &mut seen);
+        }
+        if seen.loads.values().any(|seen| seen.contains(&false)) {
+            for place in self.between_changes() {
+                if linkage.solve(place, Order::First, &mut position).is_ok() {
+                    self.see(&position, &mut seen);
+                }
             }
         }
         if count < FEWEST_POSITIONS { Vec::new() } else { seen.notices() }
+    }
+
+    fn see(&self, position: &Position, seen: &mut Seen<'_>) {
+        seen.motion(&position.bodies);
+        let Some(loads) = self.loads.as_ref().filter(|_| self.is_prescribed()) else { return };
+        let state = LoadState::prescribed(&self.linkage.mechanism, position.coordinate);
+        loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
+            let body = &position.bodies[link];
+            let terms = [wrench.fx * body.x1, wrench.fy * body.y1, wrench.m * body.w1];
+            let size = wrench.fx.hypot(wrench.fy) * seen.unit + wrench.m.abs() * seen.unit / seen.size;
+            let terms = terms.iter().map(|term| term.abs()).sum::<f64>().max(size);
+            seen.load(cause, power(&wrench, body), terms);
+        });
+    }
+
+    /// A place in each of the parts into which the positions and the places where loads change divide the motion: a load may act
+    /// between the positions only.
+    fn between_changes(&self) -> Vec<f64> {
+        // Formulas vanish in the middle of positions for the same reason as in them.
+        const PART: f64 = 0.381_966;
+        let input = &self.linkage.mechanism.input;
+        let last = if input.is_cycle() { input.positions } else { input.positions.saturating_sub(1) };
+        let mut places: Vec<f64> = (0..=last).map(|index| input.coordinate(index)).collect();
+        places.extend(self.known_places([0, last].map(|index| input.coordinate(index))));
+        places.sort_by(f64::total_cmp);
+        places.windows(2).map(|two| two[0] + PART * (two[1] - two[0])).collect()
     }
 
     /// Whether the loads of the positions are those of the scene's motion, or of no motion.

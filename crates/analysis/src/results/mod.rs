@@ -30,7 +30,7 @@ mod table;
 
 pub use crate::angles::Starts;
 pub use crate::edges::Edges;
-pub use crate::extremes::{Peaks, Turn};
+pub use crate::extremes::{Means, Peaks, Turn};
 pub use crate::friction::FrictionCycle;
 pub use crate::several::{ForceOrMoment, Several, SolutionReport};
 pub use analysis::{

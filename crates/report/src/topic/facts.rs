@@ -92,6 +92,14 @@ fn farthest(analysis: &Analysis, column: Column) -> Option<Turn> {
     })
 }
 
+/// An extreme with its place; one that is not finite grows without limit towards that place.
+fn extreme(id: &'static str, turn: Turn, unit: Unit, place: Unit) -> Fact {
+    if turn.value.is_finite() {
+        return Fact::number(id, turn.value, unit).at(&[turn.at], place);
+    }
+    Fact::text(id, text!("fact-unlimited", place = place.show_all(&[turn.at])))
+}
+
 /// A mechanism that can't be assembled everywhere has no strokes.
 fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let Ok(found) = overview(linkage) else { return Vec::new() };
@@ -116,7 +124,7 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         let speed = Column::of(Quantity::Velocity, owner);
         facts.push(if let Some(turn) = farthest(analysis, speed) {
             let unit = if is_slide { MOVING[0] } else { TURNING[0] };
-            of(Fact::number("fact-fastest", turn.value, unit)).at(&[turn.at], place).about(speed)
+            of(extreme("fact-fastest", turn, unit, place)).about(speed)
         } else {
             let [value, at] =
                 if pf1.max.abs() >= pf1.min.abs() { [pf1.max, pf1.at_max] } else { [pf1.min, pf1.at_min] };
@@ -142,14 +150,14 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let pairs = shown(&analysis.positions);
     let moduli =
         pairs.iter().filter_map(|(pair, link)| farthest(analysis, force(*pair, *link).part(Part::Modulus)));
-    let floor = ROUNDING * moduli.fold(0.0, |most: f64, turn| most.max(turn.value.abs()));
+    let moduli = moduli.map(|turn| turn.value.abs()).filter(|value| value.is_finite());
+    let floor = ROUNDING * moduli.fold(0.0, f64::max);
     for links in pairs.chunk_by(|one, other| one.0 == other.0) {
         let pair = links[0].0;
         let of_pair = |id: &'static str, column: Column, unit: Unit| {
             let lever = if unit == MOMENT { linkage.structure.scale } else { 1.0 };
             let turn = farthest(analysis, column).filter(|turn| turn.value.abs() > floor * lever)?;
-            let fact = Fact::number(id, turn.value, unit).of("pair", named(Owner::Pair(pair)));
-            Some(fact.at(&[turn.at], place).about(column))
+            Some(extreme(id, turn, unit, place).of("pair", named(Owner::Pair(pair))).about(column))
         };
         for &(_, link) in links {
             let column = force(pair, link).part(Part::Modulus);
@@ -174,17 +182,19 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     } else {
         (["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"], FORCE)
     };
-    let greatest = Fact::number(ids[0], turn.value, unit).at(&[turn.at], place);
-    let mut facts = vec![greatest.about(Column::BALANCING)];
+    let mut facts = vec![extreme(ids[0], turn, unit, place).about(Column::BALANCING)];
     // The mean moment of a regime is that of its works.
     let means = analysis.peaks.balancing.filter(|_| linkage.mechanism.balance.is_none());
     let means = means.filter(|_| analysis.dynamics.is_none());
-    for (id, value) in ids[1..].iter().zip(means.into_iter().flatten()) {
-        facts.push(Fact::number(id, value, unit).about(Column::BALANCING));
+    for (id, value) in ids[1..].iter().zip(means.iter().flat_map(|means| [means.mean, means.rms])) {
+        let is_sure = means.is_some_and(|means| means.are_sure());
+        let error = means.map_or(0.0, |means| means.error);
+        let unsure = || text!("fact-unsure", value = unit.show(value), error = unit.show(error));
+        let fact = if is_sure { Fact::number(id, value, unit) } else { Fact::text(id, unsure()) };
+        facts.push(fact.about(Column::BALANCING));
     }
     let power = analysis.peaks.power.filter(|_| means.is_some());
-    let power =
-        power.map(|turn| Fact::number("fact-greatest-power", turn.value, POWER).at(&[turn.at], place));
+    let power = power.map(|turn| extreme("fact-greatest-power", turn, POWER, place));
     facts.extend(power.map(|fact| fact.about(Column::BALANCING)));
     facts
 }

@@ -134,13 +134,19 @@ fn to_extreme(state: &mut State, told: &'static str, turn: Option<Turn>) {
         text!("place-between", at = at, one = number(before), other = number(round(before, 1, count)))
     };
     let value = quantity(plain(series.factor * found.value), unit.clone());
+    let (value, place) = if found.value.is_finite() {
+        (value, place)
+    } else {
+        let (own, factor) = coordinate_unit(&scene.linkage);
+        (text!("say-unlimited", at = quantity(digits(factor * found.at, 6), own)), Text::default())
+    };
     let text = Text::message(told, vec![("quantity", series.of.clone()), ("value", value), ("place", place)]);
     state.extreme = Some((series.column, near, turn.at));
     state.go_to(near);
     state.say(Role::Plain, text);
 }
 
-/// An extreme of a curve as the calculation finds it between the places that are drawn.
+/// An extreme of a curve as the calculation finds it between the places that are drawn; infinite where it grows without limit.
 fn refined(scene: &Scene, series: &Series, turn: Turn) -> Turn {
     let Some(found) = &scene.found else { return turn };
     let column = series.column;
@@ -149,5 +155,9 @@ fn refined(scene: &Scene, series: &Series, turn: Turn) -> Turn {
         let value = table.get(row, column)?;
         Some(if is_angle { continuous_angle(value, turn.value) } else { value })
     };
-    found.plans.calculation().refined(&[turn], value).first().copied().unwrap_or(turn)
+    let ends: Vec<_> =
+        series.course.ends().into_iter().filter(|[known, _]| known.to_bits() == turn.at.to_bits()).collect();
+    let calculation = found.plans.calculation();
+    let unlimited = calculation.unlimited(&ends, value);
+    unlimited.first().or(calculation.refined(&[turn], value).first()).copied().unwrap_or(turn)
 }

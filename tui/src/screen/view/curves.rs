@@ -3,8 +3,8 @@
 
 use std::collections::BTreeSet;
 
-use assur_analysis::results::{Owner, Quantity, Turn};
-use assur_book::{Column, Table, catalogue, row};
+use assur_analysis::results::{Means, Owner, Quantity, Turn};
+use assur_book::{Cell, Column, Table, catalogue, row};
 use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
 use assur_report::text::Line;
 use assur_words::{self as words, Text, joined, list, name, quantity, text, unit};
@@ -171,8 +171,11 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
         };
         let range = scene.found.as_ref().and_then(|found| found.range(&series));
         let (greatest, least) = (range.map(|all| all.greatest), range.map(|all| all.least));
-        let means = range.and_then(|all| all.means);
-        let value = |extreme: Option<Turn>| extreme.map(|extreme| shown(extreme.value));
+        let means = range.and_then(|all| all.means).filter(Means::are_sure);
+        let value = |extreme: Option<Turn>| match extreme {
+            Some(extreme) if extreme.value.is_infinite() => Cell::from(text!("curve-unlimited")),
+            extreme => Cell::from(extreme.map(|extreme| shown(extreme.value))),
+        };
         let at = |extreme: Option<Turn>| extreme.map(|extreme| place(extreme.at));
         row![
             plots::numbered(number, series.of.clone()),
@@ -181,8 +184,8 @@ fn extremes(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
             at(greatest),
             value(least),
             at(least),
-            means.map(|[mean, _]| shown(mean)),
-            means.map(|[_, rms]| shown(rms)),
+            means.map(|means| shown(means.mean)),
+            means.map(|means| shown(means.rms)),
         ]
     };
     let rows = picked(state, scene).into_iter().enumerate().map(row);

@@ -85,7 +85,7 @@ type Finding = (Text, f64);
 
 /// The results of a scene, of which those with the same name belong together.
 fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
-    let mut results = Vec::new();
+    let mut results: Vec<Finding> = Vec::new();
     let named = |id: &'static str, series: &Series| {
         list([text!(id, quantity = &series.head), unit(series.unit.clone())])
     };
@@ -110,6 +110,8 @@ fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
         results.push((of("values-power", "W"), dynamics.figures.required_power));
     }
     results.extend(scene.nearest_group().map(|(_, least, _)| (text!("values-determinant"), least)));
+    // What grows without limit has no value to compare.
+    results.retain(|(_, value)| value.is_finite());
     results
 }
 
