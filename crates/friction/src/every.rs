@@ -90,7 +90,9 @@ impl Moduli {
             }
         }
         let steps = &mut Steps::new(self);
-        points.into_iter().for_each(|point| add(point, steps, &mut found));
+        for point in points {
+            add(point, steps, &mut found);
+        }
         found
     }
 

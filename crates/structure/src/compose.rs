@@ -205,7 +205,7 @@ fn group_of(mechanism: &Mechanism, frame: GroupFrame, pairs: &[NamedPair]) -> Re
     };
     let held = frame.pairs().filter(|pair| pair.is_slide()).find_map(|slide| {
         let pin = frame.pairs().find(|pair| !pair.is_slide() && joins(pair, slide))?;
-        Some([pin, slide].map(|pair| name_of(mechanism, pairs[pair.id].source).clone()))
+        Some([pin, slide].map(|pair| Box::new(name_of(mechanism, pairs[pair.id].source).clone())))
     });
     if let Some([pin, slide]) = held {
         return Err(StructureError::Held { pin, slide });

@@ -24,7 +24,7 @@ pub enum SurplusCause {
     /// Slides alone hold a link at two different angles.
     Angles {
         /// The last of these slides.
-        slide: Name,
+        slide: Box<Name>,
         /// What its angle misses, rad.
         off: f64,
         /// The `tilt` with which it would miss nothing, rad.
@@ -70,9 +70,9 @@ pub enum StructureError {
     /// A pin and a slide of a group join the same two links, which so can't move on each other, while others of the group are not held.
     Held {
         /// The pin.
-        pin: Name,
+        pin: Box<Name>,
         /// The slide.
-        slide: Name,
+        slide: Box<Name>,
     },
     /// No plugin solves a group.
     NoPlugin {
@@ -156,7 +156,7 @@ impl Describe for StructureError {
             ),
             Self::Surplus { cause: SurplusCause::Angles { slide, off, tilt }, .. } => {
                 let shown = |angle: &f64| quantity((angle.to_degrees() * 1e6).round() / 1e6, "deg");
-                let slide = Text::from(slide);
+                let slide = Text::from(&**slide);
                 text!("structure-slide-angles", slide, off = shown(off), tilt = shown(tilt))
             }
             Self::Surplus { counted, pairs, links, cause } => text!(
@@ -167,17 +167,18 @@ impl Describe for StructureError {
                 count = pairs.len(),
                 links = links_named(links),
                 cause = match cause {
-                    SurplusCause::None => Text::default(),
+                    SurplusCause::None | SurplusCause::Angles { .. } => Text::default(),
                     SurplusCause::Misses(misfit) => text!(
                         "structure-misses",
                         misfit = quantity(format_args!("{:.3}", misfit * 1e3), "mm")
                     ),
-                    SurplusCause::Angles { .. } => Text::default(),
                     SurplusCause::TooMany { surplus, most } =>
                         text!("structure-too-many", surplus = *surplus, most = *most),
                 }
             ),
-            Self::Held { pin, slide } => text!("structure-slide-on-pinned", slide, pin),
+            Self::Held { pin, slide } => {
+                text!("structure-slide-on-pinned", slide = Text::from(&**slide), pin = Text::from(&**pin))
+            }
             Self::NoPlugin { links, class, order, pattern } => text!(
                 "structure-no-plugin",
                 links = links_named(links),

@@ -7,9 +7,21 @@ use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Unex
 
 /// Keys whose value is null where a check is not conclusive, or has no reason for that; where its residual or limit is no number; where a note is about no key; where a kind of
 /// groups can't list its modes, or one of them is singular; where a position without a solution has no limit, or an efficiency is undetermined; where
-/// dry friction holds a motion at rest.
-const MAY_BE_NULL: [&str; 11] =
-    ["ok", "why", "key", "way", "ways", "modes", "condition", "residual", "limit", "efficiency", "balancing"];
+/// dry friction holds a motion at rest; where no length of a passive part has to change.
+const MAY_BE_NULL: [&str; 12] = [
+    "ok",
+    "why",
+    "key",
+    "way",
+    "ways",
+    "modes",
+    "condition",
+    "residual",
+    "limit",
+    "efficiency",
+    "balancing",
+    "closes",
+];
 
 /// Keys under which, at any depth, values are null that dry friction at rest leaves undetermined.
 const UNDETERMINED: [&str; 2] = ["reactions", "friction"];

@@ -32,7 +32,7 @@ fn angles_of_slides(mechanism: &Mechanism) -> Option<SurplusCause> {
                     let off = (on + turn - own + PI).rem_euclid(TAU) - PI;
                     if off.abs() > SAME {
                         return Some(SurplusCause::Angles {
-                            slide: slide.name.clone(),
+                            slide: Box::new(slide.name.clone()),
                             off: off.abs(),
                             tilt: (slide.tilt - off + PI).rem_euclid(TAU) - PI,
                         });
