@@ -87,7 +87,7 @@ const ANSWERS: &[(&str, Answer)] = &[
             let is_loaded = |position: &Value| position["reactions"]["B"].is_object();
             positions.len() == 15
                 && positions.iter().all(is_loaded)
-                && is(&positions[13]["coordinate"], 1.047_197_551, 1e-9)
+                && is(&positions[13]["coordinate"], std::f64::consts::FRAC_PI_3, 1e-9)
                 && is(&positions[13]["balancing"], -4.594_761_88, 1e-8)
         }),
     ),

@@ -3,6 +3,8 @@
 //! Over a cycle at constant speed weights and inertia do no net work, so that the mean of the balancing load times the cycle is what
 //! the other loads take.
 
+#![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
+
 use std::f64::consts::TAU;
 
 use assur_all as _;

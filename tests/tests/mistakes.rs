@@ -1,5 +1,7 @@
 //! What newcomers write by mistake and a scene allows: each is reported with its key, and no shipped scene has any.
 
+#![expect(clippy::unwrap_used, reason = "a test fails where something is missing")]
+
 use assur_all as _;
 use assur_analysis::{Calculation, Options, unwatched};
 use assur_mechanism::Notice;

@@ -450,7 +450,7 @@ fn bare_numbers_of_another_unit_are_doubted() {
         let notes = message.lines().filter(|line| line.starts_with("note: ")).collect::<Vec<_>>();
         match told {
             Some(told) => {
-                assert!(matches!(notes[..], [note] if note.contains(told)), "{arguments:?}: {message}")
+                assert!(matches!(notes[..], [note] if note.contains(told)), "{arguments:?}: {message}");
             }
             None => assert!(notes.is_empty(), "{arguments:?}: {message}"),
         }

@@ -8,13 +8,15 @@ use assur_mechanism::{GROUND, InputPair, Mechanism};
 use assur_scene::edit::{ParsedText, replaced};
 use assur_testkit::Rng;
 
+/// A change of a scene's text; `None` where the scene has no place for it.
+type Change = fn(&str, &Mechanism, &mut Rng) -> Option<String>;
+
 /// The text of variant `number` of the shipped scenes; the same for the same number.
 pub fn variant(number: u64) -> String {
     let mut rng = Rng::new(number);
     let (name, text) = rng.pick(assur_fixtures::SCENES);
     let mut text = (*text).to_owned();
-    let changes: [fn(&str, &Mechanism, &mut Rng) -> Option<String>; 6] =
-        [numbers, friction, inertia, passive, assembly, input];
+    let changes: [Change; 6] = [numbers, friction, inertia, passive, assembly, input];
     let wanted = 1 + rng.below(changes.len() - 1);
     for _ in 0..wanted {
         let change = rng.pick(&changes);
@@ -26,6 +28,7 @@ pub fn variant(number: u64) -> String {
 }
 
 /// Lengths a little, masses, speeds and sizes of loads more.
+#[allow(clippy::unnecessary_wraps, reason = "one `Change` of several")]
 fn numbers(text: &str, _: &Mechanism, rng: &mut Rng) -> Option<String> {
     let changed: Vec<_> = (ParsedText::of(text).values().into_iter())
         .filter_map(|value| {
@@ -47,6 +50,7 @@ fn numbers(text: &str, _: &Mechanism, rng: &mut Rng) -> Option<String> {
 }
 
 /// Dry friction in some pairs that have none.
+#[allow(clippy::unnecessary_wraps, reason = "one `Change` of several")]
 fn friction(text: &str, mechanism: &Mechanism, rng: &mut Rng) -> Option<String> {
     let known = |pair: &str| text.contains(&format!("pair = \"{pair}\""));
     let mut all = String::new();
@@ -130,6 +134,7 @@ fn passive(text: &str, mechanism: &Mechanism, rng: &mut Rng) -> Option<String> {
 }
 
 /// Another assembly: without the places of the scene, or with some of them mirrored.
+#[allow(clippy::unnecessary_wraps, reason = "one `Change` of several")]
 fn assembly(text: &str, _: &Mechanism, rng: &mut Rng) -> Option<String> {
     let values: Vec<_> = (ParsedText::of(text).values().into_iter())
         .filter(|value| value.key.to_string().starts_with("assembly.") && rng.chance(0.5))
