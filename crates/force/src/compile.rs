@@ -215,7 +215,14 @@ impl<'a> Compiler<'a> {
             let turning = (angle(q + step) - angle(q - step)) / (2.0 * step);
             Ok(Rate::of(&body, center.at, contact.radius, [angle(q), turning]))
         };
-        Ok(Sliding::find(&mut rate, &span))
+        let found = Sliding::find(&mut rate, &span);
+        if !found.never_moves() {
+            return Ok(found);
+        }
+        // A mechanism that can be assembled over less than a cell of the grid is met at the positions of the scene alone.
+        let listed = self.positions();
+        let steps = u32::try_from(self.mechanism.input.positions).unwrap_or(u32::MAX).saturating_sub(1);
+        Ok(Sliding::find(&mut rate, &Span { cells: steps.clamp(1, listed.cells), ..listed }))
     }
 
     fn law(&self, at: Option<Place>, value: &Value) -> Result<Law, LoadFault> {
