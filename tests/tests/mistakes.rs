@@ -399,7 +399,7 @@ fn a_guide_through_the_origin_and_pins_of_one_link_are_named() {
         "[assembly]\nQ",
         1,
     ));
-    assert!(loose.contains("in one link only stand rod: Q, ram: B"), "{loose}");
+    assert!(loose.contains("in one link only: rod: Q, ram: B"), "{loose}");
 }
 
 #[test]

@@ -60,7 +60,7 @@ fn a_parameter_that_is_written_otherwise_is_told() {
         ("link..mass=1..2:3", "a key consists of names joined by dots, such as `link.crank.mass`"),
         (
             "link[x].mass=1..2:3",
-            "`[x]` is no element: write a whole number from 0, two of them as in `[1..2]`, or `[*]` for all",
+            "`[x]` is not an element: write a whole number from 0, a range such as `[1..2]`, or `[*]` for all",
         ),
         ("link[0.mass=1..2:3", "a `[` is not closed"),
         ("link[0]mass=1..2:3", "a key continues with `.` or `[`, not `mass`"),
