@@ -330,7 +330,7 @@ picker-motors = Motors of at least { $power }{ $limit }: kW, rpm no load/rated, 
 picker-motors-limit = { "," } at most { $speed }
 plans-no-construction = no method with a construction fits here
 plans-key = F load  R reaction  .. inside the group
-plans-open = closure error: { $open } of the greatest
+plans-open = left open: { $open } of the greatest
 plans-step = { $construction }, step { $step }
 plans-step-of = step { $step } of { $count } ({ $key } draws the next)
 structure-mobility = mobility W = 3 n - 2 p = 3 * { $links } - 2 * { $pairs } = { $mobility };  mechanism of class { $class }
