@@ -91,10 +91,14 @@ impl<T: Real> Left<T> {
         let count = rows.len();
         let mut columns = vec![Vec::new(); count];
         for (row, entries) in rows.iter().enumerate() {
-            entries.iter().for_each(|(column, _)| columns[*column].push(row));
+            for (column, _) in entries {
+                columns[*column].push(row);
+            }
         }
         let mut left = Self { rows, order: (0..count).collect(), columns, best: vec![None; count] };
-        (0..count).for_each(|row| left.best[row] = left.best_of(row));
+        for row in 0..count {
+            left.best[row] = left.best_of(row);
+        }
         left
     }
 
@@ -132,7 +136,9 @@ impl<T: Real> Left<T> {
         let (place, column) = self.choose()?;
         let row = self.order.swap_remove(place);
         let mut upper = std::mem::take(&mut self.rows[row]);
-        upper.iter().for_each(|(column, _)| self.columns[*column].retain(|other| *other != row));
+        for (column, _) in &upper {
+            self.columns[*column].retain(|other| *other != row);
+        }
         let (_, pivot) = upper.swap_remove(upper.iter().position(|(c, _)| *c == column)?);
         let mut changed = std::mem::take(&mut self.columns[column]);
         let mut lower = Vec::with_capacity(changed.len());
@@ -146,7 +152,9 @@ impl<T: Real> Left<T> {
         changed.extend(upper.iter().flat_map(|(column, _)| &self.columns[*column]));
         changed.sort_unstable();
         changed.dedup();
-        changed.into_iter().for_each(|row| self.best[row] = self.best_of(row));
+        for row in changed {
+            self.best[row] = self.best_of(row);
+        }
         Some(Step { row, column, pivot, upper, lower })
     }
 }
