@@ -4,6 +4,7 @@
 use assur_group::Body;
 use assur_kinematics::PositionError;
 use assur_mechanism::LawTable;
+use assur_number::elementary;
 use assur_number::search::{bisect, try_newton_root};
 
 use crate::LoadFault;
@@ -43,7 +44,7 @@ impl Travel {
         span: &Span,
         scale: f64,
     ) -> Result<Self, LoadFault> {
-        let mut along = Along { body, at, axis: [angle.cos(), angle.sin()], scale };
+        let mut along = Along { body, at, axis: [elementary::cos(angle), elementary::sin(angle)], scale };
         let reversals = along.reversals(span)?;
         Self::between(&mut along, &reversals, span)
     }
@@ -179,7 +180,7 @@ impl Stroke {
         [span, reach]: [&Span; 2],
         scale: f64,
     ) -> Result<Self, LoadFault> {
-        let axis = [angle.cos(), angle.sin()];
+        let axis = [elementary::cos(angle), elementary::sin(angle)];
         let mut along = Along { body, at, axis, scale };
         let within = along.reversals(span)?;
         let travel = Travel::between(&mut along, &within, span)?;

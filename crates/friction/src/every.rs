@@ -1,5 +1,7 @@
 //! All solutions of the equations in moduli.
 
+use assur_number::elementary;
+
 use crate::matrix::solve;
 use crate::moduli::{Moduli, Width, length};
 use crate::quadrics::{self, Quadric};
@@ -123,9 +125,9 @@ impl Moduli {
         let size = steps.size(&vec![0.0; self.count()]);
         for trial in 0..TRIALS {
             // Each modulus has a sequence of its own: the fractions of the multiples of an irrational number.
-            let part = |j: usize| (f64::from(trial) * (1.0 + j as f64).sin()).rem_euclid(1.0);
+            let part = |j: usize| (f64::from(trial) * elementary::sin(1.0 + j as f64)).rem_euclid(1.0);
             let start: Vec<f64> =
-                (0..self.count()).map(|j| size * 10_f64.powf(4.0 * part(j) - 2.0)).collect();
+                (0..self.count()).map(|j| size * elementary::powf(10.0, 4.0 * part(j) - 2.0)).collect();
             if let Some(z) = steps.newton_within(STEPS, &start) {
                 add(z, steps, found);
             }

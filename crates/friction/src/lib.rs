@@ -16,6 +16,8 @@
 //!
 //! Nothing here knows of mechanisms; numbers may have any unit.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod every;
 mod matrix;
 mod moduli;

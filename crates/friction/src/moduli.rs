@@ -1,5 +1,7 @@
 //! The equations in moduli, and what is found of them by iteration, and along a path: how a solution changes as friction grows.
 
+use assur_number::elementary;
+
 use crate::matrix::spectral_radius;
 use crate::steps::Steps;
 
@@ -140,7 +142,7 @@ impl Moduli {
 }
 
 pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
-    if y == 0.0 { x.abs() } else { x.hypot(y) }
+    if y == 0.0 { x.abs() } else { elementary::hypot(x, y) }
 }
 
 /// A slope below this part of the greatest that its unknown has, and of 1, is rounding of the linear equations that gave it.

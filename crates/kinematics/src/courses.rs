@@ -7,6 +7,7 @@
 use std::f64::consts::TAU;
 
 use assur_group::{Body, GroupError, Mode};
+use assur_number::elementary;
 use serde::Serialize;
 
 mod event;
@@ -332,10 +333,11 @@ impl<'a> Walk<'a> {
     /// Distance of two modes; of far places as seen on a sphere, on which infinity is a point.
     fn apart(&self, one: &Mode<f64>, other: &Mode<f64>) -> f64 {
         let distance = |(a, b): (&Body<f64>, &Body<f64>)| {
-            let [far, farther] =
-                [a, b].map(|body| (body.x / self.scale()).hypot(body.y / self.scale()).hypot(1.0));
-            let place = (a.x - b.x).hypot(a.y - b.y) / (self.scale() * far * farther);
-            place.max((a.c - b.c).hypot(a.s - b.s))
+            let [far, farther] = [a, b].map(|body| {
+                elementary::hypot(elementary::hypot(body.x / self.scale(), body.y / self.scale()), 1.0)
+            });
+            let place = elementary::hypot(a.x - b.x, a.y - b.y) / (self.scale() * far * farther);
+            place.max(elementary::hypot(a.c - b.c, a.s - b.s))
         };
         one.bodies.iter().zip(&other.bodies).map(distance).fold(0.0, f64::max)
     }
@@ -344,7 +346,7 @@ impl<'a> Walk<'a> {
 /// Whether a link is far away on opposite sides.
 fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
     one.bodies.iter().zip(&other.bodies).any(|(a, b)| {
-        let is_far = a.x.hypot(a.y).min(b.x.hypot(b.y)) > OPPOSITE * scale;
+        let is_far = elementary::hypot(a.x, a.y).min(elementary::hypot(b.x, b.y)) > OPPOSITE * scale;
         is_far && a.x * b.x + a.y * b.y < 0.0
     })
 }

@@ -9,6 +9,7 @@
 use std::f64::consts::{PI, TAU};
 
 use assur_group::Body;
+use assur_number::elementary;
 use assur_number::panel::shares;
 use assur_number::{Dd, Real};
 
@@ -143,7 +144,7 @@ impl Interpolant {
         solve: &mut impl FnMut(Dd) -> Option<Solved>,
     ) -> Option<Self> {
         let node = |i: usize| {
-            let (sine, cosine) = (PI * ((i % count) as f64 + 0.5) / count as f64).sin_cos();
+            let (sine, cosine) = elementary::sin_cos(PI * ((i % count) as f64 + 0.5) / count as f64);
             let square = 0.5 * ((SPREAD * SPREAD + 1.0) + (SPREAD * SPREAD - 1.0) * cosine);
             let x = if i < count { square.sqrt() } else { -square.sqrt() };
             let (bodies, _) = solve(place(center, x * half_width))?;
@@ -237,7 +238,7 @@ impl Interpolant {
             }
         }
         let body = Body::of_numbers(sum);
-        let length = body.c.hypot(body.s);
+        let length = elementary::hypot(body.c, body.s);
         Body { c: body.c / length, s: body.s / length, ..body }
     }
 }

@@ -10,6 +10,8 @@
 //! at every coordinate. Close to a change point the group's equations lose all their digits; the smooth motion is
 //! interpolated across it.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod branch;
 mod chain;
 mod courses;

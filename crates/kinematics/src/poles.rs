@@ -1,8 +1,8 @@
 //! Finds where links run to infinity: two guides of a group become parallel without coinciding.
 
 use assur_group::Order;
-use assur_number::Real;
 use assur_number::search::least;
+use assur_number::{Real, elementary};
 
 use crate::regular::INTERVALS;
 use crate::{AssemblyRange, Enclosures, Linkage, Position};
@@ -92,7 +92,7 @@ impl Linkage {
         }
         let links = &self.structure.groups[group].frame.links;
         let far = |&link: &usize| {
-            position.bodies[link].x.hypot(position.bodies[link].y) > AWAY * self.structure.scale
+            elementary::hypot(position.bodies[link].x, position.bodies[link].y) > AWAY * self.structure.scale
         };
         links.iter().any(far)
     }

@@ -2,7 +2,7 @@
 
 use assur_group::{AssurGroup, Body, GroupError};
 use assur_mechanism::GROUND;
-use assur_number::{Lanes, Real as _};
+use assur_number::{Lanes, Real as _, elementary};
 
 use crate::branch::Branch;
 use crate::track::{LONGEST, Tracker};
@@ -217,8 +217,8 @@ pub(crate) fn pose_distance(
     scale: f64,
 ) -> f64 {
     let apart = |(a, b): (Body<f64>, Body<f64>)| {
-        let place = (a.x - b.x).hypot(a.y - b.y) / scale;
-        place.max((a.c - b.c).hypot(a.s - b.s))
+        let place = elementary::hypot(a.x - b.x, a.y - b.y) / scale;
+        place.max(elementary::hypot(a.c - b.c, a.s - b.s))
     };
     one.into_iter().zip(other).map(apart).fold(0.0, f64::max)
 }

@@ -8,6 +8,7 @@
 //! The proof are forces `y_i` with `sum |y_i| = 1`: for every w, the greatest modulus of `F_i + B_i w` is at least
 //! `sum y_i (F_i + B_i w)`, which is the same for all w where `sum B_i y_i = 0`.
 
+use assur_number::elementary;
 use nalgebra::{DMatrix, DVector};
 
 /// Greatest number of steps; about fifteen are needed.
@@ -34,7 +35,7 @@ pub(crate) fn least_maximum(rows: &[LinearForce], start: &DVector<f64>, radius: 
     let mut greatest = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let found = points.point.rows(1, start.len()).into_owned();
-        let modulus = rows.iter().map(|row| row.at(found.as_slice())).map(|[x, y]| x.hypot(y));
+        let modulus = rows.iter().map(|row| row.at(found.as_slice())).map(|[x, y]| elementary::hypot(x, y));
         let here = modulus.fold(0.0, f64::max);
         least.bound = least.bound.max(bound(rows, &points.dual, radius));
         if here < greatest {
@@ -56,7 +57,7 @@ struct Points {
 
 impl Points {
     fn above(rows: &[LinearForce], start: &DVector<f64>) -> Self {
-        let modulus = rows.iter().map(|row| row.at(start.as_slice())).map(|[x, y]| x.hypot(y));
+        let modulus = rows.iter().map(|row| row.at(start.as_slice())).map(|[x, y]| elementary::hypot(x, y));
         let most = modulus.fold(0.0, f64::max);
         let point =
             DVector::from_iterator(1 + start.len(), [1.5 * most].into_iter().chain(start.iter().copied()));
@@ -177,7 +178,7 @@ pub(crate) type Cone = [f64; 3];
 
 /// The square of the modulus less that of the vector.
 pub(crate) fn inner([t, x, y]: Cone) -> f64 {
-    let size = x.hypot(y);
+    let size = elementary::hypot(x, y);
     (t - size) * (t + size)
 }
 
@@ -260,7 +261,7 @@ impl LinearForce {
 /// The best bound that a dual point proves for all unknowns of a modulus up to `radius`, with all its rows or with those alone
 /// that have a share in it.
 pub(crate) fn bound(rows: &[LinearForce], dual: &[Cone], radius: f64) -> f64 {
-    let size = |[_, x, y]: Cone| x.hypot(y);
+    let size = |[_, x, y]: Cone| elementary::hypot(x, y);
     let most = dual.iter().copied().map(size).fold(0.0, f64::max);
     let bound = |share: f64| {
         let shared = rows.iter().zip(dual).filter(|(_, dual)| size(**dual) >= share * most);
@@ -299,7 +300,7 @@ impl<'r> Shares<'r> {
     /// of it only, since the dual is at its greatest.
     fn balance(&mut self) {
         let left = self.left();
-        let weights: Vec<f64> = self.forces.iter().map(|[x, y]| x.hypot(*y).sqrt()).collect();
+        let weights: Vec<f64> = self.forces.iter().map(|[x, y]| elementary::hypot(*x, *y).sqrt()).collect();
         let matrix = DMatrix::from_fn(left.len(), 2 * self.rows.len(), |unknown, at| {
             weights[at / 2] * self.rows[at / 2].columns[unknown][at % 2]
         });
@@ -314,7 +315,7 @@ impl<'r> Shares<'r> {
 
     /// The greatest modulus is at least this for all unknowns of a modulus up to `radius`.
     fn bound(&self, radius: f64) -> f64 {
-        let size: f64 = self.forces.iter().map(|[x, y]| x.hypot(*y)).sum();
+        let size: f64 = self.forces.iter().map(|[x, y]| elementary::hypot(*x, *y)).sum();
         let each = self.rows.iter().zip(&self.forces);
         let work: f64 = each.map(|(row, [x, y])| x * row.force[0] + y * row.force[1]).sum();
         if size > 0.0 { (work - radius * self.left().norm()) / size } else { 0.0 }

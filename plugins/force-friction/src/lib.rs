@@ -13,6 +13,8 @@
 //! looked for it is one block too, with the acceleration in place of the balancing load: the drive is known, and the equation of
 //! the input link gives the acceleration linearly in the moduli, through the inertia loads.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod branches;
 mod chain;
 mod quick;
@@ -23,7 +25,7 @@ use assur_force::{
 };
 use assur_group::{AssurGroup, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};
-use assur_number::Lanes;
+use assur_number::{Lanes, elementary};
 use assur_words::text;
 
 use branches::Branch;
@@ -144,7 +146,7 @@ impl Chain<'_> {
         for unknown in &self.frictions.unknowns {
             let bearing = &self.frictions.bearings[unknown.bearing];
             let [x, y] = unknown.vector(bearing, &self.position.bodies, &branch.pairs);
-            let size = if unknown.is_modulus() { x.hypot(y) } else { x };
+            let size = if unknown.is_modulus() { elementary::hypot(x, y) } else { x };
             let factor = self.factor(unknown, 1.0) * size;
             let (share, moment) = (factor * unknown.share(bearing), factor * unknown.moment(bearing));
             forces[unknown.bearing] += share;

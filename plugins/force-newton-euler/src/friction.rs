@@ -8,6 +8,7 @@ use assur_force::{Doubt, FrictionForces as Found, FrictionSolution, Reactions};
 use assur_friction::{Moduli, PathPoint, Solutions, Width, path};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{LinkId, Mechanism, Middle, PairId, Surfaces};
+use assur_number::elementary;
 
 use crate::system::{Solution, System};
 
@@ -194,7 +195,7 @@ impl Frictional<'_> {
             (Kind::Press { .. }, PairId::Slide(id)) => {
                 let slide = &self.mechanism.slides[id];
                 let (a, b) = (&self.bodies[link], &self.bodies[on]);
-                let [x, y] = b.arm([slide.angle.cos(), slide.angle.sin()]);
+                let [x, y] = b.arm([elementary::cos(slide.angle), elementary::sin(slide.angle)]);
                 let force = [-factor * x, -factor * y];
                 let place = a.point(slide.point);
                 loads[link].add_at([place[0] - a.x, place[1] - a.y], force, 0.0);
@@ -210,7 +211,7 @@ impl Frictional<'_> {
             (Kind::Press { part, by_moment, middle }, PairId::Slide(id)) => {
                 let (slide, found) = (&self.mechanism.slides[id], &solution.slides[id]);
                 let [a, b] = unknown.links.map(|link| &self.bodies[link]);
-                let [x, y] = b.arm([slide.angle.cos(), slide.angle.sin()]);
+                let [x, y] = b.arm([elementary::cos(slide.angle), elementary::sin(slide.angle)]);
                 let normal = x * found.fy - y * found.fx;
                 let moment = match middle {
                     Middle::Point => found.m,
@@ -236,7 +237,8 @@ fn add_to_pairs(mechanism: &Mechanism, bodies: &[Body<f64>], found: &Found, pair
                 PairId::Pin(_) => pairs[pair].m += sign * force,
                 PairId::Slide(id) => {
                     let slide = &mechanism.slides[id];
-                    let [x, y] = bodies[slide.on].arm([slide.angle.cos(), slide.angle.sin()]);
+                    let [x, y] =
+                        bodies[slide.on].arm([elementary::cos(slide.angle), elementary::sin(slide.angle)]);
                     pairs[pair].m += shifts[id] * (x * pairs[pair].fy - y * pairs[pair].fx);
                     pairs[pair].fx += force * x;
                     pairs[pair].fy += force * y;

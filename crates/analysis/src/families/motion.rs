@@ -2,7 +2,7 @@
 
 use assur_group::Body;
 use assur_kinematics::{Linkage, PointMotion, ScalarMotion};
-use assur_number::Lanes;
+use assur_number::{Lanes, elementary};
 
 use super::Family;
 use crate::Calculation;
@@ -135,6 +135,6 @@ impl Motions {
 
 /// The angle of a link and its derivatives.
 fn turning(body: &Body<Lanes>) -> ScalarMotion<Lanes> {
-    let angle = Lanes::of(|lane| body.s.0[lane].atan2(body.c.0[lane]));
+    let angle = Lanes::of(|lane| elementary::atan2(body.s.0[lane], body.c.0[lane]));
     ScalarMotion { pf0: angle, pf1: body.w1, pf2: body.w2 }
 }

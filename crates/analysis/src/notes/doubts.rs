@@ -7,6 +7,7 @@ use assur_force::{Cause, LoadState, power};
 use assur_group::{Body, Order};
 use assur_kinematics::{Position, ScalarMotion};
 use assur_mechanism::{GROUND, Key, LoadId, Mechanism, Motion, Notice};
+use assur_number::elementary;
 use assur_words::{Text, joined, name, quantity, text};
 
 use crate::{Calculation, InputMotion};
@@ -104,7 +105,7 @@ impl Calculation {
         let missed = mechanism.assembly.iter().filter_map(|&(point, wanted)| {
             let (place, name) = (mechanism.points[point].places.first()?, &mechanism.points[point].name);
             let found = first.bodies[place.link].point(place.at);
-            let away = (found[0] - wanted[0]).hypot(found[1] - wanted[1]);
+            let away = elementary::hypot(found[0] - wanted[0], found[1] - wanted[1]);
             (away > FAR * size && is_placed(place.link)).then(|| {
                 let text = text!(
                     "analysis-place-missed",
@@ -149,7 +150,8 @@ impl Calculation {
         loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
             let body = &position.bodies[link];
             let terms = [wrench.fx * body.x1, wrench.fy * body.y1, wrench.m * body.w1];
-            let size = wrench.fx.hypot(wrench.fy) * seen.unit + wrench.m.abs() * seen.unit / seen.size;
+            let size =
+                elementary::hypot(wrench.fx, wrench.fy) * seen.unit + wrench.m.abs() * seen.unit / seen.size;
             let terms = terms.iter().map(|term| term.abs()).sum::<f64>().max(size);
             seen.load(cause, power(&wrench, body), terms);
         });
@@ -188,7 +190,7 @@ fn parted(
     poses: &[Vec<Body<f64>>],
     same: f64,
 ) -> Option<(usize, Vec<[f64; 2]>)> {
-    let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let apart = |a: [f64; 2], b: [f64; 2]| elementary::hypot(a[0] - b[0], a[1] - b[1]);
     let each = mechanism.points.iter().enumerate().filter_map(|(id, point)| {
         let place = point.places.iter().find(|place| links.contains(&place.link))?;
         let mut places: Vec<[f64; 2]> = Vec::new();
@@ -211,7 +213,7 @@ fn diagonal(places: impl Iterator<Item = [f64; 2]>) -> f64 {
         low = [low[0].min(place[0]), low[1].min(place[1])];
         high = [high[0].max(place[0]), high[1].max(place[1])];
     }
-    (high[0] - low[0]).hypot(high[1] - low[1])
+    elementary::hypot(high[0] - low[0], high[1] - low[1])
 }
 
 /// A place as it may be written in a scene.
@@ -245,7 +247,7 @@ impl<'m> Seen<'m> {
     fn motion(&mut self, bodies: &[Body<f64>]) {
         let least = STILL * self.unit;
         for (moves, body) in self.links.iter_mut().zip(bodies) {
-            *moves |= body.x1.hypot(body.y1) > least || body.w1.abs() * self.size > least;
+            *moves |= elementary::hypot(body.x1, body.y1) > least || body.w1.abs() * self.size > least;
         }
         for (moves, slide) in self.slides.iter_mut().zip(&self.mechanism.slides) {
             *moves |= ScalarMotion::of_slide(slide, bodies).pf1.abs() > least;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use assur_number::{Lanes, Real};
+use assur_number::{Lanes, Real, elementary};
 
 use super::{Column, Part, Schema, Section};
 
@@ -159,7 +159,7 @@ impl Table {
         match column.part {
             Part::Modulus => {
                 let [x, y] = [Part::X, Part::Y].map(|part| self.get(row, column.part(part)));
-                Some(x?.hypot(y?))
+                Some(elementary::hypot(x?, y?))
             }
             _ => self.at(row, self.schema.find(column)?),
         }

@@ -1,6 +1,7 @@
 //! What happens to the modes of a group between two coordinates next to each other: they meet, begin, end, or go on.
 
 use assur_group::Mode;
+use assur_number::elementary;
 
 use crate::modes::nearest_first;
 
@@ -131,7 +132,7 @@ impl Walk<'_> {
 
 /// Whether a link is so far away that it may run to infinity.
 fn is_far(mode: &Mode<f64>, scale: f64) -> bool {
-    mode.bodies.iter().any(|body| body.x.hypot(body.y) > FAR_AWAY * scale)
+    mode.bodies.iter().any(|body| elementary::hypot(body.x, body.y) > FAR_AWAY * scale)
 }
 
 /// Whether the sign of a determinant, and so its way, may be rounding.

@@ -2,6 +2,7 @@
 
 use assur_group::{Mode, Order};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, Slide};
+use assur_number::elementary;
 use assur_structure::{Excess, PassivePart, Structure, SurplusCause};
 
 use crate::Linkage;
@@ -277,7 +278,7 @@ fn doubled(mechanism: &Mechanism) -> Vec<PassivePart> {
         slides().any(|(earlier, kept)| {
             let (a, b, turn) = seen(kept);
             let before = if is_input(id) { false } else { earlier < id || is_input(earlier) };
-            before && (a, b) == (one, other) && (turn - angle).sin().abs() < MEANT_PARALLEL
+            before && (a, b) == (one, other) && elementary::sin(turn - angle).abs() < MEANT_PARALLEL
         })
     };
     slides()
