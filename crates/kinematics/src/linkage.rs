@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
 use assur_mechanism::{GROUND, Mechanism, Name, Slide};
-use assur_number::{Lanes, Real};
+use assur_number::{Lanes, Real, elementary};
 use assur_structure::Structure;
 
 use crate::dependence::Dependence;
@@ -351,7 +351,7 @@ impl Linkage {
                 .enumerate()
                 .flat_map(move |(k, one)| own.clone().skip(k + 1).map(move |other| [one, other]))
         });
-        let mut parallel = both.filter(|[one, other]| (one.1 - other.1).sin().abs() < PARALLEL);
+        let mut parallel = both.filter(|[one, other]| elementary::sin(one.1 - other.1).abs() < PARALLEL);
         parallel.next().map(|both| Box::new(both.map(|(slide, _)| slide.name.clone())))
     }
 

@@ -290,7 +290,7 @@ fn closed(sheet: &mut Sheet, axes: &Axes, k: &Acts, arc: &Arc) {
     let r2 = given(Symbol::from("r").of(2), arc.r2, "m");
     let b = given("b".into(), arc.b, "m");
     let radius = given("R".into(), arc.radius, "m");
-    let a = given("a".into(), x.atan2(y), "rad");
+    let a = given("a".into(), elementary::atan2(x, y), "rad");
     let (sin, cos) = (axes.f1.sin(), axes.f1.cos());
     let one = || Expr::number(1.0);
     let sin_rod = sheet.work(Symbol::from("sin").of("ψ"), &(&axes.r1 * &sin / &b), "");

@@ -12,7 +12,7 @@ fn reference(y: f64, x: f64) -> Dd {
     let mut angle = Dd::from_f64(y.atan2(x));
     for _ in 0..2 {
         let (s, c) = angle.sin_cos();
-        angle = angle + (y_dd * c - x_dd * s) / length;
+        angle += (y_dd * c - x_dd * s) / length;
     }
     angle
 }
