@@ -101,7 +101,7 @@ scene-inertia-smooth = its derivative stands in the equation of motion: use smoo
 scene-inertia-not-pinned = the moment of inertia of `{ $link }` varies, but no pin joins the link to the ground
 scene-inertia-of-a-number = give a number, or join the link to the ground by a pin
 scene-inertia-not-positive = `inertia` is { $value } kg*m^2 at q = { $at }
-scene-inertia-positive = a moment of inertia must be positive wherever the input comes
+scene-inertia-positive = a moment of inertia must be positive and at most { $most } wherever the input comes
 scene-no-link-name = `{ $name }` is no name of a link
 scene-no-point-name = `{ $name }` is no name of a point
 scene-what-is-a-name = a name must not be empty or contain a dot or invisible characters

@@ -104,7 +104,7 @@ scene-inertia-smooth = его производная входит в уравн�
 scene-inertia-not-pinned = момент инерции звена `{ $link }` переменный, но ни один шарнир не соединяет его со стойкой
 scene-inertia-of-a-number = дайте число или соедините звено со стойкой шарниром
 scene-inertia-not-positive = `inertia` равен { $value } kg*m^2 при q = { $at }
-scene-inertia-positive = момент инерции должен быть положительным везде, где проходит входное звено
+scene-inertia-positive = момент инерции должен быть положительным и не больше { $most } везде, где проходит входное звено
 scene-no-link-name = `{ $name }` не может быть именем звена
 scene-no-point-name = `{ $name }` не может быть именем точки
 scene-what-is-a-name = имя не может быть пустым, содержать точку или невидимые знаки

@@ -104,7 +104,7 @@ scene-inertia-smooth = його похідна входить до рівнян�
 scene-inertia-not-pinned = момент інерції ланки `{ $link }` змінний, але жоден шарнір не з'єднує її зі стояком
 scene-inertia-of-a-number = дайте число або з'єднайте ланку зі стояком шарніром
 scene-inertia-not-positive = `inertia` дорівнює { $value } kg*m^2 за q = { $at }
-scene-inertia-positive = момент інерції має бути додатним всюди, де проходить вхідна ланка
+scene-inertia-positive = момент інерції має бути додатним і не більшим за { $most } всюди, де проходить вхідна ланка
 scene-no-link-name = `{ $name }` не може бути ім'ям ланки
 scene-no-point-name = `{ $name }` не може бути ім'ям точки
 scene-what-is-a-name = ім'я не може бути порожнім, містити крапку чи невидимі знаки
