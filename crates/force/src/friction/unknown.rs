@@ -29,7 +29,7 @@ pub enum UnknownKind {
     Normal,
     /// |N/2 + M/l| or, with the sign -1, |N/2 - M/l| of a slide.
     End(f64),
-    /// N itself: the friction of faces beside the guide line has a moment that is linear in it.
+    /// N itself: the friction of faces offset from the guide line has a moment that is linear in it.
     Shift,
 }
 
