@@ -1,6 +1,6 @@
-//! Dry friction as equations in moduli of reactions.
+//! Dry friction as equations in magnitudes of reactions.
 //!
-//! With the linear equilibrium eliminated, what friction depends on are the moduli z of some vectors that are themselves
+//! With the linear equilibrium eliminated, what friction depends on are the magnitudes z of some vectors that are themselves
 //! affine in z: the force of a pin (two components) and the pressing forces of a slide (one component),
 //!
 //! ```text

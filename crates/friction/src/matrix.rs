@@ -25,7 +25,7 @@ pub(crate) fn is_contraction(matrix: &[f64], n: usize) -> Option<bool> {
                 return None;
             }
             (least, greatest) = (least.min(quotient), greatest.max(quotient));
-            // With a part of the vector before, none of the quotients goes to and fro.
+            // With a part of the vector before, none of the quotients oscillates.
             *next = own + image;
         }
         if greatest < 1.0 || least >= 1.0 {

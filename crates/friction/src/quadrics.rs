@@ -22,7 +22,7 @@ const RANK: f64 = 1e-11;
 /// An imaginary part that is this small, as part of the greatest eigenvalue, may be that of two roots that nearly coincide.
 const IMAGINARY: f64 = 1e-4;
 
-/// Points near all real roots without negative moduli (some may be near none), and whether no root can be missing.
+/// Points near all real roots without negative magnitudes (some may be near none), and whether no root can be missing.
 pub(crate) fn roots(quadrics: &[Quadric]) -> (Vec<Vec<f64>>, bool) {
     match quadrics {
         [] => (vec![Vec::new()], true),

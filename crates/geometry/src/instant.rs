@@ -83,7 +83,7 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// Curvature from the motion of a point; `None` where the point rests (`speed`: the greatest modulus of its PF1).
+    /// Curvature from the motion of a point; `None` where the point rests (`speed`: the greatest magnitude of its PF1).
     pub fn of(motion: &PointMotion, speed: f64) -> Option<Self> {
         let [pf1, pf2] = [motion.pf1, motion.pf2];
         let size = elementary::hypot(pf1[0], pf1[1]);

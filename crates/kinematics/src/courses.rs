@@ -1,8 +1,8 @@
-//! All modes of a group over a cycle: where they are born, meet and end, and which of them belong to one circuit.
+//! All modes of a group over a cycle: where they begin, meet and end, and which of them belong to one circuit.
 //!
 //! From sample to sample a mode goes to the nearest one of the same way. Where that is doubtful, because the number changes or two
 //! modes that may meet are nearer to each other than they move, the step is halved, down to a length at which nothing but a
-//! meeting, a birth or an end is left.
+//! meeting, a beginning or an end is left.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ use crate::modes::by_ways;
 /// Steps over the cycle.
 const SAMPLES: u32 = 720;
 
-/// A birth, a meeting or an end is found to this, in units of the coordinate.
+/// A beginning, a meeting or an end is found to this, in units of the coordinate.
 const SHORTEST: f64 = 1e-11;
 
 /// Beyond this distance past an event, in units of the coordinate, the number of modes is reliable in spite of rounding.
@@ -111,7 +111,7 @@ pub struct ModeCourses {
     pub branches: Option<usize>,
     /// How many modes there are from a coordinate on.
     pub counts: Vec<CountFrom>,
-    /// Each mode, by its number: first those of the first position in their order; one born later takes the next number.
+    /// Each mode, by its number: first those of the first position in their order; one that begins later takes the next number.
     pub modes: Vec<ModeCourse>,
     /// Where two modes meet and both go on.
     pub meetings: Vec<ModeMeeting>,

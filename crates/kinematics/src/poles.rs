@@ -22,7 +22,7 @@ const AWAY: f64 = 1e3;
 const CLEAR: f64 = 10.0 / AWAY;
 
 impl Linkage {
-    /// Coordinates at which links of a group with a single way run to infinity, with the index of the group.
+    /// Coordinates at which links of a group with a single mode run to infinity, with the index of the group.
     /// Positions can be calculated on both sides, but no real mechanism passes through. Every call searches anew,
     /// over one full turn or the range of a sliding input.
     pub fn poles(&self) -> Vec<(f64, usize)> {

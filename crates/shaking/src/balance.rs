@@ -29,7 +29,7 @@ const SPREAD: usize = 24;
 pub(crate) struct Fit {
     /// Greatest force without counterweights, N.
     force: f64,
-    /// Greatest sum of the moduli of the terms of the force, N.
+    /// Greatest sum of the magnitudes of the terms of the force, N.
     terms: f64,
     /// Greatest force of a counterweight of 1 kg m along each axis, over the greatest force without counterweights.
     scales: Vec<f64>,

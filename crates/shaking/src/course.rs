@@ -17,7 +17,7 @@ const HALVINGS: u32 = 12;
 /// by the square of that, to less than rounding.
 const SECTIONS: usize = 26;
 
-/// Rounding of a sum of inertia loads, in parts of the sum of their moduli: a thousand times that of its terms, since the
+/// Rounding of a sum of inertia loads, in parts of the sum of their magnitudes: a thousand times that of its terms, since the
 /// accelerations of groups near singular positions are less accurate.
 pub(crate) const ROUNDING: f64 = 1e-12;
 

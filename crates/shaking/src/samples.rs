@@ -50,13 +50,13 @@ pub(crate) struct Sample {
     pub(crate) force: [f64; 2],
     /// Shaking moment about the origin, N m.
     pub(crate) moment: f64,
-    /// Sums of the moduli of the terms of force and moment.
+    /// Sums of the magnitudes of the terms of force and moment.
     pub(crate) terms: Terms,
     /// What a unit counterweight on each carrier adds.
     pub(crate) units: Vec<Unit>,
 }
 
-/// Sums of the moduli of the terms of force (N) and moment (N m), by which their rounding is measured.
+/// Sums of the magnitudes of the terms of force (N) and moment (N m), by which their rounding is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Terms {
     pub(crate) force: f64,

@@ -1,7 +1,7 @@
-//! Dry friction in the whole mechanism at once: the moduli of all pairs are unknowns.
+//! Dry friction in the whole mechanism at once: the magnitudes of all pairs are unknowns.
 //!
 //! The loads of friction are written down from the surfaces of the bearings, and what the whole system answers to each of them
-//! gives the equations z = |a + W z| of all moduli together. The moment of faces offset from the guide line is linear in the normal
+//! gives the equations z = |a + W z| of all magnitudes together. The moment of faces offset from the guide line is linear in the normal
 //! force and stands in the system itself.
 
 use assur_force::{Doubt, FrictionForces as Found, FrictionSolution, Reactions};
@@ -12,7 +12,7 @@ use assur_number::elementary;
 
 use crate::system::{Solution, System};
 
-/// A modulus: of which bearing, and how it follows from a solution.
+/// A magnitude: of which bearing, and how it follows from a solution.
 struct Modulus {
     bearing: usize,
     pair: PairId,
@@ -154,7 +154,7 @@ impl Frictional<'_> {
         add_to_pairs(self.mechanism, self.bodies, found, pairs);
     }
 
-    /// The solution without moduli, that by each, and the equations of the moduli, with all coefficients times `part`.
+    /// The solution without magnitudes, that by each, and the equations of the magnitudes, with all coefficients times `part`.
     fn equations(
         &self,
         loads: &[Wrench<f64>],
@@ -184,7 +184,7 @@ impl Frictional<'_> {
         Ok((base, each, moduli))
     }
 
-    /// Loads of the friction of a modulus of size 1.
+    /// Loads of the friction of a magnitude of size 1.
     fn load(&self, unknown: &Modulus, part: f64, loads: &mut [Wrench<f64>]) {
         let ([link, on], factor) = (unknown.links, part * unknown.factor);
         match (&unknown.kind, unknown.pair) {
@@ -205,7 +205,7 @@ impl Frictional<'_> {
         }
     }
 
-    /// The vector of which a modulus is the length.
+    /// The vector of which a magnitude is the length.
     fn vector(&self, unknown: &Modulus, solution: &Solution) -> [f64; 2] {
         match (&unknown.kind, unknown.pair) {
             (Kind::Press { part, by_moment, middle }, PairId::Slide(id)) => {

@@ -22,7 +22,7 @@ const MOST_POSITIONS: usize = 3600;
 const FEWEST_POSITIONS: usize = 3;
 
 impl Calculation {
-    /// Everything in the scene that is probably not meant: what reading it told, then what its motion tells.
+    /// Everything in the scene that is probably not meant: what was noticed when it was read, then what its motion shows.
     pub fn doubts(&self) -> Vec<Notice> {
         let mut notices = self.linkage.mechanism.notes.clone();
         notices.extend(self.never_starts());
@@ -48,7 +48,7 @@ impl Calculation {
     /// Groups with several ways of which no place in `[assembly]` chooses one.
     fn groups_in_any_way(&self, first: &Position) -> Vec<Notice> {
         let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
-        // A place tells of a group what the links before it don't tell already.
+        // A place adds to what the links before a group already determine.
         let is_placed_before = |group: usize, link: usize| {
             let mut later = linkage.groups()[group..].iter();
             !later.any(|kernel| kernel.frame().links.contains(&link))
@@ -286,7 +286,7 @@ impl<'m> Seen<'m> {
                 (true, true) => continue,
             };
             let key = mechanism.key_of_load(*load);
-            // A spring without stiffness was told of when the scene was read.
+            // A spring without stiffness was reported when the scene was read.
             let is_of =
                 |note: &Notice| note.key.as_ref().is_some_and(|of| of.steps().starts_with(key.steps()));
             if !acts && mechanism.notes.iter().any(is_of) {

@@ -154,7 +154,7 @@ impl Table {
         has.then(|| self.columns[column][row])
     }
 
-    /// The number of a row in a column; a [modulus](Part::Modulus) is that of both projections.
+    /// The number of a row in a column; a [magnitude](Part::Modulus) is that of both projections.
     pub fn get(&self, row: usize, column: Column) -> Option<f64> {
         match column.part {
             Part::Modulus => {

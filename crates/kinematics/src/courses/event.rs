@@ -71,7 +71,7 @@ impl Walk<'_> {
         taken.into_iter().map(|[at, _]| sides.before[at].0).collect()
     }
 
-    /// Two modes that meet and both go on: behind the meeting each has the opposite sign of its determinant, so that each was
+    /// Two modes that meet and both go on: past the meeting each has the opposite sign of its determinant, so that each was
     /// taken for the other one.
     fn pass(&mut self, to: f64, sides: &mut Sides<'_>) {
         let known = (0..sides.after.len()).filter(|next| sides.numbers[*next].is_some());

@@ -26,7 +26,7 @@ pub struct Misfit {
     /// Greatest distance between the two places that a pair of it should keep together; of a slide the greater of the distance
     /// and of the angle times the size of the mechanism, m.
     pub misfit: f64,
-    /// The angle by which a slide misses, rad, where that is what is greatest.
+    /// The angle by which a slide misses, rad, where an angle is the greatest misfit.
     pub angle: Option<f64>,
     /// Up to this it fits, m.
     pub limit: f64,

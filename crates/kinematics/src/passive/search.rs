@@ -185,7 +185,7 @@ impl Choice {
     }
 }
 
-/// The structure with each of the other assemblies of a group in the first position: its ways where they meet there, else the places of
+/// The structure with each of the other assemblies of a group in the first position: its modes where they meet there, else the places of
 /// its points; none where the scene places one of them.
 fn others(linkage: &Linkage, group: usize) -> Vec<Structure> {
     let from = linkage.mechanism.input.from;
