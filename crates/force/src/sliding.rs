@@ -30,7 +30,7 @@ pub(crate) struct Sliding {
 pub(crate) struct Rate {
     /// PF1 of the arc's point K along the line, m/rad.
     pub(crate) first: f64,
-    /// Its derivative by the coordinate.
+    /// Its derivative with respect to the coordinate.
     pub(crate) slope: f64,
     /// Sum of the sizes of the terms of PF1.
     pub(crate) size: f64,

@@ -99,7 +99,7 @@ const GREATEST_DISTANCE: f64 = 1e9;
 /// A displacement below this, as part of the size of the mechanism, is rounding.
 const STANDING: f64 = 1e-12;
 
-/// Coordinate of the point along the axis and its two derivatives by the input coordinate.
+/// Coordinate of the point along the axis and its two derivatives with respect to the input coordinate.
 struct Along<'a, 'b> {
     body: &'a mut BodyAt<'b>,
     at: [f64; 2],

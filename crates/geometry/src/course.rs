@@ -31,7 +31,7 @@ pub struct Extremes {
     pub at_max: f64,
 }
 
-/// Value of a vector and its first two derivatives by the coordinate.
+/// Value of a vector and its first two derivatives with respect to the coordinate.
 pub(crate) type Motion<const N: usize> = [[f64; N]; 3];
 
 /// A vector over the cycle.

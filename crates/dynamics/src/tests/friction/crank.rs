@@ -51,7 +51,7 @@ fn acceleration(q: f64, w: f64, inside: f64, acting: Acting) -> f64 {
     // The rod's angle b: sin b = t; b' and b'' by q.
     let b1 = -R * c / (L * u);
     let b2 = (R * s / L + t * b1 * b1) / u;
-    // Second derivatives by q times w^2 plus first derivatives times e, of the rod's center and of the piston.
+    // Second derivatives with respect to q times w^2 plus first derivatives times e, of the rod's center and of the piston.
     let first = [-R * s - C * t * b1, R * c + C * u * b1];
     let second = [-R * c - C * (u * b1 * b1 + t * b2), -R * s + C * (u * b2 - t * b1 * b1)];
     let piston = [-R * s - L * t * b1, -R * c - L * (u * b1 * b1 + t * b2)];
