@@ -68,7 +68,7 @@ impl Unit {
         if is_angle { Self::TURNING } else { Self::MOVING }
     }
 
-    /// A derivative of an angle or a length by the coordinate of the input, which is an angle where this is `angular`.
+    /// A derivative of an angle or a length with respect to the coordinate of the input, which is an angle where this is `angular`.
     pub const fn transfer(is_angle: bool, angular: bool, order: u8) -> Self {
         match (is_angle, angular, order) {
             (_, _, 0) => Self::place(is_angle),
@@ -88,7 +88,7 @@ impl Unit {
         if is_moment { Self::MOMENT } else { Self::FORCE }
     }
 
-    /// Inertia reduced to the input and its derivative by the coordinate.
+    /// Inertia reduced to the input and its derivative with respect to the coordinate.
     pub const fn inertias(angular: bool) -> [Self; 2] {
         if angular { [Self::INERTIA, Self::si("kg m2/rad")] } else { [Self::KILOGRAM, Self::si("kg/m")] }
     }
