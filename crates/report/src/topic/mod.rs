@@ -41,7 +41,7 @@ pub use regime::{course as regime_over_cycle, facts as regime_facts, iteration};
 pub use shaking::shaking;
 pub use structure::{groups, mobility, pairs, passive_part, study as structure_study};
 
-/// What the topics are told from.
+/// What the topics are made from.
 #[derive(Debug)]
 pub struct Source<'a> {
     analysis: &'a Analysis,
