@@ -27,7 +27,7 @@ pub enum VectorKind {
     Balancing,
     /// The closing side of a polygon.
     Closing,
-    /// A part of a force along a line.
+    /// A component of a force along a line.
     Part,
     /// A line of the construction.
     Line,
@@ -37,11 +37,11 @@ pub enum VectorKind {
     Absolute,
     /// Velocity or acceleration of one point of a link relative to another.
     Relative,
-    /// Normal part, towards the other point.
+    /// Normal component, towards the other point.
     Normal,
-    /// Tangential part.
+    /// Tangential component.
     Tangential,
-    /// Coriolis part.
+    /// Coriolis component.
     Coriolis,
 }
 

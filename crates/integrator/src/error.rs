@@ -11,14 +11,14 @@ use crate::{Dependence, MotionError, Request, State, Until};
 pub enum IntegrationError {
     /// The request itself is impossible (what is wrong and what is allowed).
     Request(Text),
-    /// The method can't treat this equation.
+    /// The method does not support this equation.
     Unsupported {
         /// Name of the method.
         integrator: &'static str,
         /// Why not.
         reason: Text,
     },
-    /// No linked method can treat the equation (what the equation depends on).
+    /// No linked method suits the equation (what the equation depends on).
     NoMethod(Dependence),
     /// There is no such method, or the registry is faulty.
     Registry(RegistryError),

@@ -209,7 +209,10 @@ fn a_zero_has_no_per_cent() {
     press(&mut state, "e");
     write(&mut state, "/ground.points.O");
     press(&mut state, "+");
-    assert!(text(&state, 80, 24).contains("has no per cent: Enter takes an exact value"));
+    assert!(
+        text(&state, 80, 24)
+            .contains("percentages don't apply to `ground.points.O[0]`: Enter takes an exact value")
+    );
     press(&mut state, "Enter");
     assert_eq!(state.prompt.as_ref().unwrap().text.to_string(), "value ground.points.O[0] ");
 }
@@ -288,7 +291,7 @@ fn a_changed_length_compiles_once_and_a_changed_mass_never() {
 #[test]
 fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
     let present = |state: &State| {
-        let modes = state.scene.as_ref().and_then(|scene| scene.first_modes(0)).unwrap();
+        let modes = state.scene.as_ref().and_then(|scene| scene.modes(0, 0)).unwrap();
         (modes.number(modes.present), modes.all.len())
     };
     // `[assembly]` stands in the file, and does not.
@@ -327,7 +330,7 @@ fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
 fn a_changed_length_keeps_the_mode_while_it_exists_and_its_end_is_told() {
     let strut = |state: &mut State, length: &str| {
         write(state, &format!(":value link.strut.points.E {length}"));
-        let modes = state.scene.as_ref().and_then(|scene| scene.first_modes(0)).unwrap();
+        let modes = state.scene.as_ref().and_then(|scene| scene.modes(0, 0)).unwrap();
         let told = text(state, 80, 24).contains("has vanished");
         (modes.number(modes.present), modes.all.len(), told)
     };
