@@ -47,6 +47,8 @@ pub struct Calculation {
     pub no_motion: Option<AnalysisError>,
     /// Whether undetermined reactions are given as those of least norm.
     pub least_norm: bool,
+    /// Whether notes say where links run through infinity, which takes long to find.
+    pub tells_poles: bool,
     /// Parts of the request that have no use in this scene.
     pub(crate) unused: Vec<Text>,
     /// The numbers of the positions, and of the samples of the motion, in which rounding is greatest, once all are calculated.
@@ -133,7 +135,18 @@ impl Calculation {
         let unused = crate::notes::unused(&linkage.mechanism, options);
         let least_norm = options.least_norm;
         let notable = OnceLock::new();
-        Ok(Self { linkage, plan, loads, analyzer, motion, no_motion, least_norm, unused, notable })
+        Ok(Self {
+            linkage,
+            plan,
+            loads,
+            analyzer,
+            motion,
+            no_motion,
+            least_norm,
+            tells_poles: true,
+            unused,
+            notable,
+        })
     }
 
     /// Whether forces belong to the positions: not where the motion is transient, or not found.

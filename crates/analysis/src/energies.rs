@@ -78,17 +78,18 @@ impl Calculation {
         table
     }
 
-    /// A transient motion solved once more, with another number of samples.
+    /// A transient motion solved once more, with another number of samples, with or without their accelerations.
     pub(crate) fn solved_again<'a>(
         &'a self,
         loads: &'a Loads,
         found: &Transient,
         samples: usize,
+        accelerations: bool,
     ) -> Option<(Driven<'a>, Trajectory)> {
         let mut motion = equation(&self.linkage, loads).ok()?;
         let asked = request(&self.linkage.mechanism, &mut motion).ok()?;
         let until = if found.unrest.is_some() { Until::Turn } else { asked.until };
-        let finer = Request { samples, until, ..asked };
+        let finer = Request { samples, until, accelerations, ..asked };
         let trajectory = solve(found.integrator, &mut motion, &finer).ok()?.trajectory;
         Some((motion, trajectory))
     }
@@ -99,7 +100,7 @@ impl Calculation {
         let mechanism = &self.linkage.mechanism;
         let fewest = FEWEST[usize::from(!mechanism.frictions.is_empty())];
         let parts = 4 * fewest.div_ceil(4 * samples);
-        let (mut motion, trajectory) = self.solved_again(loads, found, samples * parts)?;
+        let (mut motion, trajectory) = self.solved_again(loads, found, samples * parts, false)?;
         let mut at = |sample: &Sample, is_before: bool| {
             let Instant { state, friction, .. } = motion.instant(sample, is_before).ok()?;
             let torque = motion.drive.torque(&state);

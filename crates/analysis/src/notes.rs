@@ -23,7 +23,7 @@ impl Calculation {
     fn remarks(&self, positions: &Listed, samples: &WithoutForces) -> Vec<Text> {
         let mut notes = self.unused.clone();
         notes.extend(self.change_points());
-        notes.extend(self.poles());
+        notes.extend(self.tells_poles.then(|| self.poles()).flatten());
         notes.extend(self.barriers());
         notes.extend(self.regime_notes());
         notes.extend(self.driving_loads());

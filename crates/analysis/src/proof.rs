@@ -30,7 +30,7 @@ impl Calculation {
         let loads = self.loads.as_ref()?;
         let mut worst = None;
         for samples in INTERVALS {
-            let (mut motion, trajectory) = self.solved_again(loads, found, samples)?;
+            let (mut motion, trajectory) = self.solved_again(loads, found, samples, true)?;
             let balance = Balance::of(&mut motion, &trajectory, samples > INTERVALS[0])?;
             let steps = (trajectory.statistics.steps + 1) as f64;
             let own = 2.0 * (self.tolerance() * steps + found.error_of_fixed_steps());

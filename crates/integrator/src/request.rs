@@ -36,6 +36,8 @@ pub struct Request {
     pub until: Until,
     /// Equally spaced output instants after the first. At least 1.
     pub samples: usize,
+    /// Whether the samples have their accelerations, each of which is an evaluation of the equation; else only the first and the last.
+    pub accelerations: bool,
     /// Requested relative accuracy of speed and displacement; methods at a fixed step ignore it.
     pub tolerance: f64,
     /// Most steps, accepted and rejected.
@@ -58,6 +60,7 @@ impl Request {
             initial,
             until,
             samples: 100,
+            accelerations: true,
             tolerance: 1e-9,
             max_steps: 100_000,
             fixed_step: None,

@@ -277,7 +277,7 @@ impl<'a, C: Curve> Run<'a, C> {
     /// [`IntegrationError::Equation`] where the equation fails at a sample.
     pub fn conclude(mut self) -> Result<Trajectory, IntegrationError> {
         let ends = [self.first, self.node];
-        let samples = samples(&mut self.equation, &self.segments, self.request.samples, ends)?;
+        let samples = samples(&mut self.equation, &self.segments, self.request, ends)?;
         let statistics = self.equation.cost;
         Ok(Trajectory { samples, events: self.events, statistics, end: self.node.state })
     }
@@ -328,7 +328,7 @@ impl<C: Curve> Segment<C> {
     }
 }
 
-/// The samples of a motion from `first` to `last`: `count` equally spaced ones after the first, the last at the end.
+/// The samples of a motion from `first` to `last`: the requested number of equally spaced ones after the first, the last at the end.
 ///
 /// Segments that contain no sample may be missing.
 ///
@@ -338,7 +338,7 @@ impl<C: Curve> Segment<C> {
 pub(crate) fn samples<C: Curve>(
     equation: &mut CountedEquation<'_>,
     segments: &[Segment<C>],
-    count: usize,
+    &Request { samples: count, accelerations, .. }: &Request,
     [first, last]: [Node; 2],
 ) -> Result<Vec<Sample>, IntegrationError> {
     let mut samples = Vec::with_capacity(count + 1);
@@ -350,6 +350,10 @@ pub(crate) fn samples<C: Curve>(
             index += 1;
         }
         let Some(segment) = segments.get(index) else { break };
+        if !accelerations {
+            samples.push(Sample::from(Node { state: segment.at(time), acceleration: 0.0 }));
+            continue;
+        }
         if entered != Some(index) {
             segment.enter(equation)?;
             entered = Some(index);

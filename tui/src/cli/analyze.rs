@@ -23,7 +23,8 @@ pub(crate) fn run(args: &AnalyzeArgs, style: Style) -> Result<Status, Fault> {
     let output = Output::of(args.output.as_deref(), &scene.scene)?;
     let options = args.checked.options(false)?;
     let session = scene::open(&scene.scene, style)?;
-    let study = scene::calculation(&session, &options, style)?;
+    let mut study = scene::calculation(&session, &options, style)?;
+    study.tells_poles = matches!(form, Form::Text | Form::Json);
     args.plans.refuse(args.format, &study)?;
     let line = ProgressLine::new(style.language);
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
@@ -68,7 +69,8 @@ pub(crate) fn check(args: &CheckedArgs, style: Style) -> Result<Status, Fault> {
     // The whole mechanism is checked, whatever results the scene requests.
     let options = args.options(true)?;
     let session = scene::open(&args.scene.scene, style)?;
-    let study = scene::calculation(&session, &options, style)?;
+    let mut study = scene::calculation(&session, &options, style)?;
+    study.tells_poles = false;
     let line = ProgressLine::new(style.language);
     let mut analysis = study.analyze(&mut line.watch()).map_err(Fault::told)?;
     let checks = study.checks(args.checks.into(), &mut line.watch()).map_err(Fault::told)?;

@@ -13,7 +13,7 @@ const GROSS: f64 = 0.5;
 /// The check as it is, and with the error; `None` where it judges nothing.
 pub(crate) fn twice_the_limit(calculation: &Calculation, found: &Transient) -> Option<[Check; 2]> {
     let (mut motion, trajectory) =
-        calculation.solved_again(calculation.loads.as_ref()?, found, INTERVALS[0])?;
+        calculation.solved_again(calculation.loads.as_ref()?, found, INTERVALS[0], true)?;
     let mut balance = Balance::of(&mut motion, &trajectory, false)?;
     let own = 2.0 * calculation.tolerance() * (trajectory.statistics.steps + 1) as f64;
     let check = |balance: &Balance| Check::of(Text::default(), Text::default(), balance.worst(own));
