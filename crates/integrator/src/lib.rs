@@ -24,6 +24,7 @@
 //! smoothly. So the methods are implemented here, with the published coefficients, and the tests check the order
 //! conditions.
 
+mod change;
 mod choose;
 mod control;
 mod dense;
@@ -46,7 +47,7 @@ pub use dense::{COEFFICIENTS, Dense};
 pub use driver::Steps;
 pub use error::IntegrationError;
 pub use inventory;
-pub use motion::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State};
+pub use motion::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State, Stretch};
 pub use piece_ahead::enter;
 pub use plugin::{Cost, Integrator, IntegratorPlugin, Knob, Suitability, find, integrators};
 pub use request::{Event, EventKind, FixedStep, Request, Sample, SolutionCost, Trajectory, Until};
