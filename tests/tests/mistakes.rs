@@ -330,8 +330,8 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
     for (wrong, right, part) in [
         ("\u{201c}100 mm\u{201d}", "\"100 mm\"", "quotes of a word processor"),
         ("\u{2018}crank\u{2019}\nfrom", "\"crank\"\nfrom", "quotes of a word processor"),
-        ("A = 100 mm }", "A = \"100 mm\" }", "stands in quotes: \"100 mm\""),
-        ("from = 10\u{b0}", "from = \"10 deg\"", "stands in quotes: \"10\u{b0}\""),
+        ("A = 100 mm }", "A = \"100 mm\" }", "is written in quotes: \"100 mm\""),
+        ("from = 10\u{b0}", "from = \"10 deg\"", "is written in quotes: \"10\u{b0}\""),
         ("center = [0,15, 0]", "center = [\"150 mm\", 0]", "is a comma meant as the decimal sign?"),
         ("J = 0.04", "inertia = \"0.04 kg*m^2\"", "did you mean `inertia`?"),
         ("omega = 6.28", "speed = \"60 rpm\"", "did you mean `speed`?"),
@@ -373,12 +373,12 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
         ("positions = \"12\"", "positions = 12", "without quotes"),
         ("step = \"30 deg\"", "positions = 12", "did you mean `positions`?"),
         ("speed = \"60 1/min\"", "speed = \"60 rpm\"", "did you mean `rpm`?"),
-        ("[input]\nlink = \"crank\"\n[input]", "[input]", "it stands in line 21 already"),
+        ("[input]\nlink = \"crank\"\n[input]", "[input]", "it is already in line 21"),
         ("value = { formula = \"sin(\u{445})\" }", "value = \"1 kN\"", "Latin letters"),
         (
             "value = { over = \"time\", table = [[0, 0]], repeat = true }",
             "value = \"1 kN\"",
-            "another sort: angle",
+            "another kind: angle",
         ),
     ] {
         assert!(SCENE.contains(right), "{right}");
@@ -399,7 +399,7 @@ fn a_guide_through_the_origin_and_pins_of_one_link_are_named() {
         "[assembly]\nQ",
         1,
     ));
-    assert!(loose.contains("in one link only stand rod: Q, ram: B"), "{loose}");
+    assert!(loose.contains("in one link only: rod: Q, ram: B"), "{loose}");
 }
 
 #[test]

@@ -7,6 +7,7 @@ use assur_analysis::{AnalysisError, Calculation, Options, Watch, plan};
 use assur_fixtures::SCENES;
 use assur_kinematics::{CompileError, Linkage, decompose};
 use assur_mechanism::{Key, Mechanism, Motion, Notice};
+use assur_picture::Found;
 use assur_scene::Note;
 use assur_structure::Structure;
 use assur_words::{Describe, Text, joined, name, text};
@@ -139,6 +140,12 @@ impl Session {
         let linkage =
             if plan.is_partial() { Arc::new(self.compiled(&plan.groups_needed)?) } else { self.linkage()? };
         Calculation::planned(linkage, plan, None, options, watch)
+    }
+
+    /// The results of what the scene requests.
+    pub(crate) fn found(&self, options: &Options, watch: &mut Watch<'_>) -> Result<Found, AnalysisError> {
+        let calculation = self.calculation(options, watch)?;
+        Found::of(calculation, self.linkage()?, options, watch)
     }
 
     /// An error of a calculation, at the line of the scene that it concerns if there is one.

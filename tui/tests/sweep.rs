@@ -255,7 +255,7 @@ fn rows_say_what_they_are_made_of_and_another_sweep_is_told_by_it() {
         }
         fs::write(path.join("a.toml"), SLIDER.replace("2 kg", "3 kg")).unwrap();
         let refused = sweep(path, &[&all[..], &["--resume"]].concat());
-        assert!(end(&refused).1.contains("the scene was another one"), "{}", end(&refused).1);
+        assert!(end(&refused).1.contains("the scene was a different one"), "{}", end(&refused).1);
         fs::write(path.join("a.toml"), SLIDER).unwrap();
     }
     let weighs = format!("gravity = \"9.81 m/s^2\"\n{SLIDER}");

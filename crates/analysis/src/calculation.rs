@@ -101,14 +101,35 @@ impl Calculation {
         options: &Options,
         watch: &mut Watch<'_>,
     ) -> Result<Self, AnalysisError> {
+        let find = |linkage: &Linkage, loads: Option<&Loads>| match InputMotion::of(
+            linkage, loads, options, watch,
+        ) {
+            Ok(motion) => Ok((motion, None)),
+            Err(error) if error.is_no_solution() => Ok((InputMotion::Prescribed, Some(error))),
+            Err(error) => Err(error),
+        };
+        Self::moving(linkage, plan, earlier, options, find)
+    }
+
+    /// All results of the scene, whatever it requests, with the motion that was found; `linkage`: the same with all groups.
+    pub fn whole(&self, linkage: Arc<Linkage>, options: &Options) -> Result<Self, AnalysisError> {
+        let options = Options { whole: true, ..options.clone() };
+        let plan = plan(&linkage.mechanism, &linkage.structure, &options);
+        Self::moving(linkage, plan, None, &options, |_, _| Ok((self.motion.clone(), self.no_motion.clone())))
+    }
+
+    /// The calculation of a plan with a motion that is found from the linkage and its loads, or why there is none.
+    fn moving(
+        linkage: Arc<Linkage>,
+        plan: Plan,
+        earlier: Option<(&Mechanism, &Loads)>,
+        options: &Options,
+        find: impl FnOnce(&Linkage, Option<&Loads>) -> Result<(InputMotion, Option<AnalysisError>), AnalysisError>,
+    ) -> Result<Self, AnalysisError> {
         let wants_loads = (plan.forces || plan.reduction || plan.dynamics) && can_be_loaded(&linkage);
         let loads = if wants_loads { Some(Loads::varied(&linkage, earlier)?) } else { None };
         let analyzer = if plan.forces { Some(analyzer(&linkage, options)?) } else { None };
-        let (motion, no_motion) = match InputMotion::of(&linkage, loads.as_ref(), options, watch) {
-            Ok(motion) => (motion, None),
-            Err(error) if error.is_no_solution() => (InputMotion::Prescribed, Some(error)),
-            Err(error) => return Err(error),
-        };
+        let (motion, no_motion) = find(&linkage, loads.as_ref())?;
         let unused = crate::notes::unused(&linkage.mechanism, options);
         let least_norm = options.least_norm;
         let notable = OnceLock::new();

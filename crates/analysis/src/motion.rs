@@ -18,7 +18,7 @@ use crate::{AnalysisError, Options, Progress};
 pub(crate) const CYCLE_INTERVALS: u32 = 360;
 
 /// How the input moves.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub enum InputMotion {
     /// As the scene prescribes it; at rest without a motion.
     Prescribed,

@@ -4,6 +4,8 @@ use assur_group::Body;
 use assur_mechanism::{Link, Mechanism};
 use assur_number::{Dd, Real};
 
+use crate::case::ROUNDINGS;
+
 /// J = sum(m vS'² + I w'²) and J' = sum(2 (m vS' aS' + I w' e') + I' w'²); theory of the project, section 3.
 pub(crate) fn reduced<T: Real>(mechanism: &Mechanism, coordinate: T, bodies: &[Body<T>]) -> [T; 2] {
     let mut sum = [T::ZERO; 2];
@@ -49,8 +51,16 @@ pub(crate) fn sizes(mechanism: &Mechanism, coordinate: f64, bodies: &[Body<f64>]
         let [v, a] = [body.first(arm), body.second(arm)].map(|v| v[0].hypot(v[1]));
         let [inertia, slope] = inertia_terms(link, coordinate);
         let square = body.w1 * body.w1;
-        sum[0] += link.mass * v * v + inertia * square;
-        sum[1] += 2.0 * (link.mass * v * a + inertia * (body.w1 * body.w2).abs()) + slope * square;
+        // A direction found from points close together isn't quite of length one, by which the arm is too long or too short.
+        let stretch = (body.c * body.c + body.s * body.s - 1.0).abs() / (ROUNDINGS * f64::EPSILON);
+        let arm = arm[0].hypot(arm[1]) * (1.0 + stretch);
+        // The motion of the origin and the rotation about it cancel at a center that nearly rests.
+        let v_terms = body.x1.hypot(body.y1) + body.w1.abs() * arm;
+        let a_terms = body.x2.hypot(body.y2) + (body.w2.abs() + square) * arm;
+        sum[0] += link.mass * v * v_terms + inertia * square;
+        sum[1] += link.mass * (v * a_terms + a * v_terms)
+            + 2.0 * inertia * (body.w1 * body.w2).abs()
+            + slope * square;
     }
     sum
 }

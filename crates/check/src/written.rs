@@ -240,12 +240,14 @@ impl<'a> Writer<'a> {
         // At rest up to rounding the moment is zero, or of either sense.
         let rests = speed == 0.0 || body.w1.abs() <= REST * (body.w2.abs() + 1.0);
         let found = if lever == 0.0 { 0.0 } else { given / lever };
-        let size = self.size(now, &brake.force, place, None, if rests { found.abs() } else { found });
         if rests {
-            let most = (lever * size.value).abs();
+            // The sense of the motion is not known, so neither is that of the force behind the moment.
+            let either = [found, -found].map(|found| self.size(now, &brake.force, place, None, found).value);
+            let most = either.into_iter().fold(0.0, |most, force| f64::max(most, (lever * force).abs()));
             let value = if given.abs() <= most { given } else { most.copysign(given) };
             return Size { value, terms: given.abs() };
         }
+        let size = self.size(now, &brake.force, place, None, found);
         Size { value: lever * size.value, terms: brake.moment_of_unit_force().abs() * size.terms }
     }
 

@@ -142,7 +142,7 @@ impl<'a> Compiler<'a> {
                 let rests = self.rests(|body| [[body.w1, 0.0], [body.w2, 0.0]], brake.link);
                 Action::Brake(Shoe {
                     link: brake.link,
-                    radius: brake.radius,
+                    reach: self.linkage.structure.scale,
                     lever: brake.moment_of_unit_force(),
                     rests,
                 })

@@ -115,8 +115,8 @@ pub(crate) enum Along {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shoe {
     pub(crate) link: LinkId,
-    /// Radius of the disc, m.
-    pub(crate) radius: f64,
+    /// The size of the mechanism, m: a link rests where a point at this distance does.
+    pub(crate) reach: f64,
     /// Braking moment of a pressing force of 1 N, m.
     pub(crate) lever: f64,
     pub(crate) rests: Breaks,

@@ -137,8 +137,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
         let body = &self.bodies[shoe.link];
         self.by_lane(|formulas, lane| {
             let [w1, w2] = [body.w1, body.w2].map(|number| number.lane(lane));
-            // Of the rim of the disc, for the comparison with lengths.
-            let lengths = [w1, w2].map(|number| shoe.radius * number.abs());
+            let lengths = [w1, w2].map(|number| shoe.reach * number.abs());
             let Some(order) = self.loads.moving(lengths) else { return 0.0 };
             let turn = formulas.against(self.loads, index, T::state(self.states, lane), order == 1);
             let sense = if [w1, w2][order] < 0.0 { -turn } else { turn };

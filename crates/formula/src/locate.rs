@@ -170,15 +170,15 @@ const MOST_PARTS: usize = 20_000;
 const FIRST: u32 = 64;
 
 impl Formula {
-    /// A coordinate of a range at which the formula, which depends on nothing else, is not a positive number, and its value
-    /// there; `None` where it is positive everywhere.
+    /// A coordinate of a range at which the formula, which depends on nothing else, is not a positive number of at most `most`,
+    /// and its value there; `None` where it is one everywhere.
     ///
     /// Intervals prove it; where they don't show it in many parts, the values in the middle of these decide.
-    pub fn not_positive(&self, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
+    pub fn not_positive_to(&self, most: f64, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
         let value = |coordinate: f64| self.value(&Variables { coordinate, ..Variables::default() });
         let fails = |coordinate: f64| {
             let found = value(coordinate);
-            (!(found > 0.0 && found.is_finite())).then_some((coordinate, found))
+            (!(found > 0.0 && found <= most)).then_some((coordinate, found))
         };
         let place = |part: u32| from + (to - from) * (f64::from(part) / f64::from(FIRST));
         let mut parts: Vec<_> = (0..FIRST).rev().map(|part| [place(part), place(part + 1)]).collect();
@@ -190,7 +190,9 @@ impl Formula {
             }
             looked += 1;
             let ends_in_themselves = middle <= low.min(high) || middle >= low.max(high);
-            if self.between([low, high]).low > 0.0 || ends_in_themselves || looked > MOST_PARTS {
+            let bounds = self.between([low, high]);
+            let proven = bounds.low > 0.0 && bounds.high <= most;
+            if proven || ends_in_themselves || looked > MOST_PARTS {
                 continue;
             }
             parts.extend([[middle, high], [low, middle]]);

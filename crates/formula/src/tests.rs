@@ -328,16 +328,15 @@ fn the_jump_of_an_angle_is_a_switch() {
 /// Along q = t, w = cos t, in stretches of a motion: what bounds show, and what the derivative shows where they don't.
 #[test]
 fn a_stretch_keeps_a_side_or_changes_it_once() {
+    use Sign::{Negative, Positive};
     let stays = |text: &str, side: Sign, [from, to]: [f64; 2]| {
         let along = |name| match name {
-            Variable::Time => [[from, to], [1.0; 2]],
-            Variable::Coordinate => [[from, to], [1.0; 2]],
+            Variable::Time | Variable::Coordinate => [[from, to], [1.0; 2]],
             // Cosine falls up to a half turn.
             _ => [[to.cos(), from.cos()], [-1.0, -from.sin().min(to.sin())]],
         };
         read(text).stays(0, side, along, &at(to, to.cos(), to, f64::NAN))
     };
-    use Sign::{Negative, Positive};
     assert_eq!(stays("sign(w + t)", Positive, [0.0, 1.0]), Some(true));
     assert_eq!(stays("sign(w - q)", Positive, [0.0, 0.7]), Some(true));
     // cos t = t at 0.739.

@@ -10,7 +10,7 @@ use assur_group::Order;
 use assur_mechanism::{LinkId, PairId, Surfaces};
 use assur_words::{Text, name, quantity, text};
 
-use crate::Results;
+use crate::Found;
 
 /// Straight pieces of a circle.
 const PIECES: usize = 48;
@@ -22,7 +22,7 @@ const GUIDE: f64 = 0.5;
 
 /// The force of a pair on a link in a position, under the name of the reaction; `None` where the pair has no friction, or no force.
 pub fn panel(
-    found: &Results<'_>,
+    found: &Found,
     position: usize,
     (pair, link): (PairId, LinkId),
     reaction: &Text,

@@ -9,33 +9,32 @@
 //!
 //! Knows no terminal, no file and no state of a screen.
 
+mod found;
 pub mod friction;
+mod gather;
 pub mod motion;
+mod outline;
 pub mod places;
+mod planner;
 pub mod plots;
+mod probe;
 pub mod regime;
+mod results;
 mod series;
+mod transfer;
 
+pub use found::Found;
+pub use gather::Reaction;
+pub use outline::Outline;
+pub use planner::{Planner, Plans};
+pub use probe::Probe;
+pub use results::{Broken, Compared, Results};
 pub use series::{Series, Transfer};
 
-use assur_analysis::results::{Analysis, Edges, Table};
 use assur_book::catalogue;
 use assur_kinematics::Linkage;
 
 assur_words::resources!();
-
-/// What was calculated of a scene.
-#[derive(Debug, Clone, Copy)]
-pub struct Results<'a> {
-    /// The compiled mechanism.
-    pub linkage: &'a Linkage,
-    /// The results.
-    pub analysis: &'a Analysis,
-    /// What lies between and after the positions, through which the curves lead.
-    pub edges: &'a Edges,
-    /// What there was just before the samples at which the motion comes to rest.
-    pub stops: &'a Table,
-}
 
 /// What of the results is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]

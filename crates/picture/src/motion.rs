@@ -6,11 +6,11 @@ use assur_figure::number::number;
 use assur_figure::{Axis, Cursor, Panel};
 use assur_words::{self as words, Text, joined, list, quantity, text};
 
-use crate::{Look, Results, plots};
+use crate::{Found, Look, plots};
 
 /// Coordinate, speed, acceleration and energies over time.
-pub fn over_time(found: &Results<'_>, look: Look) -> Vec<Panel> {
-    let analysis = found.analysis;
+pub fn over_time(found: &Found, look: Look) -> Vec<Panel> {
+    let analysis = &found.analysis;
     let q = if analysis.input.angular { "rad" } else { "m" };
     let all = [
         ("motion-coordinate", q.to_owned(), Quantity::Transfer(0)),
@@ -35,10 +35,10 @@ pub fn over_time(found: &Results<'_>, look: Look) -> Vec<Panel> {
 
 /// The moments of drive and loads, reduced to the input, over its way (E fig. 3): what drives along the motion, what resists
 /// against it, so that it is seen where they are equal; of many the first ones.
-fn loads_over_way(found: &Results<'_>, row: usize) -> Option<Panel> {
+fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
     /// Curves in one panel.
     const MOST: usize = 3;
-    let (analysis, place) = (found.analysis, Column::COORDINATE);
+    let (analysis, place) = (&found.analysis, Column::COORDINATE);
     let table = &analysis.trajectory;
     let (schema, last) = (table.schema(), table.len().checked_sub(1)?);
     let sense = (table.get(last, place)? - table.get(0, place)?).signum();
@@ -64,16 +64,16 @@ fn loads_over_way(found: &Results<'_>, row: usize) -> Option<Panel> {
 }
 
 /// A quantity of the input over the samples of the motion: over their times, or over their coordinates.
-fn sampled(found: &Results<'_>, over: Column, quantity: Quantity) -> Course {
+fn sampled(found: &Found, over: Column, quantity: Quantity) -> Course {
     over_samples(found, over, Column::of(quantity, Owner::Input), 1.0)
 }
 
 /// A column over the samples of the motion, times a factor; where the motion comes to rest, the value before it comes first.
-fn over_samples(found: &Results<'_>, over: Column, column: Column, factor: f64) -> Course {
+fn over_samples(found: &Found, over: Column, column: Column, factor: f64) -> Course {
     let point = |table: &Table, row| Some([table.get(row, over)?, factor * table.get(row, column)?]);
     let samples = &found.analysis.trajectory;
     let points = (0..samples.len()).flat_map(|row| {
-        let before = found.stops.row_of(samples.numbers()[row]).and_then(|row| point(found.stops, row));
+        let before = found.stops.row_of(samples.numbers()[row]).and_then(|row| point(&found.stops, row));
         before.into_iter().chain(point(samples, row))
     });
     Course::from_points(points)
@@ -81,7 +81,7 @@ fn over_samples(found: &Results<'_>, over: Column, column: Column, factor: f64) 
 
 /// The works of the driving and the resisting loads and of dry friction, and the kinetic energy at the samples of the motion; `None` where they are
 /// not known.
-pub(crate) fn energies(found: &Results<'_>, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
+pub(crate) fn energies(found: &Found, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
     let all = [
         ("regime-driving-work", Quantity::DrivingWork),
         ("regime-resisting-work", Quantity::ResistingWork),

@@ -11,7 +11,7 @@ use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
 use crate::motion::energies;
-use crate::{Look, Results, coordinate_at, coordinate_unit, plots};
+use crate::{Found, Look, coordinate_at, coordinate_unit, plots};
 
 /// A quantity of the regime over the cycle; where `read` gives none, the course has none.
 fn over(regime: &RegimeReport, read: impl Fn(&RegimePoint) -> Option<f64>) -> Course {
@@ -24,7 +24,7 @@ fn cursor(linkage: &Linkage, look: Look) -> f64 {
 }
 
 /// Speed in the regime and in the first turn, then the moments and the energies.
-pub fn course(found: &Results<'_>, regime: &RegimeReport, look: Look) -> Vec<Panel> {
+pub fn course(found: &Found, regime: &RegimeReport, look: Look) -> Vec<Panel> {
     let mut lines = vec![(text!("regime-course"), over(regime, |row| Some(row.speed)))];
     let first_turn = over(regime, |row| row.first_turn);
     if !first_turn.is_empty() {
@@ -33,10 +33,10 @@ pub fn course(found: &Results<'_>, regime: &RegimeReport, look: Look) -> Vec<Pan
     let speed = plots::curves(
         text!("regime-input-speed"),
         lines,
-        axis(found.linkage),
-        Some(cursor(found.linkage, look).into()),
+        axis(&found.linkage),
+        Some(cursor(&found.linkage, look).into()),
     );
-    let energies = energies(found, Column::COORDINATE, axis(found.linkage), cursor(found.linkage, look));
+    let energies = energies(found, Column::COORDINATE, axis(&found.linkage), cursor(&found.linkage, look));
     [speed, moments(found, regime, look)].into_iter().chain(energies).collect()
 }
 
@@ -46,11 +46,11 @@ fn axis(linkage: &Linkage) -> (Axis, f64) {
 }
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
-pub fn moments(found: &Results<'_>, regime: &RegimeReport, look: Look) -> Panel {
+pub fn moments(found: &Found, regime: &RegimeReport, look: Look) -> Panel {
     // What drives is shown along the motion, and the resistance against it, as its mean is. Driving is what does work over the cycle.
     let sense = found.linkage.mechanism.input.sign();
     let of_loads = Column::of(Quantity::ReducedMoment, Owner::Input);
-    let jumps = Course::of(&found.analysis.positions, Some(found.edges), Column::COORDINATE, of_loads);
+    let jumps = Course::of(&found.analysis.positions, Some(&found.edges), Column::COORDINATE, of_loads);
     let drive = |sign: f64| over(regime, |row| Some(sign * sense * row.drive));
     let load = |sign: f64| {
         let factor = sign * sense;
@@ -67,9 +67,9 @@ pub fn moments(found: &Results<'_>, regime: &RegimeReport, look: Look) -> Panel 
         vec![(text!("regime-motor"), drive(1.0)), (against(), load(-1.0)), mean(1.0)]
     };
     let area = found.analysis.dynamics.as_ref().and_then(|found| excess(found, [&lines[0].1, &lines[1].1]));
-    let (x, factor) = axis(found.linkage);
+    let (x, factor) = axis(&found.linkage);
     let mut panel =
-        plots::curves(text!("regime-moments"), lines, (x, factor), Some(cursor(found.linkage, look).into()));
+        plots::curves(text!("regime-moments"), lines, (x, factor), Some(cursor(&found.linkage, look).into()));
     if let Some((mut outline, work)) = area {
         for at in &mut outline {
             at[0] *= factor;
@@ -169,7 +169,7 @@ pub fn energy_mass(diagram: &EnergyMass) -> Panel {
 }
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
-pub fn shares(found: &Results<'_>, dynamics: &Dynamics, look: Look) -> (Panel, Vec<Key>) {
+pub fn shares(found: &Found, dynamics: &Dynamics, look: Look) -> (Panel, Vec<Key>) {
     let positions = &found.analysis.positions;
     let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
     let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
@@ -179,11 +179,11 @@ pub fn shares(found: &Results<'_>, dynamics: &Dynamics, look: Look) -> (Panel, V
         let sum = links[..count].iter().map(share).sum::<Option<f64>>()?;
         Some(dynamics.regime.shaft_inertia + sum)
     };
-    let (_, factor) = coordinate_unit(found.linkage);
+    let (_, factor) = coordinate_unit(&found.linkage);
     let (mut items, mut samples) = (Vec::new(), Vec::new());
     for count in 0..=links.len() {
         let value = |table: &Table, row: usize| level(table, row, count);
-        let course = Course::read(positions, Some(found.edges), Column::COORDINATE, value);
+        let course = Course::read(positions, Some(&found.edges), Column::COORDINATE, value);
         let points = course.points([factor, 1.0]);
         let stroke = if count == links.len() { Stroke::Solid } else { Stroke::Dashed };
         let at = points.get((2 * count + 1) * points.len() / (2 * (links.len() + 1))).copied();
@@ -206,9 +206,9 @@ pub fn shares(found: &Results<'_>, dynamics: &Dynamics, look: Look) -> (Panel, V
     let legend = samples.into_iter().zip(names).map(key).collect();
     let y = Axis::around(unit("kg m2"), values, 0.0);
     let frame = Frame::Axes {
-        x: plots::coordinate_axis(found.linkage),
+        x: plots::coordinate_axis(&found.linkage),
         y,
-        cursor: Some(cursor(found.linkage, look).into()),
+        cursor: Some(cursor(&found.linkage, look).into()),
     };
     (Panel { title, frame, items }, legend)
 }

@@ -51,18 +51,22 @@ fn formula(linkage: &SceneLinks, id: LinkId, link: &Section<'_>) -> Option<Inert
     Some(Inertia::Varying(VaryingInertia { formula, factor }))
 }
 
-/// Refuses moments of inertia that are not positive somewhere on the way of the input.
-pub(crate) fn refuse_not_positive(root: &Section<'_>, mechanism: &Mechanism) {
+/// Refuses moments of inertia that are not positive, or beyond the range of a number, somewhere on the way of the input.
+pub(crate) fn refuse_impossible(root: &Section<'_>, mechanism: &Mechanism) {
     let way = way(&mechanism.input, mechanism.motion.as_ref());
+    let most = Dimension::Inertia.most();
     for link in &mechanism.links {
         let Some(law) = link.inertia.varying() else { continue };
-        let Some((at, value)) = law.formula.not_positive(way) else { continue };
+        let Some((at, value)) = law.formula.not_positive_to(most / law.factor, way) else { continue };
         let rounded = |number: f64| brief((number * 1e6).round() / 1e6);
         let value = brief(value * law.factor);
         let message = text!("scene-inertia-not-positive", value = value, at = rounded(at));
         let key = Key::of("link").at(&link.name).at("inertia");
         if let Ok(inertia) = within(root.table(), key.steps()) {
-            root.faults.push(Fault::new(inertia.span(), message).label(text!("scene-inertia-positive")));
+            root.faults.push(
+                Fault::new(inertia.span(), message)
+                    .label(text!("scene-inertia-positive", most = name(format!("{most:e} kg*m^2")))),
+            );
         }
     }
 }

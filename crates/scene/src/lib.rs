@@ -148,7 +148,7 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     let SceneLinks { links, points, slides, has_units, .. } = linkage;
     let mut mechanism = Mechanism { links, points, slides, input, notes: root.mistakes(), ..mechanism };
     if root.faults.is_empty() {
-        inertia::refuse_not_positive(root, &mechanism);
+        inertia::refuse_impossible(root, &mechanism);
         let gives_inertia = |link: &str| {
             let key = Key::of("link").at(link).at("inertia");
             edit::within(root.table(), key.steps()).is_ok()

@@ -41,7 +41,7 @@ pub(crate) enum Command {
     Analyze(AnalyzeArgs),
     /// Run every check on a scene, one line each
     Check(CheckedArgs),
-    /// Explain what is modelled, what is left out and why, and which method each stage uses
+    /// Explain what is modeled, what is left out and why, and which method each stage uses
     Explain(ExplainArgs),
     /// Measure speed against accuracy of every method that can do a scene
     Chart(super::chart::ChartArgs),

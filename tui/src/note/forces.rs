@@ -51,8 +51,8 @@ pub(super) fn forces(context: &mut Context<'_>, page: &mut Document) -> Result<(
 
 /// The reactions of the pairs with friction in the first of the chosen positions, touching the circles of friction.
 fn touching(context: &Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let (scene, found, position) = (context.scene()?, context.found()?, context.positions[0]);
-    let of = |reaction| beside_friction(scene, found, position, reaction);
+    let (found, position) = (context.found()?, context.positions[0]);
+    let of = |reaction| beside_friction(found, position, reaction);
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [CURVE[0], 75.0 * figure.rows() as f64];

@@ -7,14 +7,15 @@ use assur_worksheet::{Entry, Section, Term as Part};
 
 use super::NoteError;
 use super::context::Context;
+use crate::working;
 
 /// The equations of the first chosen position.
 pub(super) fn working(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
     let position = context.positions[0];
-    let plans = context.found()?.plans.at(position);
+    let working = working::of_position(context.found()?.plans.calculation(), position);
     page.heading(text!("note-working", position = number(position)));
-    let sections = match plans.working() {
-        Ok(sections) => sections,
+    let sections = match working {
+        Ok(working) => working.sections,
         Err(error @ WorkingError::Load { .. }) => {
             page.paragraph(error.describe());
             return Ok(());
@@ -28,7 +29,7 @@ pub(super) fn working(context: &mut Context<'_>, page: &mut Document) -> Result<
 
 /// The energy form of the motion, step by step; nothing where the motion is prescribed.
 pub(super) fn energy(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let sections = crate::working::energy(&context.found()?.analysis, &context.scene()?.linkage.mechanism);
+    let sections = working::energy(&context.found()?.analysis, &context.scene()?.linkage.mechanism);
     if !sections.is_empty() {
         page.heading(text!("note-energy-form"));
         for section in &sections {

@@ -87,7 +87,7 @@ pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) ->
         return Err(NoteError::TooMany { count, parts });
     }
     let title = scene.linkage.mechanism.title.clone();
-    let exists = |position: &usize| scene.poses.get(*position).is_some_and(Option::is_some);
+    let exists = |position: &usize| *position < count && !scene.broken.contains_key(position);
     // Two positions in different parts of the cycle, unless the scene chooses.
     let chosen =
         if note.positions.is_empty() { vec![count / 8, 5 * count / 8] } else { note.positions.clone() };

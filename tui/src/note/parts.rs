@@ -61,7 +61,7 @@ fn task(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError>
     context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given])?;
     let scene = context.scene()?;
     let at = context.place(scene.first_position());
-    let exist: Vec<usize> = (0..scene.positions()).filter(|at| scene.poses[*at].is_some()).collect();
+    let exist: Vec<usize> = scene.assembled().collect();
     let frames: Option<Vec<_>> = exist
         .into_iter()
         .map(|position| context.figure(View::Mechanism, position, |_| {}).map(|(figure, _)| figure))
@@ -88,14 +88,14 @@ fn structure(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteE
 /// The input link alone, then with the first group, with the second one, and so on; the new links are marked.
 fn assembly(context: &Context<'_>) -> Result<Option<Figure>, NoteError> {
     let scene = context.scene()?;
-    let Some(pose) = &scene.poses[context.positions[0]] else { return Ok(None) };
+    let Some(pose) = scene.pose(context.positions[0], 0.0) else { return Ok(None) };
     let linkage = &scene.linkage;
     let input = linkage.mechanism.input.link;
     let mut hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
     let mut panel = |title: Text, marked: &[LinkId]| {
         hidden.retain(|link| !marked.contains(link));
         let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(scene, marked) };
-        Panel { title, ..mechanism::plane(scene, drawing.items(pose)) }
+        Panel { title, ..mechanism::plane(scene, drawing.items(&pose)) }
     };
     let first = text!("note-input-link", link = Text::from(&linkage.mechanism.links[input].name));
     let mut panels = vec![panel(first, &[input])];
@@ -210,15 +210,13 @@ fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let model = if has_friction { "note-model-text-friction" } else { "note-model-text" };
     page.paragraph(text!(model));
     page.paragraph(text!("note-sources"));
-    let (analysis, poses) = (&context.found()?.analysis, &context.scene()?.poses);
+    let (analysis, broken) = (&context.found()?.analysis, &context.scene()?.broken);
     analysis.notes.iter().for_each(|note| page.paragraph(Text::from(note)));
     let positions = |all: Vec<usize>| list(all.into_iter().map(number));
-    let missing = poses.iter().enumerate().filter(|(_, pose)| pose.is_none());
-    let missing: Vec<usize> = missing.map(|(position, _)| position).collect();
-    if !missing.is_empty() {
-        page.paragraph(text!("note-no-position", positions = positions(missing)));
+    if !broken.is_empty() {
+        page.paragraph(text!("note-no-position", positions = positions(broken.keys().copied().collect())));
     }
-    let placed = |failure: &&Failure| poses.get(failure.index).is_some_and(Option::is_some);
+    let placed = |failure: &&Failure| !broken.contains_key(&failure.index);
     let failures: Vec<&Failure> = analysis.failures.iter().filter(placed).collect();
     if let Some(first) = failures.first() {
         let reason = Text::from(&first.message);

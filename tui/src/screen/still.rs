@@ -10,7 +10,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use super::command::{self, COMMANDS, PAGE, picture};
-use super::state::{Found, Keymap, Look, Scene, State, View, ViewPart};
+use super::state::{Keymap, Look, Scene, State, View, ViewPart};
 use super::view;
 use crate::session::Session;
 
@@ -132,8 +132,7 @@ pub(crate) fn analyzed(
     language: &'static Language,
 ) -> Result<State, Text> {
     let mut scene = Scene::of(Arc::clone(session))?;
-    let found = Found::of(session, &options, &mut unwatched);
-    let mut found = found.map_err(|error| session.fault(&error))?;
+    let mut found = session.found(&options, &mut unwatched).map_err(|error| session.fault(&error))?;
     if checks {
         let all = found.plans.calculation().checks(Coverage::Sample, &mut unwatched);
         found.take_checks(all.map_err(|stopped| stopped.describe())?);
@@ -203,7 +202,7 @@ fn animation(state: &mut State, output: &Path, size: [f64; 2]) -> Result<Vec<u8>
     }
     let mut frames = Vec::new();
     for position in 0..state.positions() {
-        let exists = state.scene.as_ref().is_some_and(|scene| scene.poses[position].is_some());
+        let exists = state.scene.as_ref().is_some_and(|scene| !scene.broken.contains_key(&position));
         state.position = position;
         if exists {
             frames.push(figure(state)?);

@@ -9,9 +9,7 @@ use assur_study::chart;
 use assur_study::stability::stability;
 use assur_words::{Describe, Text, number, text};
 
-use super::state::{
-    CalculationRequest, Cancel, Found, Job, Measured, Outcome, Purpose, Report, Scene, Wanted,
-};
+use super::state::{CalculationRequest, Cancel, Job, Measured, Outcome, Purpose, Report, Scene, Wanted};
 use crate::progress::{SystemClock, told};
 use crate::session::{Session, Source};
 
@@ -44,7 +42,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
             let mut scene = scene.and_then(Scene::of).map(Box::new);
             // Forces and motion of a second scene are compared too.
             if let (Wanted::Compare(_), Ok(scene)) = (wanted, &mut scene) {
-                let found = Found::of(&scene.session, &Options::default(), &mut assur_analysis::unwatched);
+                let found = scene.session.found(&Options::default(), &mut assur_analysis::unwatched);
                 scene.found = found.ok().map(Box::new);
             }
             Report::Read(wanted.clone(), scene)
@@ -72,7 +70,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
 /// Calculates a scene and reports the results, then checks them; results for a difference are not checked.
 fn analyze(request: &CalculationRequest, watch: &mut Watch<'_>, tell: &dyn Fn(Outcome)) -> Outcome {
     let mut watch = |progress| watch.see(|| told(progress));
-    let found = match Found::of(&request.session, &request.options, &mut watch) {
+    let found = match request.session.found(&request.options, &mut watch) {
         Ok(found) => found,
         Err(error) => return Outcome::Found(Err(error.describe())),
     };

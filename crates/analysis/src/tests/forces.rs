@@ -105,7 +105,10 @@ fn a_friction_that_pushes_with_the_sliding_is_told() {
     assert!(of(&press).is_empty() && of(&super::text("press-compression")).is_empty());
     let turned = of(&press.replace("friction = 0.1", "friction = -0.1"));
     assert!(turned.len() == 1 && turned[0].starts_with(all), "{turned:?}");
-    assert!(turned[0].ends_with("With `friction = { against_sliding = 0.1 }` it is found."), "{turned:?}");
+    assert!(
+        turned[0].ends_with("With `friction = { against_sliding = 0.1 }` the sign is determined."),
+        "{turned:?}"
+    );
     let back = of(&press.replace("direction = \"cw\"\n", ""));
     assert!(back.len() == 1 && back[0].starts_with(all), "{back:?}");
     // With R = (r2 + b) cos a the arc rolls in the middle.

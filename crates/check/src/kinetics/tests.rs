@@ -30,3 +30,23 @@ fn the_terms_of_a_sum_that_cancels_are_its_sizes() {
     let ([_, slope], size) = terms([[3.0, 4.0], [-8.0, 6.0]], [-2.0, 5.0]);
     assert_eq!((slope, size), (-10.0, 310.0));
 }
+
+#[test]
+fn a_center_that_nearly_rests_has_the_rounding_of_what_cancels() {
+    // The origin moves at 3 while the link turns about a center 1.5 away, which rests: all terms of its speed cancel. A direction
+    // that is longer than one by 64 rounding units makes the arm uncertain by as much again.
+    let mechanism = {
+        let scene = "[ground]\npoints = { O = 0 }\n[link.a]\npoints = { O = 0 }\n[input]\nlink = \"a\"\n";
+        let mut mechanism = assur_scene::read("scene", scene).unwrap();
+        mechanism.links[1] = Link { name: "a".into(), mass: 2.0, center: [1.5, 0.0], inertia: 0.0.into() };
+        mechanism
+    };
+    let size = |y1: f64, longer: f64| {
+        let body = Body { c: 1.0 + longer, s: 0.0, y1, w1: -2.0, ..Body::ground() };
+        sizes(&mechanism, 0.0, &[Body::ground(), body])[0]
+    };
+    assert_eq!(size(3.0, 0.0), 0.0, "to first order");
+    assert_eq!(size(4.0, 0.0), 2.0 * 1.0 * (4.0 + 3.0));
+    let stretched = size(4.0, 32.0 * f64::EPSILON);
+    assert!((stretched - 2.0 * (4.0 + 6.0)).abs() < 1e-9, "{stretched}");
+}

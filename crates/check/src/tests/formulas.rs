@@ -105,10 +105,20 @@ fn states() -> Vec<LoadState> {
 }
 
 /// A load, and slips of it: what stands in the place of a part.
-const LOADS: [(&str, [(&str, &str); 3]); 2] = [
+const LOADS: [(&str, [(&str, &str); 3]); 4] = [
     (
         "[[brake]]\nlink = \"rod\"\nradius = 0.1\nforce = { formula = \"20+5*sin(3*q)\" }\nfriction = 0.3",
         [("0.1\n", "0.1000001\n"), ("20+5", "20-5"), ("sin", "cos")],
+    ),
+    // A force that pulls the shoe off drives.
+    (
+        "[[brake]]\nlink = \"rod\"\nradius = 0.1\nforce = { formula = \"-20+5*sin(3*q)\" }\nfriction = 0.3",
+        [("0.1\n", "0.1000001\n"), ("20+5", "20-5"), ("sin", "cos")],
+    ),
+    // Whether the link rests doesn't depend on the size of the disc.
+    (
+        "[[brake]]\nlink = \"rod\"\nradius = 1e-30\nforce = { formula = \"20+5*sin(3*q)\" }\nfriction = 0.3",
+        [("1e-30\n", "1.000001e-30\n"), ("20+5", "20-5"), ("sin", "cos")],
     ),
     (
         "[[contact]]\nlink = \"rod\"\ncenter = \"S\"\nradius = 0.3\nangle = { formula = \"0.2*sin(3*q)+0.1\" }\nforce = 20\n\

@@ -85,14 +85,24 @@ fn a_zero_between_samples_is_found() {
     for positive in
         ["0.02 + 0.01*cos(q)", "1e-9 + (q - 3)^2", "1 + q^2 - q", "exp(q) - q", "2 + sin(q)*cos(q)"]
     {
-        assert_eq!(read(positive).not_positive(range), None, "{positive}");
+        assert_eq!(read(positive).not_positive_to(1e3, range), None, "{positive}");
     }
-    let (at, value) = read("0.01 + 0.02*cos(q)").not_positive(range).unwrap();
+    let (at, value) = read("0.01 + 0.02*cos(q)").not_positive_to(1e3, range).unwrap();
     assert!((2.0 * FRAC_PI_2 / 1.5..=PI).contains(&at) && value <= 0.0, "{at} {value}");
     // Negative over a thousandth of the range, between two places of any coarse grid.
-    let (at, value) = read("(q - 1.2345)^2 - 1e-5").not_positive(range).unwrap();
+    let (at, value) = read("(q - 1.2345)^2 - 1e-5").not_positive_to(1e3, range).unwrap();
     assert!((at - 1.2345).abs() < 4e-3 && value <= 0.0, "{at} {value}");
-    for bad in ["-1", "0", "1/0", "sqrt(q - 3)", "ln(q)", "cos(q) + 1 - 1e-12"] {
-        assert!(read(bad).not_positive(range).is_some(), "{bad}");
+    for bad in [
+        "-1",
+        "0",
+        "1/0",
+        "sqrt(q - 3)",
+        "ln(q)",
+        "cos(q) + 1 - 1e-12",
+        "1001",
+        "1e300^2",
+        "1/(1.001 + cos(q))^2",
+    ] {
+        assert!(read(bad).not_positive_to(1e3, range).is_some(), "{bad}");
     }
 }

@@ -361,6 +361,7 @@ fn moments_of_inertia_by_formula() {
             BASE,
             &[
                 (old, "inertia = { formula = \"2 + 3*cos(q)\", unit = \"kg*m^2\" }", &[(11, 11)]),
+                (old, "inertia = { formula = \"1e30 + 3*cos(q)\", unit = \"kg*m^2\" }", &[(11, 11)]),
                 (old, "inertia = { formula = \"2 + w + t*x\", unit = \"kg*m^2\" }", &[(11, 23)]),
                 (old, "inertia = { formula = \"2 + abs(q)\", unit = \"kg*m^2\" }", &[(11, 28)]),
                 (old, "inertia = { formula = \"2 + \", unit = \"kg\" }", &[(11, 38)]),

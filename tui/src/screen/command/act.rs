@@ -24,7 +24,7 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
         View::Motion => found.map_or(0, |found| found.motion.len()),
         View::Checks => found.map_or(0, |found| found.analysis.checks.len()),
         View::Results => found.map_or(0, |found| found.results.len()),
-        View::Table => of_scene(Scene::column_count),
+        View::Table => of_scene(|scene| scene.column_count()),
         View::Values => state.what_if.values.len(),
         _ => of_scene(|scene| scene.transfers.len()),
     };

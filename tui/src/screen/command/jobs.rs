@@ -109,8 +109,9 @@ fn take_outcome(state: &mut State, index: usize, outcome: Outcome) {
         Outcome::Found(found) => take_found(state, index, found),
         Outcome::Checks(checks) => {
             state.running.remove(index);
-            if let Some(found) = state.scene.as_mut().and_then(|scene| scene.found.as_mut()) {
-                found.take_checks(checks);
+            if let Some(scene) = &mut state.scene {
+                scene.found.iter_mut().for_each(|found| found.take_checks(checks.clone()));
+                scene.judge();
             }
         }
         Outcome::Measured(measured) => {
@@ -132,7 +133,10 @@ fn take_found(state: &mut State, index: usize, found: Result<Box<Found>, Text>) 
     let Some(scene) = &mut state.scene else { return };
     match found {
         Ok(found) if purpose == Purpose::Difference => scene.other = Some(found),
-        Ok(found) => (scene.found, scene.fault) = (Some(found), None),
+        Ok(found) => {
+            (scene.results.found, scene.fault) = (Some(found), None);
+            scene.judge();
+        }
         Err(text) => {
             scene.fault.get_or_insert_with(|| text.clone());
             state.say(Role::Bad, text!("no-analysis", reason = text));
@@ -148,7 +152,8 @@ fn take_compared(state: &mut State, other: Box<Scene>) {
         if name == scene.session.source.short_name() {
             name = other.session.source.name();
         }
-        state.compared = Some(Compared { name: words::name(name), scene: other, before: false });
+        state.compared =
+            Some(Compared { name: words::name(name), results: Box::new(other.results), before: false });
     } else {
         let (other, own) = (other.positions(), scene.positions());
         let (scene, other, own) = (words::name(name), number(other), number(own));

@@ -1,5 +1,7 @@
 //! Commands on the modes of a group: one after the other is shown in the first position, and one is taken.
 
+use std::sync::Arc;
+
 use assur_kinematics::Modes;
 use assur_mechanism::Point;
 use assur_words::{number, text};
@@ -13,7 +15,7 @@ const VANISHED: f64 = 0.5;
 /// Shows the next (1) or previous (-1) mode of the chosen group, in the first position.
 pub(super) fn show(state: &mut State, by: isize) {
     let group = state.chosen.group;
-    let Some(modes) = state.scene.as_ref().and_then(|scene| scene.first_modes(group)) else {
+    let Some(modes) = state.scene.as_ref().and_then(|scene| scene.modes(group, 0)) else {
         return state.say(Role::Plain, text!("say-no-modes"));
     };
     state.go_to(0);
@@ -30,7 +32,7 @@ pub(super) fn take(state: &mut State) {
     let Some(points) = points(scene, group, index).filter(|points| !points.is_empty()) else {
         return state.say(Role::Bad, text!("say-mode-without-points"));
     };
-    let way = scene.first_modes(group).map_or(index, |modes| modes.number(index));
+    let way = scene.modes(group, 0).map_or(index, |modes| modes.number(index));
     if whatif::assemble(state, &points) {
         state.say(Role::Good, text!("say-mode-taken", mode = number(way)));
     } else {
@@ -40,15 +42,14 @@ pub(super) fn take(state: &mut State) {
 }
 
 /// After a change: the mode that each group had is taken where it still exists; otherwise that is said.
-pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Modes>]) {
+pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Arc<Modes>>]) {
     let Some(scene) = &state.scene else { return };
-    let first = scene.poses.first().and_then(Option::as_ref);
-    if first.is_none_or(|pose| pose.coordinate.to_bits() != coordinate.to_bits()) {
+    if scene.pose(0, 0.0).is_none_or(|pose| pose.coordinate.to_bits() != coordinate.to_bits()) {
         return;
     }
     let structure = &scene.linkage.structure;
     for (group, before) in before.iter().enumerate().take(structure.groups.len()) {
-        let Some((before, modes)) = before.as_ref().zip(scene.first_modes(group)) else { continue };
+        let Some((before, modes)) = before.as_ref().zip(scene.modes(group, 0)) else { continue };
         let limit = if modes.all.len() < before.all.len() { VANISHED } else { f64::INFINITY };
         let Some(index) = before.present_after(&modes, limit, structure.scale) else {
             let name = structure.group_name(&scene.linkage.mechanism, group);
@@ -63,8 +64,8 @@ pub(super) fn keep(state: &mut State, coordinate: f64, before: &[Option<Modes>])
 }
 
 /// The modes of each group in the first position.
-pub(super) fn all(scene: &Scene) -> Vec<Option<Modes>> {
-    (0..scene.linkage.structure.groups.len()).map(|group| scene.first_modes(group)).collect()
+pub(super) fn all(scene: &Scene) -> Vec<Option<Arc<Modes>>> {
+    (0..scene.linkage.structure.groups.len()).map(|group| scene.modes(group, 0)).collect()
 }
 
 /// The points that tell a mode: the inner pins of the group, or all its points where it has none, and those that have a place in
@@ -72,8 +73,8 @@ pub(super) fn all(scene: &Scene) -> Vec<Option<Modes>> {
 fn points(scene: &Scene, group: usize, index: usize) -> Option<Vec<Assembled>> {
     let linkage = &scene.linkage;
     let (mechanism, frame) = (&linkage.mechanism, &linkage.structure.groups[group].frame);
-    let first = scene.poses.first()?.as_ref()?;
-    let modes = scene.first_modes(group)?;
+    let first = scene.pose(0, 0.0)?;
+    let modes = scene.modes(group, 0)?;
     let mode = modes.all.get(index)?;
     let is_own = |point: &Point| point.places.iter().all(|place| frame.column(place.link).is_some());
     let has_pins = mechanism.points.iter().any(|point| point.is_pin() && is_own(point));

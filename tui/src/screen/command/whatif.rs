@@ -105,8 +105,7 @@ pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>,
             let is_of_modes = what.is_of_modes(&change.edits);
             what.shown.clone_from(&change.edits);
             let before = state.scene.as_ref().filter(|_| !late && !is_of_modes);
-            let before =
-                before.and_then(|scene| Some((scene.poses.first()?.as_ref()?.coordinate, modes::all(scene))));
+            let before = before.and_then(|scene| Some((scene.pose(0, 0.0)?.coordinate, modes::all(scene))));
             show(state, *scene);
             if let Some((coordinate, before)) = before {
                 modes::keep(state, coordinate, &before);
@@ -135,7 +134,8 @@ fn show(state: &mut State, scene: Scene) {
     if !same || state.what_if.shown.is_empty() {
         state.compared.take_if(|compared| compared.before || !same);
     } else if state.compared.is_none() {
-        let compared = |old| Compared { name: text!("say-before"), scene: Box::new(old), before: true };
+        let compared =
+            |old: Scene| Compared { name: text!("say-before"), results: Box::new(old.results), before: true };
         state.compared = old.map(compared);
     }
     if let Some(other) = state.what_if.compared.clone() {

@@ -12,7 +12,7 @@ use assur_study::chart::{self, ChartData};
 use assur_study::stability::Stability;
 use assur_words::Text;
 
-use super::found::Found;
+use super::Found;
 use super::scene::Scene;
 use super::whatif::Change;
 use crate::session::{Session, Source};

@@ -1,20 +1,14 @@
 //! Everything on which a frame depends. Commands change it, views read it; nothing here draws or knows a command by
 //! name.
 
-mod found;
-mod gather;
 mod job;
 mod keymap;
 mod kinds;
 mod look;
-mod outline;
 mod picker;
-mod plans;
-mod probe;
 mod scene;
 mod shown;
 mod subsequence;
-mod transfer;
 mod whatif;
 
 use std::cell::RefCell;
@@ -29,9 +23,7 @@ use ratatui::layout::Rect;
 pub(crate) use crate::session::Source;
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
-pub(crate) use assur_picture::{Series, coordinate_unit};
-pub(crate) use found::Found;
-pub(crate) use gather::Reaction;
+pub(crate) use assur_picture::{Compared, Found, Plans, Probe, Reaction, Series, coordinate_unit};
 pub(crate) use job::{
     CalculationRequest, Cancel, Effect, Job, Measured, NoteWriter, Outcome, OutputFile, Purpose, Report,
     Running, Wanted,
@@ -42,9 +34,7 @@ pub(crate) use kinds::{
 };
 pub(crate) use look::{Kind, Look, Panels, Pictures, Role, SETTINGS, Theme};
 pub(crate) use picker::{Choice, Entry, Help, LONGEST, Picker, PickerKind};
-pub(crate) use plans::Plans;
-pub(crate) use probe::Probe;
-pub(crate) use scene::{Compared, Scene};
+pub(crate) use scene::Scene;
 pub(crate) use shown::Stop;
 pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};
 
@@ -135,7 +125,7 @@ impl State {
             commands,
             keys,
             what_if: WhatIf::of(scene.as_ref()),
-            position: scene.as_ref().map_or(0, Scene::first_position),
+            position: scene.as_ref().map_or(0, |scene| scene.first_position()),
             scene,
             look,
             pace: EVERY,
@@ -214,7 +204,7 @@ impl State {
 
     /// Number of positions; 1 without a scene.
     pub(crate) fn positions(&self) -> usize {
-        self.scene.as_ref().map_or(1, Scene::positions).max(1)
+        self.scene.as_ref().map_or(1, |scene| scene.positions()).max(1)
     }
 
     /// Moves by this many positions, cyclically.
@@ -226,7 +216,7 @@ impl State {
     /// The next frame of the motion that plays.
     pub(crate) fn advance(&mut self) {
         // Between the last position and the first one there is a way only where they close a cycle.
-        let closed = self.scene.as_ref().is_some_and(Scene::is_cycle);
+        let closed = self.scene.as_ref().is_some_and(|scene| scene.is_cycle());
         let end = !closed && self.position + 1 == self.positions();
         let ahead = if end { FRAMES } else { self.phase + PACES[self.pace % PACES.len()] };
         if ahead >= FRAMES {

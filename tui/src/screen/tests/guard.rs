@@ -23,11 +23,14 @@ fn pictures((scene, has_note): &(PathBuf, bool)) -> Vec<(String, String)> {
     let session = Session::open(Source::File(scene.clone())).unwrap();
     let own = session.note.clone();
     let mut state = still::analyzed(&session.into(), Options::default(), true, Language::english()).unwrap();
+    // As the command writes it: before the screen shows other parts of the views.
+    let written = has_note.then(|| note::write(&mut state, &own, Form::Markdown, "").ok()).flatten();
     let mut found: Vec<_> = views().into_iter().flat_map(|view| of_view(&mut state, view)).collect();
-    if *has_note && let Ok(written) = note::write(&mut state, &own, Form::Markdown, "") {
+    found.extend(written.map(|written| {
         let figures = written.figures.iter().map(|(name, figure)| [name.as_str(), figure]);
-        found.push(("note".to_owned(), Hash::of(figures.flatten().collect::<String>().as_bytes())));
-    }
+        let all = figures.flatten().chain([written.text.as_str()]);
+        ("note".to_owned(), Hash::of(all.collect::<String>().as_bytes()))
+    }));
     found
 }
 

@@ -288,7 +288,7 @@ fn a_changed_length_compiles_once_and_a_changed_mass_never() {
 #[test]
 fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
     let present = |state: &State| {
-        let modes = state.scene.as_ref().and_then(|scene| scene.first_modes(0)).unwrap();
+        let modes = state.scene.as_ref().and_then(|scene| scene.modes(0, 0)).unwrap();
         (modes.number(modes.present), modes.all.len())
     };
     // `[assembly]` stands in the file, and does not.
@@ -327,7 +327,7 @@ fn modes_of_a_group_are_shown_one_after_the_other_and_one_is_taken() {
 fn a_changed_length_keeps_the_mode_while_it_exists_and_its_end_is_told() {
     let strut = |state: &mut State, length: &str| {
         write(state, &format!(":value link.strut.points.E {length}"));
-        let modes = state.scene.as_ref().and_then(|scene| scene.first_modes(0)).unwrap();
+        let modes = state.scene.as_ref().and_then(|scene| scene.modes(0, 0)).unwrap();
         let told = text(state, 80, 24).contains("has vanished");
         (modes.number(modes.present), modes.all.len(), told)
     };

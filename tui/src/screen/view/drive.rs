@@ -120,12 +120,11 @@ pub(super) fn whole(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
 pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
-    let results = found.results(scene);
     let panels = match state.part(View::Drive) {
         ViewPart::EnergyMass => vec![regime::energy_mass(&dynamics.energy_mass)],
         ViewPart::Reduction => reduction::link(state, scene, found).into_iter().collect(),
         ViewPart::Inertia => {
-            let (panel, legend) = regime::shares(&results, dynamics, state.pictured());
+            let (panel, legend) = regime::shares(found, dynamics, state.pictured());
             return Figure { title: text!("drive-title"), panels: vec![panel], columns, legend };
         }
         // The two drives stand beside each other.
@@ -135,7 +134,7 @@ pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
             return Figure { title: text!("places-heading"), columns: panels.len().max(1), panels, legend };
         }
         _ => {
-            let moments = regime::moments(&results, &dynamics.regime, state.pictured());
+            let moments = regime::moments(found, &dynamics.regime, state.pictured());
             let section =
                 regime::working_section(dynamics).filter(|_| state.part(View::Drive) == ViewPart::Curves);
             regime::characteristic(dynamics).into_iter().chain(section).chain([moments]).collect()

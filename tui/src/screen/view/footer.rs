@@ -72,10 +72,8 @@ pub(super) fn calculating(state: &State, running: &Running) -> Text {
 /// Why this position can't be assembled, or else what the results lack or don't prove.
 fn failure(state: &State) -> Option<&Text> {
     let scene = state.scene.as_ref()?;
-    let here = scene.broken.get(state.position)?.as_ref().map(|broken| &broken.why);
-    let first = || scene.broken.iter().flatten().next().map(|broken| &broken.why);
-    let told = || state.found()?.verdict.messages().next();
-    here.or_else(first).or_else(told)
+    let broken = scene.broken.get(&state.position).or_else(|| scene.broken.values().next());
+    broken.map(|broken| &broken.why).or_else(|| scene.verdict.messages().next())
 }
 
 /// The keys of this view, in both rows where nothing else is said; the keys of the program stand at the right.

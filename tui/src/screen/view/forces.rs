@@ -56,7 +56,7 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
         ViewPart::Curves => curves(state, scene, found, &[0, 1, 2]),
         ViewPart::Hodograph => {
             let mut panels: Vec<Panel> = hodograph(state, found).into_iter().collect();
-            let touching = |reaction| beside_friction(scene, found, state.position, reaction);
+            let touching = |reaction| beside_friction(found, state.position, reaction);
             panels.extend(chosen(state, found).and_then(touching));
             panels
         }
@@ -72,14 +72,9 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 }
 
 /// The reaction of a pair with friction in a position, as the textbooks draw it; `None` without friction or force.
-pub(crate) fn beside_friction(
-    scene: &Scene,
-    found: &Found,
-    position: usize,
-    reaction: &Reaction,
-) -> Option<Panel> {
+pub(crate) fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> Option<Panel> {
     let (pair, link) = reaction.of.as_ref()?;
-    friction::panel(&found.results(scene), position, (pair.id, link.id), &reaction.name)
+    friction::panel(found, position, (pair.id, link.id), &reaction.name)
 }
 
 fn heading(state: &State, scene: &Scene, found: &Found) -> Text {

@@ -11,6 +11,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{arrows, panel};
 use crate::screen::draw::{cells, paint_zoomed};
 use crate::screen::state::{Probe, Scene, State, Traces, View};
+use assur_picture::Results;
 
 /// Columns of the numbers next to the drawing.
 const PANEL: u16 = 26;
@@ -45,7 +46,7 @@ pub(super) fn figure(state: &State, scene: &Scene, marked: &[usize]) -> Figure {
     let position = state.position;
     let mut items = traces(state, scene);
     if let Some(compared) = &state.compared {
-        items.extend(ghost(state, &compared.scene));
+        items.extend(ghost(state, &compared.results));
     }
     // While the structure is put together, the links of the groups that are not joined yet.
     let from = state.joined.filter(|_| state.view == View::Structure);
@@ -109,7 +110,7 @@ pub(crate) fn plane(scene: &Scene, items: Vec<Item>) -> Panel {
     Panel { title: Text::default(), frame, items }
 }
 
-pub(crate) fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> {
+pub(crate) fn drawing<'a>(scene: &'a Results, marked: &'a [usize]) -> Drawing<'a> {
     Drawing {
         linkage: &scene.linkage,
         strokes: &scene.outline.strokes,
@@ -122,13 +123,12 @@ pub(crate) fn drawing<'a>(scene: &'a Scene, marked: &'a [usize]) -> Drawing<'a> 
 /// A position that can't be assembled: what has a place, and the gap of the first group that has none.
 fn broken(scene: &Scene, marked: &[usize], position: usize) -> Vec<Item> {
     let drawing = drawing(scene, marked);
-    let Some(Some(broken)) = scene.broken.get(position) else { return drawing.ground() };
+    let Some(broken) = scene.broken.get(&position) else { return drawing.ground() };
     let hidden = links_from(scene, broken.group);
     let mut items = Drawing { hidden: &hidden, ..drawing }.items(&broken.pose);
-    let distance = |(number, _): &(usize, &Position)| number.abs_diff(position);
-    let exist = scene.poses.iter().enumerate().filter_map(|(number, pose)| Some((number, pose.as_ref()?)));
-    let near = exist.min_by_key(distance).map(|(_, pose)| pose);
-    items.extend(drawing.gap(&broken.pose, near, broken.group));
+    let near = scene.assembled().min_by_key(|number| number.abs_diff(position));
+    let near = near.and_then(|near| scene.pose(near, 0.0));
+    items.extend(drawing.gap(&broken.pose, near.as_ref(), broken.group));
     items
 }
 
@@ -139,7 +139,7 @@ fn links_from(scene: &Scene, group: usize) -> Vec<usize> {
 }
 
 /// The links of another mechanism in the same place of the motion, as faint lines.
-fn ghost(state: &State, scene: &Scene) -> Vec<Item> {
+fn ghost(state: &State, scene: &Results) -> Vec<Item> {
     let Some(pose) = scene.pose(state.position, state.part_way()) else { return Vec::new() };
     let faint = |item| match item {
         Item::Line { points, .. } => Some(Item::line(points, Stroke::Dashed, Ink::Dim)),
@@ -199,9 +199,7 @@ fn trail(state: &State, scene: &Scene, path: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let now = (0..=steps).rev().find(|at| *at as f64 <= now).unwrap_or(0);
     let back = (0..=steps / TRAIL).rev();
     let points = back.filter_map(|back| match now.checked_sub(back) {
-        None if scene.is_cycle() && scene.poses.iter().all(Option::is_some) => {
-            path.get((now + steps - back) % steps)
-        }
+        None if scene.is_cycle() && scene.broken.is_empty() => path.get((now + steps - back) % steps),
         at => path.get(at?),
     });
     points.copied().collect()

@@ -66,13 +66,12 @@ pub(super) fn told(state: &State, scene: &Scene, found: &Found, width: u16) -> V
 pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
-    let results = found.results(scene);
     let panels = match (regime, state.part(View::Motion)) {
         (_, ViewPart::Reduction) => reduction::panels(state, scene, found),
         (Some(regime), ViewPart::Iteration) => regime::iteration(regime),
-        (Some(regime), ViewPart::Course) => regime::course(&results, regime, state.pictured()),
+        (Some(regime), ViewPart::Course) => regime::course(found, regime, state.pictured()),
         (_, part) if part != ViewPart::Overview || found.motion.is_empty() => {
-            over_time(&results, state.pictured())
+            over_time(found, state.pictured())
         }
         _ => {
             let shown = most.clamp(1, found.motion.len());

@@ -30,7 +30,7 @@ pub(super) fn draw(
     let plain = |text: String| (Role::Plain, text);
     let mut lines: Vec<_> = input(state, scene).into_iter().map(|text| plain(state.told(text))).collect();
     lines.push(plain(String::new()));
-    if let Some(Some(broken)) = scene.broken.get(state.position) {
+    if let Some(broken) = scene.broken.get(&state.position) {
         let rows = wrapped(&state.told(&broken.why), usize::from(area.width.max(8)) - 2);
         lines.extend(rows.into_iter().map(|line| (Role::Bad, line)));
     } else {

@@ -8,6 +8,7 @@ use ratatui::layout::Rect;
 use super::{drive, motion};
 use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Role, State, View};
+use crate::working;
 
 pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;
@@ -67,10 +68,12 @@ pub(crate) fn lines(state: &State, view: View, width: u16) -> Vec<String> {
         (View::Accuracy, Some(measured), _) => {
             measured.text(Style { language, ascii: state.look.ascii }, width)
         }
-        (View::Working, _, Some(found)) => match found.plans.at(state.position).working() {
-            Ok(sections) => assur_worksheet::text(sections, usize::from(width), language),
-            Err(error) => error.describe().render(language),
-        },
+        (View::Working, _, Some(found)) => {
+            match working::of_position(found.plans.calculation(), state.position) {
+                Ok(working) => assur_worksheet::text(&working.sections, usize::from(width), language),
+                Err(error) => error.describe().render(language),
+            }
+        }
         _ => String::new(),
     };
     text.lines().flat_map(|line| folded(line, usize::from(width))).collect()

@@ -76,8 +76,8 @@ pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
 
 /// The first position with a group in another mode, and the links that follow from it.
 fn in_mode(scene: &Scene, group: usize, mode: usize) -> Option<(Position, Vec<usize>)> {
-    let (linkage, modes) = (&scene.linkage, scene.first_modes(group)?);
-    let mut pose = scene.poses.first()?.clone()?;
+    let (linkage, modes) = (&scene.linkage, scene.modes(group, 0)?);
+    let mut pose = scene.pose(0, 0.0)?;
     let links = &linkage.structure.groups[group].frame.links;
     links.iter().zip(&modes.all.get(mode)?.bodies).for_each(|(&link, body)| pose.bodies[link] = *body);
     let later = group + 1..linkage.structure.groups.len();
@@ -142,8 +142,8 @@ fn details(state: &State, scene: &Scene, group: &assur_structure::Group, index: 
         text!("structure-inner", pairs = pairs(&group.frame.inner)),
         text!("structure-outer", pairs = pairs(&group.outer())),
     ];
-    if let Some(Some(pose)) = scene.poses.get(position) {
-        if let Ok(Some(modes)) = linkage.modes(index, pose) {
+    if let Some(pose) = scene.pose(position, 0.0) {
+        if let Some(modes) = scene.modes(index, position) {
             let (mode, count) = (number(modes.number(modes.present)), number(modes.all.len()));
             lines.push(text!("structure-mode-of", mode = mode, count = count));
             let shown = state.mode_of(index).and_then(|shown| Some((shown, modes.all.get(shown)?)));

@@ -10,7 +10,8 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::number::{digits, plain};
 use crate::screen::draw::{cut, put, put_lines, short};
-use crate::screen::state::{Role, Scene, Series, State};
+use crate::screen::state::{Role, Series, State};
+use assur_picture::Results;
 
 /// Least and greatest height, with the title.
 const HEIGHT: [u16; 2] = [7, 16];
@@ -84,7 +85,7 @@ const DIGITS: usize = 4;
 type Finding = (Text, f64);
 
 /// The results of a scene, of which those with the same name belong together.
-fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
+fn results_of(state: &State, scene: &Results) -> Vec<Finding> {
     let mut results: Vec<Finding> = Vec::new();
     let named = |id: &'static str, series: &Series| {
         list([text!(id, quantity = &series.head), unit(series.unit.clone())])
@@ -119,7 +120,7 @@ fn results_of(state: &State, scene: &Scene) -> Vec<Finding> {
 fn results(state: &State) -> Vec<String> {
     let before = state.compared.as_ref().filter(|compared| compared.before);
     let (Some(scene), Some(before)) = (&state.scene, before) else { return Vec::new() };
-    let old = results_of(state, &before.scene);
+    let old = results_of(state, &before.results);
     let row = |(what, new): Finding| {
         let (_, old) = old.iter().find(|(known, _)| *known == what)?;
         let change =

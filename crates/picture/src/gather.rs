@@ -7,35 +7,35 @@ use assur_book::{Course, catalogue};
 use assur_mechanism::{GROUND, LinkId, Named, PairId};
 use assur_words::Text;
 
-use assur_picture::Series;
+use crate::Series;
 
 /// A value this small compared with the greatest one in its unit counts as zero.
 const ROUNDING: f64 = 1e-13;
 
 /// The force that a pair exerts on one link, as indices of series.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Reaction {
+pub struct Reaction {
     /// The pin or slide, and the link on which it acts; `None` for the balancing load.
-    pub(crate) of: Option<(Named<PairId>, Named<LinkId>)>,
+    pub of: Option<(Named<PairId>, Named<LinkId>)>,
     /// `A on crank`, `balancing load`.
-    pub(crate) name: Text,
+    pub name: Text,
     /// Fx, Fy, modulus; for the balancing load its one series.
-    pub(crate) series: Vec<usize>,
+    pub series: Vec<usize>,
     /// Moment of a slide.
-    pub(crate) moment: Option<usize>,
+    pub moment: Option<usize>,
 }
 
 /// Series that are being collected from the positions of an analysis.
-pub(super) struct Gather<'a> {
-    pub(super) table: &'a Table,
+pub(crate) struct Gather<'a> {
+    pub(crate) table: &'a Table,
     /// What lies between and after them.
-    pub(super) edges: &'a Edges,
-    pub(super) series: Vec<Series>,
+    pub(crate) edges: &'a Edges,
+    pub(crate) series: Vec<Series>,
 }
 
 impl Gather<'_> {
     /// Adds a column as a series if any position has it, and returns its index.
-    pub(super) fn add(&mut self, column: Column) -> Option<usize> {
+    pub(crate) fn add(&mut self, column: Column) -> Option<usize> {
         let course = Course::of(self.table, Some(self.edges), Column::COORDINATE, column);
         if course.is_empty() {
             return None;
@@ -52,7 +52,7 @@ impl Gather<'_> {
     }
 
     /// Speed and acceleration of the input, reduced inertia and moment.
-    pub(super) fn motion(&mut self) -> Vec<usize> {
+    pub(crate) fn motion(&mut self) -> Vec<usize> {
         let all = [
             Quantity::Velocity,
             Quantity::Acceleration,
@@ -64,7 +64,7 @@ impl Gather<'_> {
     }
 
     /// Velocities and accelerations of points, links and slides.
-    pub(super) fn rates(&mut self) {
+    pub(crate) fn rates(&mut self) {
         let schema = self.table.schema();
         for quantity in [Quantity::Velocity, Quantity::Acceleration] {
             let owners = schema.owners(quantity).into_iter().filter(|owner| *owner != Owner::Input);
@@ -73,7 +73,7 @@ impl Gather<'_> {
     }
 
     /// Force and moment of every pair, then the balancing load.
-    pub(super) fn reactions(&mut self) -> Vec<Reaction> {
+    pub(crate) fn reactions(&mut self) -> Vec<Reaction> {
         let schema = self.table.schema();
         let mut found = Vec::new();
         for (id, on) in pairs(schema) {
@@ -94,7 +94,7 @@ impl Gather<'_> {
     }
 
     /// What else a position has: loads, inertia loads, friction, what shakes the ground, how well each group is conditioned.
-    pub(super) fn others(&mut self) {
+    pub(crate) fn others(&mut self) {
         let schema = self.table.schema();
         for &column in schema.columns() {
             let whole = column.part(Part::Whole);
@@ -109,7 +109,7 @@ impl Gather<'_> {
     }
 
     /// Raises the limits below which values count as zero to what is rounding beside the greatest value in their unit.
-    pub(super) fn mark_rounding(&mut self) {
+    pub(crate) fn mark_rounding(&mut self) {
         let mut greatest: HashMap<&str, f64> = HashMap::new();
         for series in &self.series {
             let most = greatest.entry(&series.unit).or_default();

@@ -3,20 +3,21 @@
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId};
 
-use super::scene::Scene;
+use crate::Results;
 
 /// A point of a link that the scene does not name.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Probe {
-    pub(crate) link: LinkId,
+pub struct Probe {
+    /// The link.
+    pub link: LinkId,
     /// Its place in the frame of the link, m.
-    pub(crate) at: [f64; 2],
+    pub at: [f64; 2],
 }
 
 impl Probe {
     /// The middle of the named points of a link.
-    pub(crate) fn of(scene: &Scene, link: LinkId) -> Self {
-        let mechanism = &scene.linkage.mechanism;
+    pub fn of(results: &Results, link: LinkId) -> Self {
+        let mechanism = &results.linkage.mechanism;
         let points: Vec<[f64; 2]> =
             (0..mechanism.points.len()).filter_map(|point| mechanism.place_in(point, link)).collect();
         let count = points.len().max(1) as f64;
@@ -25,8 +26,8 @@ impl Probe {
     }
 
     /// The link whose points describe the most general curves: the first that has no point on the ground.
-    pub(crate) fn first_link(scene: &Scene) -> LinkId {
-        let mechanism = &scene.linkage.mechanism;
+    pub fn first_link(results: &Results) -> LinkId {
+        let mechanism = &results.linkage.mechanism;
         let fixed = |link: LinkId| {
             let pinned = mechanism.points.iter().any(|point| {
                 let on = |wanted: LinkId| point.places.iter().any(|place| place.link == wanted);
@@ -38,15 +39,15 @@ impl Probe {
     }
 
     /// Its path over the whole cycle, m; NaN where there is no assembly.
-    pub(crate) fn path(&self, scene: &Scene) -> Vec<[f64; 2]> {
+    pub fn path(&self, results: &Results) -> Vec<[f64; 2]> {
         let at = |position: &Option<Position>| {
             position.as_ref().map_or([f64::NAN; 2], |position| position.bodies[self.link].point(self.at))
         };
-        scene.outline.fine.iter().map(at).collect()
+        results.outline.fine.iter().map(at).collect()
     }
 
     /// Moves it so that it is at a place of the plane (m) in a position of the mechanism.
-    pub(crate) fn put(&mut self, pose: &Position, place: [f64; 2]) {
+    pub fn put(&mut self, pose: &Position, place: [f64; 2]) {
         let body = &pose.bodies[self.link];
         let origin = body.point([0.0; 2]);
         let [x, y] = [place[0] - origin[0], place[1] - origin[1]];

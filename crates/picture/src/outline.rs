@@ -20,22 +20,22 @@ const LEAST_ARC: f64 = 0.02;
 
 /// The whole cycle of a linkage for drawings.
 #[derive(Debug)]
-pub(crate) struct Outline {
+pub struct Outline {
     /// Closely spaced positions over the whole cycle; `None` where there is no assembly.
-    pub(crate) fine: Vec<Option<Position>>,
+    pub fine: Vec<Option<Position>>,
     /// Paths of the points over the whole cycle, m; empty for points of the ground.
-    pub(crate) paths: Vec<Vec<[f64; 2]>>,
+    pub paths: Vec<Vec<[f64; 2]>>,
     /// Least and greatest displacement of each slide, m.
-    pub(crate) strokes: Vec<[f64; 2]>,
+    pub strokes: Vec<[f64; 2]>,
     /// The arcs in contact with a line of the ground.
-    pub(crate) arcs: Vec<Arc>,
+    pub arcs: Vec<Arc>,
     /// Bounds of the drawing over the whole cycle.
-    pub(crate) bounds: Bounds,
+    pub bounds: Bounds,
 }
 
 impl Outline {
     /// Calculates it; `others`: further positions to be within the bounds, in which links without a place have none.
-    pub(crate) fn of<'a>(linkage: &Linkage, others: impl Iterator<Item = &'a Position>) -> Self {
+    pub fn of<'a>(linkage: &Linkage, others: impl Iterator<Item = &'a Position>) -> Self {
         let fine = fine(linkage);
         let paths = paths(linkage, &fine);
         let strokes = strokes(linkage, &fine);

@@ -9,18 +9,13 @@ use assur_book::{Course, Node};
 use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, PointId};
 
-use assur_picture::{Series, Transfer};
+use crate::{Series, Transfer};
 
 /// A value this small compared with the size of the mechanism counts as zero.
 const ROUNDING: f64 = 1e-13;
 
 /// All series, and which of them belong together.
-///
-/// # Errors
-///
-/// [`AnalysisError`], as of any other calculation.
-pub(crate) fn series(linkage: &Linkage) -> Result<(Vec<Series>, Vec<Transfer>), AnalysisError> {
-    let (table, edges) = positions(linkage)?;
+pub(crate) fn series(linkage: &Linkage, table: &Table, edges: &Edges) -> (Vec<Series>, Vec<Transfer>) {
     let (mechanism, schema) = (&linkage.mechanism, Schema::new(&linkage.mechanism));
     let node = |number| {
         let at = mechanism.input.coordinate(number);
@@ -43,18 +38,18 @@ pub(crate) fn series(linkage: &Linkage) -> Result<(Vec<Series>, Vec<Transfer>), 
         let first = series.len();
         series.extend((0..=2).map(|order| {
             let column = Column { quantity: Quantity::Transfer(order), ..place };
-            let course = Course::of(&table, Some(&edges), Column::COORDINATE, column);
+            let course = Course::of(table, Some(edges), Column::COORDINATE, column);
             Series::of(&schema, column, course, ROUNDING * size)
         }));
         let name = catalogue::subject(&schema, place);
         transfers.push(Transfer { name, owner: place.owner, orders: [first, first + 1, first + 2] });
     }
-    Ok((series, transfers))
+    (series, transfers)
 }
 
 /// The transfer functions of the positions and of what is drawn between and after them, whatever the scene requests and however it
 /// is loaded.
-fn positions(linkage: &Linkage) -> Result<(Table, Edges), AnalysisError> {
+pub(crate) fn positions(linkage: &Linkage) -> Result<(Table, Edges), AnalysisError> {
     let mut bare = linkage.clone();
     let mechanism = &mut bare.mechanism;
     (mechanism.motion, mechanism.drive) = (None, None);

@@ -1,0 +1,222 @@
+//! What was calculated of a scene: its positions, the data for drawings and tables, and the results of the analysis.
+
+use std::cell::RefCell;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
+
+use assur_analysis::AnalysisError;
+use assur_analysis::results::{Column, Owner, Quantity, Table};
+use assur_figure::number::plain;
+use assur_group::{GroupError, Order};
+use assur_kinematics::{Linkage, Modes, Position, PositionError};
+use assur_words::{Describe, Text, number, quantity, text};
+
+use crate::{Found, Outline, Series, Transfer, coordinate_at, coordinate_unit, transfer};
+
+/// What was calculated of a scene.
+#[derive(Debug)]
+pub struct Results {
+    /// The compiled mechanism, with all its groups.
+    pub linkage: Arc<Linkage>,
+    /// The positions that can't be assembled, by number.
+    pub broken: BTreeMap<usize, Broken>,
+    /// The whole cycle for drawings.
+    pub outline: Outline,
+    /// The coordinate, then PF0, PF1, PF2 of points, links and slides.
+    pub series: Vec<Series>,
+    /// The quantities with two derivatives.
+    pub transfers: Vec<Transfer>,
+    /// The results of the analysis; `None` while it runs, or if there are none.
+    pub found: Option<Box<Found>>,
+    /// The results by another force analyzer, for the difference.
+    pub other: Option<Box<Found>>,
+    /// By group, the least determinant over the positions, and the position that has it.
+    least_health: Vec<Option<(f64, usize)>>,
+    /// Modes by group and position, kept because a view is drawn many times.
+    modes: RefCell<HashMap<[usize; 2], Option<Arc<Modes>>>>,
+}
+
+/// A position that can't be assembled.
+#[derive(Debug)]
+pub struct Broken {
+    /// Why: what, by how much, where.
+    pub why: Text,
+    /// The links that have a place; the others are at NaN.
+    pub pose: Position,
+    /// The first group that has none.
+    pub group: usize,
+}
+
+impl Results {
+    /// Calculates the positions of a linkage.
+    ///
+    /// # Errors
+    ///
+    /// [`AnalysisError`], as of any other calculation.
+    pub fn of(linkage: Arc<Linkage>) -> Result<Self, AnalysisError> {
+        let (table, edges) = transfer::positions(&linkage)?;
+        let (series, transfers) = transfer::series(&linkage, &table, &edges);
+        let missing = (0..linkage.mechanism.input.positions).filter(|index| table.row_of(*index).is_none());
+        let broken: BTreeMap<_, _> =
+            missing.filter_map(|index| Some((index, broken(&linkage, index)?))).collect();
+        let outline = Outline::of(&linkage, broken.values().map(|broken| &broken.pose));
+        let least_health =
+            (0..linkage.structure.groups.len()).map(|group| least_health(&table, group)).collect();
+        let (found, other, modes) = (None, None, RefCell::default());
+        Ok(Self { linkage, broken, outline, series, transfers, found, other, least_health, modes })
+    }
+
+    /// Number of positions.
+    pub fn positions(&self) -> usize {
+        self.linkage.mechanism.input.positions
+    }
+
+    /// Whether the positions are those of a cycle, whose end is no position of its own.
+    pub fn is_cycle(&self) -> bool {
+        self.linkage.mechanism.input.is_cycle()
+    }
+
+    /// The positions that can be assembled.
+    pub fn assembled(&self) -> impl Iterator<Item = usize> {
+        (0..self.positions()).filter(|index| !self.broken.contains_key(index))
+    }
+
+    /// The first position that can be assembled, or 0.
+    pub fn first_position(&self) -> usize {
+        self.assembled().next().unwrap_or(0)
+    }
+
+    /// The least determinant of a group over the positions, and the position that has it.
+    pub fn least_health(&self, group: usize) -> Option<(f64, usize)> {
+        *self.least_health.get(group)?
+    }
+
+    /// The group that comes nearest to a singular position, with its least determinant and the position.
+    pub fn nearest_group(&self) -> Option<(usize, f64, usize)> {
+        let all = self.least_health.iter().enumerate();
+        let least = all.filter_map(|(group, least)| least.map(|(health, at)| (group, health, at)));
+        least.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// The mechanism in a position, or on a part of the way to the next one; `None` where there is no assembly.
+    pub fn pose(&self, index: usize, part: f64) -> Option<Position> {
+        let [from, to] = [index, index + 1].map(|index| self.linkage.mechanism.input.coordinate(index));
+        let (mut pose, at) =
+            (self.linkage.position(), if part > 0.0 { from + part * (to - from) } else { from });
+        self.linkage.solve(at, Order::Second, &mut pose).ok().map(|()| pose)
+    }
+
+    /// The modes of a group in a position; `None` where there is no such group or position, or its kind can't list them.
+    pub fn modes(&self, group: usize, position: usize) -> Option<Arc<Modes>> {
+        let list = || {
+            self.linkage.structure.groups.get(group)?;
+            let modes = self.linkage.modes(group, &self.pose(position, 0.0)?).ok()??;
+            (!modes.all.is_empty()).then(|| Arc::new(modes))
+        };
+        self.modes.borrow_mut().entry([group, position]).or_insert_with(list).clone()
+    }
+
+    /// What a quantity belongs to: its kind and its name.
+    pub fn owner(&self, owner: &Owner) -> (&'static str, &str) {
+        let mechanism = &self.linkage.mechanism;
+        match *owner {
+            Owner::Point(id) => ("point", &mechanism.points[id].name),
+            Owner::Link(id) => ("link", &mechanism.links[id].name),
+            Owner::Slide(id) => ("slide", &mechanism.slides[id].name),
+            _ => ("", ""),
+        }
+    }
+
+    /// All series: the transfer functions, then what the analysis found.
+    pub fn columns(&self) -> impl Iterator<Item = &Series> {
+        self.series.iter().chain(self.found.iter().flat_map(|found| &found.series))
+    }
+
+    /// Number of [`columns`](Self::columns).
+    pub fn column_count(&self) -> usize {
+        self.columns().count()
+    }
+
+    /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
+    pub fn coordinate_at(&self, at: f64) -> f64 {
+        coordinate_at(&self.linkage, at)
+    }
+
+    /// `position 6, 45 deg`.
+    pub fn place(&self, position: usize) -> Text {
+        let series = &self.series[0];
+        let at = quantity(plain(series.at(position)), series.unit.clone());
+        text!("position-at", position = number(position), at = at)
+    }
+
+    /// The series of a short name.
+    pub fn named(&self, short: &str) -> Option<&Series> {
+        self.columns().find(|series| series.short == short)
+    }
+
+    /// A series by its place among [`columns`](Self::columns).
+    pub fn column(&self, index: usize) -> Option<&Series> {
+        self.columns().nth(index)
+    }
+}
+
+/// The least determinant of a group, from its condition number, which a singular position lacks.
+fn least_health(table: &Table, group: usize) -> Option<(f64, usize)> {
+    let column = table.schema().find(Column::of(Quantity::Condition, Owner::Group(group)))?;
+    let healths = table.each(column).map(|condition| condition.map_or(0.0, f64::recip));
+    healths.zip(table.numbers().iter().copied()).min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// A position that can't be assembled, with what there is of it.
+fn broken(linkage: &Linkage, index: usize) -> Option<Broken> {
+    let mut pose = linkage.position();
+    pose.bodies.iter_mut().skip(1).for_each(|body| body.x = f64::NAN);
+    let error = linkage.solve_index(index, Order::Second, &mut pose).err()?;
+    let placed = |link: &usize| pose.bodies[*link].x.is_finite();
+    let groups = &linkage.structure.groups;
+    let group = groups.iter().position(|group| !group.frame.links.iter().all(placed)).unwrap_or(error.group);
+    let why = failure(linkage, index, &error);
+    Some(Broken { why, pose, group: group.min(error.group) })
+}
+
+/// Why a position does not exist, the most important first: what, by how much, where.
+fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
+    let GroupError::NoAssembly { gap_m } = error.source else {
+        return text!("say-no-assembly", reason = error.describe());
+    };
+    let (unit, factor) = coordinate_unit(linkage);
+    let at = quantity(plain(factor * error.coordinate), unit);
+    let place = text!("position-at", position = number(index), at = at);
+    let gap = quantity(format_args!("{:.4}", 1e3 * gap_m), "mm");
+    let group = linkage.structure.group_name(&linkage.mechanism, error.group);
+    match linkage.range.filter(|range| !range.full) {
+        Some(range) => {
+            let [from, to] = [range.low, range.high].map(|end| quantity(plain(factor * end), unit));
+            text!("say-misses-beyond", gap = gap, place = place, group = group, from = from, to = to)
+        }
+        None => text!("say-misses", gap = gap, place = place, group = group),
+    }
+}
+
+/// A second scene for comparison.
+#[derive(Debug)]
+pub struct Compared {
+    /// Its name.
+    pub name: Text,
+    /// Its results.
+    pub results: Box<Results>,
+    /// Whether it is the open scene as it was before its numbers were changed.
+    pub before: bool,
+}
+
+impl Compared {
+    /// The corresponding quantity of the second scene, in the same unit.
+    pub fn series(&self, own: &Series) -> Option<&Series> {
+        self.results.named(&own.short).filter(|other| other.unit == own.unit)
+    }
+
+    /// Own value minus that of the second scene; NaN if one of them has none.
+    pub fn difference(&self, own: &Series, position: usize) -> Option<f64> {
+        Some(own.at(position) - self.series(own)?.at(position))
+    }
+}
