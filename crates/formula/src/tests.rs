@@ -335,7 +335,9 @@ fn a_stretch_keeps_a_side_or_changes_it_once() {
             // Cosine falls up to a half turn.
             _ => [[to.cos(), from.cos()], [-1.0, -from.sin().min(to.sin())]],
         };
-        read(text).stays(0, side, along, &at(to, to.cos(), to, f64::NAN))
+        let formula = read(text);
+        // The outermost is read last.
+        formula.stays(formula.switches().len() - 1, side, along, &at(to, to.cos(), to, f64::NAN))
     };
     assert_eq!(stays("sign(w + t)", Positive, [0.0, 1.0]), Some(true));
     assert_eq!(stays("sign(w - q)", Positive, [0.0, 0.7]), Some(true));
