@@ -88,7 +88,7 @@ enum Aim {
     Time(f64),
     /// On a bound of the piece.
     Bound(Side),
-    /// Where the equation bends.
+    /// Where the equation has a kink.
     Bend,
     /// Just beyond a change that is no bound.
     Switch,
