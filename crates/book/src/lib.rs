@@ -15,7 +15,7 @@ mod table;
 pub use course::{Course, Jump, Node};
 pub use document::{Block, Document, Fact, Term, Value, link_name};
 pub use number::{Digits, Unit};
-pub use peaks::{Range, peaks, range};
+pub use peaks::{Range, peaks, range, range_of};
 pub use table::{Cell, Column, Group, Listing, Printed, Table};
 
 assur_words::resources!();

@@ -7,7 +7,7 @@ mod words;
 
 use assur_analysis::results::{Column, Owner, Part, Quantity, Residual};
 
-pub use path::{KEYS, PathStep, csv, path};
+pub use path::{KEYS, PathStep, csv, csv_of, path};
 pub use unit::{ANGLE, LENGTH, Shown, shown, unit};
 pub use words::{further, kind, owner, short, subject};
 
