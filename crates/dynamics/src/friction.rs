@@ -37,7 +37,7 @@ pub(crate) struct Friction {
     piece: [f64; 2],
     /// What was found last.
     pub(crate) found: FrictionMoment,
-    /// The forces that pressed the faces of slides then, whose moduli gave their friction.
+    /// The forces that pressed the faces of slides then, whose magnitudes gave their friction.
     pub(crate) pressing: Vec<f64>,
 }
 

@@ -27,7 +27,7 @@ pub struct RankedMethod {
 pub struct Choice {
     /// The method to take.
     pub first: RankedMethod,
-    /// The methods that follow if one finds during the motion that it can't treat the equation.
+    /// The methods that follow if one finds during the motion that it does not suit the equation.
     pub others: Vec<RankedMethod>,
     /// The method to continue with if an explicit one finds the equation stiff.
     pub stiff: Option<&'static IntegratorPlugin>,
@@ -70,7 +70,7 @@ fn error_of_steps(found: &Solution, motion: &mut dyn EquationOfMotion, request: 
 ///
 /// # Errors
 ///
-/// [`IntegrationError::Registry`] where no method has that name, [`IntegrationError::Unsupported`] where it can't treat the
+/// [`IntegrationError::Registry`] where no method has that name, [`IntegrationError::Unsupported`] where it does not support the
 /// equation, [`IntegrationError::NoMethod`] where none can.
 pub fn choose(name: &str, dependence: &Dependence, tolerance: f64) -> Result<Choice, IntegrationError> {
     if name == AUTO {

@@ -184,7 +184,7 @@ pub trait EquationOfMotion {
     }
 
     /// Numbers whose change of sign bends the equation inside a piece, so that a step should end there: of an equation whose
-    /// moment depends on the acceleration, the forces whose modulus gives friction. None by default.
+    /// moment depends on the acceleration, the forces whose magnitude gives friction. None by default.
     ///
     /// # Errors
     ///

@@ -37,7 +37,7 @@ pub struct IntegratorPlugin {
     /// The method stays efficient on stiff equations: `auto` continues with it where an explicit method finds
     /// stiffness.
     pub stiff: bool,
-    /// How well the method suits an equation at a tolerance; the error says, as a sentence, why it can't treat it.
+    /// How well the method suits an equation at a tolerance; the error says, as a sentence, why it does not support it.
     pub suitability: fn(&Dependence, tolerance: f64) -> Result<Suitability, Text>,
     /// The method itself.
     pub method: &'static dyn Integrator,

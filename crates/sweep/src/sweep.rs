@@ -7,6 +7,7 @@ use std::sync::mpsc::{Receiver, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::{Calculation, Options, unwatched};
+use assur_number::elementary;
 use assur_scene::edit::ParsedText;
 use assur_words::{Describe, Text, list, name, number, text};
 
@@ -133,7 +134,7 @@ impl Sweep {
             layout.add_plain(&found, &plain);
         }
         let places = richest.points.iter().flat_map(|point| &point.places);
-        let size = places.map(|place| place.at[0].hypot(place.at[1])).fold(0.0, f64::max);
+        let size = places.map(|place| elementary::hypot(place.at[0], place.at[1])).fold(0.0, f64::max);
         let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.doubt()?)));
         let doubts = of_units.chain(targets.iter().filter_map(|target| target.doubt(size))).collect();
         let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);

@@ -51,7 +51,7 @@ impl Work<'_> {
         true
     }
 
-    /// Writes the moduli of a block, step by step.
+    /// Writes the magnitudes of a block, step by step.
     fn iteration(
         &mut self,
         found: &FrictionIteration,
@@ -84,7 +84,7 @@ impl Work<'_> {
         }
     }
 
-    /// Adds the friction of a pair to the loads of its links; `lever`: of faces beside the guide line, the force that has the
+    /// Adds the friction of a pair to the loads of its links; `lever`: of faces offset from the guide line, the force that has the
     /// moment, N.
     fn friction_loads(&mut self, bearing: &Bearing, force: f64, lever: f64) {
         let mechanism = &self.linkage.mechanism;
@@ -135,7 +135,7 @@ impl Work<'_> {
     }
 }
 
-/// A modulus in words.
+/// A magnitude in words.
 fn modulus(mechanism: &Mechanism, bearing: &Bearing, kind: UnknownKind) -> Text {
     let pair = Text::from(name_of(mechanism, bearing.pair));
     match kind {

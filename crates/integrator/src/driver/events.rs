@@ -1,5 +1,5 @@
 //! On the edge of a piece: the end of the motion, or the next piece; and inside a piece where the equation bends: where a force
-//! whose modulus gives friction changes its sign.
+//! whose magnitude gives friction changes its sign.
 
 use assur_number::search::try_bisect;
 

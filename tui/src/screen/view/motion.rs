@@ -1,4 +1,4 @@
-//! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
+//! Speed, acceleration, J, J', Q over the positions, or the motion over time; the numbers of the regime.
 
 use assur_analysis::results::Analysis;
 use assur_figure::Figure;
@@ -62,7 +62,7 @@ pub(super) fn told(state: &State, scene: &Scene, found: &Found, width: u16) -> V
     })
 }
 
-/// Speed, acceleration, J, J', Q over the positions (at most `most`), or the course over time.
+/// Speed, acceleration, J, J', Q over the positions (at most `most`), or the motion over time.
 pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
     let Some(found) = &scene.found else { return Figure::default() };
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
