@@ -64,7 +64,7 @@ fn error_of_steps(found: &Solution, motion: &mut dyn EquationOfMotion, request: 
     (adaptive.integrator.knob != Knob::Step).then(|| adaptive.trajectory.deviation(&found.trajectory))
 }
 
-/// The method of that name; for [`AUTO`] all that can treat the equation, the cheapest first.
+/// The method of that name; for [`AUTO`] all that suit the equation, the cheapest first.
 ///
 /// Stiffness can't be seen from what an equation depends on: an explicit method reports it when it meets it.
 ///
@@ -109,7 +109,7 @@ fn ranked(
 }
 
 impl Choice {
-    /// Solves the equation by the first method that can treat it, keeping the tolerance for the motion as a whole.
+    /// Solves the equation by the first method that suits it, keeping the tolerance for the motion as a whole.
     pub fn solve(
         &self,
         motion: &mut dyn EquationOfMotion,

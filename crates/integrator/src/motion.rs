@@ -7,7 +7,7 @@ use assur_words::{Describe, Text, list, name, number, text};
 /// A dependence on the *sign* of the speed alone (dry friction, loads against the motion) does not count as a
 /// dependence on the speed: inside a [`Piece`] bounded by w = 0 it is none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "five independent questions that D asks of the equation")]
+#[expect(clippy::struct_excessive_bools, reason = "independent questions about the equation")]
 pub struct Dependence {
     /// J does not depend on the coordinate.
     pub inertia_constant: bool,
@@ -19,6 +19,8 @@ pub struct Dependence {
     pub moment_on_time: bool,
     /// Q depends on the acceleration, through the inertia loads on which dry friction depends; with it on coordinate and speed.
     pub moment_on_acceleration: bool,
+    /// Q changes where several variables together make it, so that [`EquationOfMotion::holds`] is asked for the end of a piece.
+    pub moment_switches: bool,
 }
 
 impl Dependence {
@@ -157,6 +159,25 @@ impl Piece {
     };
 }
 
+/// A stretch of a motion, in bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Bounds of the states in it.
+    pub states: Piece,
+    /// Bounds of the acceleration, rad/s² (m/s²).
+    pub acceleration: [f64; 2],
+    /// The state at its end.
+    pub end: State,
+}
+
+impl Stretch {
+    /// A single state.
+    pub fn at(end: State) -> Self {
+        let [time, coordinate, speed] = [end.time, end.coordinate, end.speed].map(|value| [value; 2]);
+        Self { states: Piece { coordinate, speed, time }, acceleration: [0.0; 2], end }
+    }
+}
+
 /// The equation of motion of a mechanism with one degree of freedom.
 ///
 /// Required: what it depends on, its pieces, its coefficients.
@@ -174,6 +195,13 @@ pub trait EquationOfMotion {
     /// alike. A bound at which the formula jumps must be given as a bound of the piece; a mere kink should be.
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError>;
 
+    /// Whether the formulas entered last hold throughout a stretch of a motion, at the beginning of which they do, apart from
+    /// the bounds of the piece: `Some(false)` where they end at one place in it, `None` where the stretch is too long to tell.
+    fn holds(&self, stretch: &Stretch) -> Option<bool> {
+        let _ = stretch;
+        Some(true)
+    }
+
     /// J, dJ/dq and Q at `state`.
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError>;
 
@@ -183,7 +211,7 @@ pub trait EquationOfMotion {
         self.reduced(state)?.acceleration(state.speed)
     }
 
-    /// Numbers whose change of sign bends the equation inside a piece, so that a step should end there: of an equation whose
+    /// Numbers whose change of sign gives the equation a kink inside a piece, so that a step should end there: of an equation whose
     /// moment depends on the acceleration, the forces whose magnitude gives friction. None by default.
     ///
     /// # Errors
@@ -217,7 +245,7 @@ pub enum MotionError {
     },
     /// The coordinate has outgrown all numbers, or followed from one that has.
     OutOfRange,
-    /// The mechanism behind the equation failed: no assembly, singular position.
+    /// The mechanism of the equation failed: no assembly, singular position.
     Mechanism(Text),
     /// Dry friction leaves no acceleration possible, or several.
     Undetermined(Text),

@@ -76,7 +76,7 @@ pub(crate) struct Frictional<'a> {
 }
 
 impl Frictional<'_> {
-    /// Reactions with friction. Where several exist all are told; taken is the one that follows from small coefficients, else that of
+    /// Reactions with friction. Where several exist all are given; the results are those of the one that follows from small coefficients, else that of
     /// the least balancing load.
     ///
     /// # Errors

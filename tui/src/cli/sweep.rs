@@ -73,7 +73,7 @@ pub(crate) struct SweepArgs {
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', default_value = "default")]
     measure: Vec<String>,
     /// Find extremes, means and root mean squares between the positions too, as `assur analyze` reports them, instead of over the
-    /// positions only, which is a thousand times faster
+    /// positions only, which is far faster
     #[arg(long)]
     between: bool,
     /// Write to this file (*.csv or *.parquet) instead of CSV to standard output

@@ -79,7 +79,6 @@ pub fn csv_of(schema: &Schema, column: Column, statistic: &str) -> Option<String
     if !statistic.is_empty() {
         name = name + "_" + statistic;
     }
-    // `m_per_rad2`, `kgm2`.
-    let unit = unit(schema, column).replace('/', "_per_").replace(' ', "");
-    Some(if unit.is_empty() { name } else { name + "_" + &unit })
+    let suffix = unit(schema, column).suffix();
+    Some(if suffix.is_empty() { name } else { name + "_" + &suffix })
 }
