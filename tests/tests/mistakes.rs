@@ -330,9 +330,9 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
     for (wrong, right, part) in [
         ("\u{201c}100 mm\u{201d}", "\"100 mm\"", "quotes of a word processor"),
         ("\u{2018}crank\u{2019}\nfrom", "\"crank\"\nfrom", "quotes of a word processor"),
-        ("A = 100 mm }", "A = \"100 mm\" }", "stands in quotes: \"100 mm\""),
-        ("from = 10\u{b0}", "from = \"10 deg\"", "stands in quotes: \"10\u{b0}\""),
-        ("center = [0,15, 0]", "center = [\"150 mm\", 0]", "is a comma meant as the decimal sign?"),
+        ("A = 100 mm }", "A = \"100 mm\" }", "is written in quotes: \"100 mm\""),
+        ("from = 10\u{b0}", "from = \"10 deg\"", "is written in quotes: \"10\u{b0}\""),
+        ("center = [0,15, 0]", "center = [\"150 mm\", 0]", "is the comma meant as a decimal separator?"),
         ("J = 0.04", "inertia = \"0.04 kg*m^2\"", "did you mean `inertia`?"),
         ("omega = 6.28", "speed = \"60 rpm\"", "did you mean `speed`?"),
         ("length = 0.4", "points = { A = 0, B = \"400 mm\" }", "did you mean `points`?"),
@@ -351,7 +351,7 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
         ("link = \"\u{441}rank\"\nfrom", "link = \"crank\"\nfrom", "letters of another alphabet: U+0441"),
         ("mass: \"2 kg\"", "mass = \"2 kg\"", "joined by `=`"),
         ("mass = \"2 kg\";", "mass = \"2 kg\"", "without `;`"),
-        ("mass = 2,5", "mass = \"2 kg\"", "is a comma meant as the decimal sign?"),
+        ("mass = 2,5", "mass = \"2 kg\"", "is the comma meant as a decimal separator?"),
         ("O = 0 A = \"100 mm\" }", "O = 0, A = \"100 mm\" }", "a comma is missing"),
         ("O = 0, A = \"100 mm\"", "O = 0, A = \"100 mm\" }", "has no closing one"),
         ("O = (0, 0)", "O = [0, 0]", "square brackets"),
@@ -366,19 +366,19 @@ fn what_newcomers_write_is_answered_with_what_to_write() {
         ("value = { formula = \"q**2\" }", "value = \"1 kN\"", "written with `^`"),
         ("value = { formula = \"sin(phi)\" }", "value = \"1 kN\"", "did you mean `q`?"),
         ("value = { formula = \"9*sin q\" }", "value = \"1 kN\"", "as in sin(q)"),
-        ("value = { formula = \"1,5*q\" }", "value = \"1 kN\"", "is a comma meant as the decimal sign?"),
+        ("value = { formula = \"1,5*q\" }", "value = \"1 kN\"", "is the comma meant as a decimal separator?"),
         ("value = { formula = \"9*(q > pi)\" }", "value = \"1 kN\"", "step(q - 3)"),
         ("formula = \"9*q\"", "value = \"1 kN\"", "it belongs in value = { ... }"),
-        ("A = 0,1 }", "A = \"100 mm\" }", "is a comma meant as the decimal sign?"),
+        ("A = 0,1 }", "A = \"100 mm\" }", "is the comma meant as a decimal separator?"),
         ("positions = \"12\"", "positions = 12", "without quotes"),
         ("step = \"30 deg\"", "positions = 12", "did you mean `positions`?"),
         ("speed = \"60 1/min\"", "speed = \"60 rpm\"", "did you mean `rpm`?"),
-        ("[input]\nlink = \"crank\"\n[input]", "[input]", "it stands in line 21 already"),
+        ("[input]\nlink = \"crank\"\n[input]", "[input]", "it is already in line 21"),
         ("value = { formula = \"sin(\u{445})\" }", "value = \"1 kN\"", "Latin letters"),
         (
             "value = { over = \"time\", table = [[0, 0]], repeat = true }",
             "value = \"1 kN\"",
-            "another sort: angle",
+            "another kind: angle",
         ),
     ] {
         assert!(SCENE.contains(right), "{right}");
@@ -399,7 +399,7 @@ fn a_guide_through_the_origin_and_pins_of_one_link_are_named() {
         "[assembly]\nQ",
         1,
     ));
-    assert!(loose.contains("in one link only stand rod: Q, ram: B"), "{loose}");
+    assert!(loose.contains("in one link only: rod: Q, ram: B"), "{loose}");
 }
 
 #[test]
@@ -481,7 +481,7 @@ fn slides_that_disagree_about_an_angle_are_told_with_the_tilt() {
         [[slide]]\nlink = 'block'\non = 'wedge'\nangle = '5 deg'\n[input]\nlink = 'wedge'\nto = 0.1\npositions = 3\n";
     let error = refused(scene);
     assert!(
-        error.contains("`block/wedge` misses by 85 deg") && error.contains("tilt = \"85 deg\""),
+        error.contains("`block/wedge` differs by 85 deg") && error.contains("tilt = \"85 deg\""),
         "{error}"
     );
     let right = scene.replace("angle = '5 deg'", "angle = '5 deg'\ntilt = '85 deg'");

@@ -1,3 +1,4 @@
+position-at = положение { $position }, { $at }
 
 # Текстовый интерфейс: что делает каждая команда; .hint: её имя в последних строках, .end: там справа; .also: слова поиска.
 do-next-position = следующее положение
@@ -44,10 +45,10 @@ do-next-group = следующая группа; она выделена на ч
 do-previous-group = предыдущая группа
 do-nearest = к положению с наименьшим определителем группы (`health` в assur stability; 0: особое)
     .hint = к наименьшему
-do-next-mode = следующая сборка группы в первом положении: другой способ её собрать
-    .hint = сборка
-do-previous-mode = предыдущая сборка
-do-take-mode = взять показанную сборку: её точки записываются в [assembly]
+do-next-mode = следующий вариант сборки группы в первом положении: другой способ её собрать
+    .hint = вариант
+do-previous-mode = предыдущий вариант сборки
+do-take-mode = взять показанный вариант сборки: его точки записываются в [assembly]
     .hint = взять
 do-next-reaction = следующая реакция
     .hint = реакция
@@ -56,7 +57,7 @@ do-analyzer = рассчитать следующим методом силов�
     .hint = метод
 do-difference = разность со следующим методом силового анализа
     .hint = разность
-do-causes = реакции по причинам: вес, инерция, каждая нагрузка и их сумма
+do-causes = реакции по причинам: сила тяжести, силы инерции, каждая нагрузка и их сумма
     .hint = причины
 do-join = сборка механизма: входное звено, с группой 1, с группой 2, ...
     .hint = сборка
@@ -241,28 +242,51 @@ add-loads = У сцены нет нагрузок, поэтому нет сил.
 
     или gravity = "9.81 m/s^2" и массы. Затем { $key } прочитает её снова.
 forces-over-time = В движении из начального состояния силы относятся к моментам времени, а не к положениям: assur analyze SCENE даёт их во времени.
+no-motion-found = Движение, которого требует сцена, не найдено:
 no-forces-found = Сил нет, так как движение, которого требует сцена, не найдено:
 nothing-here = для этого вида у сцены ничего нет
 
 # The views.
 screen-too-small = нужно { $width } x { $height }, есть { $columns } x { $rows }
 config-fault = Настройки не удалось использовать; действуют исходные. Нажмите любую клавишу.
+arrow-velocity = скорость
+arrow-acceleration = ускорение
+arrow-first = ПФ1: при единичной скорости
+arrow-second = ПФ2: при единичной скорости
+contact-friction = Fтр
+contact-forces = сила контакта: { $size }
+arrow-told = { $what }: { $size }
 no-analysis = анализа нет: { $reason }
+forces-not-determined = в этом положении силы не определены
 forces-by-cause = по причинам: { $reaction } (Up/Down: другая пара)
 forces-cause = причина
 forces-direction = направление
 forces-whole = вместе, метод { $method }
 forces-more-causes = { "." }. ещё { $count } вместе
+forces-sum = сумма
 forces-pair = сила в паре
+forces-analyzer = метод силового анализа: { $method }
+forces-calculating = метод расчёта сил: { $method }; разность вычисляется
+forces-two-analyzers = 1 { $one } (линия)  2 { $other } (звёзды)   наибольшая разность { $difference }
+forces-hodograph = годограф: { $reaction }
+curve-zero = нуль
+curve-extreme = экстремум
+curve-inflection = перегиб
 curve-signs = o экстремум  x нуль  + перегиб
+curve-compared = { $quantity }   1 { $one } (линия)  2 { $other } (звёзды)
+curve-before = { $quantity }   1 теперь (линия)  2 до изменений (точки)
 curve-greatest = наибольш.
 curve-least = наименьш.
 curve-at = при, { $unit }
 curve-unlimited = без предела к
 curve-mean = среднее
 curve-rms = ср.кв.
+drive-title = привод
 drive-warning-more = ({ $key } { $key }: полностью)
 drive-no-motor = у этого режима нет двигателя из каталога
+places-heading = привод с маховиком в двух местах
+regime-reduced = приведено к { $point }: F { $force }, m { $mass }
+motion-none = в сцене нет [motion], поэтому только J и Q; добавьте его, со speed = "60 rpm"
 panel-coordinate = координата { $value }
 panel-speed = скорость { $value }
 panel-balance = уравнов. { $value }
@@ -279,8 +303,10 @@ picker-scenes = Сцены из комплекта: введите для пои
 picker-quantities = Величины для графика: введите для поиска, Tab отмечает несколько
 picker-motors = Двигатели от { $power }{ $limit }: кВт, об/мин синхр./ном., отношение, запас момента, кг
 picker-motors-limit = { "," } не более { $speed }
+plans-no-construction = здесь не подходит ни один метод с построением
 plans-key = F нагрузка  R реакция  .. в группе
 plans-open = не замкнуто: { $open } от наибольшего
+plans-step = { $construction }, шаг { $step }
 plans-step-of = шаг { $step } из { $count } ({ $key } рисует следующий)
 structure-mobility = степень подвижности W = 3 n − 2 p = 3·{ $links } − 2·{ $pairs } = { $mobility };  механизм класса { $class }
 structure-nearest = ближе всего к особому: { $determinant } в положении { $position }, { $group }
@@ -320,6 +346,8 @@ accuracy-starts = { $key } измеряет здесь каждый метод: 
 
 # Messages of the terminal UI.
 say-no-position = положения { $position } нет: последнее — { $last }
+say-misses = механизм не собирается: не хватает { $gap }, { $place }; { $group }
+say-no-assembly = механизм не собирается: { $reason }
 say-too-many-parts = ошибка: в сцене { $parts } звеньев, точек, ползунов и нагрузок, а рисунки, записка и терминальный интерфейс показывают не более { $most }; у `assur analyze { $scene }` такого ограничения нет
 say-too-many-positions = ошибка: в сцене { $positions } положений, а терминальный интерфейс показывает для неё не более { $most }; уменьшите `positions` в [input] или запишите все: assur analyze { $scene } -o positions.parquet
 say-extreme-greatest = наибольшее, { $quantity }: { $value } { $place }
@@ -332,6 +360,7 @@ say-nowhere-back = прежде ни один вид не покинут
 say-nothing-searched = ещё ничего не искали: { $key } ищет
 say-one-analyzer = другого метода расчёта сил для этой сцены нет
 say-motor-replaced = двигатель сцены заменён на { $motor }; { $undo } возвращает
+say-misses-beyond = механизм не собирается: не хватает { $gap }, { $place }; { $group }; собирается от { $from } до { $to }
 say-no-extreme = в этом виде нет величины с наибольшим и наименьшим значением
 say-pace = положений в секунду: { $pace }
 say-group-nowhere = эта группа не собирается ни в одном положении
@@ -459,7 +488,7 @@ cli-no-interrupt = не удаётся следить за Ctrl-C: { $problem }
 cli-study-stopped = исследование остановлено
 cli-no-motor = ни один двигатель не подходит
 cli-offer-command = { $problem }; может быть, это команда `assur { $command }`?
-cli-plugin-sort = род
+cli-plugin-sort = вид
 cli-plugin-name = имя
 cli-plugin-crate = крейт
 cli-plugin-what = что это
@@ -474,7 +503,7 @@ cli-motor-sync = синхр. об/мин
 cli-motor-breakdown = Mmax/Mn
 cli-motor-remarks = примечания
 cli-sweep-no-locks = примечание: файловая система { $file } не имеет блокировок: не запускайте второго перебора, который пишет этот файл
-cli-sweep-ended = здесь перебор завершили, прежде чем он закончился: продолжите через --resume или удалите его
+cli-sweep-ended = здесь прерванный перебор: продолжите его через --resume или удалите
 cli-sweep-foreign = строка { $row } не из этого перебора: удалите её или повторите вызов, который её записал
 cli-sweep-other = это из другого перебора: { $difference }; удалите или повторите вызов, который это записал
 cli-sweep-failures = ошибка: нет решения в { $failures } из { $points } точек; первая, { $point }: { $message }
@@ -507,8 +536,8 @@ word-formula = формула
 word-mobility = степень подвижности W
     .meaning = число независимых движений: 3 n - 2 p для n звеньев и p одноподвижных пар
 word-determinant = определитель
-    .meaning = уравнений группы, безразмерный: 0 в особом положении, где она неопределённа
-word-mode = сборка
+    .meaning = уравнений группы, безразмерный: 0 в особом положении, где группа неопределённа
+word-mode = вариант сборки
     .meaning = один из способов сборки группы при тех же длинах
 word-residual = невязка
     .meaning = что остаётся от уравнения с найденными числами; должно быть лишь округлением
@@ -578,14 +607,20 @@ cli-mistake = { $place }: примечание: { $text }
 cli-strict =
     { $notes }
     ошибка: с --strict примечания к сцене считаются ошибками; ничего не вычислено и не записано
-structure-mode = показана сборка { $mode }, определитель { $determinant } ({ $key } берёт её)
+work-of-drive = привод
+work-of-weights = силы тяжести
+reduction-mechanism = механизм
+reduction-model = диск: M = { $moment }, J = { $inertia }
+reduction-at-rest = { $told } (в покое)
+reduction-with-flywheel = { $told } (с маховиком и ротором)
+structure-mode = показан вариант { $mode }, определитель { $determinant } ({ $key } берёт его)
 structure-modes = { $key }: показывает другие
-say-no-modes = Сборок для перечня нет: нет группы, нет первого положения, или вид группы не может их перечислить.
-say-no-mode-shown = Ни одна сборка не показана.
+say-no-modes = Вариантов сборки для перечня нет: нет группы, нет первого положения, или вид группы не может их перечислить.
+say-no-mode-shown = Ни один вариант сборки не показан.
 say-mode-without-points = Ни одна точка группы не имеет имени: в [assembly] нечего записать.
-say-mode-taken = Взята сборка { $mode }: её точки стоят в [assembly].
-say-mode-is-taken = Сборка { $mode } уже взята.
-say-mode-vanished = Сборка группы { $group } исчезла; взята сборка { $mode }.
+say-mode-taken = Взят вариант сборки { $mode }: его точки записаны в [assembly].
+say-mode-is-taken = Вариант сборки { $mode } уже взят.
+say-mode-vanished = Вариант сборки группы { $group } исчез; взят вариант { $mode }.
 
 ## reference of the keys, other numbers of a scene
 cli-keys-near = возможно, `{ $near }`?
@@ -601,7 +636,7 @@ cli-key-meaning = смысл
 cli-key-example = пример
 cli-keys-page = # Ключи сцены
 
-    Сцена есть один файл TOML. Число без единицы дано в SI: м, кг, с, рад, Н, Н·м; текст есть число, пробел и единица: `"120 mm"`, `"25 lbf*in"`, `"3 lb*in^2"`. Углы растут
+    Сцена — это один файл TOML. Число без единицы дано в SI: м, кг, с, рад, Н, Н·м; текст состоит из числа, пробела и единицы: `"120 mm"`, `"25 lbf*in"`, `"3 lb*in^2"`. Углы растут
     против часовой стрелки, ось y направлена вверх. `assur keys WORD` ищет на этой странице, на языке `--language`.
 
     Записано командой `assur keys --format markdown`; тест сравнивает.

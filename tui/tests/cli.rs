@@ -144,9 +144,9 @@ fn words_in_the_wrong_place_are_told_apart() {
             "neither a command nor a scene file `analyse`; did you mean `assur analyze`?",
         ),
         (&["chek"], "did you mean the command `assur check`?"),
-        (&["--analyzer", "groups", "check", "a.toml"], "write it behind: `assur check ... --analyzer NAME`"),
+        (&["--analyzer", "groups", "check", "a.toml"], "write it after: `assur check ... --analyzer NAME`"),
         (&["--fps", "5", "check", "a.toml"], "`--fps` is for the terminal UI"),
-        (&["a.toml", "check", "a.toml"], "`a.toml` stands before the command `check`"),
+        (&["a.toml", "check", "a.toml"], "`a.toml` comes before the command `check`"),
     ] {
         let output = assur(folder.path(), arguments);
         assert_eq!(code(&output), 2, "{arguments:?}");

@@ -172,12 +172,12 @@ fn rows_of_another_sweep_are_not_gone_on_with() {
     let vary = ["--vary", LENGTHS, "-o", "b.csv"];
     fs::write(path.join("b.csv.part"), "a,b\n").unwrap();
     let refused = sweep(path, &vary);
-    let message = "a sweep was ended here before it was complete: go on with --resume, or remove it";
+    let message = "an interrupted sweep is here: continue it with --resume, or remove it";
     assert_eq!(end(&refused), (2, &*format!("error: can't write b.csv.part: {message}\n")));
     for foreign in ["a,b\n", "1,2\n3,4\n"] {
         fs::write(path.join("b.csv.part"), foreign).unwrap();
         let refused = sweep(path, &[&vary[..], &["--resume"]].concat());
-        assert!(end(&refused).1.contains("is not of this sweep"), "{}", end(&refused).1);
+        assert!(end(&refused).1.contains("does not belong to this sweep"), "{}", end(&refused).1);
         assert_eq!(fs::read_to_string(path.join("b.csv.part")).unwrap(), foreign);
     }
     // The same columns with other numbers.
@@ -185,7 +185,7 @@ fn rows_of_another_sweep_are_not_gone_on_with() {
     assert_eq!(end(&sweep(path, &vary)), (0, ""));
     fs::rename(path.join("b.csv"), path.join("b.csv.part")).unwrap();
     let others = ["--vary", "link.crank.points.A=100 mm..210 mm:3", "-o", "b.csv", "--resume"];
-    assert!(end(&sweep(path, &others)).1.contains("row 3 is not of this sweep"));
+    assert!(end(&sweep(path, &others)).1.contains("row 3 does not belong to this sweep"));
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn rows_with_another_number_of_columns_are_not_gone_on_with() {
         let changed = [lines[0], lines[1], &second, lines[3], ""].join("\n");
         fs::write(path.join("b.csv.part"), &changed).unwrap();
         let refused = sweep(path, &["--vary", LENGTHS, "-o", "b.csv", "--resume"]);
-        assert!(end(&refused).1.contains("row 2 is not of this sweep"), "{}", end(&refused).1);
+        assert!(end(&refused).1.contains("row 2 does not belong to this sweep"), "{}", end(&refused).1);
         assert_eq!(fs::read_to_string(path.join("b.csv.part")).unwrap(), changed);
     }
 }
@@ -249,13 +249,14 @@ fn rows_say_what_they_are_made_of_and_another_sweep_is_told_by_it() {
             let refused = sweep(path, &[&others[..], &["--resume"]].concat());
             let (code, message) = end(&refused);
             // Other measures have other columns too, and of Parquet these are compared first.
-            let schema = name == "b.parquet" && at == 5 && message.contains("row 1 is not of this sweep");
+            let schema =
+                name == "b.parquet" && at == 5 && message.contains("row 1 does not belong to this sweep");
             assert!(code == 2 && (message.contains(problem) || schema), "{name}: {message}");
             others = all;
         }
         fs::write(path.join("a.toml"), SLIDER.replace("2 kg", "3 kg")).unwrap();
         let refused = sweep(path, &[&all[..], &["--resume"]].concat());
-        assert!(end(&refused).1.contains("the scene was another one"), "{}", end(&refused).1);
+        assert!(end(&refused).1.contains("the scene was a different one"), "{}", end(&refused).1);
         fs::write(path.join("a.toml"), SLIDER).unwrap();
     }
     let weighs = format!("gravity = \"9.81 m/s^2\"\n{SLIDER}");

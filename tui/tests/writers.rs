@@ -286,13 +286,13 @@ fn files_of_others_beside_the_output_stay() {
     fs::write(path.join("b.csv.part"), "mine").unwrap();
     for more in [&[][..], &["--shard", "2/2"]] {
         let end = sweep(path, &[&[FEW, "-o", "b.csv", "--resume"], more].concat());
-        assert!(code(&end) == 2 && err(&end).contains("is not of this sweep"), "{}", err(&end));
+        assert!(code(&end) == 2 && err(&end).contains("does not belong to this sweep"), "{}", err(&end));
         assert_eq!(fs::read_to_string(path.join("b.csv.part")).unwrap(), "mine");
     }
     fs::remove_file(path.join("b.csv.part")).unwrap();
     fs::write(path.join("b.csv.part.lock"), "mine").unwrap();
     let end = sweep(path, &[FEW, "-o", "b.csv"]);
-    assert!(code(&end) == 2 && err(&end).contains("it is no lock of this program"), "{}", err(&end));
+    assert!(code(&end) == 2 && err(&end).contains("it is not a lock of this program"), "{}", err(&end));
     assert_eq!(fs::read_to_string(path.join("b.csv.part.lock")).unwrap(), "mine");
     assert_eq!(names(path), ["a.toml", "b.csv.part.lock"]);
 }

@@ -17,7 +17,7 @@ pub enum AnalysisError {
     Load(LoadError),
     /// The force analyzer does not exist.
     Analyzer(RegistryError),
-    /// The force analyzer can't treat this mechanism.
+    /// The force analyzer does not support this mechanism.
     Unfit {
         /// Its name.
         analyzer: &'static str,

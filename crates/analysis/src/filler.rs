@@ -1,5 +1,6 @@
 //! Tables of positions and of samples of a motion, filled eight rows at a time.
 
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 use assur_check::Notable;
@@ -9,7 +10,7 @@ use assur_kinematics::{LanePosition, PositionError};
 use assur_number::Lanes;
 
 use crate::Calculation;
-use crate::families::{Columns, Motions, Rows};
+use crate::families::{Columns, Rows, TableRows};
 use crate::joints::Joints;
 use crate::results::{Mask, Table};
 use crate::several::Several;
@@ -25,7 +26,6 @@ pub(crate) struct Filler<'a> {
     columns: &'a Columns,
     position: LanePosition,
     forces: Option<(LaneKinetostatics<'a>, Joints)>,
-    motions: Motions,
     /// Where rounding is greatest among the rows that were added.
     pub(crate) notable: Notable,
     /// Rows in which friction has several solutions, by their numbers.
@@ -48,7 +48,7 @@ impl<'a> Filler<'a> {
         let forces = match (&calculation.loads, calculation.analyzer) {
             (Some(loads), Some(analyzer)) if with_forces => {
                 let single = Kinetostatics::new(linkage, loads, analyzer.instance, &plan.groups_carrying);
-                Some((LaneKinetostatics::new(single), Joints::of(linkage, &plan.wanted.reactions)))
+                Some((LaneKinetostatics::new(single), Joints::new(linkage, &plan.wanted.reactions)))
             }
             _ => None,
         };
@@ -57,7 +57,6 @@ impl<'a> Filler<'a> {
             columns,
             position: linkage.lane_position(),
             forces,
-            motions: Motions::default(),
             notable: Notable::default(),
             several: Vec::new(),
         }
@@ -106,7 +105,6 @@ impl<'a> Filler<'a> {
         let calculation = self.calculation;
         let Calculation { linkage, plan, loads, .. } = calculation;
         let states = instants.map(|instant| instant.state);
-        self.motions.read(linkage, &plan.wanted, &self.position.bodies);
         let loads = loads.as_ref().filter(|_| plan.reduction);
         let reduced = loads.map(|loads| loads.reduced(&states, &self.position.bodies));
         let mut obstacles = Vec::new();
@@ -123,23 +121,20 @@ impl<'a> Filler<'a> {
         obstacles.extend(refused);
         let reactions = self.forces.as_ref().map(|(forces, joints)| (joints, &forces.reactions, determined));
         let found = reactions.map(|(_, reactions, determined)| (determined, reactions));
-        let (position, motions, instants) = (&self.position, &self.motions, *instants);
+        let (position, instants) = (&self.position, *instants);
         self.notable.add(linkage, first, (rows, position), found);
-        let known = Rows { calculation, instants, position, motions, reduced, reactions, balancing };
-        let mut cells = table.rows(first, rows);
-        for (family, end) in &self.columns.families {
-            (family.fill)(&known, &mut cells);
-            cells.end_at(*end);
-        }
+        let (sizes, greatest_force) = (OnceCell::new(), OnceCell::new());
+        let known =
+            Rows { calculation, instants, position, reduced, reactions, balancing, sizes, greatest_force };
+        self.columns.of.emit(calculation, &mut TableRows(&known, table.rows(first, rows)));
         obstacles
     }
 
     /// Finds the forces in these lanes: where they are determined, the balancing loads, and why others have none.
     fn solve_forces(&mut self, first: usize, rows: Mask, states: &[LoadState; Lanes::WIDTH]) -> Forces {
         let Self { forces, position, several, calculation, .. } = self;
-        let Some((forces, joints)) = forces else { return (rows, [None; Lanes::WIDTH], Vec::new()) };
+        let Some((forces, _)) = forces else { return (rows, [None; Lanes::WIDTH], Vec::new()) };
         let refused = forces.solve(states, position).err().unwrap_or_default();
-        joints.sum(&forces.reactions);
         if let Some(friction) = &mut forces.reactions.friction {
             let doubts = friction.doubts.drain(..).filter(|(lane, _)| rows[*lane]);
             let open = |lane: usize| {

@@ -1,6 +1,6 @@
 //! The forces of pins and slides in eight positions.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use assur_force::{Joint, Reactions, joints};
 use assur_group::plane::{dot, perp};
@@ -8,39 +8,20 @@ use assur_kinematics::{LanePosition, Linkage};
 use assur_mechanism::{LinkId, PairId};
 use assur_number::{Lanes, Real};
 
-use crate::results::Mask;
-
-/// A force below this part of the greatest of the position has no meaningful line of action.
-const LEAST_FORCE: f64 = 1e-9;
-
-/// The pins and slides of a mechanism, and their forces in eight positions.
+/// The pins and slides of a mechanism.
 #[derive(Debug)]
 pub(crate) struct Joints {
     all: Vec<Shown>,
-    /// Force on each link of each joint, N.
-    forces: Vec<[Lanes; 2]>,
+    /// Those that results show, by their numbers.
+    wanted: Vec<usize>,
 }
 
 /// A pin or slide.
 #[derive(Debug)]
-struct Shown {
+pub(crate) struct Shown {
     joint: Joint,
-    /// Whether results show it.
-    wanted: bool,
     /// Of a slide: the link of its guide, and the direction of the guide in the frame of that link.
     guide: Option<(LinkId, [Lanes; 2])>,
-}
-
-/// The reactions of one joint.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct JointForces<'a> {
-    /// Force on each of its links, N.
-    pub(crate) forces: &'a [[Lanes; 2]],
-    /// Of a slide: moment on the sliding link about its point, N m; its [offset](crate::results::Quantity::Offset), m, and
-    /// the lanes that have one.
-    pub(crate) slide: Option<(Lanes, Lanes, Mask)>,
-    /// By link, then for the moment of a slide: 1 where it is not determined; empty where all are.
-    pub(crate) open: &'a [Lanes],
 }
 
 /// The links that a pin or slide joins, in the order of the results.
@@ -53,8 +34,7 @@ pub(crate) fn ends(linkage: &Linkage, pair: PairId) -> Vec<LinkId> {
 }
 
 impl Joints {
-    pub(crate) fn of(linkage: &Linkage, wanted: &[PairId]) -> Self {
-        let wanted: HashSet<PairId> = wanted.iter().copied().collect();
+    pub(crate) fn new(linkage: &Linkage, wanted: &[PairId]) -> Self {
         let shown = |joint: Joint| {
             let guide = match joint.id {
                 PairId::Pin(_) => None,
@@ -64,47 +44,54 @@ impl Joints {
                     Some((slide.on, [c, s].map(Lanes::from_f64)))
                 }
             };
-            Shown { wanted: wanted.contains(&joint.id), joint, guide }
+            Shown { joint, guide }
         };
-        let all = joints(&linkage.mechanism, &linkage.structure).into_iter().map(shown);
-        Self { all: all.collect(), forces: Vec::new() }
+        let all: Vec<Shown> = joints(&linkage.mechanism, &linkage.structure).into_iter().map(shown).collect();
+        let number: HashMap<PairId, usize> =
+            all.iter().enumerate().map(|(number, shown)| (shown.joint.id, number)).collect();
+        Self { wanted: wanted.iter().filter_map(|pair| number.get(pair).copied()).collect(), all }
     }
 
-    /// Sums the reactions of the pairs.
-    pub(crate) fn sum(&mut self, reactions: &Reactions<Lanes>) {
-        self.forces.clear();
-        let Self { all, forces } = self;
-        let each = all.iter().map(|shown| &shown.joint);
-        forces.extend(
-            each.flat_map(|joint| (0..joint.links.len()).map(|nth| joint.force(nth, &reactions.pairs))),
-        );
+    /// One of those that results show, by its number among them.
+    pub(crate) fn of(&self, wanted: usize) -> &Shown {
+        &self.all[self.wanted[wanted]]
     }
 
-    /// The joints that results show with their reactions, which [`sum`](Self::sum) has summed.
-    pub(crate) fn wanted<'a>(
-        &'a self,
-        reactions: &'a Reactions<Lanes>,
-        position: &'a LanePosition,
-    ) -> impl Iterator<Item = JointForces<'a>> {
+    /// The greatest force of all, N.
+    pub(crate) fn greatest(&self, reactions: &Reactions<Lanes>) -> [f64; Lanes::WIDTH] {
         let mut greatest = [0.0_f64; Lanes::WIDTH];
-        for [x, y] in &self.forces {
-            for (lane, greatest) in greatest.iter_mut().enumerate() {
-                *greatest = greatest.max(x.0[lane].hypot(y.0[lane]));
+        for shown in &self.all {
+            for [x, y] in (0..shown.joint.links.len()).map(|nth| shown.force(nth, reactions)) {
+                for (lane, greatest) in greatest.iter_mut().enumerate() {
+                    *greatest = greatest.max(x.0[lane].hypot(y.0[lane]));
+                }
             }
         }
-        let mut rest = &self.forces[..];
-        let each = self.all.iter().map(move |shown| {
-            let (forces, after) = rest.split_at(shown.joint.links.len().min(rest.len()));
-            rest = after;
-            (shown, forces)
-        });
-        each.filter(|(shown, _)| shown.wanted).map(move |(shown, forces)| {
-            let slide = shown.joint.moment(&reactions.pairs).zip(shown.guide).map(|(moment, (on, along))| {
-                let normal = dot(perp(position.bodies[on].turned(along)), forces[0]);
-                let has = std::array::from_fn(|lane| normal.0[lane].abs() > LEAST_FORCE * greatest[lane]);
-                (moment, moment / normal, has)
-            });
-            JointForces { forces, slide, open: shown.joint.open(&reactions.open) }
-        })
+        greatest
+    }
+}
+
+impl Shown {
+    /// The force on one of its links, N.
+    #[inline]
+    pub(crate) fn force(&self, nth: usize, reactions: &Reactions<Lanes>) -> [Lanes; 2] {
+        self.joint.force(nth, &reactions.pairs)
+    }
+
+    /// Of a slide: moment on the sliding link about its point, N m.
+    #[inline]
+    pub(crate) fn moment(&self, reactions: &Reactions<Lanes>) -> Option<Lanes> {
+        self.joint.moment(&reactions.pairs)
+    }
+
+    /// Of a slide: force on the sliding link across its guide, N.
+    pub(crate) fn normal(&self, reactions: &Reactions<Lanes>, position: &LanePosition) -> Option<Lanes> {
+        let (on, along) = self.guide?;
+        Some(dot(perp(position.bodies[on].turned(along)), self.force(0, reactions)))
+    }
+
+    /// By link, then for the moment of a slide: 1 where it is not determined; empty where all are.
+    pub(crate) fn open<'a>(&self, reactions: &'a Reactions<Lanes>) -> &'a [Lanes] {
+        self.joint.open(&reactions.open)
     }
 }

@@ -167,7 +167,7 @@ pub enum Sign {
     Hatch,
     /// The head of an arrow; a point where it has no direction.
     Head,
-    /// A point of a link that is no pin.
+    /// A point of a link that is not a pin.
     Dot,
     /// An extreme of a curve, the pole of a plan.
     Ring,

@@ -151,7 +151,7 @@ pub enum ForceError {
         /// Whether there is certainly none; else none was found.
         proved: bool,
     },
-    /// The method can't treat this mechanism.
+    /// The method does not support this mechanism.
     Unsupported {
         /// Name of the method.
         analyzer: &'static str,

@@ -27,7 +27,7 @@ pub enum VectorKind {
     Balancing,
     /// The closing side of a polygon.
     Closing,
-    /// A part of a force along a line.
+    /// A component of a force along a line.
     Part,
     /// A line of the construction.
     Line,
@@ -41,7 +41,7 @@ pub enum VectorKind {
     Normal,
     /// Tangential part.
     Tangential,
-    /// Coriolis part.
+    /// Coriolis component.
     Coriolis,
 }
 

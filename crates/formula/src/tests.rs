@@ -64,17 +64,17 @@ fn faults_point_into_the_text() {
     for (text, span, part) in [
         ("", 0..0, "ends too early"),
         ("2*", 2..2, "ends too early"),
-        ("1 + 1e999*q", 4..9, "the number 1e999 is beyond"),
+        ("1 + 1e999*q", 4..9, "the number 1e999 is too large"),
         ("2*(q + 1", 8..8, "missing"),
         ("2*speed", 2..7, "`speed` is unknown"),
         ("sin(q, w)", 0..3, "takes 1 argument, got 2"),
         ("5 + sin", 4..7, "takes 1 argument, got 0"),
         ("q(2)", 0..1, "takes 0 arguments, got 1"),
-        ("2 $ 3", 2..3, "`$` does not fit"),
+        ("2 $ 3", 2..3, "`$` is out of place"),
         ("3 q", 2..3, "write `*`"),
         ("min(q)", 0..3, "takes 2 arguments"),
-        ("(1))", 3..4, "`)` does not fit"),
-        ("1 · 2", 2..4, "`·` does not stand"),
+        ("(1))", 3..4, "`)` is out of place"),
+        ("1 · 2", 2..4, "`·` is not allowed"),
     ] {
         let error = Formula::read(text).unwrap_err();
         assert!(error.to_string().contains(part), "{text}: {error:?}");

@@ -9,6 +9,6 @@ group-wrong-count = { $links } links need { $needed } pairs, the group has { $pa
 group-slide-not-pin = pair { $pair } is a slide, not a pin
 group-pin-not-slide = pair { $pair } is a pin, not a slide
 group-other-pattern = links and pairs of the group are not those of the kind
-group-single-numbers = the formulas of this kind decide by single numbers
+group-single-numbers = the formulas of this kind distinguish cases by single numbers
 group-working-sort = working of group
 group-no-assembly-found = no assembly was found

@@ -18,7 +18,7 @@ integrator-too-many-steps = движение дошло до { $state } за { $
         [one] { $steps } шаг
         [few] { $steps } шага
        *[many] { $steps } шагов
-    }, больше не делается; последний шаг { $step } с; { $advice }
+    }, больше не разрешено; последний шаг { $step } с; { $advice }
 integrator-advice-stiff = уравнение, вероятно, жёсткое (h·λ = { $product }: шаг ограничивает устойчивость, а не точность): возьмите `radau5`
 integrator-advice-not-stiff = оно не похоже на жёсткое (h·λ = { $product }): { integrator-advice }
 integrator-advice = увеличьте допуск, разрешите больше шагов (`max_steps`) или закончите движение раньше (`until`)
@@ -38,7 +38,7 @@ integrator-endless = продолжается без конца
 integrator-keeps-speed = сохраняет свою скорость
 integrator-rests = остановилось там навсегда
 integrator-moves-away = удаляется от неё с постоянной скоростью
-integrator-time-is-over = предел времени исчерпан
+integrator-time-is-over = исчерпало предел времени
 integrator-nothing-brings = ничто его туда не приводит
 integrator-start-not-finite = начальное состояние ({ $state }) не конечно
 integrator-bad-tolerance = допуск { $tolerance }: должен быть между 0 и 1

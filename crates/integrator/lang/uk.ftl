@@ -18,7 +18,7 @@ integrator-too-many-steps = рух дійшов до { $state } за { $steps ->
         [one] { $steps } крок
         [few] { $steps } кроки
        *[many] { $steps } кроків
-    }, більше не робиться; останній крок { $step } с; { $advice }
+    }, більше не дозволено; останній крок { $step } с; { $advice }
 integrator-advice-stiff = рівняння, імовірно, жорстке (h·λ = { $product }: крок обмежує стійкість, а не точність): візьміть `radau5`
 integrator-advice-not-stiff = воно не схоже на жорстке (h·λ = { $product }): { integrator-advice }
 integrator-advice = збільште допуск, дозвольте більше кроків (`max_steps`) або завершіть рух раніше (`until`)
@@ -38,7 +38,7 @@ integrator-endless = триває без кінця
 integrator-keeps-speed = зберігає свою швидкість
 integrator-rests = зупинився там назавжди
 integrator-moves-away = віддаляється від неї зі сталою швидкістю
-integrator-time-is-over = межу часу вичерпано
+integrator-time-is-over = вичерпав межу часу
 integrator-nothing-brings = ніщо його туди не приводить
 integrator-start-not-finite = початковий стан ({ $state }) не є скінченним
 integrator-bad-tolerance = допуск { $tolerance }: має бути між 0 і 1

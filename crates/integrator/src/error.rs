@@ -11,7 +11,7 @@ use crate::{Dependence, MotionError, Request, State, Until};
 pub enum IntegrationError {
     /// The request itself is impossible (what is wrong and what is allowed).
     Request(Text),
-    /// The method can't treat this equation.
+    /// The method does not support this equation.
     Unsupported {
         /// Name of the method.
         integrator: &'static str,

@@ -24,7 +24,7 @@ pub enum Surfaces {
         /// The link whose journal it is.
         owner: LinkId,
     },
-    /// A slide that is pressed in one place: the force f |N| against the sliding, N the normal force.
+    /// A slide that is pressed at one point: the force f |N| against the sliding, N the normal force.
     Place,
     /// A slide that is pressed on both ends of its contact: the force f (|N/2 + M/l| + |N/2 - M/l|) against the sliding, M
     /// the moment of the normal forces about the middle of the contact.

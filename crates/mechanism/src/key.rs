@@ -50,7 +50,7 @@ impl From<usize> for Step {
 /// assert_eq!(key.to_string(), "force[0].value");
 /// assert_eq!(Key::parse("force[0].value"), Ok(key));
 /// assert_eq!(Key::parse("moment.brake.value.table[*][1]").unwrap().to_string(), "moment.brake.value.table[*][1]");
-/// assert!(Key::parse("link[x]").unwrap_err().to_string().starts_with("`[x]` is no element: write a whole number from 0"));
+/// assert!(Key::parse("link[x]").unwrap_err().to_string().starts_with("`[x]` is not an element: write a whole number from 0"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Key(Vec<Step>);

@@ -128,7 +128,7 @@ pub fn check_rms(characteristic: &Characteristic, rms: f64) -> Option<MotorWarni
     (rms > rated).then_some(MotorWarning::RmsTorque { rms, rated })
 }
 
-/// Whether the rotor can be modelled.
+/// Whether the rotor can be modeled.
 pub fn check_rotor_inertia(motor: &Motor) -> Option<MotorWarning> {
     let designation = name(motor.designation.clone());
     motor.rotor_inertia.is_none().then_some(MotorWarning::RotorInertiaUnknown { designation })

@@ -84,7 +84,6 @@ impl Describe for NoteError {
 }
 
 errors!(NoteError);
-assur_words::resources!();
 
 /// What the note tells, with the positions of these numbers drawn and worked out, at least one.
 ///

@@ -9,7 +9,7 @@ use assur_words::{self as words, Text, joined, list, quantity, text};
 
 use crate::{Found, Look, Results, ViewPart, curves, in_a_line, plots, reduction, regime};
 
-/// Speed, acceleration, J, J', Q over the positions (at most `most`), or the course over time.
+/// Speed, acceleration, J, J', Q over the positions (at most `most`), or the motion over time.
 pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart, most: usize) -> Figure {
     let Some(found) = &results.found else { return Figure::default() };
     let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);

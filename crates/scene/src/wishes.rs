@@ -28,7 +28,7 @@ fn hinted(hint: &Entry<'_>, linkage: &SceneLinks) -> Option<PointId> {
     linkage.point_of(&at_key, &hint.name)
 }
 
-/// Reads `[balance]`: the load that keeps the motion, if it does not act on the input.
+/// Reads `[balance]`: the load that maintains the motion, if it does not act on the input.
 pub(crate) fn balance(root: &Section<'_>, linkage: &SceneLinks) -> Option<Balance> {
     let section = root.inner("balance")?;
     let link = linkage.link_of(&section, text!("scene-ground-carries"));

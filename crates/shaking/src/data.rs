@@ -82,7 +82,7 @@ pub struct Balanced {
 pub struct Proof {
     /// No counterweights on these links make the greatest force less, N: the value of the dual problem.
     pub bound: f64,
-    /// Dual gap: what the greatest force is above the bound, as a part of it. A force that a complete balance has left, less
+    /// Duality gap: the excess of the greatest force over the bound, relative to the bound. A force that a complete balance has left, less
     /// than 1/1000 of the sum of the inertia loads, is compared with that instead, since its rounding is no gap.
     pub gap: f64,
 }

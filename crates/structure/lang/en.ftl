@@ -11,19 +11,19 @@ structure-some = { $names } ... ({ $shown } of { $total } shown)
 structure-loose = mobility { $mobility } ({ $formula }), but one input moves the mechanism: { $links } can still move while the input is fixed{ $also }; join { $count ->
         [one] it
        *[other] them
-    } to another link by one more pair, or leave out what hangs there ({ $hint })
+    } to another link by one more pair, or remove what is loose there ({ $hint })
 structure-loose-also = {" "}(while the pairs { $pairs } have one constraint too many)
-structure-more-inputs = the mechanism has { $mobility } degrees of freedom ({ $formula }), so it takes { $mobility } inputs; mechanisms with one are calculated. With the input fixed { $links } can still move: one more pair, or a link less, would leave one degree of freedom
+structure-more-inputs = the mechanism has { $mobility } degrees of freedom ({ $formula }), so it takes { $mobility } inputs; only mechanisms with one are calculated. With the input fixed { $links } can still move: one more pair, or one link fewer, would leave one degree of freedom
 structure-surplus = mobility { $mobility } ({ $formula }), must be 1: { $pairs } { $count ->
         [one] gives
        *[other] give
-    } one constraint too many on { $links }; take one pair or one link away there ({ structure-what-joins }: points that are no pins have names of their own){ $cause }
+    } one constraint too many on { $links }; remove one pair or one link there ({ structure-what-joins }: points that are not pins need names of their own){ $cause }
 structure-no-plugin = { $links } form a group of class { $class }, order { $order } ({ $pattern }); no plugin is registered for it (see `assur plugins`; another input link may give other groups)
 structure-pattern = inner { $inner }; outer { $outer }
-structure-what-joins = a point name that stands in two links makes a pin there
-structure-alike = the points `{ $one }` and `{ $other }` stand in one link each and look alike: one name in both links makes a pin there
-structure-misses = ; it repeats no motion: what could be left out as passive misses by { $misfit } over the cycle
-structure-slide-angles = the angle of slide `{ $slide }` misses by { $off } what the other slides give, so no position fits all of them; a link whose x axis does not lie along its guide needs a `tilt`, here `tilt = "{ $tilt }"`
+structure-what-joins = a point name used in two links makes a pin there
+structure-alike = the points `{ $one }` and `{ $other }` occur in one link each and have similar names: one name in both links makes a pin there
+structure-misses = ; it is not passive: what could be left out deviates by { $misfit } over the cycle
+structure-slide-angles = the angle of slide `{ $slide }` differs by { $off } from what the other slides require, so no position satisfies them all; a link whose x axis does not lie along its guide needs a `tilt`, here `tilt = "{ $tilt }"`
 structure-slide-on-pinned = nothing is left to move in slide `{ $slide }`: pin `{ $pin }` joins the same two links
 structure-too-many = ; { $surplus } surplus constraints are more than the { $most } among which passive ones are searched for
-structure-alone = a point name that stands in two links makes a pin there; in one link only stand { $points }
+structure-alone = a point name used in two links makes a pin there; these points are in one link only: { $points }

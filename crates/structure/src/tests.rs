@@ -77,8 +77,8 @@ fn a_loose_link_is_named() {
     assert_eq!(
         error.to_string(),
         "mobility 2 (3*4 - 2*5), but one input moves the mechanism: link `flap` can still move while the input is fixed; \
-         join it to another link by one more pair, or leave out what hangs there \
-         (a point name that stands in two links makes a pin there; in one link only stand flap: Z)"
+         join it to another link by one more pair, or remove what is loose there \
+         (a point name used in two links makes a pin there; these points are in one link only: flap: Z)"
     );
 }
 

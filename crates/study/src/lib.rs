@@ -1,6 +1,6 @@
 //! Cost, accuracy and failures of methods.
 //!
-//! * [`chart`]: speed against accuracy of every registered method on one scene.
+//! * [`chart`]: speed versus accuracy of every registered method on one scene.
 //! * [`stability`]: errors of methods near singular positions, and how near a mechanism comes to its own.
 //!
 //! Reads no clock of its own: a caller that wants times passes a [`chart::Clock`].

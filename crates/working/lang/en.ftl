@@ -58,7 +58,7 @@ working-class-and-type = class { $class }, type { $number }
 working-group = Group { $group }, { $kind } ({ $class }), links { $links }: positions, PF1, PF2
 working-displacement = displacement of the slide { $slide }
 working-linear-system = This group is solved by its linear system of { $equations } equations: J u′ = b and J u″ = b, two equations for each pair. Its solution is given first; below, both sides of every equation agree with it.
-working-pair-agrees = pair { $pair }: the two bodies agree
+working-pair-agrees = pair { $pair }: both links give the same
 working-solution = solution
 working-place-in-solution = place in the solution
 working-linear-reactions = The reactions solve the equations of equilibrium of the links (J transposed). They are given first; below, for each link, their sum is the opposite of that of the loads.
@@ -115,7 +115,7 @@ working-of-analyzer = working of a force analyzer
 working-by-method = Forces by `{ $method }`
 working-no-method = This method has no solution in this position.
 working-method-and-groups = Check: `{ $method }` against the groups
-working-differences = What the method gives, less what was found group by group: zero except for rounding.
+working-differences = What the method gives minus what was found group by group: zero except for rounding.
 # The energy form.
 working-energy-way = Displacement of the input
 working-energy-turns = in turns:
@@ -124,7 +124,7 @@ working-energy-work-is = The work of a load is the integral of its moment on the
 working-energy-work-of = Work of { $load }:
 working-energy-by-quadrature = by quadrature over the motion
 working-energy-moment-at = at { $at }
-working-energy-sums = Sums of the works of what drives and of what resists; each load is in one of them with its work of the whole motion, while the results count it as driving wherever it drives:
+working-energy-sums = Sums of the works of the driving and of the resisting loads; each load is in one of them with its work over the whole motion, whereas the results count it as driving wherever it drives:
 working-energy-excess = Excess work
 working-energy-change = It is the change of the kinetic energy:
 working-energy-at-start = kinetic energy at the start
@@ -145,9 +145,9 @@ working-energy-artobolevsky = Coefficient of dynamic unevenness
 
 ## dry friction
 working-friction-in-pairs = Friction in the pairs
-working-friction-text = The friction depends on the moduli of the reactions. First these are found without friction, then with the friction of the step before, and so on; Newton's method finishes. Each step divides the error by about the spectral radius. The friction found is then a load like others: the reactions below are those without the forces and moments of friction in their pairs.
+working-friction-text = The friction depends on the magnitudes of the reactions. First these are found without friction, then with the friction of the step before, and so on; Newton's method completes the iteration. Each step divides the error by about the spectral radius. The friction found is then a load like others: the reactions below are those without the forces and moments of friction in their pairs.
 working-friction-block = { $what }: spectral radius { $radius }, below 1: exactly one solution
-working-friction-block-not-proved = { $what }: spectral radius { $radius }, not below 1: the iteration may lead nowhere, so that all solutions are found by algebra
+working-friction-block-not-proved = { $what }: spectral radius { $radius }, not below 1: the iteration may not converge, so all solutions are found algebraically
 working-friction-step = step { $step }: { $moduli }
 working-friction-newton = solution: { $moduli }
 working-friction-modulus = { $name } = { $value }

@@ -84,7 +84,7 @@ impl Work<'_> {
         }
     }
 
-    /// Adds the friction of a pair to the loads of its links; `lever`: of faces beside the guide line, the force that has the
+    /// Adds the friction of a pair to the loads of its links; `lever`: of faces offset from the guide line, the force that has the
     /// moment, N.
     fn friction_loads(&mut self, bearing: &Bearing, force: f64, lever: f64) {
         let mechanism = &self.linkage.mechanism;

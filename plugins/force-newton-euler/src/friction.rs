@@ -1,7 +1,7 @@
 //! Dry friction in the whole mechanism at once: the moduli of all pairs are unknowns.
 //!
 //! The loads of friction are written down from the surfaces of the bearings, and what the whole system answers to each of them
-//! gives the equations z = |a + W z| of all moduli together. The moment of faces beside the guide line is linear in the normal
+//! gives the equations z = |a + W z| of all moduli together. The moment of faces offset from the guide line is linear in the normal
 //! force and stands in the system itself.
 
 use assur_force::{Doubt, FrictionForces as Found, FrictionSolution, Reactions};

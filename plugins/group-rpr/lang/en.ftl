@@ -9,5 +9,5 @@ rpr-working-components = PF0: d from { $b } to { $a } has the components e acros
 rpr-working-ahead = { $a } lies ahead of { $b } in the direction t of the guide: sign +
 rpr-working-behind = { $a } lies behind { $b } in the direction t of the guide: sign -
 rpr-working-first = PF1: both links rotate equally; the component of d′ across the guide is s φ′, along it s′ - e φ′
-rpr-working-second = PF2: with the Coriolis part 2 s′ φ′
+rpr-working-second = PF2: with the Coriolis component 2 s′ φ′
 rpr-working-moments = the moments of both links about their outer pins contain only the normal force N; its arm is s

@@ -1,9 +1,9 @@
 group-triad = a plate with three joints, and three legs
     .ways = ascending by the angle of the plate in (-π, π]; with a leg of two slides, which gives that angle, by the displacement of its outer slide
-    .singular = the lines of action of the legs meet in one point or are parallel
+    .singular = the lines of action of the legs meet at one point or are parallel
     .source = closure of degree 3 in the angle of the plate (16 samples), zeros isolated by exclusion with Taylor's formula; PF1, PF2 and reactions from the lines of the legs (Assur's singular point)
 group-contour = a closed contour of four links, two of them with an outer pair
     .ways = ascending by the angle of the first ternary link of the scene in (-π, π]; where the pairs give that angle, by the displacement of its slide
-    .singular = the lines of the two legs and the outer bodies, as a third leg, meet in one point or are parallel
-    .source = the same five-link structure as a triad with its frame, with another link held
+    .singular = the lines of the two legs and the outer bodies, as a third leg, meet at one point or are parallel
+    .source = the same five-link structure as a triad with its frame, with another link fixed
 group-triad-no-leg = a leg with two pins needs them apart; their distance is 0

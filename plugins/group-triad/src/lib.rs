@@ -14,7 +14,7 @@
 //! real zeros are isolated by exclusion with Taylor's formula (the module `trig`), so that none is missed, and each
 //! is polished on the conditions of the legs themselves.
 //!
-//! Class IV, seen together with its frame, is the same five-link structure with another link held: the legs hold one ternary
+//! Class IV, seen together with its frame, is the same five-link structure with another link fixed: the legs hold one ternary
 //! link against the other, and the outer bodies are the third leg.
 //!
 //! PF1, PF2 and the reactions follow from one system of three equations (of two in class IV) in the freedoms of the ternary

@@ -41,7 +41,7 @@ fn what_never_comes_is_an_error() {
     let error = CLOSED_FORM.solve(&mut assur_problems::e1(), &request).unwrap_err().to_string();
     assert_eq!(
         error,
-        "integrator `closed-form` can't treat this equation: the closed form needs J and M constant (case 1 of D), \
+        "integrator `closed-form` does not support this equation: the closed form needs J and M constant (case 1 of D), \
          and here it is case 2: J constant, M(q)"
     );
 }

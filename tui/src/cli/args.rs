@@ -41,9 +41,9 @@ pub(crate) enum Command {
     Analyze(AnalyzeArgs),
     /// Run every check on a scene, one line each
     Check(CheckedArgs),
-    /// Explain what is modelled, what is left out and why, and which method each stage uses
+    /// Explain what is modeled, what is left out and why, and which method each stage uses
     Explain(ExplainArgs),
-    /// Measure speed against accuracy of every method that can do a scene
+    /// Measure speed versus accuracy of every method that can do a scene
     Chart(super::chart::ChartArgs),
     /// Walk towards the singular positions of a scene; how near it comes to them, and how much each length may change
     Stability(super::study::StabilityArgs),

@@ -1,12 +1,14 @@
 //! The families of columns: what the results of a position or of a sample of a motion consist of.
 //!
-//! A family names its columns, and fills them in the same order for eight solved positions. A further quantity in the
-//! results is a further family in [`POSITIONS`], [`TRANSIENT`] or [`STEADY`]; the writers need a name for it.
+//! A family emits its columns, each with how its numbers are found in eight solved positions. What becomes of them is up to the
+//! [`Sink`]: a schema takes the columns, a table the numbers, a statistic those of a few columns. A further quantity in the
+//! results is a further family in [`Of::emit`]; the writers need a name for it.
 
 mod friction;
 mod loads;
 mod motion;
 
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 use assur_dynamics::Instant;
@@ -15,59 +17,141 @@ use assur_group::Order;
 use assur_integrator::Reduced;
 use assur_kinematics::LanePosition;
 use assur_number::{Lanes, Real};
+use assur_words::name;
 
 use crate::joints::Joints;
-use crate::results::{Cells, Column, Mask, Owner, Quantity, Schema};
+use crate::results::{Cells, Column, Mask, Owner, Quantity, Schema, Section};
 use crate::{Calculation, InputMotion};
 
-pub(crate) use motion::Motions;
+/// Receives the columns of results in their order, each with what finds its numbers in eight positions.
+pub(crate) trait Sink {
+    /// A new section for columns that some rows lack; `nullable`: for one quantity, and a row that lacks it says so.
+    fn section(&mut self, nullable: bool) -> Section {
+        let _ = nullable;
+        Section::ALWAYS
+    }
 
-use friction::{BALANCING, EFFICIENCY, FRICTION, FURTHER, HOLDING, REACTIONS};
-use loads::{INERTIA_LOADS, INERTIA_OF_LINKS, LOADS, REDUCED, SHAKING};
-use motion::{COORDINATE, LINKS, PLACES, POINTS, RATES, SLIDES, SPEEDS, TIME};
+    /// Columns of a section, and the lanes that have them; `None`: none has.
+    fn put<const N: usize>(
+        &mut self,
+        section: Section,
+        columns: [Column; N],
+        find: impl FnOnce(&Rows<'_>) -> Option<([Lanes; N], Mask)>,
+    );
 
-/// Columns that belong together.
-#[derive(Clone, Copy)]
-pub(crate) struct Family {
-    /// Whether the calculation gives them.
-    pub(crate) applies: fn(&Calculation) -> bool,
-    /// Adds them to a schema.
-    pub(crate) columns: fn(&Calculation, &mut Schema),
-    /// Fills exactly these; columns that are left over have no numbers.
-    pub(crate) fill: fn(&Rows<'_>, &mut Cells<'_>),
-}
-
-/// The columns of a table, by families.
-pub(crate) struct Columns {
-    /// Each with the number of columns up to its end.
-    pub(crate) families: Vec<(Family, usize)>,
-    pub(crate) schema: Arc<Schema>,
-}
-
-impl Columns {
-    /// The columns of the families that apply.
-    fn of(calculation: &Calculation, families: &[Family]) -> Self {
-        let mut schema = Schema::new(&calculation.linkage.mechanism);
-        let applying = families.iter().filter(|family| (family.applies)(calculation));
-        let ending = applying.map(|family| {
-            (family.columns)(calculation, &mut schema);
-            (*family, schema.columns().len())
-        });
-        Self { families: ending.collect(), schema: Arc::new(schema) }
+    /// Columns that have numbers in all rows.
+    fn always<const N: usize>(&mut self, columns: [Column; N], find: impl FnOnce(&Rows<'_>) -> [Lanes; N]) {
+        self.put(Section::ALWAYS, columns, |rows| Some((find(rows), [true; Lanes::WIDTH])));
     }
 }
 
+impl Sink for Schema {
+    fn section(&mut self, nullable: bool) -> Section {
+        if nullable { self.nullable() } else { self.section() }
+    }
+
+    fn put<const N: usize>(
+        &mut self,
+        section: Section,
+        columns: [Column; N],
+        _: impl FnOnce(&Rows<'_>) -> Option<([Lanes; N], Mask)>,
+    ) {
+        self.add(section, columns);
+    }
+}
+
+/// Writes the numbers of eight positions into a table, which knows its columns.
+pub(crate) struct TableRows<'a>(pub(crate) &'a Rows<'a>, pub(crate) Cells<'a>);
+
+impl Sink for TableRows<'_> {
+    fn put<const N: usize>(
+        &mut self,
+        _: Section,
+        _: [Column; N],
+        find: impl FnOnce(&Rows<'_>) -> Option<([Lanes; N], Mask)>,
+    ) {
+        let (values, has) = find(self.0).unwrap_or(([Lanes::ZERO; N], [false; Lanes::WIDTH]));
+        for values in values {
+            self.1.put(values, has);
+        }
+    }
+}
+
+/// Numbers of one column, of the lanes that have one.
+#[expect(clippy::unnecessary_wraps, reason = "what a family hands to a sink")]
+fn some(values: [Option<f64>; Lanes::WIDTH]) -> Option<([Lanes; 1], Mask)> {
+    Some(([Lanes(values.map(Option::unwrap_or_default))], values.map(|value| value.is_some())))
+}
+
+/// The columns of a table.
+pub(crate) struct Columns {
+    pub(crate) of: Of,
+    pub(crate) schema: Arc<Schema>,
+}
+
+/// What has a row each.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Of {
+    /// The positions of a scene.
+    Positions,
+    /// The samples of a transient motion.
+    Transient,
+    /// The samples of a steady motion.
+    Steady,
+    Nothing,
+}
+
+impl Columns {
+    fn of(calculation: &Calculation, of: Of) -> Self {
+        let mut schema = Schema::new(&calculation.linkage.mechanism);
+        let names = calculation.analyzer.map_or(&[][..], |method| method.further);
+        schema.further = names.iter().map(|told| name(*told).into()).collect();
+        of.emit(calculation, &mut schema);
+        Self { of, schema: Arc::new(schema) }
+    }
+}
+
+impl Of {
+    /// Hands all columns to a sink, by families, in their order.
+    pub(crate) fn emit(self, found: &Calculation, to: &mut impl Sink) {
+        let wanted = &found.plan.wanted;
+        match self {
+            Self::Nothing => {}
+            Self::Positions => positions(found, to),
+            Self::Transient => {
+                motion::time(to);
+                motion::coordinate(to);
+                motion::speeds(to);
+                motion::links(wanted, to);
+                motion::places(wanted, to);
+                motion::slides(wanted, to);
+                motion::rates(wanted, to);
+                forces(found, to);
+                friction::holding(to);
+            }
+            Self::Steady => {
+                motion::time(to);
+                motion::coordinate(to);
+                motion::speeds(to);
+                motion::links(wanted, to);
+            }
+        }
+    }
+}
 /// What is known about eight positions, a lane each.
 pub(crate) struct Rows<'a> {
     pub(crate) calculation: &'a Calculation,
     pub(crate) instants: [Instant; Lanes::WIDTH],
     pub(crate) position: &'a LanePosition,
-    pub(crate) motions: &'a Motions,
     pub(crate) reduced: Option<Reduced<Lanes>>,
     /// Forces of the pins and slides, and the lanes in which they are determined.
     pub(crate) reactions: Option<(&'a Joints, &'a Reactions<Lanes>, Mask)>,
     /// The balancing load, N m or N.
     pub(crate) balancing: [Option<f64>; Lanes::WIDTH],
+    /// The values of the loads of the scene, once one is asked for.
+    pub(crate) sizes: OnceCell<Vec<Lanes>>,
+    /// The greatest force of all pins and slides, N, once it is asked for.
+    pub(crate) greatest_force: OnceCell<[f64; Lanes::WIDTH]>,
 }
 
 impl Rows<'_> {
@@ -88,48 +172,63 @@ impl Rows<'_> {
     }
 }
 
-/// Of the positions of a scene.
-const POSITIONS: &[Family] = &[
-    COORDINATE,
-    Family { applies: Calculation::positions_move, ..SPEEDS },
-    LINKS,
-    POINTS,
-    SLIDES,
-    Family { applies: |found| found.positions_move() && found.plan.velocities, ..RATES },
-    REDUCED,
-    INERTIA_OF_LINKS,
-    LOADS,
-    INERTIA_LOADS,
-    SHAKING,
-    Family { applies: |found| found.positions_have_forces() && (REACTIONS.applies)(found), ..REACTIONS },
-    FURTHER,
-    Family { applies: |found| found.positions_have_forces() && (FRICTION.applies)(found), ..FRICTION },
-    Family { applies: |found| found.positions_have_forces() && (BALANCING.applies)(found), ..BALANCING },
-    EFFICIENCY,
-    CONDITION,
-];
-/// Of the samples of a transient motion.
-const TRANSIENT: &[Family] =
-    &[TIME, COORDINATE, SPEEDS, LINKS, PLACES, SLIDES, RATES, REACTIONS, FRICTION, BALANCING, HOLDING];
-/// Of the samples of a steady motion.
-const STEADY: &[Family] = &[TIME, COORDINATE, SPEEDS, LINKS];
+fn positions(found: &Calculation, to: &mut impl Sink) {
+    let wanted = &found.plan.wanted;
+    motion::coordinate(to);
+    if found.positions_move() {
+        motion::speeds(to);
+    }
+    motion::links(wanted, to);
+    motion::points(wanted, to);
+    motion::slides(wanted, to);
+    if found.positions_move() && found.plan.velocities {
+        motion::rates(wanted, to);
+    }
+    if found.plan.reduction && found.loads.is_some() {
+        loads::reduced(found, to);
+    }
+    if found.positions_have_forces() && found.knows_all_loads() {
+        loads::loads(found, to);
+    }
+    if found.has_inertia_loads() {
+        loads::inertia_loads(found, to);
+    }
+    if found.positions_have_forces() {
+        forces(found, to);
+        if found.has_forces() && found.has_friction() {
+            friction::efficiencies(found, to);
+        }
+    }
+    conditions(found, to);
+}
+
+/// Reactions, friction and the balancing load.
+fn forces(found: &Calculation, to: &mut impl Sink) {
+    if !found.has_forces() {
+        return;
+    }
+    if found.analyzer.is_some_and(|method| method.gives_reactions) {
+        friction::reactions(found, to);
+    }
+    if found.positions_have_forces() {
+        friction::further(found, to);
+    }
+    if found.has_friction() {
+        friction::frictions(found, to);
+    }
+    friction::balancing(to);
+}
 
 /// 1 / |health| of the groups that are solved; a group in a singular position has none that is a number.
-const CONDITION: Family = Family {
-    applies: |_| true,
-    columns: |calculation, schema| {
-        for group in solved(calculation) {
-            let section = schema.section();
-            schema.add(section, [Column::of(Quantity::Condition, Owner::Group(group))]);
-        }
-    },
-    fill: |rows, cells| {
-        for group in solved(rows.calculation) {
+fn conditions(found: &Calculation, to: &mut impl Sink) {
+    for group in solved(found) {
+        let section = to.section(false);
+        to.put(section, [Column::of(Quantity::Condition, Owner::Group(group))], |rows| {
             let health = rows.position.health[group].abs();
-            cells.put(Lanes::ONE / health, health.0.map(|health| health > f64::MIN_POSITIVE));
-        }
-    },
-};
+            Some(([Lanes::ONE / health], health.0.map(|health| health > f64::MIN_POSITIVE)))
+        });
+    }
+}
 
 /// The groups that are solved.
 fn solved(calculation: &Calculation) -> impl Iterator<Item = usize> {
@@ -139,16 +238,17 @@ fn solved(calculation: &Calculation) -> impl Iterator<Item = usize> {
 
 impl Calculation {
     pub(crate) fn columns_of_positions(&self) -> Columns {
-        Columns::of(self, POSITIONS)
+        Columns::of(self, Of::Positions)
     }
 
     /// The columns of the samples of a motion over time; none with a prescribed motion.
     pub(crate) fn columns_of_motion(&self) -> Columns {
-        match self.motion {
-            InputMotion::Prescribed => Columns::of(self, &[]),
-            InputMotion::Transient(_) => Columns::of(self, TRANSIENT),
-            InputMotion::Steady(_) => Columns::of(self, STEADY),
-        }
+        let of = match self.motion {
+            InputMotion::Prescribed => Of::Nothing,
+            InputMotion::Transient(_) => Of::Transient,
+            InputMotion::Steady(_) => Of::Steady,
+        };
+        Columns::of(self, of)
     }
 
     /// Whether the positions have a speed.
@@ -165,6 +265,11 @@ impl Calculation {
     fn has_inertia_loads(&self) -> bool {
         let solved = self.plan.groups_needed.iter().all(|needed| *needed);
         self.plan.order == Order::Second && solved && self.knows_all_loads() && self.positions_move()
+    }
+
+    /// Whether there is dry friction in pairs.
+    fn has_friction(&self) -> bool {
+        !self.linkage.mechanism.frictions.is_empty()
     }
 
     /// Whether there is a force analysis.

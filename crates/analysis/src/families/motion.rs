@@ -1,140 +1,109 @@
 //! Time, coordinate and speeds of the input; transfer functions, velocities and accelerations.
 
-use assur_group::Body;
-use assur_kinematics::{Linkage, PointMotion, ScalarMotion};
+use assur_kinematics::{PointMotion, ScalarMotion};
+use assur_mechanism::{LinkId, Place, SlideId};
 use assur_number::Lanes;
 
-use super::Family;
-use crate::Calculation;
+use super::{Rows, Sink};
 use crate::plan::Wanted;
-use crate::results::{Cells, Column, Owner, Quantity, Schema, Section};
+use crate::results::{Column, Owner, Quantity};
 
-pub(super) const TIME: Family = Family {
-    applies: |_| true,
-    columns: |_, schema| schema.add(Section::ALWAYS, [Column::of(Quantity::Time, Owner::Input)]),
-    fill: |rows, cells| cells.all([rows.state(|state| state.time)]),
-};
+pub(super) fn time(to: &mut impl Sink) {
+    to.always([Column::of(Quantity::Time, Owner::Input)], |rows| [rows.state(|state| state.time)]);
+}
 
-pub(super) const COORDINATE: Family = Family {
-    applies: |_| true,
-    columns: |_, schema| schema.add(Section::ALWAYS, [Column::COORDINATE]),
-    fill: |rows, cells| cells.all([rows.state(|state| state.coordinate)]),
-};
+pub(super) fn coordinate(to: &mut impl Sink) {
+    to.always([Column::COORDINATE], |rows| [rows.state(|state| state.coordinate)]);
+}
 
 /// Speed and acceleration of the input.
-pub(super) const SPEEDS: Family = Family {
-    applies: |_| true,
-    columns: |_, schema| {
-        let of = |quantity| Column::of(quantity, Owner::Input);
-        schema.add(Section::ALWAYS, [Quantity::Velocity, Quantity::Acceleration].map(of));
-    },
-    fill: |rows, cells| cells.all([rows.state(|state| state.speed), rows.state(|state| state.acceleration)]),
-};
+pub(super) fn speeds(to: &mut impl Sink) {
+    let columns = [Quantity::Velocity, Quantity::Acceleration].map(|of| Column::of(of, Owner::Input));
+    to.always(columns, |rows| [rows.state(|state| state.speed), rows.state(|state| state.acceleration)]);
+}
 
-pub(super) const LINKS: Family = Family {
-    applies: |_| true,
-    columns: |calculation, schema| {
-        scalars(schema, calculation.plan.wanted.links.iter().map(|id| Owner::Link(*id)));
-    },
-    fill: |rows, cells| rows.motions.links.iter().for_each(|motion| cells.all(derivatives(motion))),
-};
-
-pub(super) const SLIDES: Family = Family {
-    applies: |_| true,
-    columns: |calculation, schema| {
-        scalars(schema, calculation.plan.wanted.slides.iter().map(|id| Owner::Slide(*id)));
-    },
-    fill: |rows, cells| rows.motions.slides.iter().for_each(|motion| cells.all(derivatives(motion))),
-};
-
-/// PF0, PF1 and PF2.
-fn scalars(schema: &mut Schema, owners: impl Iterator<Item = Owner>) {
-    for owner in owners {
-        schema.add(Section::ALWAYS, (0..=2).map(|order| Column::of(Quantity::Transfer(order), owner)));
+/// Angles of the links, in (-pi, pi], and their derivatives.
+pub(super) fn links(wanted: &Wanted, to: &mut impl Sink) {
+    for link in wanted.links.iter().copied() {
+        let of = |order| [Column::of(Quantity::Transfer(order), Owner::Link(link))];
+        to.always(of(0), |rows| [rows.angle(link)]);
+        to.always(of(1), |rows| [rows.position.bodies[link].w1]);
+        to.always(of(2), |rows| [rows.position.bodies[link].w2]);
     }
 }
 
-fn derivatives(motion: &ScalarMotion<Lanes>) -> [Lanes; 3] {
-    [motion.pf0, motion.pf1, motion.pf2]
+/// Where the points are.
+pub(super) fn places(wanted: &Wanted, to: &mut impl Sink) {
+    for (id, at) in &wanted.points {
+        to.always(Column::vector(Quantity::Transfer(0), Owner::Point(*id)), |rows| rows.point(at).pf0);
+    }
 }
 
-pub(super) const POINTS: Family = Family {
-    applies: |_| true,
-    columns: |calculation, schema| points(calculation, schema, 2),
-    fill: |rows, cells| {
-        for motion in &rows.motions.points {
-            cells.all([motion.pf0, motion.pf1, motion.pf2].into_iter().flatten());
-        }
-    },
-};
+/// Where the points are, and the derivatives.
+pub(super) fn points(wanted: &Wanted, to: &mut impl Sink) {
+    for (id, at) in &wanted.points {
+        let of = |order| Column::vector(Quantity::Transfer(order), Owner::Point(*id));
+        to.always(of(0), |rows| rows.point(at).pf0);
+        to.always(of(1), |rows| rows.point(at).pf1);
+        to.always(of(2), |rows| rows.point(at).pf2);
+    }
+}
 
-/// Where the points are.
-pub(super) const PLACES: Family = Family {
-    applies: |_| true,
-    columns: |calculation, schema| points(calculation, schema, 0),
-    fill: |rows, cells| rows.motions.points.iter().for_each(|motion| cells.all(motion.pf0)),
-};
-
-/// Transfer functions of the points up to an order.
-fn points(calculation: &Calculation, schema: &mut Schema, highest: u8) {
-    for (id, _) in &calculation.plan.wanted.points {
-        for order in 0..=highest {
-            schema.add(Section::ALWAYS, Column::vector(Quantity::Transfer(order), Owner::Point(*id)));
-        }
+/// Displacements of the slides, and their derivatives.
+pub(super) fn slides(wanted: &Wanted, to: &mut impl Sink) {
+    for slide in wanted.slides.iter().copied() {
+        let of = |order| [Column::of(Quantity::Transfer(order), Owner::Slide(slide))];
+        to.always(of(0), |rows| [rows.slide(slide).pf0]);
+        to.always(of(1), |rows| [rows.slide(slide).pf1]);
+        to.always(of(2), |rows| [rows.slide(slide).pf2]);
     }
 }
 
 /// Velocities and accelerations: v = PF1 w, a = PF2 w² + PF1 e.
-pub(super) const RATES: Family = Family {
-    applies: |_| true,
-    columns: |calculation, schema| {
-        let wanted = &calculation.plan.wanted;
-        for quantity in [Quantity::Velocity, Quantity::Acceleration] {
-            let scalar = |owner| Column::of(quantity, owner);
-            schema.add(Section::ALWAYS, wanted.links.iter().map(|id| scalar(Owner::Link(*id))));
-            let points = wanted.points.iter().flat_map(|(id, _)| Column::vector(quantity, Owner::Point(*id)));
-            schema.add(Section::ALWAYS, points);
-            schema.add(Section::ALWAYS, wanted.slides.iter().map(|id| scalar(Owner::Slide(*id))));
+pub(super) fn rates(wanted: &Wanted, to: &mut impl Sink) {
+    for quantity in [Quantity::Velocity, Quantity::Acceleration] {
+        let rate = |rows: &Rows<'_>, pf1: Lanes, pf2: Lanes| {
+            let speed = rows.state(|state| state.speed);
+            if quantity == Quantity::Velocity {
+                return pf1 * speed;
+            }
+            pf2 * speed * speed + pf1 * rows.state(|state| state.acceleration)
+        };
+        for link in wanted.links.iter().copied() {
+            to.always([Column::of(quantity, Owner::Link(link))], |rows| {
+                let body = &rows.position.bodies[link];
+                [rate(rows, body.w1, body.w2)]
+            });
         }
-    },
-    fill: |rows, cells| {
-        let speed = rows.state(|state| state.speed);
-        let acceleration = rows.state(|state| state.acceleration);
-        rates(rows.motions, cells, |pf1, _| pf1 * speed);
-        rates(rows.motions, cells, |pf1, pf2| pf2 * speed * speed + pf1 * acceleration);
-    },
-};
-
-fn rates(motions: &Motions, cells: &mut Cells<'_>, rate: impl Fn(Lanes, Lanes) -> Lanes) {
-    cells.all(motions.links.iter().map(|motion| rate(motion.pf1, motion.pf2)));
-    for motion in &motions.points {
-        cells.all([0, 1].map(|axis| rate(motion.pf1[axis], motion.pf2[axis])));
-    }
-    cells.all(motions.slides.iter().map(|motion| rate(motion.pf1, motion.pf2)));
-}
-
-/// Transfer functions of the links, points and slides that results show, in eight positions; angles in (-pi, pi].
-#[derive(Debug, Default)]
-pub(crate) struct Motions {
-    links: Vec<ScalarMotion<Lanes>>,
-    points: Vec<PointMotion<Lanes>>,
-    slides: Vec<ScalarMotion<Lanes>>,
-}
-
-impl Motions {
-    pub(crate) fn read(&mut self, linkage: &Linkage, wanted: &Wanted, bodies: &[Body<Lanes>]) {
-        let slides = &linkage.mechanism.slides;
-        self.links.clear();
-        self.links.extend(wanted.links.iter().map(|link| turning(&bodies[*link])));
-        self.points.clear();
-        self.points.extend(wanted.points.iter().map(|(_, at)| PointMotion::of(&bodies[at.link], at.at)));
-        self.slides.clear();
-        self.slides.extend(wanted.slides.iter().map(|slide| ScalarMotion::of_slide(&slides[*slide], bodies)));
+        for (id, at) in &wanted.points {
+            to.always(Column::vector(quantity, Owner::Point(*id)), |rows| {
+                let PointMotion { pf1, pf2, .. } = rows.point(at);
+                [0, 1].map(|axis| rate(rows, pf1[axis], pf2[axis]))
+            });
+        }
+        for slide in wanted.slides.iter().copied() {
+            to.always([Column::of(quantity, Owner::Slide(slide))], |rows| {
+                let ScalarMotion { pf1, pf2, .. } = rows.slide(slide);
+                [rate(rows, pf1, pf2)]
+            });
+        }
     }
 }
 
-/// The angle of a link and its derivatives.
-fn turning(body: &Body<Lanes>) -> ScalarMotion<Lanes> {
-    let angle = Lanes::of(|lane| body.s.0[lane].atan2(body.c.0[lane]));
-    ScalarMotion { pf0: angle, pf1: body.w1, pf2: body.w2 }
+impl Rows<'_> {
+    /// The angle of a link, in (-pi, pi].
+    fn angle(&self, link: LinkId) -> Lanes {
+        let body = &self.position.bodies[link];
+        Lanes::of(|lane| body.s.0[lane].atan2(body.c.0[lane]))
+    }
+
+    #[inline]
+    fn point(&self, at: &Place) -> PointMotion<Lanes> {
+        PointMotion::of(&self.position.bodies[at.link], at.at)
+    }
+
+    #[inline]
+    fn slide(&self, slide: SlideId) -> ScalarMotion<Lanes> {
+        ScalarMotion::of_slide(&self.calculation.linkage.mechanism.slides[slide], &self.position.bodies)
+    }
 }

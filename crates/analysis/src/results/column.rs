@@ -44,7 +44,7 @@ pub enum Quantity {
     Moment,
     /// Where along the guide, from the point of the sliding link, the force alone is equivalent to force and moment.
     Offset,
-    /// Moment (force) that keeps the mechanism in its motion.
+    /// Moment (force) that maintains the motion of the mechanism.
     Balancing,
     /// A force that the analyzer finds beside the reactions.
     OfMethod,

@@ -53,7 +53,7 @@ pub struct RegimeReport {
     pub multiplier: f64,
     /// Flywheel and rotor reduced to the input, kg m².
     pub shaft_inertia: f64,
-    /// The wanted unevenness is met without a flywheel.
+    /// The requested unevenness is achieved without a flywheel.
     pub flywheel_needless: bool,
     /// Cost of the solution.
     #[serde(flatten)]

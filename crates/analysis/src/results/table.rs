@@ -197,8 +197,12 @@ pub struct Cells<'a> {
 }
 
 impl Cells<'_> {
-    /// The numbers of a column that has numbers in all rows.
-    fn always(&mut self, values: Lanes) {
+    /// The numbers of the next column, and the rows that have one; all columns of a section have them in the same rows.
+    pub fn put(&mut self, values: Lanes, has: Mask) {
+        let section = self.table.schema.section_of(self.column);
+        let is_full = section == Section::ALWAYS;
+        let values =
+            if is_full { values } else { Lanes::of(|lane| if has[lane] { values.0[lane] } else { 0.0 }) };
         let column = &mut self.table.columns[self.column];
         if self.all {
             column.extend_from_slice(&values.0);
@@ -206,26 +210,10 @@ impl Cells<'_> {
             column.extend(values.0.iter().zip(self.rows).filter(|(_, row)| *row).map(|(value, _)| *value));
         }
         self.column += 1;
-    }
-
-    /// The numbers of a column, and the rows that have one; all columns of a section have them in the same rows.
-    pub fn put(&mut self, values: Lanes, has: Mask) {
-        let section = self.table.schema.section_of(self.column);
-        self.always(Lanes::of(|lane| if has[lane] { values.0[lane] } else { 0.0 }));
-        let rows = self.rows.iter().zip(has).filter(|(row, _)| **row).map(|(_, has)| has);
-        let last = self.table.present[section.0].iter_mut().rev();
-        last.zip(rows.rev()).for_each(|(present, has)| *present = has);
-    }
-
-    /// Numbers of columns that have them in all rows.
-    pub fn all(&mut self, values: impl IntoIterator<Item = Lanes>) {
-        values.into_iter().for_each(|values| self.always(values));
-    }
-
-    /// No numbers in the columns up to this one.
-    pub(crate) fn end_at(&mut self, column: usize) {
-        while self.column < column {
-            self.put(Lanes::ZERO, [false; Lanes::WIDTH]);
+        if !is_full {
+            let rows = self.rows.iter().zip(has).filter(|(row, _)| **row).map(|(_, has)| has);
+            let last = self.table.present[section.0].iter_mut().rev();
+            last.zip(rows.rev()).for_each(|(present, has)| *present = has);
         }
     }
 }

@@ -101,11 +101,14 @@ fn a_friction_that_pushes_with_the_sliding_is_told() {
         notes.iter().map(ToString::to_string).filter(|note| note.contains("slid")).collect::<Vec<_>>()
     };
     let press = super::text("press");
-    let all = "The friction of `contact 1 on rod` pushes with the sliding in positions 0, 1, 2, ";
+    let all = "The friction of `contact 1 on rod` acts in the direction of sliding in positions 0, 1, 2, ";
     assert!(of(&press).is_empty() && of(&super::text("press-compression")).is_empty());
     let turned = of(&press.replace("friction = 0.1", "friction = -0.1"));
     assert!(turned.len() == 1 && turned[0].starts_with(all), "{turned:?}");
-    assert!(turned[0].ends_with("With `friction = { against_sliding = 0.1 }` it is found."), "{turned:?}");
+    assert!(
+        turned[0].ends_with("With `friction = { against_sliding = 0.1 }` the sign is determined."),
+        "{turned:?}"
+    );
     let back = of(&press.replace("direction = \"cw\"\n", ""));
     assert!(back.len() == 1 && back[0].starts_with(all), "{back:?}");
     // With R = (r2 + b) cos a the arc rolls in the middle.
@@ -115,7 +118,7 @@ fn a_friction_that_pushes_with_the_sliding_is_told() {
     assert_eq!(
         rolls,
         [
-            "The arc of `contact 1 on rod` rolls without sliding in position 16: its friction has the sense there that it has just \
+            "The arc of `contact 1 on rod` rolls without sliding in position 16: there its friction has the sense that it has just \
              after."
         ]
     );
@@ -130,7 +133,7 @@ fn a_list_against_the_motion_is_told() {
     assert_eq!(listed(&press), None);
     assert_eq!(
         listed(&press.replace("direction = \"cw\"\n", "")).unwrap(),
-        "The positions are listed from -70.000000 deg to -110.000000 deg, and the input moves the other way: arrows of velocities \
+        "The positions are listed from -70.000000 deg to -110.000000 deg, and the input moves the other way: velocity arrows \
          point against the order of the positions. With `direction = \"cw\"` in [input] the motion follows the list."
     );
     let upward =

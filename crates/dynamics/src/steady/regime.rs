@@ -57,7 +57,7 @@ impl Figures {
 pub struct Regime {
     /// Flywheel on its own shaft, without the rotor, kg m²: the given one, or the one found (0: none is needed).
     pub flywheel: f64,
-    /// The wanted unevenness is met without a flywheel.
+    /// The requested unevenness is achieved without a flywheel.
     pub flywheel_needless: bool,
     /// Flywheel and rotor reduced to the input, kg m².
     pub drive_inertia: f64,
@@ -275,7 +275,7 @@ pub enum TorqueRequest {
     Motor {
         /// Its characteristic.
         characteristic: Characteristic,
-        /// Rotor, kg m² on its own shaft; 0: not modelled.
+        /// Rotor, kg m² on its own shaft; 0: not modeled.
         rotor: f64,
         /// Given ratio; `None`: find it from the mean speed.
         ratio: Option<f64>,

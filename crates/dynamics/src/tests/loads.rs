@@ -151,7 +151,7 @@ fn a_constant_moment_that_does_work_has_no_regime() {
     let (linkage, loads) = compiled(&driven_by("torque = 200", ""));
     let error = steady(&linkage, &loads, None).unwrap_err();
     assert!(matches!(error, DynamicsError::NoRegime { .. }));
-    assert!(error.to_string().starts_with("there is no steady regime: the work of a cycle is"), "{error}");
+    assert!(error.to_string().starts_with("there is no steady regime: the work per cycle is"), "{error}");
 }
 
 #[test]

@@ -78,7 +78,7 @@ impl Bearing {
         matches!(self.pair, PairId::Slide(_))
     }
 
-    /// Whether it slides on faces beside the guide line, so that its friction has a moment about the line.
+    /// Whether it slides on faces offset from the guide line, so that its friction has a moment about the line.
     pub fn is_shifted(&self) -> bool {
         matches!(self.surfaces, Surfaces::Faces { offset, .. } if offset != 0.0)
     }

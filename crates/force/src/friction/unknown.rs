@@ -29,7 +29,7 @@ pub enum UnknownKind {
     Normal,
     /// |N/2 + M/l| or, with the sign -1, |N/2 - M/l| of a slide.
     End(f64),
-    /// N itself: the friction of faces beside the guide line has a moment that is linear in it.
+    /// N itself: the friction of faces offset from the guide line has a moment that is linear in it.
     Shift,
 }
 
@@ -172,7 +172,7 @@ pub enum Pressing<T> {
 
 impl<T: Real> Pressing<T> {
     /// What presses without the loads of friction: the force of a pin, or the forces on both ends of a slide (all of it first where
-    /// it is pressed in one place); and the normal force of a slide.
+    /// it is pressed at one point); and the normal force of a slide.
     #[inline(always)]
     pub fn of(&self, load: &Wrench<T>) -> ([T; 2], T) {
         match *self {

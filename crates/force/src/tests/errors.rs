@@ -24,11 +24,11 @@ fn a_point_without_a_stroke() {
     let text = error(|mechanism| {
         let Some(Value::Stroke { axis, .. }) = assur_testkit::specimen::law_mut(&mut mechanism.loads[0].kind)
         else {
-            panic!("the gas force follows a stroke")
+            panic!("the gas force is given over a stroke")
         };
         *axis = 0.0;
     });
-    assert!(text.starts_with("load `gas` follows a stroke, but its point moves only "), "{text}");
+    assert!(text.starts_with("load `gas` is given over a stroke, but its point moves only "), "{text}");
     assert!(text.ends_with(" m along the axis; turn the axis"), "{text}");
 }
 
@@ -41,6 +41,6 @@ fn a_moment_has_no_stroke() {
     });
     assert_eq!(
         text,
-        "moment `drag` follows a stroke, but a moment has no point that could move; use a table over the angle"
+        "moment `drag` is given over a stroke, but a moment has no point that could move; use a table over the angle"
     );
 }

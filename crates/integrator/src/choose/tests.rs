@@ -96,7 +96,7 @@ fn the_reason_names_the_case_and_nothing_suitable_is_an_error() {
     assert_eq!(choice.first.reason.to_string(), "case 1 of D (J constant, M constant): exact");
     assert!(choice.stiff.is_none() && choice.others.is_empty());
     let error = ranked(&[&CLOSED], equation(false, [true, true, false]), 1e-6).unwrap_err().to_string();
-    assert_eq!(error, "no linked integrator can treat this equation (J(q), M(q, w))");
+    assert_eq!(error, "no linked integrator supports this equation (J(q), M(q, w))");
 }
 
 #[test]

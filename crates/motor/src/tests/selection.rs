@@ -75,12 +75,12 @@ fn nothing_fits_says_by_how_much() {
     let error = |request: &SelectionRequest| select(&rows, request).unwrap_err().to_string();
     assert_eq!(
         error(&request(2000.0, None)),
-        "no motor gives 2000.0 W: the strongest that fits otherwise, big four, has 1500.0 W, 500.0 W too little; \
+        "no motor gives 2000.0 W: the most powerful one that is otherwise suitable, big four, has 1500.0 W, 500.0 W too little; \
          take another catalogue, raise max_motor_speed or lower the load"
     );
     assert_eq!(
         error(&request(500.0, Some(800.0))),
-        "no motor keeps the speed limit of 800.0 rpm: the slowest, six, has 1000.0 rpm, 200.0 rpm too many; \
+        "no motor stays within the speed limit of 800.0 rpm: the slowest, six, has 1000.0 rpm, 200.0 rpm too many; \
          raise max_motor_speed"
     );
     // Enough power, but only too fast: the limit is what hurts.

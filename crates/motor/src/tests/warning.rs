@@ -59,6 +59,6 @@ fn a_rotor_without_inertia_is_said_to_be_left_out() {
     let rows = motors(&["x,4,1.1,1500,1410,2.2"]);
     assert_eq!(
         check_rotor_inertia(&rows[0]).unwrap().describe().to_string(),
-        "the rotor inertia of x is not in its catalogue: it is not modelled"
+        "the rotor inertia of x is not in its catalogue: it is neglected"
     );
 }

@@ -1,4 +1,4 @@
-//! Writes `docs/accuracy.md`: speed against accuracy of every method on every shipped scene.
+//! Writes `docs/accuracy.md`: speed versus accuracy of every method on every shipped scene.
 
 mod chapter;
 mod summary;

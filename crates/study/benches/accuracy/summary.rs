@@ -11,7 +11,7 @@ use crate::chapter::fastest;
 const WANTED: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 const ABOUT: &str = "\
-# Speed against accuracy
+# Speed versus accuracy
 
 Made by one command from the shipped scenes:
 

@@ -8,7 +8,7 @@ use serde::{Serialize, Serializer};
 
 use super::units::short;
 
-/// Speed against accuracy of one scene.
+/// Speed versus accuracy of one scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChartData {
     /// Title of the scene.

@@ -1,4 +1,4 @@
-//! Speed against accuracy: every registered method of every stage that a scene has, over its settings, on the same work.
+//! Speed versus accuracy: every registered method of every stage that a scene has, over its settings, on the same work.
 //!
 //! [`chart`] measures; [`ChartData`] is the result, as data for JSON, [`csv()`] and [`text()`].
 //!

@@ -68,7 +68,7 @@ fn the_number_of_points_has_a_limit() {
         assert_eq!(
             sweep(SLIDER, &[&one(first), &two(second)]).unwrap_err().to_string(),
             format!(
-                "the sweep has {points} points, at most 1000000000000 are calculated: fewer values of each parameter"
+                "the sweep has {points} points, at most 1000000000000 are calculated: use fewer values of each parameter"
             )
         );
     }

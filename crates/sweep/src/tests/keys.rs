@@ -16,7 +16,7 @@ fn a_key_that_names_nothing_is_told_with_what_there_is() {
         ("crank.A", "the scene has no `crank`; did you mean `link.crank.points.A`?; it has: ground, link, slide, input, force, assembly".to_owned()),
         ("force.gass.value", "`force` has no `gass`; did you mean `force.gas`?; it has: gas, or name an element by its number, such as `force[0]`".to_owned()),
         ("force[2].value", "`force` has 2 elements, from [0] to [1]".to_owned()),
-        ("link[0].mass", "`link` is no list; it has: crank, rod, piston".to_owned()),
+        ("link[0].mass", "`link` is not a list; it has: crank, rod, piston".to_owned()),
         ("link.crank", "`link.crank` is a table; it has: points".to_owned()),
         ("ground.points.O", "`ground.points.O` is a list; it has: ground.points.O[0], ground.points.O[1]".to_owned()),
         ("link.piston.mass.x", "`link.piston.mass` is a single value without parts".to_owned()),
@@ -60,7 +60,7 @@ fn a_parameter_that_is_written_otherwise_is_told() {
         ("link..mass=1..2:3", "a key consists of names joined by dots, such as `link.crank.mass`"),
         (
             "link[x].mass=1..2:3",
-            "`[x]` is no element: write a whole number from 0, two of them as in `[1..2]`, or `[*]` for all",
+            "`[x]` is not an element: write a whole number from 0, a range such as `[1..2]`, or `[*]` for all",
         ),
         ("link[0.mass=1..2:3", "a `[` is not closed"),
         ("link[0]mass=1..2:3", "a key continues with `.` or `[`, not `mass`"),

@@ -37,10 +37,7 @@ fn columns_are_those_of_the_named_measures_in_their_own_order() {
 #[test]
 fn an_unknown_measure_is_named() {
     let error = Measure::named(&["health", "weight"]).unwrap_err().to_string();
-    assert!(
-        error.starts_with("there is no measure `weight`: name some of health, transmission, "),
-        "{error}"
-    );
+    assert!(error.starts_with("there is no measure `weight`: choose from health, transmission, "), "{error}");
 }
 
 #[test]

@@ -37,6 +37,6 @@ fn a_longer_sample_goes_on_from_a_shorter_one() {
 #[test]
 fn a_range_of_a_sample_has_no_number_of_values() {
     let error = requested(SLIDER, &["link.piston.mass=1..2:3"], sample(9, 0)).unwrap_err();
-    let form = "of a sample write it as KEY=FROM..TO, such as \"link.crank.mass=1 kg..5 kg\"";
+    let form = "for a sample write it as KEY=FROM..TO, such as \"link.crank.mass=1 kg..5 kg\"";
     assert_eq!(error.to_string(), format!("`link.piston.mass=1..2:3`: {form}"));
 }

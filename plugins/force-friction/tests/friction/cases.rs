@@ -80,7 +80,7 @@ fn a_drawer_jams_at_length_over_twice_the_offset() {
         assert!((balancing * (1.0 - part) / 100.0 - 1.0).abs() < 1e-12, "{balancing}");
         assert!((forces[0] + balancing * part).abs() < 1e-12 * balancing, "{forces:?}");
         assert_eq!(count, 1);
-        // The normal forces are a couple: the faces beside the guide line change nothing.
+        // The normal forces are a couple: the faces offset from the guide line change nothing.
         let (beside, ..) = solved(&drawer(part * 0.375, "offset = 0.02"), "coulomb", 0.1).unwrap();
         assert!((beside / balancing - 1.0).abs() < 1e-12);
     }

@@ -77,6 +77,6 @@ fn solving_a_mechanism_that_is_not_supported_is_an_error() {
     let error = super::reactions(&Longitudinal::Published, &linkage, 0.6).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "force analyzer `longitudinal-published` can't treat this mechanism: it has 2 groups; the method needs one"
+        "force analyzer `longitudinal-published` does not support this mechanism: it has 2 groups; the method needs one"
     );
 }

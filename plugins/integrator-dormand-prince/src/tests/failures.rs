@@ -64,7 +64,7 @@ fn an_end_that_never_comes_is_an_error() {
              w = 0.000000000 and rests there for good"
         );
         let error = method.solve(&mut assur_problems::e1(), &limited).unwrap_err().to_string();
-        assert!(error.contains("the limit of time is over"), "{error}");
+        assert!(error.contains("reached the time limit"), "{error}");
     }
 }
 

@@ -103,7 +103,7 @@ pub(super) fn note(state: &mut State) {
 ///
 /// # Errors
 ///
-/// Another ending than `svg` and `png`, or a page that can't be painted.
+/// Another ending than `svg` and `png`, or a page that can't be rendered.
 pub(crate) fn picture(
     figure: &Figure,
     path: &Path,

@@ -143,14 +143,14 @@ pub(crate) enum Outcome {
 /// The findings of a measurement.
 #[derive(Debug, Clone)]
 pub(crate) struct Measured {
-    /// Speed against accuracy, or why there is none.
+    /// Speed versus accuracy, or why there is none.
     pub(crate) chart: Result<ChartData, Text>,
     /// `None` if the measurement was stopped before.
     pub(crate) stability: Option<Result<Stability, Text>>,
 }
 
 impl Measured {
-    /// The report in this many columns: conclusions, speed against accuracy, stability.
+    /// The report in this many columns: conclusions, speed versus accuracy, stability.
     pub(crate) fn text(&self, style: Style<'static>, width: u16) -> String {
         let chart = match &self.chart {
             Ok(data) => chart::text(data, style, width),

@@ -209,7 +209,10 @@ fn a_zero_has_no_per_cent() {
     press(&mut state, "e");
     write(&mut state, "/ground.points.O");
     press(&mut state, "+");
-    assert!(text(&state, 80, 24).contains("has no per cent: Enter takes an exact value"));
+    assert!(
+        text(&state, 80, 24)
+            .contains("percentages don't apply to `ground.points.O[0]`: Enter takes an exact value")
+    );
     press(&mut state, "Enter");
     assert_eq!(state.prompt.as_ref().unwrap().text.to_string(), "value ground.points.O[0] ");
 }

@@ -1,4 +1,4 @@
-//! Speed, acceleration, J, J', Q over the positions, or the course over time; the numbers of the regime.
+//! Speed, acceleration, J, J', Q over the positions, or the motion over time; the numbers of the regime.
 
 use assur_analysis::results::Analysis;
 use assur_figure::Figure;

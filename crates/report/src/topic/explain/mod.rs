@@ -1,4 +1,4 @@
-//! What is calculated for a scene and how, what is modelled and what is left out.
+//! What is calculated for a scene and how, what is modeled and what is left out.
 
 mod model;
 mod stages;
@@ -12,7 +12,7 @@ use assur_structure::{Structure, roman};
 use assur_words::{Text, joined, list, name, number, text};
 use model::{modelled, not_modelled};
 
-/// Structure, stages with their methods, what is modelled and what is not. `equation`: the equation of the motion and how it is
+/// Structure, stages with their methods, what is modeled and what is not. `equation`: the equation of the motion and how it is
 /// solved, where that is known ([`assur_analysis::method_of_motion`]).
 pub fn explain(
     mechanism: &Mechanism,
@@ -89,7 +89,7 @@ fn others(mechanism: &Mechanism, structure: &Structure, chosen: &[bool]) -> Text
     first_of(left.map(|index| structure.group_name(mechanism, index)).collect())
 }
 
-/// One thing that is or is not modelled, and how it is; or why it is not, and how it could be included.
+/// One thing that is or is not modeled, and how it is; or why it is not, and how it could be included.
 fn remark(what: Text, how: Text) -> Text {
     text!("report-fact", what, value = how)
 }

@@ -92,8 +92,7 @@ fn what_is_not_modelled_is_named_with_the_way_to_include_it() {
 #[test]
 fn every_part_has_its_heading() {
     let text = explained_by(&scene("shaper", |text| text), None);
-    for words in
-        ["\n1. Structure\n", "group 1 (RPR stone2, rocker)", "\n3. Modelled\n", "\n4. Not modelled\n"]
+    for words in ["\n1. Structure\n", "group 1 (RPR stone2, rocker)", "\n3. Modeled\n", "\n4. Not modeled\n"]
     {
         assert!(text.contains(words), "{words}");
     }

@@ -14,7 +14,7 @@ use crate::stability::walk::growth;
 pub(super) static LAW: Law = Law {
     section: "Numerical differentiation",
     along: "step of the differences, rad or parts of the size",
-    expected: "2 (h^p M + 16 eps (1 + |q|) groups / healths * k / h^order): p = 2, 4 for three and five \
+    expected: "2 (h^p M + 16 eps (1 + |q|) groups / determinants * k / h^order): p = 2, 4 for three and five \
                points, M the next derivative over its factor (6, 30 for PF1, 12, 90 for PF2) on the points, \
                k the sum of the weights",
 };

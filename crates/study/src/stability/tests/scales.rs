@@ -15,7 +15,7 @@ pub(super) static LAW: Law = Law {
     section: "Scales",
     along: "factor of all lengths, or of all masses",
     expected: "nothing for a power of two, which rounds nothing; else 2 * 16 eps (1 + |q|) (longest / \
-               shortest length) (groups / product of healths)^k for the rounding of the data: k = 1 for \
+               shortest length) (groups / product of determinants)^k for the rounding of the data: k = 1 for \
                places, 2 for PF1, PF2 and reactions; for the published longitudinal form also / sine^2 of \
                the angle at the pole",
 };

@@ -12,7 +12,7 @@ use crate::stability::walk::Walk;
 pub(super) static LAW: Law = Law {
     section: "Many turns",
     along: "whole turns between the coordinate and that of the reference",
-    expected: "as along the cycle, 16 eps (1 + |q|) (groups / product of healths)^k and its factors, with q \
+    expected: "as along the cycle, 16 eps (1 + |q|) (groups / product of determinants)^k and its factors, with q \
                after those turns: what the rounding of q costs",
 };
 

@@ -24,9 +24,9 @@ const EQUATIONS: f64 = 6.0;
 pub(super) static LAW: Law = Law {
     section: "Groups alone",
     along: "distance of the group alone from its singular position, in parts of its lengths",
-    expected: "16 eps * (longest / shortest length) / health^k: k = 1 for places and where the determinant \
+    expected: "16 eps * (longest / shortest length) / determinant^k: k = 1 for places and where the determinant \
                is linear in the data, 2 for derivatives and reactions where it is the root of a difference \
-               of lengths; where PF1 or PF2 is small against its terms (the motion of the bodies that the group is joined to, PF1^2 / health), times their quotient; six \
+               of lengths; where PF1 or PF2 is small against its terms (the motion of the bodies that the group is joined to, PF1^2 / determinant), times their quotient; six \
                times that for the linear system of six equations",
 };
 

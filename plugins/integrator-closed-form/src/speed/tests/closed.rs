@@ -151,7 +151,7 @@ fn places_rest_and_reversal_are_met() {
     assert!((found.end.time - 57.0).abs() < 1e-11, "{:?}", found.end);
     let limited = Request { time_limit: 4.0, ..request(10.0, Until::Coordinate(-102.0), 1e-10) };
     let error = refused(&mut motion(), &limited);
-    assert!(error.ends_with("the limit of time is over"), "{error}");
+    assert!(error.ends_with("reached the time limit"), "{error}");
     // Creeping to rest, 5 rad in all.
     let error = refused(&mut speed_law(|w| -w), &request(5.0, Until::Coordinate(3.1), 1e-9));
     assert!(error.starts_with("coordinate 3.1 is never reached"), "{error}");

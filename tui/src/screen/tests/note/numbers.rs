@@ -93,7 +93,7 @@ fn the_numbers_of_the_note_are_those_of_the_json() {
             same(&cells[4], &force[1]);
             compared += 2;
         }
-        for cells in of("keeps the mechanism in its motion") {
+        for cells in of("maintains the motion of the mechanism") {
             same(&cells[2], &row["balancing"]);
             compared += 1;
         }

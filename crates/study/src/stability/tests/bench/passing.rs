@@ -14,7 +14,7 @@ use crate::stability::tests::Law;
 pub(super) static LAW: Law = Law {
     section: "Across change points",
     along: "distance of the coordinate from the change point, rad",
-    expected: "16 eps / health^(1, 2, 3) for PF0, PF1, PF2, in parts of the largest number of its order \
+    expected: "16 eps / determinant^(1, 2, 3) for PF0, PF1, PF2, in parts of the largest number of its order \
                around; where the motion is interpolated across the change point, the health where that \
                begins",
 };

@@ -14,7 +14,7 @@ use crate::stability::walk::{Walk, test_loads};
 static DISPARATE: Law = Law {
     section: "Scales",
     along: "greatest length, or mass, over the least",
-    expected: "16 eps (1 + |q|) / health^k of the largest number of its kind, however different the links \
+    expected: "16 eps (1 + |q|) / determinant^k of the largest number of its kind, however different the links \
                are",
 };
 
