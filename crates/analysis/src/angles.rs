@@ -2,6 +2,7 @@
 
 use assur_kinematics::{Linkage, Position, continuous_angle, first_angle};
 use assur_mechanism::LinkId;
+use assur_number::elementary;
 
 use crate::results::{Column, Owner, Quantity, Schema, Table};
 
@@ -104,7 +105,7 @@ impl Angles {
     fn join(&self, angles: &mut [f64], position: &Position) {
         for (angle, (_, link)) in angles.iter_mut().zip(&self.followed) {
             let body = &position.bodies[*link];
-            *angle = continuous_angle(body.s.atan2(body.c), *angle);
+            *angle = continuous_angle(elementary::atan2(body.s, body.c), *angle);
         }
     }
 }

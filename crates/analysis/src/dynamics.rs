@@ -46,7 +46,7 @@ impl Calculation {
         })
     }
 
-    /// The motors that would do, the best first, at most `most`, each with the greatest unevenness that it allows; and how many
+    /// The suitable motors, the best first, at most `most`, each with the greatest unevenness that it allows; and how many
     /// such motors there are.
     pub fn advice(&self, most: usize) -> Result<(Vec<MotorAdvice>, usize), AnalysisError> {
         let no_motion = DynamicsError::NoMotion("steady");

@@ -21,7 +21,7 @@ use crate::{Calculation, InputMotion};
 const FEWEST: [usize; 2] = [500, 20_000];
 /// Intervals of the quadrature over each smooth part of an interval of a cycle.
 const IN_INTERVAL: u32 = 4;
-/// How far inside a part its ends are where there is dry friction, in intervals.
+/// Where there is dry friction, the ends of a smooth part are taken this far inside it, in intervals.
 const INSIDE: f64 = 1e-6;
 
 /// Energies over a motion.
@@ -209,7 +209,7 @@ impl Calculation {
                     0 => (Side::After, INSIDE),
                     _ => (Side::After, 0.0),
                 };
-                // A load against a motion that rests just there is none, and the friction that it gives would be none.
+                // A load against the motion vanishes where the motion rests, and so would the friction that it causes.
                 let inward = if has_friction { inward } else { 0.0 };
                 moments(start + step * (f64::from(i) + inward), side)
             });

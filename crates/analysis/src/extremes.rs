@@ -15,7 +15,7 @@ const ROUNDS: usize = 8;
 const PANELS: u32 = 24;
 /// Accuracy of means, as a part of the greatest integral over a panel.
 const ACCURACY: f64 = 1e-10;
-/// Halvings of panels at most: a curve that needs more is told as one whose means are not sure.
+/// Halvings of panels at most: of a curve that needs more the means are reported as uncertain.
 const HALVINGS: usize = 1000;
 /// Means are sure up to this part of the root mean square: no more digits are shown.
 const SURE: f64 = 1e-6;
@@ -35,7 +35,7 @@ pub struct Turn {
     pub within: [f64; 2],
 }
 
-/// Values of greatest modulus over the positions and between them.
+/// Values of greatest magnitude over the positions and between them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Peaks {
     /// Of each quantity.
@@ -77,7 +77,7 @@ impl Turn {
 }
 
 impl Peaks {
-    /// The value of greatest modulus of a quantity; `None` where it was not looked for.
+    /// The value of greatest magnitude of a quantity; `None` where it was not looked for.
     pub fn of(&self, column: Column) -> Option<Turn> {
         self.farthest.iter().find(|(known, _)| *known == column).map(|(_, turn)| *turn)
     }
@@ -95,7 +95,7 @@ impl Calculation {
         self.with_values(read, |values| ends.iter().filter_map(|ends| unlimited(*ends, values)).collect())
     }
 
-    /// Means, between two coordinates, of what is read from a row; `size`: its greatest modulus, about. `None` where it has no value
+    /// Means, between two coordinates, of what is read from a row; `size`: its greatest magnitude, about. `None` where it has no value
     /// somewhere.
     pub fn means(
         &self,

@@ -1,4 +1,4 @@
-//! Dry friction over the cycle: works, efficiency, where it brakes itself and where it jams.
+//! Dry friction over the cycle: works, efficiency, where the mechanism is self-locking and where it jams.
 
 use assur_force::{ForceError, Kinetostatics, Loads, UnitBalance};
 use assur_group::Order;
@@ -69,7 +69,7 @@ enum State {
 struct Sample {
     coordinate: f64,
     state: State,
-    /// How far it is from a certificate of 1 (the part of all coefficients that it bears, less 1), from braking itself, and from being driven; infinite where it works otherwise.
+    /// Margins to a certificate of 1 (the factor of all coefficients that it bears, minus 1), to self-locking, and to being driven; infinite where it works otherwise.
     room: [f64; 3],
 }
 
@@ -183,7 +183,7 @@ impl Cycle<'_> {
         Sample { coordinate, state, room: room.map(|room| of(state == State::Working && room > 0.0, room)) }
     }
 
-    /// Adds places between samples where the mechanism may jam or brake itself though it does neither at the samples.
+    /// Adds places between samples where the mechanism may jam or lock itself though it does neither at the samples.
     fn add_narrow(&mut self, samples: &[Sample]) -> Vec<Sample> {
         let mut all = Vec::new();
         for (index, three) in samples.windows(3).enumerate() {

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position, decompose};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, Named, PairId, Point, Range};
+use assur_number::elementary;
 use assur_structure::StructureError;
 use assur_words::{Describe, Text};
 use serde::Serialize;
@@ -139,14 +140,14 @@ fn possible(mechanism: &Mechanism) -> Vec<(LinkId, InputPair)> {
 fn begin(mechanism: &Mechanism, (link, pair): (LinkId, InputPair), position: &Position) -> (f64, Range) {
     let bodies = &position.bodies;
     match pair {
-        InputPair::Pin(_) => (bodies[link].s.atan2(bodies[link].c), Range::Cycle(TAU)),
+        InputPair::Pin(_) => (elementary::atan2(bodies[link].s, bodies[link].c), Range::Cycle(TAU)),
         InputPair::Slide(slide) => {
             let slide = &mechanism.slides[slide];
-            let along = bodies[slide.on].turned([slide.angle.cos(), slide.angle.sin()]);
+            let along = bodies[slide.on].turned([elementary::cos(slide.angle), elementary::sin(slide.angle)]);
             let [point, line] =
                 [bodies[slide.link].point(slide.point), bodies[slide.on].point(slide.through)];
             let from = along[0] * (point[0] - line[0]) + along[1] * (point[1] - line[1]);
-            let far = bodies.iter().map(|body| body.x.hypot(body.y)).fold(1e-3, f64::max);
+            let far = bodies.iter().map(|body| elementary::hypot(body.x, body.y)).fold(1e-3, f64::max);
             (from, Range::Cycle(far))
         }
     }

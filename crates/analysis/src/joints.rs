@@ -6,7 +6,7 @@ use assur_force::{Joint, Reactions, joints};
 use assur_group::plane::{dot, perp};
 use assur_kinematics::{LanePosition, Linkage};
 use assur_mechanism::{LinkId, PairId};
-use assur_number::{Lanes, Real};
+use assur_number::{Lanes, Real, elementary};
 
 /// The pins and slides of a mechanism.
 #[derive(Debug)]
@@ -40,7 +40,7 @@ impl Joints {
                 PairId::Pin(_) => None,
                 PairId::Slide(slide) => {
                     let slide = &linkage.mechanism.slides[slide];
-                    let (s, c) = slide.angle.sin_cos();
+                    let (s, c) = elementary::sin_cos(slide.angle);
                     Some((slide.on, [c, s].map(Lanes::from_f64)))
                 }
             };
@@ -63,7 +63,7 @@ impl Joints {
         for shown in &self.all {
             for [x, y] in (0..shown.joint.links.len()).map(|nth| shown.force(nth, reactions)) {
                 for (lane, greatest) in greatest.iter_mut().enumerate() {
-                    *greatest = greatest.max(x.0[lane].hypot(y.0[lane]));
+                    *greatest = greatest.max(elementary::hypot(x.0[lane], y.0[lane]));
                 }
             }
         }

@@ -3,6 +3,8 @@
 //! [`Calculation::of`] decomposes a mechanism into groups, plans and compiles it; [`Calculation::analyze`] calculates
 //! the results of the scene. Knows no concrete plugin, no file and no terminal.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod acting;
 mod angles;
 mod blocks;

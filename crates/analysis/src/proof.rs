@@ -25,7 +25,7 @@ const ROUNDING: f64 = 1e-12;
 const ROUNDINGS: f64 = 4.0;
 
 impl Calculation {
-    /// Change of the kinetic energy against the work of all moments, by quadrature over a finer trajectory.
+    /// Change of the kinetic energy compared with the work of all moments, by quadrature over a finer trajectory.
     pub(crate) fn work_check(&self, found: &Transient) -> Option<Check> {
         let loads = self.loads.as_ref()?;
         let mut worst = None;
@@ -35,7 +35,7 @@ impl Calculation {
             let steps = (trajectory.statistics.steps + 1) as f64;
             let own = 2.0 * (self.tolerance() * steps + found.error_of_fixed_steps());
             let found = worst.insert(balance.worst(own));
-            // The error of the quadrature is no greater than that of the motion; of more instants it is less.
+            // The error of the quadrature is no greater than that of the motion; with more instants it is smaller.
             let tells = found.bound <= 2.0 * (own + ROUNDING) || samples > INTERVALS[0];
             if found.error <= found.bound && tells && found.why != OF_QUADRATURE {
                 break;
@@ -93,7 +93,7 @@ struct Balance {
     rounding: Vec<f64>,
     /// The greatest work over a rounding unit of the coordinate in every step, N m: the motion is known no better.
     unresolved: f64,
-    /// What a step that is off by the greatest speed would add to the kinetic energy, up to each instant, J: an error of a step is
+    /// What an error of the size of the greatest speed in each step would add to the kinetic energy, up to each instant, J: an error of a step is
     /// a part of that speed, and where the reduced inertia grows without limit it counts for more than the energy.
     by_speed: Vec<f64>,
     /// What lies between each instant and the next one.
@@ -220,7 +220,7 @@ impl Balance {
         let mut error = 2.0 * (fine - coarse).abs();
         let rounding = self.step * self.rounding[start..start + 4].iter().sum::<f64>();
         if between.contains(&Between::Change) {
-            // The power lies between its two values in every step: so far a trapezoid may be off.
+            // In every step the power lies between its two values, which bounds the error of a trapezoid.
             let variation: f64 = p.windows(2).map(|two| (two[1] - two[0]).abs()).sum();
             error = error.max((fine - trapezoids).abs() + 0.5 * self.step * variation);
         }

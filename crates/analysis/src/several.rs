@@ -24,7 +24,7 @@ pub struct Several {
 pub struct SolutionReport {
     /// The balancing load, N m or N.
     pub balancing: f64,
-    /// Whether it is the one that all other results are those of.
+    /// Whether all other results belong to this solution.
     pub taken: bool,
     /// Forces and moments by pair, as in the results of a position.
     pub reactions: IndexMap<String, IndexMap<String, ForceOrMoment>>,

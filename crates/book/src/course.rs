@@ -156,7 +156,7 @@ impl Course {
         self.points([1.0; 2]).into_iter().zip(up.points([1.0; 2])).map(tip).collect()
     }
 
-    /// The greatest modulus of a value at a position or at the end; 0 where there is none.
+    /// The greatest magnitude of a value at a position or at the end; 0 where there is none.
     pub fn size(&self) -> f64 {
         self.nodes.iter().chain(&self.end).fold(0.0, |most: f64, node| most.max(node.value.abs()))
     }

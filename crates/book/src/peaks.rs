@@ -1,4 +1,4 @@
-//! Values of greatest modulus over the positions and between them.
+//! Values of greatest magnitude over the positions and between them.
 
 use assur_analysis::Calculation;
 use assur_analysis::results::{
@@ -54,7 +54,7 @@ fn columns(schema: &Schema) -> Vec<Column> {
     columns
 }
 
-/// The value of greatest modulus; of a constant its first one.
+/// The value of greatest magnitude; of a constant its first one.
 fn farthest(
     calculation: &Calculation,
     course: &Course,

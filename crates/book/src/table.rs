@@ -142,7 +142,7 @@ impl Column {
         Self { cells: numbers.into_iter().map(Cell::from).collect(), ..Self::of(head) }
     }
 
-    /// The greatest modulus of a number, in the unit of the column.
+    /// The greatest magnitude of a number, in the unit of the column.
     fn greatest(&self) -> f64 {
         let sizes = self.cells.iter().filter_map(|cell| match cell {
             Cell::Number(value) if value.is_finite() => Some((value * self.unit.factor).abs()),

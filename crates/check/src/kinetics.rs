@@ -21,7 +21,7 @@ pub(crate) fn reduced<T: Real>(mechanism: &Mechanism, coordinate: T, bodies: &[B
     sum
 }
 
-/// The moment of inertia of a link and its derivative by the coordinate, in about 32 digits.
+/// The moment of inertia of a link and its derivative with respect to the coordinate, in about 32 digits.
 pub(crate) fn own_inertia<T: Real>(link: &Link, coordinate: T) -> [T; 2] {
     let Some(law) = link.inertia.varying() else {
         return [link.inertia.constant(), 0.0].map(T::from_f64);

@@ -96,7 +96,7 @@ fn uncertain(case: &Case<'_>, accuracy: [f64; 2], rounding: f64) -> Option<f64> 
         })
     };
     let difference = |[before, after]: [f64; 2]| (after - before).abs();
-    // By the formulas of either side: at a bend the steeper line tells, at a jump neither does.
+    // By the formulas of either side: at a kink the steeper line tells, at a jump neither does.
     let gained = |off| {
         let sides = states(off);
         let by = |side: &LoadState| {

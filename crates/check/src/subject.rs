@@ -52,7 +52,7 @@ pub(crate) struct Solved {
     pub(crate) condition: f64,
 }
 
-/// The registered methods that can treat the linkage: the one called `first` (`None`: the preferred one), then all others
+/// The registered methods that support the linkage: the one called `first` (`None`: the preferred one), then all others
 /// by name.
 pub fn methods(linkage: &Linkage, first: Option<&str>) -> Vec<AnalyzerPlugin> {
     let first = choose(first, !linkage.mechanism.frictions.is_empty(), !linkage.structure.passive.is_empty())

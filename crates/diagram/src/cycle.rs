@@ -13,13 +13,13 @@ pub struct ReactionExtreme {
     pub joint: Named<PairId>,
     /// The link that it acts on.
     pub on: Named<LinkId>,
-    /// Greatest modulus, N.
+    /// Greatest magnitude, N.
     pub greatest: f64,
     /// Number of the position where it occurs; the first one of equals.
     pub index: usize,
     /// Coordinate there, rad or m.
     pub coordinate: f64,
-    /// Root mean square of the modulus over the coordinate, N.
+    /// Root mean square of the magnitude over the coordinate, N.
     pub rms: f64,
 }
 
@@ -63,12 +63,12 @@ impl Sizes {
         self.modulus.push(index, size);
     }
 
-    /// The greatest modulus, N.
+    /// The greatest magnitude, N.
     pub fn greatest(&self) -> f64 {
         self.modulus.greatest().map_or(0.0, |greatest| greatest.value)
     }
 
-    /// Greatest modulus, the first position that has it, and root mean square; `None` without positions. `input`: the coordinate of
+    /// Greatest magnitude, the first position that has it, and root mean square; `None` without positions. `input`: the coordinate of
     /// a position by its number, and whether the positions make a whole cycle.
     ///
     /// Over a whole cycle of equal steps the mean of the squares is the arithmetic one; over a range it is by

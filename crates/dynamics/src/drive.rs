@@ -13,7 +13,7 @@ pub enum TorqueSource {
     None,
     /// A constant moment, N m, positive along the motion (not along the coordinate).
     Constant(f64),
-    /// An asynchronous motor behind a reducer, connected so that it drives along the motion.
+    /// An asynchronous motor with a reducer, connected so that it drives along the motion.
     Motor {
         /// Its characteristic.
         characteristic: Characteristic,

@@ -25,20 +25,20 @@ const SAME: f64 = 1e-9;
 /// The friction of a mechanism, with its memory.
 #[derive(Debug, Clone)]
 pub(crate) struct Friction {
-    /// `None`: no linked method treats friction.
+    /// `None`: no linked method supports friction.
     method: Option<&'static dyn ForceAnalyzer>,
     out: Reactions,
     wrenches: Vec<Wrench<f64>>,
     inertia: Vec<Wrench<f64>>,
     /// The motion is known, and friction is that of its accelerations; without one it is found with the acceleration.
     pub(crate) course: Option<KnownMotion>,
-    /// Where the friction of that motion bends, ascending, and the cycle of these places.
+    /// Where the friction of that motion has kinks, ascending, and the cycle of these places.
     pub(crate) bends: (Vec<f64>, f64),
     /// The interval of the coordinate that was entered last.
     piece: [f64; 2],
     /// What was found last.
     pub(crate) found: FrictionMoment,
-    /// The forces that pressed the faces of slides then, whose moduli gave their friction.
+    /// The forces that pressed the faces of slides then, whose magnitudes gave their friction.
     pub(crate) pressing: Vec<f64>,
 }
 
@@ -118,7 +118,7 @@ impl Friction {
         self.piece = piece.coordinate;
     }
 
-    /// Cuts an interval of the coordinate to the bends around the place just ahead of a state.
+    /// Cuts an interval of the coordinate to the kinks around the place just ahead of a state.
     fn cut(&self, state: &LoadState, interval: &mut [f64; 2]) {
         let (bends, cycle) = &self.bends;
         let (Some(first), Some(last)) = (bends.first(), bends.last()) else { return };
@@ -311,7 +311,7 @@ fn check_friction(
     Ok(found)
 }
 
-/// The coordinates of a cycle at which another face is pressed: there the moment of friction bends.
+/// The coordinates of a cycle at which another face is pressed: there the moment of friction has a kink.
 fn bends(machine: &mut Machine<'_>, request: &CycleRequest) -> Result<Vec<f64>, DynamicsError> {
     let step = request.mean_speed.signum() * request.length / f64::from(PLACES);
     let mut all = Vec::new();

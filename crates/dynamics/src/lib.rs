@@ -6,6 +6,8 @@
 //!
 //! Knows no scene file and no terminal. SI units; angles, speeds and moments counter-clockwise positive.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod drive;
 mod error;
 mod friction;

@@ -46,7 +46,7 @@ impl<'a> Machine<'a> {
         self
     }
 
-    /// Ends pieces where the friction of a known motion bends, at these coordinates of a cycle.
+    /// Ends pieces where the friction of a known motion has kinks, at these coordinates of a cycle.
     pub(crate) fn bend_at(&mut self, coordinates: Vec<f64>, cycle: f64) {
         if let Some(friction) = &mut self.friction {
             friction.bends = (coordinates, cycle);

@@ -7,7 +7,7 @@ use assur_integrator::EquationOfMotion;
 use assur_kinematics::Linkage;
 use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, MotorChoice, Solve, Torque};
 use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, Refusal, flywheel_sizes};
-use assur_number::search;
+use assur_number::{elementary, search};
 use assur_words::Describe;
 
 use crate::friction::KnownMotion;
@@ -255,15 +255,15 @@ pub(crate) fn greatest(
     let margin_at = |logarithm: f64| {
         let (best, solve) = &mut *kept.borrow_mut();
         // Where the machine stalls, it has left the section long before.
-        let Ok(regime) = solve(logarithm.exp()) else { return -1.0 };
+        let Ok(regime) = solve(elementary::exp(logarithm)) else { return -1.0 };
         let inside = section_margin(&regime, characteristic);
         if inside >= 0.0 && regime.figures.unevenness > best.figures.unevenness {
             *best = regime;
         }
         inside
     };
-    if margin_at(MOST.ln()) < 0.0 {
-        search::root(LEAST.ln(), MOST.ln(), WIDTH, margin_at);
+    if margin_at(elementary::ln(MOST)) < 0.0 {
+        search::root(elementary::ln(LEAST), elementary::ln(MOST), WIDTH, margin_at);
     }
     Ok(kept.into_inner().0)
 }

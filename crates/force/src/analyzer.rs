@@ -10,13 +10,13 @@ use crate::{Accelerations, Acting, Construction, FreeMotion, FrictionIteration, 
 
 /// Finds the balancing load and, where it can, the reactions in all pairs.
 pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
-    /// Whether the method treats passive parts, whose reactions the equilibrium leaves undetermined: it gives those of least norm and
+    /// Whether the method supports passive parts, whose reactions the equilibrium leaves undetermined: it gives those of least norm and
     /// marks what is [open](Reactions::open).
     fn treats_passive(&self) -> bool {
         false
     }
 
-    /// Whether the method can treat this mechanism.
+    /// Whether the method supports this mechanism.
     ///
     /// # Errors
     ///
@@ -63,7 +63,7 @@ pub trait ForceAnalyzer: std::fmt::Debug + Send + Sync {
         Ok(None)
     }
 
-    /// What the method finds of dry friction in the senses of `out` beyond the reactions; `None` for a method that does not treat
+    /// What the method finds of dry friction in the senses of `out` beyond the reactions; `None` for a method that does not support
     /// it, and where all pairs are ideal.
     fn friction<'a>(
         &self,
@@ -163,7 +163,7 @@ pub enum ForceError {
 assur_words::errors!(ForceError; Load(LoadError));
 
 impl AnalyzerPlugin {
-    /// Whether the method can treat this mechanism, with its friction.
+    /// Whether the method supports this mechanism, with its friction.
     ///
     /// # Errors
     ///
@@ -253,7 +253,7 @@ pub fn analyzers() -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
     assur_plugin::all()
 }
 
-/// The registered methods that can treat a mechanism, sorted by name; none where the registry is faulty.
+/// The registered methods that support a mechanism, sorted by name; none where the registry is faulty.
 pub fn applicable(linkage: &Linkage) -> Vec<&'static AnalyzerPlugin> {
     let all = analyzers().unwrap_or_default().into_iter();
     all.filter(|plugin| plugin.supports(linkage).is_ok()).collect()
@@ -264,7 +264,7 @@ pub fn find(name: &str) -> Result<&'static AnalyzerPlugin, RegistryError> {
     assur_plugin::find(name)
 }
 
-/// The method of this name; without a name the preferred one of those that give reactions, and treat the friction of pairs
+/// The method of this name; without a name the preferred one of those that give reactions, and support the friction of pairs
 /// and passive parts where there are any.
 pub fn choose(
     name: Option<&str>,

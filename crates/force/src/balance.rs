@@ -4,7 +4,7 @@ use assur_group::plane::vector;
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
 use assur_mechanism::{Balance, InputPair, LinkId, Mechanism};
-use assur_number::Real;
+use assur_number::{Real, elementary};
 use assur_words::text;
 
 use crate::{ForceError, FrictionForces, Loads, power};
@@ -43,7 +43,7 @@ impl UnitBalance {
                 (!drives).then_some(Self { link, load: UnitLoad::Moment })
             }
             Balance::Force { at, angle } => {
-                let along = [angle.cos(), angle.sin()];
+                let along = [elementary::cos(angle), elementary::sin(angle)];
                 Some(Self { link: at.link, load: UnitLoad::Force { at: at.at, along } })
             }
         }

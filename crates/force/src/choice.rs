@@ -17,8 +17,8 @@ pub(crate) trait Formulas {
     fn touches(&self, loads: &Loads, load: usize, contact: &ArcContact, state: &LoadState) -> bool;
     /// Sign of the friction of a contact against its sliding, along (cos a, -sin a); 0 where nothing slides.
     fn friction_sense(&self, loads: &Loads, sliding: &Sliding, load: usize, state: &LoadState) -> f64;
-    /// Factor of a unit vector for a load against the motion of a point: of that of PF1, or where the point `turns`, at rest
-    /// between two motions, of that of PF2, along which it goes on. 0 where nothing moves.
+    /// For a load against the motion of a point, factor of the unit vector of PF1, or where the point `turns`, at rest
+    /// between two motions, of the unit vector of PF2, along which it moves on. 0 where nothing moves.
     fn against(&self, loads: &Loads, load: usize, state: &LoadState, turns: bool) -> f64;
 }
 

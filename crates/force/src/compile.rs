@@ -11,6 +11,7 @@ use assur_mechanism::{
     Contact, Direction, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism, Over,
     Place, Range, Value,
 };
+use assur_number::elementary;
 use assur_words::{Text, text};
 
 use crate::breaks::Breaks;
@@ -125,8 +126,10 @@ impl<'a> Compiler<'a> {
             LoadKind::Force(Force { at, direction, .. }) => {
                 let (at, mut rests) = (*at, Breaks::default());
                 let along = match direction {
-                    Direction::Ground(angle) => Along::Ground([angle.cos(), angle.sin()]),
-                    Direction::Link(angle) => Along::Link([angle.cos(), angle.sin()]),
+                    Direction::Ground(angle) => {
+                        Along::Ground([elementary::cos(*angle), elementary::sin(*angle)])
+                    }
+                    Direction::Link(angle) => Along::Link([elementary::cos(*angle), elementary::sin(*angle)]),
                     Direction::AgainstMotion => {
                         self.needs_motion(text!("force-against-motion"))?;
                         let motion = |body: &Body<f64>| body.motion(body.arm(at.at));

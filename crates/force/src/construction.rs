@@ -37,9 +37,9 @@ pub enum VectorKind {
     Absolute,
     /// Velocity or acceleration of one point of a link relative to another.
     Relative,
-    /// Normal part, towards the other point.
+    /// Normal component, towards the other point.
     Normal,
-    /// Tangential part.
+    /// Tangential component.
     Tangential,
     /// Coriolis component.
     Coriolis,

@@ -23,13 +23,13 @@ pub enum LoadFault {
     StrokeOfMoment,
     /// Its point stands still along the axis: distance of the extremes, m.
     NoStroke(f64),
-    /// Its point runs through infinity at a coordinate, as behind guides that turn parallel; rad or m.
+    /// Its point is at infinity at a coordinate, as on guides that become parallel; rad or m.
     InfiniteStroke(f64),
     /// Its formula has no value at a coordinate, or one beyond the range of loads; rad or m.
     NotFinite(f64),
-    /// A jump or bend of its formula can't be found before an integrator steps over it.
+    /// A jump or kink of its formula can't be found before an integrator steps over it.
     Unlocated {
-        /// The function that jumps or bends.
+        /// The function that has a jump or kink.
         function: String,
         /// Where it stands in the formula, from 1.
         column: usize,
@@ -38,7 +38,7 @@ pub enum LoadFault {
     UnlocatedSliding,
     /// A formula changes too often for its changes to be followed.
     ChangesTooOften {
-        /// The function that jumps or bends.
+        /// The function that has a jump or kink.
         function: String,
         /// Where it stands in the formula, from 1.
         column: usize,

@@ -4,6 +4,7 @@ use assur_group::plane::{dot, vector};
 use assur_group::{Body, Order};
 use assur_kinematics::{LanePosition, Linkage, Position, PositionError};
 use assur_mechanism::{LinkId, Place};
+use assur_number::elementary;
 use assur_number::search::try_newton_root;
 use assur_number::{Intervals, Lanes};
 
@@ -38,7 +39,7 @@ impl Span {
     /// PF2 keeps its sign. Intervals prove it; where they don't, there are as many cells as usual.
     pub(crate) fn for_stroke(self, linkage: &Linkage, at: Place, axis: f64) -> Self {
         let Some(mut enclosures) = linkage.enclosures() else { return self };
-        let (axis, point) = (vector([axis.cos(), axis.sin()]), vector(at.at));
+        let (axis, point) = (vector([elementary::cos(axis), elementary::sin(axis)]), vector(at.at));
         let ends = [self.from, self.from + self.length];
         let mut is_simple = |cells: u32| {
             let radius = 0.5 * self.length / f64::from(cells);
@@ -116,7 +117,7 @@ pub(crate) fn rests(
 ) -> Breaks {
     let mut slope = |q: f64| -> Result<[f64; 2], PositionError> {
         let [v, a] = motion(q)?;
-        Ok([v[0].hypot(v[1]), v[0] * a[0] + v[1] * a[1]])
+        Ok([elementary::hypot(v[0], v[1]), v[0] * a[0] + v[1] * a[1]])
     };
     let mut greatest = 0.0_f64;
     let mut minima = Vec::new();

@@ -10,6 +10,8 @@
 //! Knows no concrete analyzer, no scene file and no method of integration. SI units; forces in the ground's frame; moments
 //! counter-clockwise.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod analyzer;
 mod balance;
 mod breaks;

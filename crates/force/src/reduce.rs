@@ -95,7 +95,7 @@ impl<T: LoadNumber, C: Choice> Visit<'_, T, C> {
 }
 
 impl Mass {
-    /// Reduced inertia of the link, and half of its derivative by the coordinate, unless it is not wanted.
+    /// Reduced inertia of the link, and half of its derivative with respect to the coordinate, unless it is not wanted.
     #[inline(always)]
     fn reduced<T: LoadNumber>(&self, states: &T::States, body: &Body<T>, constant: bool) -> (T, T) {
         let (inertia, half) = self.rigid(body, constant);
@@ -105,7 +105,7 @@ impl Mass {
         (inertia + turning * body.w1, half + turning * body.w2 + changing)
     }
 
-    /// The moment of inertia that varies, and its derivative by the coordinate.
+    /// The moment of inertia that varies, and its derivative with respect to the coordinate.
     #[inline(always)]
     pub(crate) fn varying_at<T: LoadNumber>(&self, states: &T::States) -> Option<[T; 2]> {
         let law = self.varying.as_ref()?;

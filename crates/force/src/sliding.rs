@@ -3,6 +3,7 @@
 use assur_group::Body;
 use assur_group::plane::dot;
 use assur_kinematics::PositionError;
+use assur_number::elementary;
 use assur_number::search::{bisect, try_newton_root};
 
 use crate::breaks::{Breaks, Interval};
@@ -29,7 +30,7 @@ pub(crate) struct Sliding {
 pub(crate) struct Rate {
     /// PF1 of the arc's point K along the line, m/rad.
     pub(crate) first: f64,
-    /// Its derivative by the coordinate.
+    /// Its derivative with respect to the coordinate.
     pub(crate) slope: f64,
     /// Sum of the sizes of the terms of PF1.
     pub(crate) size: f64,
@@ -38,7 +39,7 @@ pub(crate) struct Rate {
 impl Rate {
     /// Of an arc about the point `center` of a body, with K at an angle that changes with the coordinate as its second number says.
     pub(crate) fn of(body: &Body<f64>, center: [f64; 2], radius: f64, [angle, turning]: [f64; 2]) -> Self {
-        let (s, c) = angle.sin_cos();
+        let (s, c) = elementary::sin_cos(angle);
         let [first, second] = body.motion(body.arm(center));
         let [own, turned] = [dot(first, [c, -s]), radius * body.w1];
         let slope = dot(second, [c, -s]) + radius * body.w2 - turning * dot(first, [s, c]);

@@ -4,6 +4,7 @@
 use assur_group::Body;
 use assur_kinematics::PositionError;
 use assur_mechanism::LawTable;
+use assur_number::elementary;
 use assur_number::search::{bisect, try_newton_root};
 
 use crate::LoadFault;
@@ -43,7 +44,7 @@ impl Travel {
         span: &Span,
         scale: f64,
     ) -> Result<Self, LoadFault> {
-        let mut along = Along { body, at, axis: [angle.cos(), angle.sin()], scale };
+        let mut along = Along { body, at, axis: [elementary::cos(angle), elementary::sin(angle)], scale };
         let reversals = along.reversals(span)?;
         Self::between(&mut along, &reversals, span)
     }
@@ -98,7 +99,7 @@ const GREATEST_DISTANCE: f64 = 1e9;
 /// A displacement below this, as part of the size of the mechanism, is rounding.
 const STANDING: f64 = 1e-12;
 
-/// Coordinate of the point along the axis and its two derivatives by the input coordinate.
+/// Coordinate of the point along the axis and its two derivatives with respect to the input coordinate.
 struct Along<'a, 'b> {
     body: &'a mut BodyAt<'b>,
     at: [f64; 2],
@@ -179,7 +180,7 @@ impl Stroke {
         [span, reach]: [&Span; 2],
         scale: f64,
     ) -> Result<Self, LoadFault> {
-        let axis = [angle.cos(), angle.sin()];
+        let axis = [elementary::cos(angle), elementary::sin(angle)];
         let mut along = Along { body, at, axis, scale };
         let within = along.reversals(span)?;
         let travel = Travel::between(&mut along, &within, span)?;

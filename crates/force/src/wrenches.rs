@@ -69,7 +69,7 @@ impl<T: LoadNumber> Rates<T> {
         Self { speed, square, acceleration, rests }
     }
 
-    /// A second derivative by time from both derivatives by the coordinate.
+    /// A second derivative with respect to time from both derivatives with respect to the coordinate.
     #[inline(always)]
     fn second(&self, first: T, second: T) -> T {
         second * self.square + first * self.acceleration

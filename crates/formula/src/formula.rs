@@ -214,7 +214,7 @@ impl Formula {
         self.number(branches, |name| Rounded::variable(at.get(name), f64::EPSILON)).error
     }
 
-    /// The value of a formula that depends on the coordinate alone, and its derivative by the coordinate; at a bend or a jump, of
+    /// The value of a formula that depends on the coordinate alone, and its derivative with respect to the coordinate; at a bend or a jump, of
     /// one of its sides.
     pub fn with_slope(&self, coordinate: f64) -> [f64; 2] {
         self.differentiated(coordinate)

@@ -4,6 +4,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use assur_number::elementary;
+
 use crate::number::{Number, Sign};
 use crate::program::{Function, Kind};
 
@@ -46,7 +48,9 @@ impl Interval {
     fn angle(self, x: Self) -> Self {
         // Away from the branch cut the extremes are at corners.
         if x.low > 0.0 || !self.may_be_zero() {
-            let corners = [self.low, self.high].into_iter().flat_map(|y| [y.atan2(x.low), y.atan2(x.high)]);
+            let corners = [self.low, self.high]
+                .into_iter()
+                .flat_map(|y| [elementary::atan2(y, x.low), elementary::atan2(y, x.high)]);
             return Self::hull(corners);
         }
         Self { low: -PI, high: PI }
@@ -66,7 +70,7 @@ impl Interval {
         if width.is_nan() || width >= TAU {
             return Self { low: -1.0, high: 1.0 };
         }
-        let ends = self.ends(f64::cos);
+        let ends = self.ends(elementary::cos);
         Self {
             low: if self.meets(PI, TAU) { -1.0 } else { ends.low },
             high: if self.meets(0.0, TAU) { 1.0 } else { ends.high },
@@ -104,9 +108,10 @@ impl Number for Interval {
         if self.may_be_zero() && self.low != 0.0 && exponent.low < 0.0 {
             return Self::WHOLE;
         }
-        let ends =
-            [self.low, self.high].into_iter().flat_map(|a| [a.powf(exponent.low), a.powf(exponent.high)]);
-        let extreme = if self.may_be_zero() { Some(0.0_f64.powf(exponent.low)) } else { None };
+        let ends = [self.low, self.high]
+            .into_iter()
+            .flat_map(|a| [elementary::powf(a, exponent.low), elementary::powf(a, exponent.high)]);
+        let extreme = if self.may_be_zero() { Some(elementary::powf(0.0_f64, exponent.low)) } else { None };
         Self::hull(ends.chain(extreme))
     }
 

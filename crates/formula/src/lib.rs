@@ -7,6 +7,8 @@
 //! a path by interval arithmetic, so that no change is missed between two samples. Crates for expressions evaluate, but do not show where a formula jumps; so only the parsing
 //! of operators and their precedence is borrowed (`winnow`).
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod branches;
 mod formula;
 mod interval;

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 use crate::program::{Function, Kind};
 
@@ -134,23 +134,23 @@ impl<T: Scalar> Number for T {
 
 impl Scalar for f64 {
     fn power(self, exponent: Self) -> Self {
-        self.powf(exponent)
+        elementary::powf(self, exponent)
     }
     fn call(self, function: Function) -> Self {
         match function {
-            Function::Sin => self.sin(),
-            Function::Cos => self.cos(),
-            Function::Tan => self.tan(),
-            Function::Asin => self.asin(),
-            Function::Acos => self.acos(),
-            Function::Atan => self.atan(),
+            Function::Sin => elementary::sin(self),
+            Function::Cos => elementary::cos(self),
+            Function::Tan => elementary::tan(self),
+            Function::Asin => elementary::asin(self),
+            Function::Acos => elementary::acos(self),
+            Function::Atan => elementary::atan(self),
             Function::Sqrt => self.sqrt(),
-            Function::Exp => self.exp(),
-            Function::Ln => self.ln(),
+            Function::Exp => elementary::exp(self),
+            Function::Ln => elementary::ln(self),
         }
     }
     fn angle(self, x: Self) -> Self {
-        self.atan2(x)
+        elementary::atan2(self, x)
     }
     fn compared(self, other: Self) -> Option<Sign> {
         // Not by the difference, which of two infinite numbers is none.

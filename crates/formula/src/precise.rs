@@ -2,7 +2,7 @@
 
 use std::f64::consts::LN_2;
 
-use assur_number::{Dd, Real};
+use assur_number::{Dd, Real, elementary};
 
 use crate::number::{Scalar, Sign};
 use crate::program::Function;
@@ -19,7 +19,7 @@ fn exponential(x: Dd) -> Dd {
     let k = (x.hi / LN_2).round();
     // Beyond the range of a number there is no precision to keep.
     if x.hi.is_nan() || x.hi.abs() > 700.0 {
-        return Dd::from_f64(x.hi.exp());
+        return Dd::from_f64(elementary::exp(x.hi));
     }
     let whole = Dd::from_f64(k);
     let rest = x - whole * Dd::from_f64(LN_2) - whole * Dd::from_f64(LN_2_REST);
@@ -33,12 +33,12 @@ fn exponential(x: Dd) -> Dd {
     for _ in 0..HALVINGS {
         sum = sum.twice() + sum * sum;
     }
-    (Dd::ONE + sum) * Dd::from_f64(k.exp2())
+    (Dd::ONE + sum) * Dd::from_f64(elementary::exp2(k))
 }
 
 /// The logarithm by one step of Newton's method, which doubles the digits.
 fn logarithm(x: Dd) -> Dd {
-    let guess = Dd::from_f64(x.hi.ln());
+    let guess = Dd::from_f64(elementary::ln(x.hi));
     if guess.hi.is_finite() { guess + x * exponential(-guess) - Dd::ONE } else { guess }
 }
 
@@ -80,7 +80,7 @@ impl Scalar for Dd {
     /// By one step of Newton's method.
     fn angle(self, x: Self) -> Self {
         let length = (x * x + self * self).sqrt();
-        let guess = Self::from_f64(self.hi.atan2(x.hi));
+        let guess = Self::from_f64(elementary::atan2(self.hi, x.hi));
         if !(length.hi > 0.0 && length.hi.is_finite()) {
             return guess;
         }

@@ -3,6 +3,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use assur_number::elementary;
+
 use crate::number::{Number, Sign, turn};
 use crate::program::{Function, Kind};
 use crate::slope::Signed;
@@ -61,7 +63,7 @@ impl Rounded {
     }
 
     fn tangent(self) -> Self {
-        let value = self.value.tan();
+        let value = elementary::tan(self.value);
         let slope = 1.0 + value * value;
         // Within half of the distance to the pole the slope grows to four times at most.
         let near = slope.sqrt() * self.error < 0.5;
@@ -75,13 +77,13 @@ impl Rounded {
 
     /// The angle of a point; `self` is its ordinate.
     fn angle(self, x: Self) -> Self {
-        let value = self.value.atan2(x.value);
+        let value = elementary::atan2(self.value, x.value);
         if self.error == 0.0 && x.error == 0.0 {
             return Self::result(value, 0.0);
         }
-        let (far, off) = (self.value.hypot(x.value), self.error.hypot(x.error));
+        let (far, off) = (elementary::hypot(self.value, x.value), elementary::hypot(self.error, x.error));
         let cut = x.value < 0.0 && self.value.abs() <= self.error;
-        Self::result(value, if cut || off >= far { TAU } else { (off / far).asin() })
+        Self::result(value, if cut || off >= far { TAU } else { elementary::asin(off / far) })
     }
 }
 
@@ -130,15 +132,16 @@ impl Number for Rounded {
         // A base that is zero up to its error has no sign; only whole powers of others that are negative exist.
         let zero = self.value.abs() <= self.error;
         let base = if !whole && zero && self.value < 0.0 { 0.0 } else { self.value };
-        let value = base.powf(exponent.value);
+        let value = elementary::powf(base, exponent.value);
         if self.error == 0.0 && exponent.error == 0.0 {
             return Self::result(value, 0.0);
         }
         let bases = [self.value - self.error, self.value + self.error]
             .map(|base| if whole { base } else { base.max(0.0) });
         let exponents = [exponent.value - exponent.error, exponent.value + exponent.error];
-        let corners = bases.into_iter().flat_map(|base| exponents.map(|exponent| base.powf(exponent)));
-        let extreme = zero.then(|| 0.0_f64.powf(exponent.value));
+        let corners =
+            bases.into_iter().flat_map(|base| exponents.map(|exponent| elementary::powf(base, exponent)));
+        let extreme = zero.then(|| elementary::powf(0.0_f64, exponent.value));
         let inherited = corners.chain(extreme).map(|corner| (corner - value).abs());
         // Not max(): it would drop what is not a number.
         Self::result(
@@ -151,8 +154,8 @@ impl Number for Rounded {
         let of = |x: f64| x.call(function);
         let (anywhere, unit) = ([f64::NEG_INFINITY, f64::INFINITY], [-1.0, 1.0]);
         match function {
-            Function::Sin => self.wave(of(self.value), self.value.cos()),
-            Function::Cos => self.wave(of(self.value), self.value.sin()),
+            Function::Sin => self.wave(of(self.value), elementary::cos(self.value)),
+            Function::Cos => self.wave(of(self.value), elementary::sin(self.value)),
             Function::Tan => self.tangent(),
             Function::Asin | Function::Acos => self.monotone(unit, of),
             Function::Sqrt | Function::Ln => self.monotone([0.0, f64::INFINITY], of),

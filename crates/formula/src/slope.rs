@@ -21,7 +21,7 @@ impl<T: Scalar> Signed for T {
     }
 }
 
-/// A number with its derivative by one variable.
+/// A number with its derivative with respect to one variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dual<N> {
     pub(crate) value: N,
@@ -29,7 +29,7 @@ pub(crate) struct Dual<N> {
 }
 
 impl<N: Signed> Dual<N> {
-    /// The chain rule: a function's value, and its derivative by its argument.
+    /// The chain rule: a function's value, and its derivative with respect to its argument.
     fn through(self, value: N, derivative: N) -> Self {
         // What does not vary has no slope, even where the function has a pole.
         let slope = if self.slope.is_zero() { self.slope } else { derivative.multiply(self.slope) };

@@ -1,4 +1,6 @@
-//! All solutions of the equations in moduli.
+//! All solutions of the equations in magnitudes.
+
+use assur_number::elementary;
 
 use crate::matrix::solve;
 use crate::moduli::{Moduli, Width, length};
@@ -8,7 +10,7 @@ use crate::steps::Steps;
 /// Two solutions this near, as part of their size, are one.
 const SAME: f64 = 1e-9;
 
-/// A sign that is missed by this part of the greatest term is met: the vector is zero.
+/// A sign that is violated by no more than this part of the greatest term counts as right: the vector is zero.
 const SIGN: f64 = 1e-9;
 
 /// Most vectors of one component whose signs are enumerated, by the number of those of two components: each adds much to the work
@@ -27,7 +29,7 @@ const STEPS: usize = 24;
 /// All solutions that were found.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Solutions {
-    /// The moduli of each.
+    /// The magnitudes of each.
     pub points: Vec<Vec<f64>>,
     /// Whether there are no others.
     pub complete: bool,
@@ -39,13 +41,13 @@ pub struct Solutions {
 /// leaves the root of the rounding.
 const FOUND: f64 = 1e-6;
 
-/// Whether the moduli of two solutions that were found in different ways are those of one.
+/// Whether the magnitudes of two solutions that were found in different ways are those of one.
 fn is_same(one: &[f64], other: &[f64]) -> bool {
     let size = one.iter().chain(other).fold(0.0_f64, |most, z| most.max(z.abs()));
     distance(one, other) <= FOUND * size
 }
 
-/// Which of some solutions is that of these moduli, which were found in another way; the nearest of those that may be.
+/// Which of some solutions is that of these magnitudes, which were found in another way; the nearest of those that may be.
 pub fn nearest<'a>(all: impl IntoIterator<Item = &'a Vec<f64>>, z: &[f64]) -> Option<usize> {
     let same = all.into_iter().enumerate().filter(|(_, one)| is_same(one, z));
     same.min_by(|(_, a), (_, b)| distance(a, z).total_cmp(&distance(b, z))).map(|(index, _)| index)
@@ -118,14 +120,14 @@ impl Moduli {
         found
     }
 
-    /// Adds the solutions to which Newton's method leads from moduli of many sizes.
+    /// Adds the solutions to which Newton's method leads from magnitudes of many sizes.
     fn seek(&self, steps: &mut Steps<'_>, found: &mut Solutions) {
         let size = steps.size(&vec![0.0; self.count()]);
         for trial in 0..TRIALS {
-            // Each modulus has a sequence of its own: the fractions of the multiples of an irrational number.
-            let part = |j: usize| (f64::from(trial) * (1.0 + j as f64).sin()).rem_euclid(1.0);
+            // Each magnitude has a sequence of its own: the fractions of the multiples of an irrational number.
+            let part = |j: usize| (f64::from(trial) * elementary::sin(1.0 + j as f64)).rem_euclid(1.0);
             let start: Vec<f64> =
-                (0..self.count()).map(|j| size * 10_f64.powf(4.0 * part(j) - 2.0)).collect();
+                (0..self.count()).map(|j| size * elementary::powf(10.0, 4.0 * part(j) - 2.0)).collect();
             if let Some(z) = steps.newton_within(STEPS, &start) {
                 add(z, steps, found);
             }
@@ -226,7 +228,7 @@ impl Moduli {
     }
 }
 
-/// Adds a solution that is near these moduli, if it is new.
+/// Adds a solution that is near these magnitudes, if it is new.
 fn add(near: Vec<f64>, steps: &mut Steps<'_>, found: &mut Solutions) {
     let near: Vec<f64> = near.into_iter().map(|z| z.max(0.0)).collect();
     let reach = 1e-3 * steps.size(&near);

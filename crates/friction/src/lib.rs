@@ -1,6 +1,6 @@
-//! Dry friction as equations in moduli of reactions.
+//! Dry friction as equations in magnitudes of reactions.
 //!
-//! With the linear equilibrium eliminated, what friction depends on are the moduli z of some vectors that are themselves
+//! With the linear equilibrium eliminated, what friction depends on are the magnitudes z of some vectors that are themselves
 //! affine in z: the force of a pin (two components) and the pressing forces of a slide (one component),
 //!
 //! ```text
@@ -15,6 +15,8 @@
 //! places, and a [`path`] leads to one from small friction.
 //!
 //! Nothing here knows of mechanisms; numbers may have any unit.
+
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod every;
 mod matrix;

@@ -1,5 +1,7 @@
 //! Small dense matrices: a linear system, and the spectral radius of a nonnegative matrix.
 
+use assur_number::elementary;
+
 /// Number of squarings: the norm of a power 2^50 of a matrix is its spectral radius to that power but for a factor whose root
 /// is 1 to rounding.
 const SQUARINGS: i32 = 50;
@@ -23,7 +25,7 @@ pub(crate) fn is_contraction(matrix: &[f64], n: usize) -> Option<bool> {
                 return None;
             }
             (least, greatest) = (least.min(quotient), greatest.max(quotient));
-            // With a part of the vector before, none of the quotients goes to and fro.
+            // With a part of the vector before, none of the quotients oscillates.
             *next = own + image;
         }
         if greatest < 1.0 || least >= 1.0 {
@@ -74,13 +76,13 @@ pub fn spectral_radius(matrix: &[Vec<f64>]) -> f64 {
         if greatest == 0.0 {
             return 0.0;
         }
-        logarithm += share * greatest.ln();
+        logarithm += share * elementary::ln(greatest);
         power.iter_mut().flatten().for_each(|x| *x /= greatest);
         let entry = |i: usize, j: usize| (0..n).map(|k| power[i][k] * power[k][j]).sum::<f64>();
         power = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
         share *= 0.5;
     }
-    logarithm.exp()
+    elementary::exp(logarithm)
 }
 
 /// Below this ratio of least to greatest pivot a matrix is singular: rounding alone gives as much.

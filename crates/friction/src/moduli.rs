@@ -1,9 +1,11 @@
-//! The equations in moduli, and what is found of them by iteration, and along a path: how a solution changes as friction grows.
+//! The equations in magnitudes, and what is found of them by iteration, and along a path: how a solution changes as friction grows.
+
+use assur_number::elementary;
 
 use crate::matrix::spectral_radius;
 use crate::steps::Steps;
 
-/// How many components a vector has whose modulus is an unknown.
+/// How many components a vector has whose magnitude is an unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Width {
     /// A number: the pressing force of a slide.
@@ -19,7 +21,7 @@ pub struct Moduli {
     pub widths: Vec<Width>,
     /// The vectors a: those without friction.
     pub constants: Vec<[f64; 2]>,
-    /// By equation j and unknown k: the vectors W, what a modulus of 1 adds by its friction.
+    /// By equation j and unknown k: the vectors W, what a magnitude of 1 adds by its friction.
     pub slopes: Vec<Vec<[f64; 2]>>,
 }
 
@@ -29,13 +31,13 @@ impl Moduli {
         self.widths.len()
     }
 
-    /// The vector of an equation at some moduli.
+    /// The vector of an equation at some magnitudes.
     pub fn vector(&self, j: usize, z: &[f64]) -> [f64; 2] {
         let start = self.constants[j];
         self.slopes[j].iter().zip(z).fold(start, |[x, y], (w, z)| [x + w[0] * z, y + w[1] * z])
     }
 
-    /// One step of the textbook iteration: the moduli of the vectors that other moduli give.
+    /// One step of the textbook iteration: the magnitudes of the vectors that other magnitudes give.
     #[must_use]
     pub fn step(&self, z: &[f64]) -> Vec<f64> {
         (0..self.count()).map(|j| length(self.vector(j, z))).collect()
@@ -69,18 +71,18 @@ impl Moduli {
         Steps::new(self).residual(z)
     }
 
-    /// The solution to which the textbook iteration and then Newton's method lead, from some moduli; `None` where they lead
+    /// The solution to which the textbook iteration and then Newton's method lead, from some magnitudes; `None` where they lead
     /// to none. Where the [certificate](Self::certificate) is below 1 this is the only one.
     pub fn follow(&self, start: &[f64]) -> Option<Vec<f64>> {
         Steps::new(self).follow(start)
     }
 
-    /// Newton's method from some moduli; `None` where it leads to no solution. Moduli of a solution are not negative.
+    /// Newton's method from some magnitudes; `None` where it leads to no solution. Magnitudes of a solution are not negative.
     pub fn newton(&self, start: &[f64]) -> Option<Vec<f64>> {
         Steps::new(self).newton(start)
     }
 
-    /// The solution near expected moduli; `None` where there is none so near that a path goes on there.
+    /// The solution near expected magnitudes; `None` where there is none so near that a path goes on there.
     ///
     /// A path from no friction, where the derivative is the unit matrix, keeps the sign of its determinant: it changes where two
     /// solutions meet and the path ends. So of two solutions side by side only one is on the path, however near they are. Each of
@@ -140,13 +142,13 @@ impl Moduli {
 }
 
 pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
-    if y == 0.0 { x.abs() } else { x.hypot(y) }
+    if y == 0.0 { x.abs() } else { elementary::hypot(x, y) }
 }
 
 /// A slope below this part of the greatest that its unknown has, and of 1, is rounding of the linear equations that gave it.
 const NOTHING: f64 = 1e-12;
 
-/// A solution goes on a path where its moduli are as expected but for this part of them.
+/// A solution goes on a path where its magnitudes are as expected but for this part of them.
 const NEAR: f64 = 0.02;
 
 /// Shortest step along a path, as part of all friction: where it does not suffice the path ends.
@@ -156,17 +158,17 @@ const SHORTEST: f64 = 1e-9;
 const FIRST: f64 = 1.0 / 32.0;
 const MOST: usize = 2000;
 
-/// A point of a path: the part of all friction, and the moduli.
+/// A point of a path: the part of all friction, and the magnitudes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathPoint {
     /// From 0 to 1.
     pub part: f64,
-    /// The moduli of the solution.
+    /// The magnitudes of the solution.
     pub moduli: Vec<f64>,
 }
 
-/// The moduli of a solution with all friction, to which a path leads from a point of it; `None` where it ends before. `solve` finds
-/// the moduli at a part near expected ones, as [`Moduli::near`] does.
+/// The magnitudes of a solution with all friction, to which a path leads from a point of it; `None` where it ends before. `solve` finds
+/// the magnitudes at a part near expected ones, as [`Moduli::near`] does.
 pub fn path(mut now: PathPoint, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec<f64>>) -> Option<Vec<f64>> {
     let mut before: Option<PathPoint> = None;
     let mut step = FIRST;
@@ -188,7 +190,7 @@ pub fn path(mut now: PathPoint, mut solve: impl FnMut(f64, &[f64]) -> Option<Vec
     None
 }
 
-/// The moduli that a path will have, straight on.
+/// The magnitudes that a path will have, straight on.
 fn expected(before: Option<&PathPoint>, now: &PathPoint, part: f64) -> Vec<f64> {
     let Some(before) = before else { return now.moduli.clone() };
     let share = (part - now.part) / (now.part - before.part);

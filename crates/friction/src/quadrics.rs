@@ -4,6 +4,7 @@
 //! (2, 4, 8 by Bézout), and multiplication by a linear form acts on it as a matrix whose eigenvalues are the values of the form
 //! there (Stetter 2004, section 2). Coordinates are turned first, so that no point is at infinity.
 
+use assur_number::elementary;
 use nalgebra::{DMatrix, DVector};
 
 #[derive(Debug, Clone)]
@@ -21,7 +22,7 @@ const RANK: f64 = 1e-11;
 /// An imaginary part that is this small, as part of the greatest eigenvalue, may be that of two roots that nearly coincide.
 const IMAGINARY: f64 = 1e-4;
 
-/// Points near all real roots without negative moduli (some may be near none), and whether no root can be missing.
+/// Points near all real roots without negative magnitudes (some may be near none), and whether no root can be missing.
 pub(crate) fn roots(quadrics: &[Quadric]) -> (Vec<Vec<f64>>, bool) {
     match quadrics {
         [] => (vec![Vec::new()], true),
@@ -81,7 +82,7 @@ fn turned(n: usize) -> DMatrix<f64> {
     for i in 0..n {
         for j in 0..i {
             angle = (angle * 1.618_033_988_749_895 + 0.377).rem_euclid(std::f64::consts::TAU);
-            let (s, c) = angle.sin_cos();
+            let (s, c) = elementary::sin_cos(angle);
             let mut rotation: DMatrix<f64> = DMatrix::identity(n, n);
             (rotation[(i, i)], rotation[(j, j)], rotation[(i, j)], rotation[(j, i)]) = (c, c, s, -s);
             matrix *= rotation;
@@ -121,7 +122,8 @@ fn polynomial(quadric: &Quadric, own: usize, scale: f64, turn: &DMatrix<f64>) ->
 /// Two or three equations.
 fn several(quadrics: &[Quadric]) -> (Vec<Vec<f64>>, bool) {
     let q = quadrics.len();
-    let scale = quadrics.iter().map(|one| one.constant[0].hypot(one.constant[1])).fold(0.0, f64::max);
+    let scale =
+        quadrics.iter().map(|one| elementary::hypot(one.constant[0], one.constant[1])).fold(0.0, f64::max);
     if scale == 0.0 {
         return (vec![vec![0.0; q]], true);
     }
@@ -207,7 +209,8 @@ fn common_points(null: &DMatrix<f64>, all: &[Vec<u8>], degree: u8) -> Option<(Ve
         }
     }
     let eigenvalues = product.complex_eigenvalues();
-    let greatest = eigenvalues.iter().fold(0.0_f64, |most, value| most.max(value.norm()));
+    let greatest =
+        eigenvalues.iter().fold(0.0_f64, |most, value| most.max(elementary::hypot(value.re, value.im)));
     let mut points = Vec::new();
     for value in eigenvalues.iter().filter(|value| value.im.abs() <= IMAGINARY * greatest) {
         for vector in near_eigenvectors(&product, value.re, greatest) {
@@ -247,7 +250,7 @@ fn near_eigenvectors(matrix: &DMatrix<f64>, value: f64, greatest: f64) -> Vec<DV
     let lu = shifted.lu();
     let starts = [[0.9, 0.31], [-0.53, 0.77]];
     let of = |[a, b]: [f64; 2]| {
-        let mut vector = DVector::from_fn(n, |i, _| a + b * (1.3 * i as f64 + a).sin());
+        let mut vector = DVector::from_fn(n, |i, _| a + b * elementary::sin(1.3 * i as f64 + a));
         for _ in 0..4 {
             vector = lu.solve(&vector)?;
             let size = vector.norm();

@@ -1,4 +1,4 @@
-//! The textbook iteration and Newton's method on equations in moduli, in memory that their steps share.
+//! The textbook iteration and Newton's method on equations in magnitudes, in memory that their steps share.
 
 use crate::Moduli;
 use crate::matrix::{is_contraction, solve};
@@ -13,10 +13,10 @@ const MOST_NEWTON: usize = 60;
 /// Relative residual at which equations count as solved; rounding leaves some 1e-16 times the condition.
 const SOLVED: f64 = 1e-11;
 
-/// Greatest part of moduli by which Newton's method would change those of a solution.
+/// Greatest part of magnitudes by which Newton's method would change those of a solution.
 const STILL: f64 = 1e-3;
 
-/// Equations in moduli, with memory for a step.
+/// Equations in magnitudes, with memory for a step.
 pub(crate) struct Steps<'a> {
     system: &'a Moduli,
     /// The greatest length of a constant.
@@ -25,7 +25,7 @@ pub(crate) struct Steps<'a> {
     slopes: Vec<f64>,
     /// By unknown, the greatest length of a slope, and at least 1.
     columns: Vec<f64>,
-    /// The vectors of all equations at the moduli that were looked at last, and their lengths.
+    /// The vectors of all equations at the magnitudes that were looked at last, and their lengths.
     vectors: Vec<[f64; 2]>,
     lengths: Vec<f64>,
     matrix: Vec<f64>,
@@ -52,12 +52,12 @@ impl<'a> Steps<'a> {
         told.unwrap_or_else(|| self.system.certificate() < 1.0)
     }
 
-    /// The greatest term of the equations at some moduli.
+    /// The greatest term of the equations at some magnitudes.
     pub(crate) fn size(&self, z: &[f64]) -> f64 {
         self.columns.iter().zip(z).map(|(most, z)| most * z.abs()).fold(self.constant, f64::max)
     }
 
-    /// Looks at some moduli; the greatest difference of a modulus and the length of its vector.
+    /// Looks at some magnitudes; the greatest difference of a magnitude and the length of its vector.
     fn look(&mut self, z: &[f64]) -> f64 {
         let mut off = 0.0_f64;
         for (j, z_j) in z.iter().enumerate() {
@@ -124,7 +124,7 @@ impl<'a> Steps<'a> {
         solved.then(|| best.into_iter().map(|z| z.max(0.0)).collect())
     }
 
-    /// Whether moduli solve the equations. Towards a solution at infinity the residual vanishes beside them, but Newton's method
+    /// Whether magnitudes solve the equations. Towards a solution at infinity the residual vanishes beside them, but Newton's method
     /// would change them as much as ever.
     pub(crate) fn is_solved(&mut self, z: &[f64]) -> bool {
         let most = STILL * self.size(z);
@@ -140,7 +140,7 @@ impl<'a> Steps<'a> {
         nalgebra::DMatrix::from_fn(part.len(), part.len(), entry).determinant() > 0.0
     }
 
-    /// Writes the correction of Newton's method at the moduli that were looked at last; `None` where the derivative is singular.
+    /// Writes the correction of Newton's method at the magnitudes that were looked at last; `None` where the derivative is singular.
     fn change(&mut self, z: &[f64]) -> Option<()> {
         self.derive();
         let off = z.iter().zip(&self.lengths).map(|(z, length)| z - length);
@@ -148,7 +148,7 @@ impl<'a> Steps<'a> {
         solve(&mut self.matrix, &mut self.change, z.len())
     }
 
-    /// Writes the derivative of z - |a + W z| by z at the moduli that were looked at last.
+    /// Writes the derivative of z - |a + W z| by z at the magnitudes that were looked at last.
     fn derive(&mut self) {
         let n = self.lengths.len();
         for (j, row) in self.matrix.chunks_exact_mut(n.max(1)).enumerate() {

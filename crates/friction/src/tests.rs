@@ -27,7 +27,7 @@ fn random(widths: &[Width], strength: f64, dice: &mut Dice) -> Moduli {
     Moduli { widths: widths.to_vec(), constants, slopes }
 }
 
-/// Solutions to which Newton's method leads from many moduli of all sizes.
+/// Solutions to which Newton's method leads from many magnitudes of all sizes.
 fn by_trial(system: &Moduli, dice: &mut Dice) -> Vec<Vec<f64>> {
     let mut found: Vec<Vec<f64>> = Vec::new();
     for _ in 0..600 {
@@ -212,7 +212,7 @@ proptest! {
 const MOST: usize = 6;
 
 /// The equations in which each vector is an unknown of its own, but those of one component next to each other share one; the same
-/// equations with a modulus each, and the first and last modulus of each unknown.
+/// equations with a magnitude each, and the first and last magnitude of each unknown.
 fn unique(system: &Moduli) -> (Unique<f64, MOST>, Moduli, Vec<[usize; 2]>) {
     let mut shared = system.clone();
     let mut firsts: Vec<[usize; 2]> = Vec::new();
@@ -291,7 +291,7 @@ fn small_memory_gives_what_the_careful_method_gives() {
     assert!(proved > 400, "{proved}");
 }
 
-/// Two numbers whose moduli depend on each other and on themselves.
+/// Two numbers whose magnitudes depend on each other and on themselves.
 fn two(constants: [f64; 2], slopes: [[f64; 2]; 2]) -> Unique<f64, MOST> {
     let mut system = Unique([Sum::NONE; MOST]);
     for ((sum, constant), own) in system.0.iter_mut().zip(constants).zip(slopes) {

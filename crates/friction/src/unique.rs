@@ -1,7 +1,7 @@
 //! The one solution that a certificate proves, in small fixed memory and for any number: eight positions at once too.
 //!
 //! Forces of friction that have the same place and direction, as on both ends of a slide, have one unknown: the sum of their
-//! moduli.
+//! magnitudes.
 
 use assur_number::Real;
 
@@ -31,7 +31,7 @@ const SQUARINGS: usize = 14;
 /// A row of a power of the matrix counts as this at least: one of zeros is no reason for a quotient of zeros.
 const FLOOR: f64 = 1e-200;
 
-/// An unknown: the modulus of a vector, or of two numbers the sum of their moduli; each is affine in all unknowns.
+/// An unknown: the magnitude of a vector, or of two numbers the sum of their magnitudes; each is affine in all unknowns.
 #[derive(Debug, Clone, Copy)]
 pub struct Sum<T, const N: usize> {
     /// Whether the components are those of one vector; else they are two numbers.
@@ -42,7 +42,7 @@ pub struct Sum<T, const N: usize> {
     pub slopes: [[T; 2]; N],
 }
 
-/// Equations for sums of moduli.
+/// Equations for sums of magnitudes.
 #[derive(Debug, Clone, Copy)]
 pub struct Unique<T, const N: usize>(pub [Sum<T, N>; N]);
 
@@ -200,7 +200,7 @@ fn by_determinants<T: Real, const N: usize>(matrix: &Matrix<T, N>, right: &[T; N
     sum.map(|sum| sum * inverse)
 }
 
-/// The modulus of one vector, z = |a + w z|, where w is shorter than 1: (a w + s)/(1 - w w), or a a/(s - a w) where that cancels less.
+/// The magnitude of one vector, z = |a + w z|, where w is shorter than 1: (a w + s)/(1 - w w), or a a/(s - a w) where that cancels less.
 #[inline(always)]
 fn only<T: Real>([a, b]: [T; 2], [u, v]: [T; 2]) -> T {
     let (along, left, square) = (a * u + b * v, T::ONE - (u * u + v * v), a * a + b * b);

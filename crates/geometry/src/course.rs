@@ -3,7 +3,7 @@
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position, PositionError, continuous_angle};
 use assur_mechanism::{self as mechanism, Mechanism, Range};
-use assur_number::search;
+use assur_number::{elementary, search};
 use serde::Serialize;
 
 /// A quantity whose values differ by less than this part of the largest one is constant.
@@ -31,7 +31,7 @@ pub struct Extremes {
     pub at_max: f64,
 }
 
-/// Value of a vector and its first two derivatives by the coordinate.
+/// Value of a vector and its first two derivatives with respect to the coordinate.
 pub(crate) type Motion<const N: usize> = [[f64; N]; 3];
 
 /// A vector over the cycle.
@@ -232,7 +232,8 @@ impl<'a> Cycle<'a> {
 fn returned(first: &Position, last: &Position, linkage: &Linkage) -> bool {
     let scale = linkage.structure.scale;
     first.bodies.iter().zip(&last.bodies).all(|(a, b)| {
-        let apart = ((a.x - b.x).hypot(a.y - b.y) / scale).max((a.c - b.c).hypot(a.s - b.s));
+        let apart =
+            (elementary::hypot(a.x - b.x, a.y - b.y) / scale).max(elementary::hypot(a.c - b.c, a.s - b.s));
         apart <= RETURNED
     })
 }

@@ -98,9 +98,9 @@ pub struct PointCourse {
     /// Its stroke, if it has dead points, at which it rests and returns along its path.
     #[serde(flatten)]
     pub stroke: Option<Stroke>,
-    /// Extremes of the modulus of PF1.
+    /// Extremes of the magnitude of PF1.
     pub pf1: Extremes,
-    /// Extremes of the modulus of PF2.
+    /// Extremes of the magnitude of PF2.
     pub pf2: Extremes,
     /// Coordinates at which it rests, rad or m.
     pub rests: Vec<f64>,

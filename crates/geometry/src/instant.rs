@@ -4,6 +4,7 @@ use assur_group::Body;
 use assur_group::plane::{cross, minus, mirrored, perp, plus, scaled, times};
 use assur_kinematics::{Linkage, PointMotion, Position};
 use assur_mechanism::{LinkId, Named};
+use assur_number::elementary;
 use serde::Serialize;
 
 use crate::rigid::RigidParts;
@@ -82,15 +83,15 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// Curvature from the motion of a point; `None` where the point rests (`speed`: the greatest modulus of its PF1).
+    /// Curvature from the motion of a point; `None` where the point rests (`speed`: the greatest magnitude of its PF1).
     pub fn of(motion: &PointMotion, speed: f64) -> Option<Self> {
         let [pf1, pf2] = [motion.pf1, motion.pf2];
-        let size = pf1[0].hypot(pf1[1]);
+        let size = elementary::hypot(pf1[0], pf1[1]);
         if size <= 1e-9 * speed {
             return None;
         }
         let turn = cross(pf1, pf2);
-        if turn.abs() <= STRAIGHT * size * (pf2[0].hypot(pf2[1])).max(speed) {
+        if turn.abs() <= STRAIGHT * size * (elementary::hypot(pf2[0], pf2[1])).max(speed) {
             return Some(Self { curvature: 0.0, center: None });
         }
         let center = plus(motion.pf0, scaled(size * size / turn, perp(pf1)));
@@ -170,5 +171,5 @@ pub(crate) fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
 }
 
 pub(crate) fn modulus(v: [f64; 2]) -> f64 {
-    v[0].hypot(v[1])
+    elementary::hypot(v[0], v[1])
 }

@@ -8,6 +8,8 @@
 //! SI units, angles in rad. Derivatives are by the input coordinate, so that nothing here needs a motion; only mean
 //! speeds do.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod course;
 mod data;
 mod instant;

@@ -6,6 +6,7 @@ use assur_group::Order;
 use assur_group::plane::dot;
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{GROUND, LinkId, Place, Point, PointId, SlideId};
+use assur_number::elementary;
 use assur_words::{Describe, Text, text};
 
 use crate::course::Cycle;
@@ -241,7 +242,7 @@ fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PointCourse, PositionError> {
     });
     let coordinate =
         |axis: usize| course.extremes(move |motion: &Motion<2>| [0, 1, 2].map(|order| motion[order][axis]));
-    let modulus = |v: &[f64; 2]| v[0].hypot(v[1]);
+    let modulus = |v: &[f64; 2]| elementary::hypot(v[0], v[1]);
     let unit = linkage.structure.scale / linkage.coordinate_unit();
     let rests = if course.rests_always(unit) { Vec::new() } else { course.rests()? };
     let mut position = linkage.position();
@@ -249,7 +250,8 @@ fn point(cycle: &Cycle<'_>, id: PointId) -> Result<PointCourse, PositionError> {
     for rest in rests.iter().filter(|rest| rest.reverses) {
         places.push(course.at(rest.coordinate, 0, &mut position)?[0]);
     }
-    let farthest = places.iter().flat_map(|a| places.iter().map(move |b| (a[0] - b[0]).hypot(a[1] - b[1])));
+    let farthest =
+        places.iter().flat_map(|a| places.iter().map(move |b| elementary::hypot(a[0] - b[0], a[1] - b[1])));
     let stroke = farthest.fold(0.0, f64::max);
     Ok(PointCourse {
         x: coordinate(0)?,

@@ -10,6 +10,8 @@
 //!   places are required; the rest follows from one linear system, `J u' = ...` and `J^T lambda = ...`.
 //! * [`GroupPlugin`]: the entry of a kind in the registry.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod body;
 mod builders;
 mod closed;

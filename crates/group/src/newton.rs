@@ -3,7 +3,7 @@
 //! A mode keeps the sign of its determinant until it meets another one, whose sign is the opposite. So a pose near the
 //! wanted one and this sign determine a mode, also close to the place where two of them meet.
 
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 use crate::general::{derive_by, entries, guide, quadratic, reactions_under_generally, sized, unfit};
 use crate::plane::{direction, minus, times, vector};
@@ -285,7 +285,7 @@ pub fn certify_generally<T: Real>(frame: &GroupFrame, bodies: &[Body<T>]) -> Opt
 
 /// Lipschitz constant of the two rows of a pair in J, in the greatest norm.
 fn bend<T: Real>(pair: &Pair, scale: f64, bodies: &[Body<T>]) -> f64 {
-    let far = |a: [f64; 2]| a[0].hypot(a[1]) / scale;
+    let far = |a: [f64; 2]| elementary::hypot(a[0], a[1]) / scale;
     match pair.geometry {
         PairGeometry::Pin { at_a, at_b } => far(at_a) + far(at_b),
         PairGeometry::Slide { point, .. } => {

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
+use assur_number::elementary;
 use assur_plugin::{Registered, RegistryError};
 use assur_words::{Text, text};
 
@@ -45,7 +46,7 @@ impl ForceAngle {
             words,
             of: |_, _, health| {
                 let (sine, cosine) = sine_and_cosine(health);
-                sine.atan2(cosine)
+                elementary::atan2(sine, cosine)
             },
             is_pressure: false,
         }
@@ -57,7 +58,7 @@ impl ForceAngle {
             words,
             of: |_, _, health| {
                 let (sine, cosine) = sine_and_cosine(health);
-                cosine.atan2(sine)
+                elementary::atan2(cosine, sine)
             },
             is_pressure: true,
         }

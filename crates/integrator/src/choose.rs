@@ -27,7 +27,7 @@ pub struct RankedMethod {
 pub struct Choice {
     /// The method to take.
     pub first: RankedMethod,
-    /// The methods that follow if one finds during the motion that it can't treat the equation.
+    /// The methods that follow if one finds during the motion that it does not suit the equation.
     pub others: Vec<RankedMethod>,
     /// The method to continue with if an explicit one finds the equation stiff.
     pub stiff: Option<&'static IntegratorPlugin>,
@@ -64,13 +64,13 @@ fn error_of_steps(found: &Solution, motion: &mut dyn EquationOfMotion, request: 
     (adaptive.integrator.knob != Knob::Step).then(|| adaptive.trajectory.deviation(&found.trajectory))
 }
 
-/// The method of that name; for [`AUTO`] all that can treat the equation, the cheapest first.
+/// The method of that name; for [`AUTO`] all that suit the equation, the cheapest first.
 ///
 /// Stiffness can't be seen from what an equation depends on: an explicit method reports it when it meets it.
 ///
 /// # Errors
 ///
-/// [`IntegrationError::Registry`] where no method has that name, [`IntegrationError::Unsupported`] where it can't treat the
+/// [`IntegrationError::Registry`] where no method has that name, [`IntegrationError::Unsupported`] where it does not support the
 /// equation, [`IntegrationError::NoMethod`] where none can.
 pub fn choose(name: &str, dependence: &Dependence, tolerance: f64) -> Result<Choice, IntegrationError> {
     if name == AUTO {
@@ -109,7 +109,7 @@ fn ranked(
 }
 
 impl Choice {
-    /// Solves the equation by the first method that can treat it, keeping the tolerance for the motion as a whole.
+    /// Solves the equation by the first method that suits it, keeping the tolerance for the motion as a whole.
     pub fn solve(
         &self,
         motion: &mut dyn EquationOfMotion,

@@ -1,5 +1,7 @@
 //! Control of the step size: the norm of an error, and the proportional-integral controller.
 
+use assur_number::elementary;
+
 use crate::{CountedEquation, FixedStep, Node, Request, State, Until};
 
 /// Constants of the controller of step sizes (Gustafsson; Hairer, Wanner II, IV.2):
@@ -26,7 +28,9 @@ impl Control {
     #[inline]
     pub fn after_accepted(&self, error: f64, error_before: f64) -> f64 {
         let error = error.max(1e-10);
-        let factor = self.safety * error.powf(-self.proportional) * error_before.powf(self.integral);
+        let factor = self.safety
+            * elementary::powf(error, -self.proportional)
+            * elementary::powf(error_before, self.integral);
         factor.clamp(self.shrink, self.grow)
     }
 
@@ -36,7 +40,7 @@ impl Control {
         if !error.is_finite() {
             return self.shrink;
         }
-        (self.safety * error.powf(-1.0 / self.order)).clamp(self.shrink, 0.9)
+        (self.safety * elementary::powf(error, -1.0 / self.order)).clamp(self.shrink, 0.9)
     }
 }
 
@@ -140,7 +144,7 @@ pub(crate) fn first_step(
     let size = node.acceleration.abs().max(there.abs()).max(node.state.speed.abs() / trial * 0.1);
     let time = (size / change).min(50.0 * trial);
     let time = if time.is_finite() { time } else { 50.0 * trial };
-    (2.0 * time * tolerance.powf(1.0 / order)).min(longest)
+    (2.0 * time * elementary::powf(tolerance, 1.0 / order)).min(longest)
 }
 
 #[cfg(test)]

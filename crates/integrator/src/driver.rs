@@ -60,7 +60,7 @@ struct Drive<'a, S> {
     scale: Scale,
     /// Proposed step, s.
     step: f64,
-    /// A step to repeat, and the bound that it is to meet; without one it ends where the equation bends.
+    /// A step to repeat, and the bound that it is to meet; without one it ends where the equation has a kink.
     redo: Option<(f64, Option<Side>)>,
     /// The [bends](crate::EquationOfMotion::bends) at the present state, and at the end of the step that is judged.
     bends: [Vec<f64>; 2],
@@ -80,7 +80,7 @@ struct Plan {
     time: Option<f64>,
     /// Meant to meet this bound.
     bound: Option<Side>,
-    /// Meant to end where the equation bends.
+    /// Meant to end where the equation has a kink.
     to_bend: bool,
 }
 

@@ -18,7 +18,7 @@ pub enum IntegrationError {
         /// Why not.
         reason: Text,
     },
-    /// No linked method can treat the equation (what the equation depends on).
+    /// No linked method suits the equation (what the equation depends on).
     NoMethod(Dependence),
     /// There is no such method, or the registry is faulty.
     Registry(RegistryError),

@@ -24,6 +24,8 @@
 //! smoothly. So the methods are implemented here, with the published coefficients, and the tests check the order
 //! conditions.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod choose;
 mod control;
 mod dense;

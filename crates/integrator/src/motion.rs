@@ -183,8 +183,8 @@ pub trait EquationOfMotion {
         self.reduced(state)?.acceleration(state.speed)
     }
 
-    /// Numbers whose change of sign bends the equation inside a piece, so that a step should end there: of an equation whose
-    /// moment depends on the acceleration, the forces whose modulus gives friction. None by default.
+    /// Numbers whose change of sign gives the equation a kink inside a piece, so that a step should end there: of an equation whose
+    /// moment depends on the acceleration, the forces whose magnitude gives friction. None by default.
     ///
     /// # Errors
     ///
@@ -217,7 +217,7 @@ pub enum MotionError {
     },
     /// The coordinate has outgrown all numbers, or followed from one that has.
     OutOfRange,
-    /// The mechanism behind the equation failed: no assembly, singular position.
+    /// The mechanism of the equation failed: no assembly, singular position.
     Mechanism(Text),
     /// Dry friction leaves no acceleration possible, or several.
     Undetermined(Text),

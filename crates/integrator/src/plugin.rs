@@ -37,7 +37,7 @@ pub struct IntegratorPlugin {
     /// The method stays efficient on stiff equations: `auto` continues with it where an explicit method finds
     /// stiffness.
     pub stiff: bool,
-    /// How well the method suits an equation at a tolerance; the error says, as a sentence, why it can't treat it.
+    /// How well the method suits an equation at a tolerance; the error says, as a sentence, why it does not support it.
     pub suitability: fn(&Dependence, tolerance: f64) -> Result<Suitability, Text>,
     /// The method itself.
     pub method: &'static dyn Integrator,
@@ -60,7 +60,7 @@ pub enum Knob {
     Step,
 }
 
-/// The rank of a method among those that can treat an equation, and the reason.
+/// The rank of a method among those that suit an equation, and the reason.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Suitability {
     /// What the method costs here.
@@ -87,13 +87,13 @@ pub enum Cost {
 assur_plugin::registry!(IntegratorPlugin, text!("integrator-sort"), name);
 
 impl IntegratorPlugin {
-    /// Whether the method can treat such an equation at all.
+    /// Whether the method suits such an equation at all.
     ///
     /// # Errors
     ///
     /// [`IntegrationError::Unsupported`] with the reason.
     pub fn supports(&self, dependence: &Dependence) -> Result<(), IntegrationError> {
-        // Whether a method can treat an equation does not depend on the tolerance, only how well it does.
+        // Whether a method suits an equation does not depend on the tolerance, only how well it does.
         match (self.suitability)(dependence, f64::EPSILON) {
             Ok(_) => Ok(()),
             Err(reason) => Err(IntegrationError::Unsupported { integrator: self.name, reason }),

@@ -167,7 +167,7 @@ pub enum EventKind {
     Held,
     /// A motion that rested or was held continues.
     Release,
-    /// A force changed its sign on whose modulus dry friction depends: another face is pressed.
+    /// A force changed its sign on whose magnitude dry friction depends: another face is pressed.
     Face,
 }
 

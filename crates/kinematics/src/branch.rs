@@ -16,7 +16,7 @@ pub(crate) struct Passage {
     pub(crate) before: u8,
     /// The group's way after it.
     pub(crate) after: u8,
-    /// Whether two ways meet there.
+    /// Whether two modes meet there.
     pub(crate) is_change_point: bool,
 }
 
@@ -35,7 +35,7 @@ pub(crate) struct Branch {
     pub(crate) reached: f64,
     /// What ends the branch before its full length.
     pub(crate) failure: Option<ChainError>,
-    /// The ways at the start.
+    /// The modes at the start.
     first: Vec<u8>,
     /// The passages of each group, in order of increasing distance.
     pub(crate) passages: Vec<Vec<Passage>>,
@@ -101,7 +101,7 @@ impl Branch {
         self.from + distance * self.length.signum()
     }
 
-    /// Coordinate of a sample, or of the last passage of a group if that is behind the sample.
+    /// Coordinate of a sample, or of the last passage of a group if that is past the sample.
     pub(crate) fn behind(&self, group: usize, sample: usize) -> f64 {
         let coordinate = self.at(sample);
         let passed = self.passages[group].last().filter(|one| one.distance > self.distance(coordinate));
@@ -120,13 +120,13 @@ impl Branch {
         self.failure = Some(failure);
     }
 
-    /// Removes the passages behind the end of the branch.
+    /// Removes the passages past the end of the branch.
     pub(crate) fn trim(&mut self) {
         let reached = self.reached.abs();
         self.passages.iter_mut().for_each(|passages| passages.retain(|one| one.distance <= reached));
     }
 
-    /// The ways at the end of the branch.
+    /// The modes at the end of the branch.
     pub(crate) fn last(&self) -> Vec<u8> {
         let last = |(first, passages): (&u8, &Vec<Passage>)| passages.last().map_or(*first, |one| one.after);
         self.first.iter().zip(&self.passages).map(last).collect()

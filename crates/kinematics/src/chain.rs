@@ -127,7 +127,7 @@ impl<T: Number> Chain<T> {
         );
     }
 
-    /// Solves all needed groups of the chain at one coordinate, each group in the way given.
+    /// Solves all needed groups of the chain at one coordinate, each group in the mode given.
     ///
     /// # Errors
     ///
@@ -145,7 +145,7 @@ impl<T: Number> Chain<T> {
     }
 
     /// Solves the needed groups at one coordinate; a group that `instead` places itself is skipped: `instead` returns
-    /// the health of such a group, and `None` for a group that is to be solved.
+    /// the determinant of such a group, and `None` for a group that is to be solved.
     #[inline]
     pub(crate) fn solve_except(
         &self,

@@ -1,12 +1,13 @@
-//! All modes of a group over a cycle: where they are born, meet and end, and which of them belong to one circuit.
+//! All modes of a group over a cycle: where they begin, meet and end, and which of them belong to one circuit.
 //!
 //! From sample to sample a mode goes to the nearest one of the same way. Where that is doubtful, because the number changes or two
 //! modes that may meet are nearer to each other than they move, the step is halved, down to a length at which nothing but a
-//! meeting, a birth or an end is left.
+//! meeting, a beginning or an end is left.
 
 use std::f64::consts::TAU;
 
 use assur_group::{Body, GroupError, Mode};
+use assur_number::elementary;
 use serde::Serialize;
 
 mod event;
@@ -17,7 +18,7 @@ use crate::modes::by_ways;
 /// Steps over the cycle.
 const SAMPLES: u32 = 720;
 
-/// A birth, a meeting or an end is found to this, in units of the coordinate.
+/// A beginning, a meeting or an end is found to this, in units of the coordinate.
 const SHORTEST: f64 = 1e-11;
 
 /// Beyond this distance past an event, in units of the coordinate, the number of modes is reliable in spite of rounding.
@@ -110,7 +111,7 @@ pub struct ModeCourses {
     pub branches: Option<usize>,
     /// How many modes there are from a coordinate on.
     pub counts: Vec<CountFrom>,
-    /// Each mode, by its number: first those of the first position in their order; one born later takes the next number.
+    /// Each mode, by its number: first those of the first position in their order; one that begins later takes the next number.
     pub modes: Vec<ModeCourse>,
     /// Where two modes meet and both go on.
     pub meetings: Vec<ModeMeeting>,
@@ -332,10 +333,11 @@ impl<'a> Walk<'a> {
     /// Distance of two modes; of far places as seen on a sphere, on which infinity is a point.
     fn apart(&self, one: &Mode<f64>, other: &Mode<f64>) -> f64 {
         let distance = |(a, b): (&Body<f64>, &Body<f64>)| {
-            let [far, farther] =
-                [a, b].map(|body| (body.x / self.scale()).hypot(body.y / self.scale()).hypot(1.0));
-            let place = (a.x - b.x).hypot(a.y - b.y) / (self.scale() * far * farther);
-            place.max((a.c - b.c).hypot(a.s - b.s))
+            let [far, farther] = [a, b].map(|body| {
+                elementary::hypot(elementary::hypot(body.x / self.scale(), body.y / self.scale()), 1.0)
+            });
+            let place = elementary::hypot(a.x - b.x, a.y - b.y) / (self.scale() * far * farther);
+            place.max(elementary::hypot(a.c - b.c, a.s - b.s))
         };
         one.bodies.iter().zip(&other.bodies).map(distance).fold(0.0, f64::max)
     }
@@ -344,7 +346,7 @@ impl<'a> Walk<'a> {
 /// Whether a link is far away on opposite sides.
 fn is_turned(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> bool {
     one.bodies.iter().zip(&other.bodies).any(|(a, b)| {
-        let is_far = a.x.hypot(a.y).min(b.x.hypot(b.y)) > OPPOSITE * scale;
+        let is_far = elementary::hypot(a.x, a.y).min(elementary::hypot(b.x, b.y)) > OPPOSITE * scale;
         is_far && a.x * b.x + a.y * b.y < 0.0
     })
 }

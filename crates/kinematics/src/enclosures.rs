@@ -7,7 +7,7 @@ use assur_structure::Structure;
 
 use crate::{Chain, Linkage};
 
-/// A chain over intervals of the coordinate, in one way of each group: what it shows of an interval holds, but for rounding, for
+/// A chain over intervals of the coordinate, in one mode of each group: what it shows of an interval holds, but for rounding, for
 /// every coordinate in it.
 #[derive(Debug)]
 pub struct Enclosures {
@@ -53,7 +53,7 @@ impl Enclosures {
 }
 
 impl Linkage {
-    /// The links over intervals of the coordinate; `None` where a group changes its way, or can't be solved over intervals.
+    /// The links over intervals of the coordinate; `None` where a group changes its mode, or can't be solved over intervals.
     pub fn enclosures(&self) -> Option<Enclosures> {
         let ways = self.ways.are_constant().then(|| self.ways.at(self.mechanism.input.from))?;
         Enclosures::of(&self.mechanism, &self.structure, &self.chain.needed, ways)

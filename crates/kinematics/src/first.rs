@@ -10,11 +10,11 @@ use crate::start::start;
 use crate::wide::Extended;
 use crate::{Chain, ChainError};
 
-/// Distances that differ by less than this (in parts of the scale) count as equal. Near a change point the ways
+/// Distances that differ by less than this (in parts of the scale) count as equal. Near a change point the modes
 /// differ by less than the resolution of 16 digits, but by more than this.
 const SAME: f64 = 1e-14;
 
-/// Where the distances of two ways differ by more than this (in parts of the scale), 16 digits tell which is closer, ...
+/// Where the distances of two modes differ by more than this (in parts of the scale), 16 digits tell which is closer, ...
 const CLEARLY: f64 = 1e-6;
 
 /// ... unless the determinant of a group up to there is below this: its place has only half of the digits or less.
@@ -23,11 +23,11 @@ const WELL_PLACED: f64 = 1e-3;
 /// Guesses of directions that the known places of a group leave open.
 const GUESSES: u32 = 48;
 
-/// The way of each group, and the placed links.
+/// The mode of each group, and the placed links.
 pub(crate) type First = (Vec<u8>, Vec<Body<f64>>);
 
-/// Finds the way of each group at the coordinate `from` that is closest to the places in `[assembly]`, and places the
-/// links. Where a group can't be placed: the ways of the groups before it, and the error.
+/// Finds the mode of each group at the coordinate `from` that is closest to the places in `[assembly]`, and places the
+/// links. Where a group can't be placed: the modes of the groups before it, and the error.
 pub(crate) fn first_ways(
     mechanism: &Mechanism,
     structure: &Structure,
@@ -84,8 +84,8 @@ pub(crate) fn first_ways(
     Ok((ways, bodies))
 }
 
-/// The ways in which a group can be placed, each with how far it is from the wanted places; the least health among them, and why the
-/// last of the other ways fails.
+/// The modes in which a group can be placed, each with how far it is from the wanted places; the least determinant among them, and why the
+/// last of the other modes fails.
 fn candidates(
     wanted: &[Vec<Wanted>],
     kernel: &dyn AssurGroup<f64>,
@@ -131,7 +131,7 @@ fn best_start(
     start(mechanism, kernel.frame(), (placed, best.1), bodies);
 }
 
-/// Places the links of a group in the mode that is closest to the wanted places, of equal ones in the first; returns its way.
+/// Places the links of a group in the mode that is closest to the wanted places, of equal ones in the first; returns its mode.
 fn take_nearest(
     modes: &[Mode<f64>],
     frame: &GroupFrame,
@@ -165,7 +165,7 @@ fn sum_of_squares<T: Number>(frame: &GroupFrame, wanted: &[Vec<Wanted>], bodies:
     sum
 }
 
-/// The way with the least distance; of equal ones the first.
+/// The mode with the least distance; of equal ones the first.
 fn closest(candidates: &[(u8, f64)], same: f64) -> u8 {
     let closer = |best: (u8, f64), other: &(u8, f64)| if other.1 < best.1 - same { *other } else { best };
     candidates.iter().skip(1).fold(candidates.first().copied().unwrap_or_default(), closer).0
@@ -182,7 +182,7 @@ struct Exact<'a> {
 }
 
 impl Exact<'_> {
-    /// Replaces the distances of a group by those in 32 digits, where there are any; `placed`: the ways of the groups
+    /// Replaces the distances of a group by those in 32 digits, where there are any; `placed`: the modes of the groups
     /// before it, and the links in 16 digits.
     fn measure(
         &mut self,
@@ -244,7 +244,7 @@ fn wanted(mechanism: &Mechanism, structure: &Structure) -> Vec<Vec<Wanted>> {
     wanted
 }
 
-/// Root of the sum of the squared distances between a group's points in one way and their wanted places, m, and the
+/// Root of the sum of the squared distances between a group's points in one mode and their wanted places, m, and the
 /// size of its determinant. Leaves the links of the group unchanged.
 fn miss<T: Number>(
     wanted: &[Vec<Wanted>],

@@ -1,4 +1,4 @@
-//! Follows the assembly from the first position: finds where two ways meet and where the mechanism can no longer be
+//! Follows the assembly from the first position: finds where two modes meet and where the mechanism can no longer be
 //! assembled.
 
 use std::f64::consts::TAU;
@@ -26,7 +26,7 @@ const SAMPLES: usize = 720;
 /// coordinate.
 const BESIDE: f64 = 1e-4;
 
-/// Longest motion that is followed until the ways repeat, in turns.
+/// Longest motion that is followed until the modes repeat, in turns.
 const MOST_TURNS: usize = 4;
 
 /// The result of following the assembly.
@@ -45,7 +45,7 @@ pub(crate) struct Followed {
 }
 
 impl Followed {
-    /// Without an event: these ways hold wherever the mechanism can be assembled.
+    /// Without an event: these modes hold wherever the mechanism can be assembled.
     fn constant(ways: Ways, range: Option<AssemblyRange>, first_failure: Option<ChainError>) -> Self {
         let interpolants = Interpolants::default();
         Self { ways, range, first_failure, ends: [None; 2], interpolants, guesses: None }
@@ -61,7 +61,7 @@ pub(crate) fn follow(mechanism: &Mechanism, structure: &Structure, chains: Chain
     let extended = Extended::new(mechanism, structure);
     let begin = |q: f64| first_ways(mechanism, structure, (chain, &extended), q);
     let found = match begin(from) {
-        // Coincident equal links may point in any direction; their assembly is chosen a small distance behind the
+        // Coincident equal links may point in any direction; their assembly is chosen a small distance past the
         // position.
         Err((
             _,

@@ -19,7 +19,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Two meetings of one group nearer than this, in units of the coordinate, are one.
 const SAME_MEETING: f64 = 1e-6;
 
-/// Distances behind a change point at which the motion is compared with its extrapolation from before it, in steps of
+/// Distances past a change point at which the motion is compared with its extrapolation from before it, in steps of
 /// the branch.
 const BEHIND: f64 = 0.25;
 
@@ -39,9 +39,9 @@ pub(crate) struct Follower<'a> {
     pub(crate) unit: f64,
 }
 
-/// How the present way of a group ends.
+/// How the present mode of a group ends.
 pub(crate) enum Event {
-    /// The group continues in another way behind this coordinate.
+    /// The group continues in another mode past this coordinate.
     Transition(Passage),
     /// The group can't be assembled beyond this coordinate.
     End(f64, GroupError),
@@ -149,7 +149,7 @@ impl Follower<'_> {
         }
     }
 
-    /// Whether two ways of a group meet near a sample (its determinant touches zero), or leave a gap.
+    /// Whether two modes of a group meet near a sample (its determinant touches zero), or leave a gap.
     fn meeting(
         &mut self,
         group: usize,
@@ -209,7 +209,7 @@ impl Follower<'_> {
         Judge { determinant: &mut determinant, sample: branch.step(), resolution, earlier }.judge(near)
     }
 
-    /// The passage of a group through a meeting at a distance from the start, into the way that continues the motion.
+    /// The passage of a group through a meeting at a distance from the start, into the mode that continues the motion.
     fn through(&mut self, (group, before): (usize, u8), distance: f64, branch: &Branch) -> Passage {
         let mut after = before;
         // A smaller step, because another event may be within the first one.
@@ -222,7 +222,7 @@ impl Follower<'_> {
         Passage { distance, before, after, is_change_point: true }
     }
 
-    /// The way that continues the motion of a group behind a distance from the start, extrapolated from its poses at
+    /// The mode that continues the motion of a group past a distance from the start, extrapolated from its poses at
     /// three multiples of `step` before it; `None` if they can't be solved.
     fn continuing(
         &mut self,
@@ -242,7 +242,7 @@ impl Follower<'_> {
             Some(bodies.iter().map(|body| body.map(Real::to_f64)).collect::<Vec<_>>())
         };
         let [far, middle, near] = [solve(-3.0, way)?, solve(-2.0, way)?, solve(-1.0, way)?];
-        // Parabola through three poses, extrapolated one step behind the meeting.
+        // Parabola through three poses, extrapolated one step past the meeting.
         let expected = |link: usize| {
             let [far, middle, near] = [&far, &middle, &near].map(|bodies| bodies[link].numbers());
             Body::of_numbers(std::array::from_fn(|k| 3.0 * far[k] - 8.0 * middle[k] + 6.0 * near[k]))

@@ -1,4 +1,4 @@
-//! Where a group can't be placed any further, or jumps: the end of its range, or a change in the numbering of its ways.
+//! Where a group can't be placed any further, or jumps: the end of its range, or a change in the numbering of its modes.
 
 use assur_group::{Body, GroupError};
 use assur_number::search::bisect;
@@ -13,7 +13,7 @@ use crate::track::placed_before;
 const CONTINUOUS: f64 = 1e-6;
 
 impl Follower<'_> {
-    /// Examines where a group can't be placed at a sample: either its range ends, or another way continues the
+    /// Examines where a group can't be placed at a sample: either its range ends, or another mode continues the
     /// motion.
     pub(crate) fn stop(
         &self,
@@ -50,7 +50,7 @@ impl Follower<'_> {
     }
 
     /// A transition between a sample and the previous one, from which the pose jumps, if it jumps because the kind's numbering of its
-    /// ways changes.
+    /// modes changes.
     pub(crate) fn jump(&self, (group, way): (usize, u8), sample: usize, branch: &Branch) -> Option<Event> {
         let links = &self.chain.groups[group].frame().links;
         let scale = self.structure.scale;
@@ -67,7 +67,7 @@ impl Follower<'_> {
         self.renumbered((group, way), ends, branch).map(Event::Transition)
     }
 
-    /// The other way that continues the motion of a group between neighboring coordinates, if its present one does
+    /// The other mode that continues the motion of a group between neighboring coordinates, if its present one does
     /// not.
     fn renumbered(
         &self,

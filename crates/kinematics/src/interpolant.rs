@@ -3,12 +3,13 @@
 //! At a change point J is singular although the motion is smooth: PF1 and PF2 have the form 0/0. Close to it, the
 //! errors of the closed forms grow with the first, second and third power of the inverse distance. The motion is
 //! therefore interpolated by a polynomial through nodes on both sides. The nodes are solved in 32 digits and so are
-//! accurate to 16 digits although they are close to the change point. Each group whose ways meet has its own
+//! accurate to 16 digits although they are close to the change point. Each group whose modes meet has its own
 //! interpolant; all other groups are solved by their own equations.
 
 use std::f64::consts::{PI, TAU};
 
 use assur_group::Body;
+use assur_number::elementary;
 use assur_number::panel::shares;
 use assur_number::{Dd, Real};
 
@@ -33,7 +34,7 @@ const TRIALS: [f64; 4] = [-0.98, -0.83, 0.79, 0.95];
 /// Deviation at the test points that counts as rounding, relative to the largest number of its order.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Error of the closed forms of PF0, PF1, PF2 at the end of the interval, in units of eps divided by health to the
+/// Error of the closed forms of PF0, PF1, PF2 at the end of the interval, in units of eps divided by determinant to the
 /// power 1, 2, 3: the interpolation need not be more accurate.
 const LOST: f64 = 4.0 * f64::EPSILON;
 
@@ -52,7 +53,7 @@ pub(crate) struct Interpolant {
     turns: Option<f64>,
     half_width: f64,
     nodes: Vec<Node>,
-    /// |health| of the group at the end of the interval; it falls to zero linearly towards the change point.
+    /// |determinant| of the group at the end of the interval; it falls to zero linearly towards the change point.
     health_at_end: f64,
 }
 
@@ -90,7 +91,7 @@ struct Node {
     bodies: Vec<Body<f64>>,
 }
 
-/// A change point and the group whose ways meet there.
+/// A change point and the group whose modes meet there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Site<'a> {
     /// The change point, rad or m.
@@ -143,7 +144,7 @@ impl Interpolant {
         solve: &mut impl FnMut(Dd) -> Option<Solved>,
     ) -> Option<Self> {
         let node = |i: usize| {
-            let (sine, cosine) = (PI * ((i % count) as f64 + 0.5) / count as f64).sin_cos();
+            let (sine, cosine) = elementary::sin_cos(PI * ((i % count) as f64 + 0.5) / count as f64);
             let square = 0.5 * ((SPREAD * SPREAD + 1.0) + (SPREAD * SPREAD - 1.0) * cosine);
             let x = if i < count { square.sqrt() } else { -square.sqrt() };
             let (bodies, _) = solve(place(center, x * half_width))?;
@@ -213,7 +214,7 @@ impl Interpolant {
         })
     }
 
-    /// Sets the links of the group; returns its health.
+    /// Sets the links of the group; returns its determinant.
     pub(crate) fn apply(&self, coordinate: f64, bodies: &mut [Body<f64>]) -> f64 {
         let x = self.distance(coordinate) / self.half_width;
         let weights = self.weights(x);
@@ -237,7 +238,7 @@ impl Interpolant {
             }
         }
         let body = Body::of_numbers(sum);
-        let length = body.c.hypot(body.s);
+        let length = elementary::hypot(body.c, body.s);
         Body { c: body.c / length, s: body.s / length, ..body }
     }
 }

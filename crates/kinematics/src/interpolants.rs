@@ -81,13 +81,13 @@ impl Interpolants {
         found.max_by(|a, b| a.half_width.total_cmp(&b.half_width))
     }
 
-    /// Sets the links of a group whose motion is interpolated at a coordinate, and returns its health.
+    /// Sets the links of a group whose motion is interpolated at a coordinate, and returns its determinant.
     pub(crate) fn apply(&self, group: usize, coordinate: f64, bodies: &mut [Body<f64>]) -> Option<f64> {
         let mut own = self.all.iter().filter(|one| one.group == group);
         own.find(|one| one.covers(coordinate)).map(|found| found.apply(coordinate, bodies))
     }
 
-    /// Whether the motion of a group with this health is interpolated at a coordinate.
+    /// Whether the motion of a group with this determinant is interpolated at a coordinate.
     pub(crate) fn cover_unhealthy(&self, coordinate: f64, health: &[f64], limit: f64) -> bool {
         self.all.iter().any(|found| health[found.group].abs() < limit && found.covers(coordinate))
     }

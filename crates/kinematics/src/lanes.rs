@@ -64,7 +64,7 @@ impl Linkage {
     /// Solves all links at eight coordinates. Every lane gets the bits that [`solve`](Self::solve) gives at its
     /// coordinate, whatever the other lanes are.
     ///
-    /// A lane without a position holds the bodies and the health of a lane that has one, if there is any, so that
+    /// A lane without a position holds the bodies and the determinant of a lane that has one, if there is any, so that
     /// formulas over all lanes stay defined.
     ///
     /// # Errors
@@ -96,7 +96,7 @@ impl Linkage {
         if alone.contains(&true) { self.solve_alone(alone, order, position) } else { Ok(()) }
     }
 
-    /// The lanes that must be solved one at a time: those whose motion is interpolated, or whose groups are in other ways
+    /// The lanes that must be solved one at a time: those whose motion is interpolated, or whose groups are in other modes
     /// than in the first lane.
     fn alone(&self, coordinates: Lanes) -> [bool; Lanes::WIDTH] {
         let mut alone = [false; Lanes::WIDTH];

@@ -5,10 +5,12 @@
 //! coordinate: it does not depend on earlier calls, allocates nothing and takes no lock. [`Linkage::solve_lanes`] solves
 //! eight positions at once.
 //!
-//! At a change point (parallelogram, kite) two ways of a group meet, and the assembly continues in the way that makes
-//! the motion smooth. These coordinates are found when the mechanism is compiled, so the way of each group is known
+//! At a change point (parallelogram, kite) two modes of a group meet, and the assembly continues in the mode that makes
+//! the motion smooth. These coordinates are found when the mechanism is compiled, so the mode of each group is known
 //! at every coordinate. Close to a change point the group's equations lose all their digits; the smooth motion is
 //! interpolated across it.
+
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod branch;
 mod chain;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use assur_group::{AssurGroup, Body, GroupError, Order};
 use assur_mechanism::{GROUND, Mechanism, Name, Slide};
-use assur_number::{Lanes, Real};
+use assur_number::{Lanes, Real, elementary};
 use assur_structure::Structure;
 
 use crate::dependence::Dependence;
@@ -33,7 +33,7 @@ pub struct Linkage {
     pub chain: Arc<Chain<f64>>,
     /// The compiled chain for eight positions at once.
     pub lane_chain: Arc<Chain<Lanes>>,
-    /// The way of each group at every coordinate.
+    /// The mode of each group at every coordinate.
     pub ways: Ways,
     /// The range in which it can be assembled; `None` if it can't be assembled in the first position.
     pub range: Option<AssemblyRange>,
@@ -76,11 +76,11 @@ impl Linkage {
     /// Compiles some of the groups of a decomposed mechanism and follows their assembly.
     ///
     /// Groups that are not needed are neither assembled nor solved, and don't limit the range; the bodies of their
-    /// links and their health are undefined. No needed group may depend on one of them.
+    /// links and their determinant are undefined. No needed group may depend on one of them.
     ///
     /// A turn in which no group comes near a singular position is proved to be such over few intervals of the angle. Where
     /// that fails, following takes nearly all of the time: 720 samples a turn for each group, eight at once. The chain in 32
-    /// digits is compiled only where the places in `[assembly]` don't tell two ways apart in 16 digits, and where a
+    /// digits is compiled only where the places in `[assembly]` don't tell two modes apart in 16 digits, and where a
     /// determinant comes near zero between two samples.
     ///
     /// # Errors
@@ -289,10 +289,10 @@ impl Linkage {
         self.solve(coordinate, order, position).map_err(|error| PositionError { index: Some(index), ..error })
     }
 
-    /// Whether a solved position is so near to a change point that forces are indeterminate there: two ways of a
+    /// Whether a solved position is so near to a change point that forces are indeterminate there: two modes of a
     /// group meet, its constraints become dependent, and its reactions have the form 0/0.
     pub fn is_at_change_point(&self, position: &Position) -> bool {
-        /// Determinant of the group whose ways meet: below this, places of 16 digits leave too few digits in it.
+        /// Determinant of the group whose modes meet: below this, places of 16 digits leave too few digits in it.
         const NEAR: f64 = 1e-5;
         self.interpolants.cover_unhealthy(position.coordinate, &position.health, NEAR)
     }
@@ -308,7 +308,7 @@ impl Linkage {
         self.interpolants.cover(coordinate)
     }
 
-    /// The change points, at which two ways of a group meet, in increasing order of the coordinate.
+    /// The change points, at which two modes of a group meet, in increasing order of the coordinate.
     ///
     /// They are given for one period of the motion, which may be several turns.
     pub fn change_points(&self) -> impl Iterator<Item = &Transition> {
@@ -351,7 +351,7 @@ impl Linkage {
                 .enumerate()
                 .flat_map(move |(k, one)| own.clone().skip(k + 1).map(move |other| [one, other]))
         });
-        let mut parallel = both.filter(|[one, other]| (one.1 - other.1).sin().abs() < PARALLEL);
+        let mut parallel = both.filter(|[one, other]| elementary::sin(one.1 - other.1).abs() < PARALLEL);
         parallel.next().map(|both| Box::new(both.map(|(slide, _)| slide.name.clone())))
     }
 

@@ -1,4 +1,4 @@
-//! Judges a minimum of the determinant of a group: whether two ways meet there, and at which coordinate.
+//! Judges a minimum of the determinant of a group: whether two modes meet there, and at which coordinate.
 
 use assur_group::GroupError;
 use assur_number::{Dd, Real};
@@ -6,15 +6,15 @@ use assur_number::{Dd, Real};
 /// Meaning of a minimum of a determinant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Minimum {
-    /// Two ways meet, within the accuracy of the lengths.
+    /// Two modes meet, within the accuracy of the lengths.
     Meeting(Meeting),
-    /// The ways approach each other and separate again: the motion stays in its way.
+    /// The modes approach each other and separate again: the motion stays in its mode.
     Beside,
     /// The group can't be assembled at this coordinate (rad or m); the gap, m.
     Gap(f64, f64),
 }
 
-/// A coordinate at which two ways of a group meet.
+/// A coordinate at which two modes of a group meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Meeting {
     pub(crate) coordinate: f64,
@@ -57,7 +57,7 @@ struct Parabola {
 /// Data for the judgment of a minimum. It uses the squared determinant, which is smooth in the coordinate where the
 /// determinant itself is a square root.
 pub(crate) struct Judge<'a> {
-    /// The determinant of the group at a coordinate, in its present way.
+    /// The determinant of the group at a coordinate, in its present mode.
     pub(crate) determinant: &'a mut dyn FnMut(Dd) -> Result<Dd, GroupError>,
     /// Distance between neighboring samples, positive.
     pub(crate) sample: f64,

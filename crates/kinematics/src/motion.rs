@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use assur_group::plane::{dot, minus, perp, plus, vector};
 use assur_group::{Body, Order};
 use assur_mechanism::{LinkId, Place, PointId, Slide, SlideId};
-use assur_number::Real;
+use assur_number::{Real, elementary};
 use serde::Serialize;
 
 use crate::{Linkage, Position};
@@ -60,7 +60,7 @@ impl<T: Real> ScalarMotion<T> {
         let carrier = &bodies[slide.on];
         let point = PointMotion::of(&bodies[slide.link], slide.point);
         let through = PointMotion::of(carrier, slide.through);
-        let (s, c) = slide.angle.sin_cos();
+        let (s, c) = elementary::sin_cos(slide.angle);
         let along = carrier.turned(vector([c, s]));
         let across = perp(along);
         let (d0, d1, d2) =
@@ -123,7 +123,7 @@ impl Linkage {
     /// Motion of a link.
     pub fn link_motion(&self, link: LinkId, position: &Position) -> ScalarMotion {
         let body = &position.bodies[link];
-        ScalarMotion { pf0: body.s.atan2(body.c), pf1: body.w1, pf2: body.w2 }
+        ScalarMotion { pf0: elementary::atan2(body.s, body.c), pf1: body.w1, pf2: body.w2 }
     }
 
     /// Motion of a slide.

@@ -1,8 +1,8 @@
 //! Finds where links run to infinity: two guides of a group become parallel without coinciding.
 
 use assur_group::Order;
-use assur_number::Real;
 use assur_number::search::least;
+use assur_number::{Real, elementary};
 
 use crate::regular::INTERVALS;
 use crate::{AssemblyRange, Enclosures, Linkage, Position};
@@ -22,7 +22,7 @@ const AWAY: f64 = 1e3;
 const CLEAR: f64 = 10.0 / AWAY;
 
 impl Linkage {
-    /// Coordinates at which links of a group with a single way run to infinity, with the index of the group.
+    /// Coordinates at which links of a group with a single mode run to infinity, with the index of the group.
     /// Positions can be calculated on both sides, but no real mechanism passes through. Every call searches anew,
     /// over one full turn or the range of a sliding input.
     pub fn poles(&self) -> Vec<(f64, usize)> {
@@ -92,7 +92,7 @@ impl Linkage {
         }
         let links = &self.structure.groups[group].frame.links;
         let far = |&link: &usize| {
-            position.bodies[link].x.hypot(position.bodies[link].y) > AWAY * self.structure.scale
+            elementary::hypot(position.bodies[link].x, position.bodies[link].y) > AWAY * self.structure.scale
         };
         links.iter().any(far)
     }

@@ -112,7 +112,7 @@ impl Guesses {
         Some(Self { low, step, periodic, last, most, poses })
     }
 
-    /// The sample closest to a coordinate, and how far the coordinate is behind it, in steps.
+    /// The sample closest to a coordinate, and how far the coordinate is past it, in steps.
     fn nearest(&self, coordinate: f64) -> (usize, f64) {
         let (place, last) = ((coordinate - self.low) / self.step, self.last as f64);
         let place = if self.periodic { place.rem_euclid(last) } else { place };

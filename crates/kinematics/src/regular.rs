@@ -14,7 +14,7 @@ use crate::samples::SUSPECT;
 /// the samples takes less time.
 pub(crate) const INTERVALS: [u32; 3] = [8, 32, 128];
 
-/// Whether the input turns, each needed group can be assembled in its way at every angle, and its determinant stays so far
+/// Whether the input turns, each needed group can be assembled in its mode at every angle, and its determinant stays so far
 /// from zero that following its samples finds no event. It is proved by the closed forms over intervals of the angle; `false`
 /// where they don't prove it, or a kind has none.
 pub(crate) fn turns_regularly(

@@ -2,7 +2,7 @@
 
 use assur_group::{AssurGroup, Body, GroupError};
 use assur_mechanism::GROUND;
-use assur_number::{Lanes, Real as _};
+use assur_number::{Lanes, Real as _, elementary};
 
 use crate::branch::Branch;
 use crate::track::{LONGEST, Tracker};
@@ -25,7 +25,7 @@ pub(crate) struct Scratch {
     pub(crate) lanes: Vec<Body<Lanes>>,
 }
 
-/// One group, placed at successive samples in its present way.
+/// One group, placed at successive samples in its present mode.
 pub(crate) struct Samples<'a> {
     kernel: &'a dyn AssurGroup<f64>,
     /// The kernel for eight samples, where its solution needs no starting pose.
@@ -35,7 +35,7 @@ pub(crate) struct Samples<'a> {
     scratch: &'a mut Scratch,
     /// A typical length of the mechanism, m.
     scale: f64,
-    /// The present way.
+    /// The present mode.
     pub(crate) way: u8,
     /// Absolute value of the determinant at each sample.
     pub(crate) health: Vec<f64>,
@@ -122,7 +122,7 @@ impl<'a> Samples<'a> {
         let distance = |bodies: &[Body<f64>]| {
             pose_distance(links.iter().map(|&link| bodies[link]), before.iter().copied(), self.scale)
         };
-        // Behind a place where two modes meet, the sample before belongs to the way before: there is nothing to follow from.
+        // Past a place where two modes meet, the sample before belongs to the mode before: there is nothing to follow from.
         let is_met = |tracker: &Tracker<'_>| {
             let last = branch.passages[tracker.group].last();
             last.is_some_and(|last| last.distance >= branch.distance(branch.at(sample - 1)))
@@ -217,8 +217,8 @@ pub(crate) fn pose_distance(
     scale: f64,
 ) -> f64 {
     let apart = |(a, b): (Body<f64>, Body<f64>)| {
-        let place = (a.x - b.x).hypot(a.y - b.y) / scale;
-        place.max((a.c - b.c).hypot(a.s - b.s))
+        let place = elementary::hypot(a.x - b.x, a.y - b.y) / scale;
+        place.max(elementary::hypot(a.c - b.c, a.s - b.s))
     };
     one.into_iter().zip(other).map(apart).fold(0.0, f64::max)
 }

@@ -3,6 +3,7 @@
 use assur_group::plane::{direction, minus};
 use assur_group::{Body, GroupFrame, PairGeometry, health_generally};
 use assur_mechanism::{GROUND, Mechanism, Point};
+use assur_number::elementary;
 use assur_structure::Structure;
 
 use crate::{Chain, CompileError};
@@ -121,7 +122,7 @@ impl<'a> Known<'a> {
     /// Two known points of a link: the first, and the one farthest from it if it is elsewhere.
     fn two(&self, link: usize) -> Option<(Located, Option<Located>)> {
         let first = self.points(link).next()?;
-        let distance = |own: [f64; 2]| (own[0] - first.0[0]).hypot(own[1] - first.0[1]);
+        let distance = |own: [f64; 2]| elementary::hypot(own[0] - first.0[0], own[1] - first.0[1]);
         let far = self.points(link).max_by(|a, b| distance(a.0).total_cmp(&distance(b.0)));
         Some((first, far.filter(|far| distance(far.0) > 0.0)))
     }
@@ -156,7 +157,7 @@ impl<'a> Known<'a> {
         match (self.two(link), self.guided(link, bodies)) {
             (Some(((own, place), Some((own2, place2)))), _) => {
                 let ([dx, dy], [ox, oy]) = (minus(place2, place), minus(own2, own));
-                let (s, c) = (dy.atan2(dx) - oy.atan2(ox)).sin_cos();
+                let (s, c) = elementary::sin_cos(elementary::atan2(dy, dx) - elementary::atan2(oy, ox));
                 bodies[link].put([c, s], own, place);
             }
             (Some(((own, place), None)), Some((along, ..))) | (None, Some((along, own, place))) => {

@@ -163,7 +163,7 @@ fn mobility_in_a_flat_row_of_parallelograms_is_one_more_for_each() {
         (body.c, body.s) = (1.0, 0.0);
     }
     for i in 0..=5 {
-        // The rocker and the coupler behind it, both along the ground.
+        // The rocker and the coupler past it, both along the ground.
         (position.bodies[1 + i].x, position.bodies[1 + i].y) = (i as f64, 0.0);
         if i < 5 {
             (position.bodies[7 + i].x, position.bodies[7 + i].y) = (i as f64 + 1.0, 0.0);

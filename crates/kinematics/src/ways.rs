@@ -1,4 +1,4 @@
-//! The way of each group as a function of the coordinate.
+//! The assembly mode of each group as a function of the coordinate.
 
 /// Tolerance for rounding at an end of a range, in units of the coordinate.
 pub(crate) const END_ROUNDING: f64 = 1e-9;
@@ -21,35 +21,35 @@ pub(crate) fn shifted(coordinate: f64, low: f64, period: f64) -> f64 {
     low + if passed > period - END_ROUNDING { passed - period } else { passed }
 }
 
-/// A coordinate at which a group passes from one of its ways to another.
+/// A coordinate at which a group passes from one of its modes to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transition {
     /// The coordinate, rad or m.
     pub coordinate: f64,
     /// Index of the group.
     pub group: usize,
-    /// Its ways at smaller and at greater coordinates.
+    /// Its modes at smaller and at greater coordinates.
     pub ways: [u8; 2],
-    /// Whether two ways meet there; otherwise the motion is smooth and only the kind's numbering of its ways changes.
+    /// Whether two modes meet there; otherwise the motion is smooth and only the kind's numbering of its modes changes.
     pub is_change_point: bool,
 }
 
-/// The way of each group at every coordinate.
+/// The mode of each group at every coordinate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ways {
     /// Start of the interval that was followed.
     low: f64,
-    /// The length after which the ways repeat: that of the interval if the motion is periodic, a turn if it is an angle
+    /// The length after which the modes repeat: that of the interval if the motion is periodic, a turn if it is an angle
     /// and less than a turn.
     period: Option<f64>,
     /// In increasing order from `low`.
     transitions: Vec<Transition>,
-    /// The ways of all groups before, between and after the transitions: one row more than transitions.
+    /// The modes of all groups before, between and after the transitions: one row more than transitions.
     rows: Vec<Vec<u8>>,
 }
 
 impl Ways {
-    /// From the ways at the lower end and the transitions in increasing order.
+    /// From the modes at the lower end and the transitions in increasing order.
     pub(crate) fn new(low: f64, period: Option<f64>, first: Vec<u8>, transitions: Vec<Transition>) -> Self {
         let mut rows = Vec::with_capacity(transitions.len() + 1);
         let mut row = first;
@@ -61,7 +61,7 @@ impl Ways {
         Self { low, period, transitions, rows }
     }
 
-    /// The way of each group at a coordinate; at a transition, the way above it.
+    /// The mode of each group at a coordinate; at a transition, the mode above it.
     #[inline]
     pub fn at(&self, coordinate: f64) -> &[u8] {
         if self.transitions.is_empty() {
@@ -74,18 +74,18 @@ impl Ways {
         &self.rows[self.transitions.partition_point(|transition| transition.coordinate <= found)]
     }
 
-    /// Whether no group ever changes its way.
+    /// Whether no group ever changes its mode.
     #[inline]
     pub(crate) fn are_constant(&self) -> bool {
         self.transitions.is_empty()
     }
 
-    /// The length after which the ways repeat, rad or m; `None` where they don't.
+    /// The length after which the modes repeat, rad or m; `None` where they don't.
     pub(crate) fn period(&self) -> Option<f64> {
         self.period
     }
 
-    /// The transitions at which two ways meet.
+    /// The transitions at which two modes meet.
     pub(crate) fn change_points(&self) -> impl Iterator<Item = &Transition> {
         self.transitions.iter().filter(|transition| transition.is_change_point)
     }
@@ -96,7 +96,7 @@ impl Ways {
         self.period.map_or(apart, |period| apart - period * (apart / period).round())
     }
 
-    /// The ways of a mechanism with the same assembly at the coordinate `from`, in which the ways of some groups
+    /// The modes of a mechanism with the same assembly at the coordinate `from`, in which the modes of some groups
     /// don't meet.
     #[must_use]
     pub fn without(&self, from: f64, gone: impl Fn(usize) -> bool) -> Self {

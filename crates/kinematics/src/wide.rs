@@ -1,7 +1,7 @@
 //! The chain in about 32 digits, for the few questions about an assembly that 16 digits can't answer.
 //!
-//! Near a meeting of two ways the determinant is the square root of a difference of lengths: 16 digits of the lengths
-//! give only 8 digits of the determinant. These don't show whether the ways meet, pass close to each other or leave a
+//! Near a meeting of two modes the determinant is the square root of a difference of lengths: 16 digits of the lengths
+//! give only 8 digits of the determinant. These don't show whether the modes meet, pass close to each other or leave a
 //! gap.
 
 use std::cell::OnceCell;
@@ -21,7 +21,7 @@ const MOST_STATES: usize = 64;
 /// The links of a group and its determinant at one coordinate.
 pub(crate) type Solved = (Vec<Body<Dd>>, Dd);
 
-/// The way and the starting pose of each group at a coordinate.
+/// The mode and the starting pose of each group at a coordinate.
 pub(crate) trait Assembly {
     fn way(&self, group: usize, coordinate: f64) -> u8;
     /// Sets the links of groups that iterate to their starting poses.
@@ -74,14 +74,14 @@ impl<'a> Wide<'a> {
         self.extended.chain().is_some()
     }
 
-    /// Discards all states, because the ways of groups or the order have changed.
+    /// Discards all states, because the modes of groups or the order have changed.
     pub(crate) fn restart(&mut self, order: Order) {
         self.order = order;
         self.states.clear();
     }
 
-    /// Solves a group in the given way, and the groups that determine its motion in their ways. No others are solved,
-    /// so the numbers of a group don't depend on what else is needed. Only its own lack of an assembly is told as
+    /// Solves a group in the given mode, and the groups that determine its motion in their modes. No others are solved,
+    /// so the numbers of a group don't depend on what else is needed. Only its own lack of an assembly is reported as
     /// [`GroupError::NoAssembly`]: where a group before it ends, nothing is known of it.
     pub(crate) fn solve(
         &mut self,

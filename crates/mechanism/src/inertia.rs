@@ -27,7 +27,7 @@ impl VaryingInertia {
     /// The greatest moment of inertia, kg m²: that of one given as a number (docs/ranges.md).
     pub const MOST: f64 = 1e15;
 
-    /// The moment of inertia at a coordinate, kg m², and its derivative by the coordinate. Where it is not positive, or beyond
+    /// The moment of inertia at a coordinate, kg m², and its derivative with respect to the coordinate. Where it is not positive, or beyond
     /// [`MOST`](Self::MOST), neither is a number.
     pub fn at(&self, coordinate: f64) -> [f64; 2] {
         let found = self.formula.with_slope(coordinate).map(|number| self.factor * number);
@@ -60,7 +60,7 @@ impl Inertia {
         }
     }
 
-    /// The moment of inertia at a coordinate, kg m², and its derivative by the coordinate.
+    /// The moment of inertia at a coordinate, kg m², and its derivative with respect to the coordinate.
     pub fn at(&self, coordinate: f64) -> [f64; 2] {
         match self {
             Self::Constant(inertia) => [*inertia, 0.0],

@@ -3,6 +3,8 @@
 //! Units are SI (m, kg, s, rad, N), angles are counter-clockwise, y points up. Nothing here reads a file, solves an
 //! equation or prints. Link 0 is always the ground; links, points and slides are in the order of the scene.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod alike;
 mod drive;
 mod friction;

@@ -1,5 +1,7 @@
 //! The one condition that ties numbers of a mechanism together.
 
+use assur_number::elementary;
+
 use crate::{GROUND, LinkId, Point, Slide};
 
 /// Pins nearer than this, relative to the greatest coordinate of the mechanism, coincide.
@@ -18,7 +20,8 @@ pub fn links_of_length_zero(links: usize, points: &[Point], slides: &[Slide]) ->
             *first = place.at;
         }
         *count += 1;
-        *together &= (place.at[0] - first[0]).hypot(place.at[1] - first[1]) <= SAME_PLACE * greatest;
+        *together &=
+            elementary::hypot(place.at[0] - first[0], place.at[1] - first[1]) <= SAME_PLACE * greatest;
     }
     let slides_on = |link: LinkId| slides.iter().any(|slide| slide.link == link || slide.on == link);
     let zero = |link: &LinkId| {

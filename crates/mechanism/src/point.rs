@@ -1,5 +1,7 @@
 //! Reduction to a point of the input link instead of to the link (E eqs. 4-6).
 
+use assur_number::elementary;
+
 use crate::{InputPair, Mechanism, PointId};
 
 /// A point of the input link to which all loads are reduced as one force and all links as one mass.
@@ -22,7 +24,7 @@ impl ReductionPoint {
             InputPair::Pin(pin) => Some(mechanism.place_in(pin, link)?),
             InputPair::Slide(_) => None,
         };
-        let radius = |[x, y]: [f64; 2]| pin.map_or(1.0, |pin| (x - pin[0]).hypot(y - pin[1]));
+        let radius = |[x, y]: [f64; 2]| pin.map_or(1.0, |pin| elementary::hypot(x - pin[0], y - pin[1]));
         let all = (0..mechanism.points.len())
             .filter_map(|point| Some(Self { point, radius: radius(mechanism.place_in(point, link)?) }));
         all.filter(|found| found.radius > 0.0).reduce(

@@ -8,6 +8,7 @@
 
 use std::f64::consts::PI;
 
+use assur_number::elementary;
 use assur_words::{Text, text};
 use serde::Serialize;
 
@@ -44,7 +45,7 @@ pub struct FlywheelSize {
 impl FlywheelSize {
     fn new(shaft: &'static str, inertia: f64, angular_speed: f64) -> Self {
         let solid = PI * DENSITY * WIDTH_RATIO;
-        let diameter = (32.0 * inertia / solid).powf(0.2);
+        let diameter = elementary::powf(32.0 * inertia / solid, 0.2);
         let rim_speed = angular_speed.abs() * diameter / 2.0;
         Self {
             shaft,

@@ -21,14 +21,14 @@ const HALF_PI: [f64; 3] =
     [std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
 
 /// a + b exactly (Knuth).
-fn two_sum(a: f64, b: f64) -> Dd {
+pub(crate) fn two_sum(a: f64, b: f64) -> Dd {
     let hi = a + b;
     let part = hi - a;
     Dd { hi, lo: (a - (hi - part)) + (b - part) }
 }
 
 /// a + b exactly, |a| >= |b| (Dekker).
-fn quick_two_sum(a: f64, b: f64) -> Dd {
+pub(crate) fn quick_two_sum(a: f64, b: f64) -> Dd {
     let hi = a + b;
     Dd { hi, lo: b - (hi - a) }
 }
@@ -37,6 +37,19 @@ fn quick_two_sum(a: f64, b: f64) -> Dd {
 fn two_product(a: f64, b: f64) -> Dd {
     let hi = a * b;
     Dd { hi, lo: a.mul_add(b, -hi) }
+}
+
+/// a b exactly without a fused multiply-add, which takes long where the machine has none (Dekker); for |a|, |b| below 1e290.
+pub(crate) fn split_product(a: f64, b: f64) -> Dd {
+    /// 2^27 + 1 (Veltkamp): the product with it, less itself, leaves the upper half of the digits.
+    const SPLITTER: f64 = 134_217_729.0;
+    let halves = |x: f64| {
+        let wide = SPLITTER * x;
+        let upper = wide - (wide - x);
+        [upper, x - upper]
+    };
+    let ([a1, a2], [b1, b2], hi) = (halves(a), halves(b), a * b);
+    Dd { hi, lo: ((a1 * b1 - hi) + a1 * b2 + a2 * b1) + a2 * b2 }
 }
 
 impl Dd {

@@ -6,7 +6,10 @@
 //! sections along one variable, [`panel`] what a function on an interval is approximated by, and [`quadrature`] integrals with their
 //! errors. A [`Statistic`] gathers extremes and means.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod dd;
+pub mod elementary;
 mod intervals;
 mod lanes;
 pub mod panel;

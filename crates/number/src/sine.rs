@@ -81,10 +81,10 @@ pub(crate) fn quick(angle: f64) -> ([f64; 2], bool) {
 #[cold]
 #[inline(never)]
 pub(crate) fn precise(angle: f64) -> [f64; 2] {
-    /// Beyond it, rad, 32 digits leave less than 16 of the part of a turn; the platform's functions reduce any angle.
+    /// Beyond it, rad, 32 digits leave less than 16 of the part of a turn; `libm` reduces any angle.
     const GREATEST: f64 = 1e15;
     if angle.abs() > GREATEST {
-        return [angle.sin(), angle.cos()];
+        return [libm::sin(angle), libm::cos(angle)];
     }
     let (sine, cosine) = Dd::from_f64(angle).sin_cos();
     [sine.to_f64(), cosine.to_f64()]

@@ -125,7 +125,7 @@ impl Statistic {
         self.least.extreme().map(|least| Extreme { value: -least.value, ..least })
     }
 
-    /// The value of greatest modulus, with its sign.
+    /// The value of greatest magnitude, with its sign.
     pub fn farthest(&self) -> Option<Extreme> {
         let (greatest, least) = (self.greatest()?, self.least()?);
         let [high, low] = [greatest, least].map(|extreme| extreme.value.abs());

@@ -1,3 +1,4 @@
+mod elementary;
 mod search;
 mod statistic;
 

@@ -20,7 +20,7 @@ const FLAT: f64 = 0.5;
 const LONGEST_FORCE: f64 = 0.25;
 /// Longest arrow of the legend, as part of the longest one of the drawing.
 const TOLD: f64 = 0.5;
-/// First and second derivative by time.
+/// First and second derivative with respect to time.
 const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
 /// The orders of derivatives to draw.
 fn orders(look: &Look<'_>) -> &'static [u8] {

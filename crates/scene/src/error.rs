@@ -132,7 +132,7 @@ pub(crate) struct Faults {
     more: Cell<usize>,
     /// What is allowed, but probably not meant: its place and what it says.
     mistakes: RefCell<Vec<(Range<usize>, Text)>>,
-    /// What is told of the numbers, where somebody asks.
+    /// What is reported of the numbers, where somebody asks.
     pub(crate) told: Option<RefCell<Told>>,
 }
 

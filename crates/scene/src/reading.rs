@@ -89,7 +89,7 @@ impl SceneNumber {
     }
 }
 
-/// What is told while reading: numbers with what they may be, and where in the mechanism they stand.
+/// What is reported while reading: numbers with what they may be, and where in the mechanism they stand.
 #[derive(Debug, Default)]
 pub(crate) struct Told {
     numbers: Vec<(Range<usize>, Option<Dimension>, Option<Limits>)>,

@@ -1,6 +1,7 @@
 //! The counterweights that make the shaking force least, in the mean square or at its greatest.
 
 use assur_kinematics::PositionError;
+use assur_number::elementary;
 use nalgebra::{DMatrix, DVector};
 
 use crate::cone::LinearForce;
@@ -28,7 +29,7 @@ const SPREAD: usize = 24;
 pub(crate) struct Fit {
     /// Greatest force without counterweights, N.
     force: f64,
-    /// Greatest sum of the moduli of the terms of the force, N.
+    /// Greatest sum of the magnitudes of the terms of the force, N.
     terms: f64,
     /// Greatest force of a counterweight of 1 kg m along each axis, over the greatest force without counterweights.
     scales: Vec<f64>,
@@ -45,7 +46,7 @@ impl Fit {
     pub(crate) fn of(samples: &[Sample], carriers: usize) -> Option<Self> {
         let mut rows: Vec<LinearForce> = samples.iter().map(|sample| plain(sample, carriers)).collect();
         // Forces and columns of size 1, so that neither units nor lengths matter.
-        let size = |value: [f64; 2]| value[0].hypot(value[1]);
+        let size = |value: [f64; 2]| elementary::hypot(value[0], value[1]);
         let force = rows.iter().map(|row| size(row.force)).fold(0.0, f64::max);
         if force == 0.0 {
             return None;
@@ -88,7 +89,7 @@ impl Fit {
         for _ in 0..MOST_ROUNDS {
             let force = |at: &Sample| {
                 let [x, y] = at.balanced(&carriers, &products).0;
-                x.hypot(y)
+                elementary::hypot(x, y)
             };
             let tops = course.tops(force)?;
             let most = tops.iter().map(force).fold(0.0, f64::max);

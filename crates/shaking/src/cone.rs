@@ -1,13 +1,14 @@
-//! The least maximum of the moduli of forces that depend linearly on a few unknowns, and the proof that it is the least.
+//! The least maximum of the magnitudes of forces that depend linearly on a few unknowns, and the proof that it is the least.
 //!
 //! The problem is convex: find w and the least t with `|F_i + B_i w| <= t`, a program of second-order cones. It is solved
 //! with its dual by an interior-point method with the scaling of Nesterov and Todd (Andersen, Roos, Terlaky, On
 //! implementing a primal-dual interior-point method for conic quadratic optimization, 2003; Vandenberghe, The CVXOPT linear
 //! and quadratic cone program solvers, 2010).
 //!
-//! The proof are forces `y_i` with `sum |y_i| = 1`: for every w, the greatest modulus of `F_i + B_i w` is at least
+//! The proof are forces `y_i` with `sum |y_i| = 1`: for every w, the greatest magnitude of `F_i + B_i w` is at least
 //! `sum y_i (F_i + B_i w)`, which is the same for all w where `sum B_i y_i = 0`.
 
+use assur_number::elementary;
 use nalgebra::{DMatrix, DVector};
 
 /// Greatest number of steps; about fifteen are needed.
@@ -19,14 +20,14 @@ const INSIDE: f64 = 0.99;
 /// A shorter step no longer moves anything but rounding.
 const SHORTEST: f64 = 1e-8;
 
-/// The unknowns that make the greatest modulus of some forces least.
+/// The unknowns that make the greatest magnitude of some forces least.
 pub(crate) struct Least {
     pub(crate) unknowns: DVector<f64>,
-    /// No unknowns make the greatest modulus less than this.
+    /// No unknowns make the greatest magnitude less than this.
     pub(crate) bound: f64,
 }
 
-/// Makes the greatest modulus of the forces of `rows`, which are of size 1, least, from any start. `radius` is a bound of the modulus of the best unknowns; what is
+/// Makes the greatest magnitude of the forces of `rows`, which are of size 1, least, from any start. `radius` is a bound of the magnitude of the best unknowns; what is
 /// missing between maximum and bound is at most `missing`, if rounding permits.
 pub(crate) fn least_maximum(rows: &[LinearForce], start: &DVector<f64>, radius: f64, missing: f64) -> Least {
     let mut points = Points::above(rows, start);
@@ -34,7 +35,7 @@ pub(crate) fn least_maximum(rows: &[LinearForce], start: &DVector<f64>, radius: 
     let mut greatest = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let found = points.point.rows(1, start.len()).into_owned();
-        let modulus = rows.iter().map(|row| row.at(found.as_slice())).map(|[x, y]| x.hypot(y));
+        let modulus = rows.iter().map(|row| row.at(found.as_slice())).map(|[x, y]| elementary::hypot(x, y));
         let here = modulus.fold(0.0, f64::max);
         least.bound = least.bound.max(bound(rows, &points.dual, radius));
         if here < greatest {
@@ -56,7 +57,7 @@ struct Points {
 
 impl Points {
     fn above(rows: &[LinearForce], start: &DVector<f64>) -> Self {
-        let modulus = rows.iter().map(|row| row.at(start.as_slice())).map(|[x, y]| x.hypot(y));
+        let modulus = rows.iter().map(|row| row.at(start.as_slice())).map(|[x, y]| elementary::hypot(x, y));
         let most = modulus.fold(0.0, f64::max);
         let point =
             DVector::from_iterator(1 + start.len(), [1.5 * most].into_iter().chain(start.iter().copied()));
@@ -172,12 +173,12 @@ fn quotient(a: Cone, b: Cone) -> Cone {
     [first, (b[1] - first * a[1]) / a[0], (b[2] - first * a[2]) / a[0]]
 }
 
-/// A modulus and a vector; inside the cone the modulus is greater than that of the vector.
+/// A magnitude and a vector; inside the cone the magnitude is greater than that of the vector.
 pub(crate) type Cone = [f64; 3];
 
-/// The square of the modulus less that of the vector.
+/// The square of the magnitude less that of the vector.
 pub(crate) fn inner([t, x, y]: Cone) -> f64 {
-    let size = x.hypot(y);
+    let size = elementary::hypot(x, y);
     (t - size) * (t + size)
 }
 
@@ -257,10 +258,10 @@ impl LinearForce {
     }
 }
 
-/// The best bound that a dual point proves for all unknowns of a modulus up to `radius`, with all its rows or with those alone
+/// The best bound that a dual point proves for all unknowns of a magnitude up to `radius`, with all its rows or with those alone
 /// that have a share in it.
 pub(crate) fn bound(rows: &[LinearForce], dual: &[Cone], radius: f64) -> f64 {
-    let size = |[_, x, y]: Cone| x.hypot(y);
+    let size = |[_, x, y]: Cone| elementary::hypot(x, y);
     let most = dual.iter().copied().map(size).fold(0.0, f64::max);
     let bound = |share: f64| {
         let shared = rows.iter().zip(dual).filter(|(_, dual)| size(**dual) >= share * most);
@@ -299,7 +300,7 @@ impl<'r> Shares<'r> {
     /// of it only, since the dual is at its greatest.
     fn balance(&mut self) {
         let left = self.left();
-        let weights: Vec<f64> = self.forces.iter().map(|[x, y]| x.hypot(*y).sqrt()).collect();
+        let weights: Vec<f64> = self.forces.iter().map(|[x, y]| elementary::hypot(*x, *y).sqrt()).collect();
         let matrix = DMatrix::from_fn(left.len(), 2 * self.rows.len(), |unknown, at| {
             weights[at / 2] * self.rows[at / 2].columns[unknown][at % 2]
         });
@@ -312,9 +313,9 @@ impl<'r> Shares<'r> {
         }
     }
 
-    /// The greatest modulus is at least this for all unknowns of a modulus up to `radius`.
+    /// The greatest magnitude is at least this for all unknowns of a magnitude up to `radius`.
     fn bound(&self, radius: f64) -> f64 {
-        let size: f64 = self.forces.iter().map(|[x, y]| x.hypot(*y)).sum();
+        let size: f64 = self.forces.iter().map(|[x, y]| elementary::hypot(*x, *y)).sum();
         let each = self.rows.iter().zip(&self.forces);
         let work: f64 = each.map(|(row, [x, y])| x * row.force[0] + y * row.force[1]).sum();
         if size > 0.0 { (work - radius * self.left().norm()) / size } else { 0.0 }

@@ -2,7 +2,7 @@
 //! them.
 
 use assur_kinematics::PositionError;
-use assur_number::search;
+use assur_number::{elementary, search};
 
 use crate::samples::{Sample, Sampler};
 
@@ -17,7 +17,7 @@ const HALVINGS: u32 = 12;
 /// by the square of that, to less than rounding.
 const SECTIONS: usize = 26;
 
-/// Rounding of a sum of inertia loads, in parts of the sum of their moduli: a thousand times that of its terms, since the
+/// Rounding of a sum of inertia loads, in parts of the sum of their magnitudes: a thousand times that of its terms, since the
 /// accelerations of groups near singular positions are less accurate.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
@@ -111,7 +111,10 @@ impl Scales {
         let above = |value: f64, terms: f64| value.max(ROUNDING / STRAIGHT * terms);
         let count = samples.first().map_or(0, |sample| sample.units.len());
         Self {
-            force: above(greatest(&|at| at.force[0].hypot(at.force[1])), greatest(&|at| at.terms.force)),
+            force: above(
+                greatest(&|at| elementary::hypot(at.force[0], at.force[1])),
+                greatest(&|at| at.terms.force),
+            ),
             moment: above(greatest(&|at| at.moment.abs()), greatest(&|at| at.terms.moment)),
             units: (0..count).map(|i| greatest(&|at| at.units[i].size())).collect(),
         }
@@ -120,7 +123,8 @@ impl Scales {
     /// Whether the middle of an interval is off the line between its ends.
     fn bent(&self, [low, high]: [&Sample; 2], middle: &Sample) -> bool {
         let off = |of: &dyn Fn(&Sample) -> f64| (of(middle) - f64::midpoint(of(low), of(high))).abs();
-        let vector = |of: &dyn Fn(&Sample) -> [f64; 2]| off(&|at| of(at)[0]).hypot(off(&|at| of(at)[1]));
+        let vector =
+            |of: &dyn Fn(&Sample) -> [f64; 2]| elementary::hypot(off(&|at| of(at)[0]), off(&|at| of(at)[1]));
         let unit = |(i, scale): (usize, &f64)| {
             let of = |axis: usize| vector(&move |at| at.units[i].forces[axis]);
             of(0).max(of(1)) > STRAIGHT * scale

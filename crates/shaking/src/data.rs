@@ -28,7 +28,7 @@ pub struct Shaking {
 /// How large shaking force and moment are over the cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Size {
-    /// Greatest modulus of the force, N, found between positions.
+    /// Greatest magnitude of the force, N, found between positions.
     pub greatest_force: f64,
     /// Root of the mean square of the force over the coordinate, N.
     pub rms_force: f64,
@@ -59,7 +59,7 @@ pub struct Harmonic {
 pub enum Criterion {
     /// The mean square of the shaking force.
     LeastSquares,
-    /// The greatest modulus of the shaking force.
+    /// The greatest magnitude of the shaking force.
     LeastMaximum,
 }
 
@@ -72,7 +72,7 @@ pub struct Balanced {
     pub counterweights: Vec<Counterweight>,
     /// Sizes with them.
     pub after: Size,
-    /// Where the greatest modulus is made least: the proof that no counterweights on these links make it less.
+    /// Where the greatest magnitude is made least: the proof that no counterweights on these links make it less.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub proof: Option<Proof>,
 }

@@ -9,6 +9,8 @@
 //!
 //! SI units, angles in rad.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod balance;
 mod cone;
 mod course;

@@ -7,6 +7,7 @@ use assur_group::plane::{minus, perp, plus, scaled};
 use assur_group::{Body, Order, Wrench};
 use assur_kinematics::{Linkage, Position, PositionError};
 use assur_mechanism::{GROUND, LinkId};
+use assur_number::elementary;
 
 use crate::ShakingError;
 use crate::data::Harmonic;
@@ -33,7 +34,7 @@ pub(crate) fn carriers(linkage: &Linkage) -> Vec<Carrier> {
         let (pin, own) = pin?;
         let places = mechanism.points.iter().flat_map(|point| &point.places);
         let arms = places.filter(|place| place.link == link).map(|place| minus(place.at, own));
-        let radius = arms.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+        let radius = arms.map(|[x, y]| elementary::hypot(x, y)).fold(0.0, f64::max);
         (radius > 0.0).then_some(Carrier { link, pin, radius })
     };
     let mut found: Vec<_> = (1..mechanism.links.len()).filter_map(carrier).collect();
@@ -49,13 +50,13 @@ pub(crate) struct Sample {
     pub(crate) force: [f64; 2],
     /// Shaking moment about the origin, N m.
     pub(crate) moment: f64,
-    /// Sums of the moduli of the terms of force and moment.
+    /// Sums of the magnitudes of the terms of force and moment.
     pub(crate) terms: Terms,
     /// What a unit counterweight on each carrier adds.
     pub(crate) units: Vec<Unit>,
 }
 
-/// Sums of the moduli of the terms of force (N) and moment (N m), by which their rounding is measured.
+/// Sums of the magnitudes of the terms of force (N) and moment (N m), by which their rounding is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Terms {
     pub(crate) force: f64,
@@ -98,7 +99,7 @@ impl Unit {
 
     /// Modulus of the force of 1 kg m, N.
     pub(crate) fn size(&self) -> f64 {
-        self.forces[0][0].hypot(self.forces[0][1])
+        elementary::hypot(self.forces[0][0], self.forces[0][1])
     }
 
     /// Force of a counterweight, given by its mass times radius in the frame of the link, kg m.
@@ -109,7 +110,8 @@ impl Unit {
     /// Its moment about the origin when it is put at a radius, N m.
     pub(crate) fn moment(&self, product: [f64; 2], radius: f64) -> f64 {
         let [fx, fy] = self.force(product);
-        self.pin[0] * fy - self.pin[1] * fx + self.turning * product[0].hypot(product[1]) * radius
+        self.pin[0] * fy - self.pin[1] * fx
+            + self.turning * elementary::hypot(product[0], product[1]) * radius
     }
 }
 
@@ -138,9 +140,9 @@ impl<'a> Sampler<'a> {
         let (mut total, mut terms) = (Wrench::ZERO, Terms::default());
         for (body, wrench) in bodies.iter().zip(&self.wrenches) {
             total.add_at([body.x, body.y], wrench.force(), wrench.m);
-            let force = wrench.fx.hypot(wrench.fy);
+            let force = elementary::hypot(wrench.fx, wrench.fy);
             terms.force += force;
-            terms.moment += wrench.m.abs() + body.x.hypot(body.y) * force;
+            terms.moment += wrench.m.abs() + elementary::hypot(body.x, body.y) * force;
         }
         let units = self.carriers.iter().map(|carrier| Unit::of(carrier, &bodies[carrier.link], &state));
         Ok(Sample { coordinate, force: total.force(), moment: total.m, terms, units: units.collect() })
@@ -171,7 +173,7 @@ pub(crate) fn harmonics(samples: &[(Sample, f64)], period: f64) -> Vec<Harmonic>
         let factor = if order == 0 { 1.0 / count } else { 2.0 / count };
         let mut sum = Harmonic { order, ..Harmonic::default() };
         for (sample, torque) in samples {
-            let (sin, cos) = (order as f64 * TAU * sample.coordinate / period).sin_cos();
+            let (sin, cos) = elementary::sin_cos(order as f64 * TAU * sample.coordinate / period);
             let add = |to: &mut [f64; 2], value: f64| {
                 to[0] += factor * value * cos;
                 to[1] += factor * value * sin;

@@ -3,6 +3,7 @@
 use assur_force::{LoadState, Loads};
 use assur_kinematics::{Linkage, PositionError};
 use assur_mechanism::{Mechanism, Motion, Range};
+use assur_number::elementary;
 
 use crate::ShakingError;
 use crate::balance::Fit;
@@ -145,7 +146,7 @@ fn size(
     Ok(Size {
         greatest_force: course.greatest(|sample| {
             let [x, y] = of(sample).0;
-            x.hypot(y)
+            elementary::hypot(x, y)
         })?,
         rms_force: mean(force),
         greatest_moment: course.greatest(|sample| of(sample).1.abs())?,
@@ -154,11 +155,11 @@ fn size(
 }
 
 fn described(linkage: &Linkage, carrier: &Carrier, [x, y]: [f64; 2]) -> Counterweight {
-    let product = x.hypot(y);
+    let product = elementary::hypot(x, y);
     Counterweight {
         link: linkage.mechanism.named_link(carrier.link),
         product,
-        angle: y.atan2(x),
+        angle: elementary::atan2(y, x),
         radius: carrier.radius,
         mass: product / carrier.radius,
     }

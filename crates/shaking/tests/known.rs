@@ -83,7 +83,7 @@ fn counterweight_of_a_slider_crank() {
     assert!(least.after.rms_force < found.before.rms_force);
 }
 
-/// A Scotch yoke moves in one harmonic: with half of the reciprocating mass balanced the force has one modulus all over.
+/// A Scotch yoke moves in one harmonic: with half of the reciprocating mass balanced the force has one magnitude all over.
 #[test]
 fn least_maximum_of_a_scotch_yoke() {
     let scene = format!(

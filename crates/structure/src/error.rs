@@ -123,7 +123,7 @@ assur_words::errors!(StructureError; Registry(RegistryError));
 impl Describe for StructureError {
     fn describe(&self) -> Text {
         match self {
-            // A link alone hangs on one pair; several with all their points joined are held as in a chain of five links.
+            // A link alone is attached by one pair; several with all their points joined are held as in a chain of five links.
             Self::Loose { counted, links, surplus, alike: None, alone }
                 if counted.mobility == 2 && links.len() > 1 && surplus.is_empty() && alone.is_empty() =>
             {

@@ -2,6 +2,7 @@
 
 use assur_group::{GroupFrame, Pair, PairGeometry};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place, PointId, Slide, SlideId};
+use assur_number::elementary;
 
 use crate::excess::LeftOut;
 use crate::{NamedPair, Structure};
@@ -59,7 +60,7 @@ fn greatest_distance(mut places: Vec<Place>) -> f64 {
         let far = outlying(of_link);
         for (i, a) in far.iter().enumerate() {
             for b in &far[..i] {
-                longest = longest.max((a[0] - b[0]).hypot(a[1] - b[1]));
+                longest = longest.max(elementary::hypot(a[0] - b[0], a[1] - b[1]));
             }
         }
     }
@@ -76,7 +77,7 @@ fn outlying(places: &[Place]) -> Vec<[f64; 2]> {
     let side = (high[0] - low[0]).max(high[1] - low[1]);
     let reach = |at: &[f64; 2]| {
         let [x, y] = [0, 1].map(|k| (at[k] - low[k]).max(high[k] - at[k]));
-        x.hypot(y)
+        elementary::hypot(x, y)
     };
     // A little less than the side, because of rounding.
     places.iter().map(|place| place.at).filter(|at| reach(at) >= 0.999 * side).collect()

@@ -5,6 +5,8 @@
 //! equations to unknowns shows which links are loose and which pairs are surplus. The strongly connected parts of the
 //! matched system are the Assur groups, of any class and order, in solving order.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod components;
 mod compose;
 mod error;

@@ -16,9 +16,9 @@ pub struct Structure {
     /// What repeats constraints of others and is left out of the groups, in the order in which its links are placed.
     pub passive: Vec<Passive>,
     /// Where the passive parts need points in the first position, m: those of groups that `[assembly]` leaves free. Empty where the
-    /// first way of each group is theirs.
+    /// first mode of each group is theirs.
     pub placed: Vec<(PointId, [f64; 2])>,
-    /// The ways of groups, by index, that the passive parts need where the ways meet in the first position, so that no place of a point
+    /// The modes of groups, by index, that the passive parts need where the modes meet in the first position, so that no place of a point
     /// tells them apart.
     pub ways: Vec<(usize, u8)>,
     /// Number of links, the ground included.

@@ -2,6 +2,7 @@
 
 use assur_kinematics::{Linkage, continuous_angle, first_angle};
 use assur_mechanism::LinkId;
+use assur_number::elementary;
 
 /// An angle that differs by more than this (rad) from what the transfer functions at both ends of a step let expect is
 /// not joined over the whole step.
@@ -33,13 +34,13 @@ impl Angles {
         poses: impl Iterator<Item = (LinkId, [f64; 3])>,
     ) -> &[[f64; 2]] {
         let Some(from) = self.last.replace(coordinate) else {
-            self.links.extend(poses.map(|(_, [c, s, w])| [first_angle(s.atan2(c)), w]));
+            self.links.extend(poses.map(|(_, [c, s, w])| [first_angle(elementary::atan2(s, c)), w]));
             return &self.links;
         };
         let way = coordinate - from;
         for ([angle, rate], (link, [c, s, w])) in self.links.iter_mut().zip(poses) {
             let expected = *angle + 0.5 * (*rate + w) * way;
-            let plain = s.atan2(c);
+            let plain = elementary::atan2(s, c);
             let joined = continuous_angle(plain, expected);
             // Comparing this way round, an angle that is not a number is unclear too.
             let clear = (joined - expected).abs() <= UNCLEAR;
@@ -56,7 +57,7 @@ fn in_steps(linkage: &Linkage, link: LinkId, ends: [f64; 2], start: f64, end: f6
     let mut angle = start;
     linkage.each_between(ends, |position| {
         let body = &position.bodies[link];
-        angle = continuous_angle(body.s.atan2(body.c), angle);
+        angle = continuous_angle(elementary::atan2(body.s, body.c), angle);
     });
     continuous_angle(end, angle)
 }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use assur_mechanism::Mechanism;
+use assur_number::elementary;
 use assur_scene::edit::{ParsedText, TextPlace, decimal, split};
 use assur_scene::{Dimension, Reading, SceneNumber, Unit, quantity};
 use assur_words::{Describe, Text, joined, name, quantity as quantity_of, text, unit as quantity_unit};
@@ -151,7 +152,7 @@ impl Axis {
             self.written.as_ref().filter(|_| self.name.is_empty() && self.follows.is_none())?;
         let (measures, end) = (self.measures?, self.from.abs().max(self.to.abs()));
         let unit = Unit::of(written, measures).ok().filter(|_| !written.is_empty())?;
-        let away = |value: f64| (value / unit.si(*own)).abs().ln().abs();
+        let away = |value: f64| elementary::ln((value / unit.si(*own)).abs()).abs();
         (away(unit.si(end)) < away(end)).then(|| {
             let ends = [self.from, self.to].map(|number| End { number, unit: written.clone() }.text());
             text!(

@@ -40,7 +40,7 @@ fn modulus(of: &Extremes) -> f64 {
     of.min.abs().max(of.max.abs())
 }
 
-/// Puts the greatest magnitudes of the first or second derivative of everything that moves; `factor`: of a derivative by the coordinate,
+/// Puts the greatest magnitudes of the first or second derivative of everything that moves; `factor`: of a derivative with respect to the coordinate,
 /// `None` where it is not known; `name`: of the part and the unit of what moves, rad or m.
 fn derivatives(
     layout: &Layout,

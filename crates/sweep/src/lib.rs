@@ -23,6 +23,8 @@
 //! (`variants`). Structure and plan are reused. The positions are solved eight at once, and add to statistics of what is
 //! measured. A thread keeps its memory from one point to the next.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod angles;
 mod axis;
 mod between;

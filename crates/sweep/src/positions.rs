@@ -7,7 +7,7 @@ use assur_group::plane::{dot, minus, vector};
 use assur_group::{Body, GroupError, Wrench};
 use assur_kinematics::{LanePosition, Position, PositionError};
 use assur_mechanism::{Motion, Slide};
-use assur_number::{Lanes, Real};
+use assur_number::{Lanes, Real, elementary};
 use assur_shaking::shaking_size;
 use assur_words::{Describe, Text, number, quantity, text};
 
@@ -281,7 +281,7 @@ fn lesser(a: Lanes, b: Lanes) -> Lanes {
 /// Displacement of a slide, m.
 fn along(slide: &Slide, bodies: &[Body<Lanes>]) -> Lanes {
     let (slider, carrier) = (&bodies[slide.link], &bodies[slide.on]);
-    let (s, c) = slide.angle.sin_cos();
+    let (s, c) = elementary::sin_cos(slide.angle);
     let way = minus(slider.point(vector(slide.point)), carrier.point(vector(slide.through)));
     dot(carrier.turned(vector([c, s])), way)
 }

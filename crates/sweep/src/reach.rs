@@ -1,4 +1,4 @@
-//! Which parts of a mechanism the parameters of a sweep can change, by structure: a link moves differently if a length of its group or
+//! Dependency analysis by structure: which positions and reactions the parameters of a sweep can affect. A link moves differently if a length of its group or
 //! of a group solved before it changes, and a reaction changes with the motion or with a load that reaches it.
 
 use assur_kinematics::decompose;

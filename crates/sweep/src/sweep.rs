@@ -6,6 +6,7 @@ use std::sync::mpsc::{Receiver, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use assur_analysis::Options;
+use assur_number::elementary;
 use assur_scene::edit::ParsedText;
 use assur_words::{Describe, Text, list, name, number, text};
 
@@ -120,7 +121,7 @@ impl Sweep {
         let mut layout = Layout::of(&richest, &options);
         layout.aim(&targets)?;
         let places = richest.points.iter().flat_map(|point| &point.places);
-        let size = places.map(|place| place.at[0].hypot(place.at[1])).fold(0.0, f64::max);
+        let size = places.map(|place| elementary::hypot(place.at[0], place.at[1])).fold(0.0, f64::max);
         let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.doubt()?)));
         let doubts = of_units.chain(targets.iter().filter_map(|target| target.doubt(size))).collect();
         let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);

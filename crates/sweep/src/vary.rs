@@ -1,6 +1,7 @@
 //! A parameter as a user writes it.
 
 use assur_mechanism::Key;
+use assur_number::elementary;
 use assur_scene::edit::decimal;
 use assur_words::{Text, joined, name, quantity, text};
 
@@ -131,11 +132,11 @@ impl Target {
         /// A place so many sizes of the mechanism away was meant in mm.
         const FAR: f64 = 20.0;
         let [x, y] = self.at;
-        (self.is_bare && x.hypot(y) > FAR * size).then(|| {
+        (self.is_bare && elementary::hypot(x, y) > FAR * size).then(|| {
             let shown = |length: f64| quantity(format!("{length:.3e}").parse().unwrap_or(length), "m");
             let told = text!(
                 "sweep-far-target",
-                away = shown(x.hypot(y)),
+                away = shown(elementary::hypot(x, y)),
                 size = shown(size),
                 instead = name(format!("{}={x} mm,{y} mm", self.point))
             );

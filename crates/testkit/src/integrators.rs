@@ -92,7 +92,7 @@ pub fn judge_method(plugin: &IntegratorPlugin) -> Result<(), Fault> {
         let request = Request { samples: 7, ..Request::new(problem.initial, problem.until) };
         let found = match plugin.solve(&mut *motion, &request) {
             Ok(found) => found,
-            // Some methods find out only on the way that they can't treat an equation.
+            // Some methods find out only during the motion that they don't support an equation.
             Err(IntegrationError::Unsupported { .. }) => continue,
             Err(error) => return Err(Fault::of_entry("solve", format!("{}: {error}", problem.name))),
         };

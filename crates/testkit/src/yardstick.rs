@@ -95,7 +95,7 @@ pub fn slider_crank<T: Real>([s, c]: [T; 2]) -> [T; 8] {
 }
 
 /// Positions of the six-bar with a crank of 0.1 m at the origin, a rocker on (0, -0.4 m) guided by a stone on the crank pin,
-/// and a ram on y = 0.28 m moved by a stone on the rocker; derivatives by the crank's angle.
+/// and a ram on y = 0.28 m moved by a stone on the rocker; derivatives with respect to the crank's angle.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SixBar<T> {
     /// Direction of the rocker.

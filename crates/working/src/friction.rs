@@ -51,7 +51,7 @@ impl Work<'_> {
         true
     }
 
-    /// Writes the moduli of a block, step by step.
+    /// Writes the magnitudes of a block, step by step.
     fn iteration(
         &mut self,
         found: &FrictionIteration,
@@ -135,7 +135,7 @@ impl Work<'_> {
     }
 }
 
-/// A modulus in words.
+/// A magnitude in words.
 fn modulus(mechanism: &Mechanism, bearing: &Bearing, kind: UnknownKind) -> Text {
     let pair = Text::from(name_of(mechanism, bearing.pair));
     match kind {

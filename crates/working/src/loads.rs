@@ -81,7 +81,7 @@ impl Work<'_> {
         self.sheet.given(symbol, found.mass, "kg", text!("working-mass"))
     }
 
-    /// The moment of inertia of a link, and its derivative by the coordinate; zero where there is none.
+    /// The moment of inertia of a link, and its derivative with respect to the coordinate; zero where there is none.
     pub(crate) fn own_inertia(&mut self, link: LinkId) -> [Expr; 2] {
         let found = self.linkage.mechanism.links[link].inertia.clone();
         let symbol = Symbol::from("I").of(self.sheet.body_name(link));

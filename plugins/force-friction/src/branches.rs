@@ -15,7 +15,7 @@ pub(crate) struct Branch {
     /// Reactions without the forces and moments of friction.
     pub(crate) pairs: Vec<Wrench<f64>>,
     pub(crate) balancing: f64,
-    /// The moduli, block by block.
+    /// The magnitudes, block by block.
     pub(crate) moduli: Vec<f64>,
 }
 
@@ -112,7 +112,7 @@ impl Chain<'_> {
         Ok(())
     }
 
-    /// The moduli of a solution near expected ones, with all coefficients times `scale`.
+    /// The magnitudes of a solution near expected ones, with all coefficients times `scale`.
     pub(crate) fn near(&self, loads: &[Wrench<f64>], scale: f64, expected: &[f64]) -> Option<Vec<f64>> {
         let pairs = vec![Wrench::ZERO; self.linkage.structure.pairs.len()];
         let mut branch = Branch { loads: loads.to_vec(), pairs, balancing: 0.0, moduli: Vec::new() };
@@ -206,7 +206,7 @@ impl Chain<'_> {
 /// Most steps of the iteration that are reported, and the relative change at which it stands still.
 const TOLD: (usize, f64) = (12, 1e-10);
 
-/// The moduli by the textbook iteration, until they stand still.
+/// The magnitudes by the textbook iteration, until they stand still.
 fn steps(moduli: &Moduli) -> Vec<Vec<f64>> {
     let mut all = vec![moduli.step(&vec![0.0; moduli.count()])];
     while let (Some(last), true) = (all.last(), all.len() < TOLD.0) {
@@ -257,7 +257,7 @@ pub(crate) fn taken(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions)
     followed(chain, loads, found).or(least)
 }
 
-/// A part of the coefficients with certainly one solution, as great as the spectral radii promise, and its moduli.
+/// A part of the coefficients with certainly one solution, as great as the spectral radii promise, and its magnitudes.
 fn start(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<PathPoint> {
     let radius = found.certificates.iter().copied().filter(|radius| radius.is_finite()).fold(0.0, f64::max);
     let parts = [0.9 / radius.max(1.0), START.min(0.01 / radius.max(1e-300))];

@@ -1,4 +1,4 @@
-//! The linear part: the reactions of the groups of a block to loads and to the friction of each modulus of size 1.
+//! The linear part: the reactions of the groups of a block to loads and to the friction of each magnitude of size 1.
 
 use std::ops::Range;
 
@@ -35,12 +35,12 @@ pub(crate) struct Responses {
     drives: Vec<f64>,
 }
 
-/// A block with its loads: everything linear in the moduli.
+/// A block with its loads: everything linear in the magnitudes.
 #[derive(Debug)]
 pub(crate) struct Prepared {
     /// The first is that to the loads, without friction.
     pub(crate) all: Responses,
-    /// By modulus, the response to its friction where it has size 1.
+    /// By magnitude, the response to its friction where it has size 1.
     pub(crate) each: Vec<usize>,
     pub(crate) moduli: Moduli,
 }

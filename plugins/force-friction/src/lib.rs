@@ -1,8 +1,8 @@
 //! Group by group with dry friction: what `force-groups` does, where friction is added to the loads of the links.
 //!
-//! Friction depends on moduli of reactions. In each block (a group, or several that the owner of a joint's journal couples) the
-//! reactions are linear in the moduli, so that these fulfill z = |a + W z| ([`assur_friction`]); a and W are what the kernel of
-//! the group answers to the loads and to the friction of one modulus after the other. Where the certificate proves one solution
+//! Friction depends on magnitudes of reactions. In each block (a group, or several that the owner of a joint's journal couples) the
+//! reactions are linear in the magnitudes, so that these fulfill z = |a + W z| ([`assur_friction`]); a and W are what the kernel of
+//! the group answers to the loads and to the friction of one magnitude after the other. Where the certificate proves one solution
 //! it is found by the iteration and Newton's method; elsewhere all solutions are found, and each leads on to the groups before.
 //!
 //! ```text
@@ -11,7 +11,9 @@
 //!
 //! Where the balancing load acts elsewhere, the whole mechanism is one block, with the drive idle. In a motion whose acceleration is
 //! looked for it is one block too, with the acceleration in place of the balancing load: the drive is known, and the equation of
-//! the input link gives the acceleration linearly in the moduli, through the inertia loads.
+//! the input link gives the acceleration linearly in the magnitudes, through the inertia loads.
+
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod branches;
 mod chain;
@@ -23,7 +25,7 @@ use assur_force::{
 };
 use assur_group::{AssurGroup, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};
-use assur_number::Lanes;
+use assur_number::{Lanes, elementary};
 use assur_words::text;
 
 use branches::Branch;
@@ -144,7 +146,7 @@ impl Chain<'_> {
         for unknown in &self.frictions.unknowns {
             let bearing = &self.frictions.bearings[unknown.bearing];
             let [x, y] = unknown.vector(bearing, &self.position.bodies, &branch.pairs);
-            let size = if unknown.is_modulus() { x.hypot(y) } else { x };
+            let size = if unknown.is_modulus() { elementary::hypot(x, y) } else { x };
             let factor = self.factor(unknown, 1.0) * size;
             let (share, moment) = (factor * unknown.share(bearing), factor * unknown.moment(bearing));
             forces[unknown.bearing] += share;

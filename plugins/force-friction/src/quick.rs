@@ -73,7 +73,7 @@ impl<'a, T: Real, const N: usize> Bearings<'a, T, N> {
 }
 
 impl<T: Real> Rubbing<'_, T> {
-    /// Adds the load of a sum of moduli of this size, or of a normal force.
+    /// Adds the load of a sum of magnitudes of this size, or of a normal force.
     #[inline(always)]
     fn load(&self, is_normal: bool, size: T, bodies: &[Body<T>], loads: &mut [Wrench<T>]) {
         let kind = if is_normal { UnknownKind::Shift } else { self.unknown.kind };
@@ -253,7 +253,7 @@ impl<T: Number> Quick<'_, T> {
 }
 
 impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
-    /// Expresses the normal forces by the sums of moduli; `None` where these determine none.
+    /// Expresses the normal forces by the sums of magnitudes; `None` where these determine none.
     #[inline(always)]
     fn without_normals(&mut self, bearings: &Bearings<'_, T, N>) -> Option<()> {
         for (nth, own) in bearings.shifted().enumerate() {
@@ -277,7 +277,7 @@ impl<T: Real, const N: usize, const C: usize> Table<T, N, C> {
         Some(())
     }
 
-    /// The equations of the sums of moduli.
+    /// The equations of the sums of magnitudes.
     #[inline(always)]
     fn equations(&self, bearings: &Bearings<'_, T, N>) -> Unique<T, N> {
         let mut equations = [Sum::NONE; N];

@@ -9,6 +9,8 @@
 //! Where the balancing load acts elsewhere, its size follows from linearity: the drive must be idle under all loads
 //! together, M(loads) + B M(unit load) = 0.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use assur_force::{AnalyzerPlugin, ForceAnalyzer, ForceError, Reactions, group_by_group};
 use assur_group::{AssurGroup, Wrench};
 use assur_kinematics::{LanePosition, Linkage, Position};

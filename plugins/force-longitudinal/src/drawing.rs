@@ -4,6 +4,7 @@ use assur_force::{Acting, Construction, ConstructionStep, Drawing, VectorKind};
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_group::{Body, Wrench};
 use assur_kinematics::Linkage;
+use assur_number::elementary;
 use assur_words::{Text, joined, name, number, quantity, text};
 
 use crate::layout::{End, Layout};
@@ -150,7 +151,7 @@ pub(crate) fn draw(scene: &Scene, at: &Setting, found: &Unknowns) -> Constructio
     reactions(&mut draft, scene, at, found);
     let (_, crank) = at.crank();
     // A pole far off the paper is of no use to lay forces off from.
-    let near = |place: &[f64; 2]| (place[0] - at.a[0]).hypot(place[1] - at.a[1]) < 100.0 * crank;
+    let near = |place: &[f64; 2]| elementary::hypot(place[0] - at.a[0], place[1] - at.a[1]) < 100.0 * crank;
     let corner = pole.place(at).filter(near).unwrap_or(at.a);
     let title = text!("force-longitudinal-title", coupler = &scene.coupler, point = &scene.a);
     Construction { title, corner, steps: draft }
@@ -185,14 +186,15 @@ fn point_of_action(scene: &Scene, at: &Setting) -> ([f64; 2], f64) {
         return (action.at, action.couple);
     }
     let rod = minus(at.b, at.a);
-    let (length, size) = (rod[0].hypot(rod[1]), at.force[0].hypot(at.force[1]));
+    let (length, size) = (elementary::hypot(rod[0], rod[1]), elementary::hypot(at.force[0], at.force[1]));
     let shift = scaled(length / size, at.force);
     let miss = |place: &[f64; 2]| (cross(minus(*place, at.a), at.force) - at.moment_a).abs();
     let real = scene.places.iter().copied().filter(|place| miss(place) <= 1e-9 * length * size);
     let made = [action.at, plus(action.at, shift), minus(action.at, shift)];
     let sound = |place: &[f64; 2]| {
         let (to_a, to_p) = (minus(at.a, *place), Pole::of(at).from(*place, at));
-        cross(to_a, to_p).abs() > 0.02 * to_a[0].hypot(to_a[1]) * to_p[0].hypot(to_p[1])
+        cross(to_a, to_p).abs()
+            > 0.02 * elementary::hypot(to_a[0], to_a[1]) * elementary::hypot(to_p[0], to_p[1])
     };
     (real.chain(made).find(sound).unwrap_or(action.at), 0.0)
 }
@@ -229,11 +231,12 @@ fn resolution(draft: &mut Vec<ConstructionStep>, scene: &Scene, at: &Setting, fo
     if turn != 0.0 {
         part_a = scaled(cross(at.force, to_p) / turn, to_a);
         part_p = minus(at.force, part_a);
-        let unit = scaled(to_a[0].hypot(to_a[1]) / to_p[0].hypot(to_p[1]), to_p);
+        let unit = scaled(elementary::hypot(to_a[0], to_a[1]) / elementary::hypot(to_p[0], to_p[1]), to_p);
         let line = pole.place(at).map_or(unit, |place| minus(place, k));
         let to_pole = match pole.place(at) {
             Some(place) => {
-                let [kp, ap] = [k, at.a].map(|from| minus(place, from)).map(|way| way[0].hypot(way[1]));
+                let [kp, ap] =
+                    [k, at.a].map(|from| minus(place, from)).map(|way| elementary::hypot(way[0], way[1]));
                 let ratio = number(format_args!("{:.6}", kp / ap));
                 text!("force-longitudinal-lever", ratio = ratio, point = &scene.a)
             }

@@ -9,6 +9,7 @@ use assur_force::ForceError;
 use assur_group::LEAST_HEALTH;
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled};
 use assur_kinematics::Linkage;
+use assur_number::elementary;
 use assur_words::{Text, text};
 
 use crate::layout::{End, Layout};
@@ -38,7 +39,7 @@ pub(crate) fn published(at: &Setting) -> Result<Unknowns, Failure> {
     let (along, r1) = at.crank();
     let (sin, cos) = (dot(along, x), -dot(along, y));
     if cos.abs() <= PARALLEL {
-        return Err(Failure::Parallel(cos.abs().asin()));
+        return Err(Failure::Parallel(elementary::asin(cos.abs())));
     }
     let action = at.action();
     let from_o = |point| minus(point, at.o);
@@ -48,7 +49,7 @@ pub(crate) fn published(at: &Setting) -> Result<Unknowns, Failure> {
     let xp = -yp * (sin / cos);
     let ap = -yp / cos - r1;
     let rod = minus(at.b, at.a);
-    let health = cross(rod, x).abs() / rod[0].hypot(rod[1]);
+    let health = cross(rod, x).abs() / elementary::hypot(rod[0], rod[1]);
     if health.is_nan() || health < LEAST_HEALTH || ap == 0.0 {
         return Err(Failure::Singular(health));
     }
@@ -96,7 +97,7 @@ fn lines(linkage: &Linkage, layout: &Layout) -> Text {
 pub(crate) fn stable(at: &Setting) -> Result<Unknowns, f64> {
     let rod = minus(at.b, at.a);
     let arm = cross(rod, at.line);
-    let health = arm.abs() / rod[0].hypot(rod[1]);
+    let health = arm.abs() / elementary::hypot(rod[0], rod[1]);
     if health.is_nan() || health < LEAST_HEALTH {
         return Err(health);
     }

@@ -21,6 +21,8 @@
 //! the crank change the balancing moment and the reaction at O only. The tests contain the equations as printed, for
 //! the press of L.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod drawing;
 mod forms;
 mod layout;

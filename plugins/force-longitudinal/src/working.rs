@@ -7,6 +7,7 @@ use assur_group::Body;
 use assur_group::plane::{dot, minus};
 use assur_kinematics::Linkage;
 use assur_mechanism::GROUND;
+use assur_number::elementary;
 use assur_words::{Text, text, unit};
 use assur_working::{AnalyzerWorking, FoundForces};
 use assur_worksheet::dyad::{along, minus as less};
@@ -272,7 +273,7 @@ fn arc(linkage: &Linkage, layout: &Layout) -> Option<Arc> {
     let mut own = own.filter(|contact| contact.center.link == layout.coupler);
     let contact = own.next().filter(|_| own.next().is_none() && matches!(layout.end, End::Guide(_)))?;
     let [n, to_a] = [minus(contact.center.at, layout.a.own), minus(layout.a.own, layout.b.own)];
-    let [r2, b] = [n, to_a].map(|way| way[0].hypot(way[1]));
+    let [r2, b] = [n, to_a].map(|way| elementary::hypot(way[0], way[1]));
     let beyond = dot(n, to_a) > 0.0 && assur_group::plane::cross(n, to_a).abs() <= PARALLEL * r2 * b;
     beyond.then_some(Arc { r2, b, radius: contact.radius })
 }
@@ -289,7 +290,7 @@ fn closed(sheet: &mut Sheet, axes: &Axes, k: &Acts, arc: &Arc) {
     let r2 = given(Symbol::from("r").of(2), arc.r2, "m");
     let b = given("b".into(), arc.b, "m");
     let radius = given("R".into(), arc.radius, "m");
-    let a = given("a".into(), x.atan2(y), "rad");
+    let a = given("a".into(), elementary::atan2(x, y), "rad");
     let (sin, cos) = (axes.f1.sin(), axes.f1.cos());
     let one = || Expr::number(1.0);
     let sin_rod = sheet.work(Symbol::from("sin").of("ψ"), &(&axes.r1 * &sin / &b), "");

@@ -1,17 +1,18 @@
-//! Dry friction in the whole mechanism at once: the moduli of all pairs are unknowns.
+//! Dry friction in the whole mechanism at once: the magnitudes of all pairs are unknowns.
 //!
 //! The loads of friction are written down from the surfaces of the bearings, and what the whole system answers to each of them
-//! gives the equations z = |a + W z| of all moduli together. The moment of faces offset from the guide line is linear in the normal
+//! gives the equations z = |a + W z| of all magnitudes together. The moment of faces offset from the guide line is linear in the normal
 //! force and stands in the system itself.
 
 use assur_force::{Doubt, FrictionForces as Found, FrictionSolution, Reactions};
 use assur_friction::{Moduli, PathPoint, Solutions, Width, path};
 use assur_group::{Body, Wrench};
 use assur_mechanism::{LinkId, Mechanism, Middle, PairId, Surfaces};
+use assur_number::elementary;
 
 use crate::system::{Solution, System};
 
-/// A modulus: of which bearing, and how it follows from a solution.
+/// A magnitude: of which bearing, and how it follows from a solution.
 struct Modulus {
     bearing: usize,
     pair: PairId,
@@ -75,7 +76,7 @@ pub(crate) struct Frictional<'a> {
 }
 
 impl Frictional<'_> {
-    /// Reactions with friction. Where several exist all are told; taken is the one that follows from small coefficients, else that of
+    /// Reactions with friction. Where several exist all are given; the results are those of the one that follows from small coefficients, else that of
     /// the least balancing load.
     ///
     /// # Errors
@@ -153,7 +154,7 @@ impl Frictional<'_> {
         add_to_pairs(self.mechanism, self.bodies, found, pairs);
     }
 
-    /// The solution without moduli, that by each, and the equations of the moduli, with all coefficients times `part`.
+    /// The solution without magnitudes, that by each, and the equations of the magnitudes, with all coefficients times `part`.
     fn equations(
         &self,
         loads: &[Wrench<f64>],
@@ -183,7 +184,7 @@ impl Frictional<'_> {
         Ok((base, each, moduli))
     }
 
-    /// Loads of the friction of a modulus of size 1.
+    /// Loads of the friction of a magnitude of size 1.
     fn load(&self, unknown: &Modulus, part: f64, loads: &mut [Wrench<f64>]) {
         let ([link, on], factor) = (unknown.links, part * unknown.factor);
         match (&unknown.kind, unknown.pair) {
@@ -194,7 +195,7 @@ impl Frictional<'_> {
             (Kind::Press { .. }, PairId::Slide(id)) => {
                 let slide = &self.mechanism.slides[id];
                 let (a, b) = (&self.bodies[link], &self.bodies[on]);
-                let [x, y] = b.arm([slide.angle.cos(), slide.angle.sin()]);
+                let [x, y] = b.arm([elementary::cos(slide.angle), elementary::sin(slide.angle)]);
                 let force = [-factor * x, -factor * y];
                 let place = a.point(slide.point);
                 loads[link].add_at([place[0] - a.x, place[1] - a.y], force, 0.0);
@@ -204,13 +205,13 @@ impl Frictional<'_> {
         }
     }
 
-    /// The vector of which a modulus is the length.
+    /// The vector of which a magnitude is the length.
     fn vector(&self, unknown: &Modulus, solution: &Solution) -> [f64; 2] {
         match (&unknown.kind, unknown.pair) {
             (Kind::Press { part, by_moment, middle }, PairId::Slide(id)) => {
                 let (slide, found) = (&self.mechanism.slides[id], &solution.slides[id]);
                 let [a, b] = unknown.links.map(|link| &self.bodies[link]);
-                let [x, y] = b.arm([slide.angle.cos(), slide.angle.sin()]);
+                let [x, y] = b.arm([elementary::cos(slide.angle), elementary::sin(slide.angle)]);
                 let normal = x * found.fy - y * found.fx;
                 let moment = match middle {
                     Middle::Point => found.m,
@@ -236,7 +237,8 @@ fn add_to_pairs(mechanism: &Mechanism, bodies: &[Body<f64>], found: &Found, pair
                 PairId::Pin(_) => pairs[pair].m += sign * force,
                 PairId::Slide(id) => {
                     let slide = &mechanism.slides[id];
-                    let [x, y] = bodies[slide.on].arm([slide.angle.cos(), slide.angle.sin()]);
+                    let [x, y] =
+                        bodies[slide.on].arm([elementary::cos(slide.angle), elementary::sin(slide.angle)]);
                     pairs[pair].m += shifts[id] * (x * pairs[pair].fy - y * pairs[pair].fx);
                     pairs[pair].fx += force * x;
                     pairs[pair].fy += force * y;

@@ -5,6 +5,8 @@
 //! of the mechanism and from the poses of its links alone, without its groups, so it is a check on every method that
 //! uses them.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod elimination;
 mod friction;
 mod system;

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use assur_group::{Body, Wrench};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, SlideId};
+use assur_number::elementary;
 
 use crate::elimination::{LeastNorm, SparseRow, eliminated, of_least_norm};
 
@@ -199,7 +200,7 @@ impl<'a> System<'a> {
         match (self.mechanism.balance, input.pair) {
             (Some(Balance::Force { at, angle }), _) => {
                 let arm = bodies[at.link].arm(at.at);
-                self.add(rows, column, at.link, (arm, [angle.cos(), angle.sin()], 0.0));
+                self.add(rows, column, at.link, (arm, [elementary::cos(angle), elementary::sin(angle)], 0.0));
             }
             (Some(Balance::Moment(link)), _) => {
                 self.add(rows, column, link, ([0.0; 2], [0.0; 2], self.scale));
@@ -222,7 +223,7 @@ impl<'a> System<'a> {
     /// Unit vector to the left of the guide of a slide.
     fn normal(&self, slide: SlideId, bodies: &[Body<f64>]) -> [f64; 2] {
         let slide = &self.mechanism.slides[slide];
-        bodies[slide.on].arm([-slide.angle.sin(), slide.angle.cos()])
+        bodies[slide.on].arm([-elementary::sin(slide.angle), elementary::cos(slide.angle)])
     }
 
     fn read(&self, columns: Vec<f64>, bodies: &[Body<f64>]) -> Solution {

@@ -8,6 +8,8 @@
 //! point. The moment of a force about the pole is then its power, and the balancing force holds the plan, as a lever,
 //! in equilibrium. Reactions do no work, so they do not enter, and the method does not find them.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod lever;
 
 use assur_force::{

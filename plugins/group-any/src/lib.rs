@@ -4,6 +4,8 @@
 //! position. The first root is certified by the theorem of Newton and Kantorovich: a true assembly, alone in its
 //! neighborhood; it need not be the nearest one. From ten links on the matrices are sparse. Other assemblies are not listed.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use assur_group::{Assemblies, Builders, ForceAngle, GroupPlugin, Iterated, inventory};
 use assur_words::text;
 

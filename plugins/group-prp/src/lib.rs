@@ -6,6 +6,8 @@
 //! corresponding equations for the velocities and accelerations of the carriers' points that coincide with C, with
 //! the Coriolis terms 2 w t (C' - V).
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod kernel;
 mod working;
 

@@ -4,6 +4,8 @@
 //! t2, n2), and t1, n1 belong to the guide between the links: n1 (P - A) = k, n2 (P - O) = h. Hence P - A = (b1 t2 -
 //! b2 t1) / D with D = t1 x t2. Relative to g, A moves with v and a, and P with (n1 v / D) t2 and (n1 a / D) t2.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod kernel;
 mod working;
 

@@ -5,7 +5,7 @@ use assur_group::{
     Anchor, Body, BuildError, ClosedForm, Forces, GroupError, GroupFrame, Order, Pair, PairGeometry,
     PinJoint, SlideJoint,
 };
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 use crate::PATTERN;
 
@@ -202,5 +202,5 @@ pub(crate) fn pressure_angle(frame: &GroupFrame, bodies: &[Body<f64>], _health: 
     };
     let along = bodies[*carrier].turned(direction(*angle));
     let line = minus(*b, *a);
-    cross(along, line).abs().atan2(dot(along, line).abs())
+    elementary::atan2(cross(along, line).abs(), dot(along, line).abs())
 }

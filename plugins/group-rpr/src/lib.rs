@@ -9,6 +9,8 @@
 //!
 //! w = n D' / s for both links, s' = t D' + e w, w' = (n D'' - 2 s' w + e w²) / s.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod kernel;
 mod working;
 

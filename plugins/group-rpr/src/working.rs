@@ -1,6 +1,6 @@
 //! The working of type 3 by hand.
 
-use assur_group::plane::{dot, minus as minus_numbers};
+use assur_group::plane::{direction, dot, minus as minus_numbers};
 use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory};
 use assur_words::text;
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
@@ -19,7 +19,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
         sheet.outline(point);
     }
     let end = pairs.inner;
-    let t = bodies[pairs.links[1]].turned([end.along_angle.cos(), end.along_angle.sin()]);
+    let t = bodies[pairs.links[1]].turned(direction(end.along_angle));
     let [a, b] = [0, 1].map(|i| bodies[pairs.links[i]].point(pairs.ends[i].own));
     let ahead = dot(t, minus_numbers(a, b)) >= 0.0;
     let (e, s, t) = place(sheet, &pairs, &outer, ahead);

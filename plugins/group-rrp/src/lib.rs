@@ -9,6 +9,8 @@
 //! w1 = n (V - A') / sigma, where V is the velocity of the point of g that coincides with C. The second order adds
 //! the Coriolis term 2 w t (C' - V) and the centripetal term w1² delta.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod kernel;
 mod working;
 

@@ -1,6 +1,6 @@
 //! The working of type 2 by hand.
 
-use assur_group::plane::dot;
+use assur_group::plane::{direction, dot};
 use assur_group::{Body, BuildError, ClosedForm, GroupFrame, inventory};
 use assur_words::text;
 use assur_worksheet::dyad::{across, along, compose, minus, opposite, plus};
@@ -26,7 +26,7 @@ fn motion(sheet: &mut Sheet, frame: &GroupFrame, bodies: &[Body<f64>]) -> Result
     let k = sheet.fixed_length("k", pairs.slide.offset(pairs.inner.at), what);
     let number = bodies[rod].point(pairs.inner.own);
     let foot = bodies[rod].point(pairs.end.own);
-    let t = bodies[end.body].turned([end.along_angle.cos(), end.along_angle.sin()]);
+    let t = bodies[end.body].turned(direction(end.along_angle));
     let ahead = dot(t, [number[0] - foot[0], number[1] - foot[1]]) >= 0.0;
     sheet.note(text!("rrp-working-distances", a = &a.name, pin = &name));
     sheet.note(if ahead {

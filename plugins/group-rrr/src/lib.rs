@@ -9,6 +9,8 @@
 //! With r1 = C - A, r2 = C - B and D = r1 x r2, the derivatives are w1 = V r2 / D, w2 = V r1 / D. V is B' - A' for
 //! the first order, and B'' - A'' + w1² r1 - w2² r2 for the second.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod kernel;
 mod working;
 

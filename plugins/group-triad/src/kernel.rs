@@ -4,7 +4,7 @@ use assur_group::plane::{minus, vector};
 use assur_group::{
     AssurGroup, Body, BuildError, Forces, GroupError, GroupFrame, Mode, Order, Reading, SeenPair, Wrench,
 };
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 use crate::leg::{Leg, Line};
 use crate::matrix::{Inverse, Matrix};
@@ -68,7 +68,7 @@ impl<T: Real> Legged<T> {
         let size = |end: usize, from: [T; 2]| {
             let far = legs.iter().map(|leg| {
                 let [x, y] = minus(leg.ends()[end], from);
-                x.to_f64().hypot(y.to_f64())
+                elementary::hypot(x.to_f64(), y.to_f64())
             });
             let far = far.fold(0.0, f64::max);
             if far > 0.0 { far } else { frame.scale }
@@ -86,7 +86,7 @@ impl<T: Real> Legged<T> {
 
     /// Violation of a condition that is rounding where base and plate are, m: far away places are rounded by their distance.
     pub(crate) fn rounding_at(&self, bodies: &[Body<T>]) -> f64 {
-        let [base, plate] = self.core(bodies).map(|body| body.x.to_f64().hypot(body.y.to_f64()));
+        let [base, plate] = self.core(bodies).map(|body| elementary::hypot(body.x.to_f64(), body.y.to_f64()));
         self.rounding * (base.max(plate) / self.frame.scale).max(1.0)
     }
 

@@ -23,7 +23,7 @@ pub(crate) struct Line<T> {
     pub(crate) at: [T; 2],
     /// 1 for a moment.
     pub(crate) moment: T,
-    /// Violation of the condition, m or rad; its derivative by the motion of the plate is this line.
+    /// Violation of the condition, m or rad; its derivative with respect to the motion of the plate is this line.
     pub(crate) gap: T,
 }
 

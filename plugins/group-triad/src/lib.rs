@@ -20,6 +20,8 @@
 //! PF1, PF2 and the reactions follow from one system of three equations (of two in class IV) in the freedoms of the ternary
 //! links: each leg acts along one line.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod forces;
 mod frame;
 mod kernel;

@@ -1,7 +1,7 @@
 //! The conditions of three legs on the pose of the plate relative to the base, and all poses that satisfy them.
 
 use assur_group::plane::{cross, dot, minus, opposite, perp, plus, scaled, times};
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 use crate::leg::meet;
 use crate::trig::{Trig, sampled};
@@ -92,7 +92,7 @@ impl<T: Real> Loci<T> {
                 Locus::OnBase { offset, .. } | Locus::OnPlate { offset, .. } => offset.abs(),
                 Locus::Angle { .. } => T::ZERO,
             };
-            let far = |v: [T; 2]| v[0].to_f64().hypot(v[1].to_f64());
+            let far = |v: [T; 2]| elementary::hypot(v[0].to_f64(), v[1].to_f64());
             if !matches!(locus, Locus::Angle { .. }) {
                 size = size.max(far(minus(other, at))).max(far(minus(its, on))).max(length.to_f64());
             }

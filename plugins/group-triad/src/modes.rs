@@ -1,7 +1,7 @@
 //! All modes of a group, and the one of a way that is nearest to a pose.
 
 use assur_group::{Body, GroupError, Mode};
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 use crate::kernel::Legged;
 use crate::mover::Mover;
@@ -32,7 +32,7 @@ impl<T: Real> Legged<T> {
 
     /// Distance of two poses, rad or parts of the size.
     fn apart(&self, one: &Core<T>, other: &Core<T>) -> f64 {
-        let size = |a: T, b: T| a.to_f64().hypot(b.to_f64());
+        let size = |a: T, b: T| elementary::hypot(a.to_f64(), b.to_f64());
         let movers = [self.base.as_ref(), Some(&self.plate)];
         let distance = |(k, mover): (usize, Option<&Mover<T>>)| {
             let Some(mover) = mover else { return 0.0 };

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use assur_group::plane::{dot, minus};
 use assur_group::{AssurGroup, Body, SlideJoint};
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 use crate::kernel::Legged;
 use crate::leg::Hold;
@@ -52,11 +52,11 @@ fn displacement<T: Real>(slide: &SlideJoint<T>, bodies: &[Body<T>]) -> f64 {
 pub(crate) fn sort<M>(modes: &mut [(Key, M)]) {
     let apart = |one: &Key, other: &Key| {
         let [x, y] = minus(one.direction, other.direction);
-        x.hypot(y)
+        elementary::hypot(x, y)
     };
     let is_given = modes.windows(2).all(|two| apart(&two[0].0, &two[1].0) < SAME);
     let angle = |key: &Key| {
-        let angle = key.direction[1].atan2(key.direction[0]);
+        let angle = elementary::atan2(key.direction[1], key.direction[0]);
         if angle <= -PI { PI } else { angle }
     };
     let number = |key: &Key| if is_given { key.displacement } else { angle(key) };

@@ -9,8 +9,8 @@
 use std::convert::Infallible;
 use std::f64::consts::TAU;
 
-use assur_number::Real;
 use assur_number::search::try_newton_root;
+use assur_number::{Real, elementary};
 
 /// Number of samples: more than the 7 coefficients need, so that their rounding is averaged.
 pub(crate) const SAMPLES: usize = 16;
@@ -56,7 +56,7 @@ impl<T: Real> Trig<T> {
         };
         let parts = [1, 2, 3].map(|k| [sum(k, 0).twice(), sum(k, 1).twice()]);
         let mean = sum(0, 0);
-        let sizes = parts.map(|[a, b]: [T; 2]| a.to_f64().hypot(b.to_f64()));
+        let sizes = parts.map(|[a, b]: [T; 2]| elementary::hypot(a.to_f64(), b.to_f64()));
         let [one, two, three] = sizes;
         let bounds = [
             mean.abs().to_f64() + one + two + three,

@@ -1,6 +1,8 @@
 //! `closed-form`: J and M constant (D's case 1), so the motion is uniformly accelerated (D 3.12, 3.13), exactly, over a
 //! whole piece of the equation in one step. Also `quadrature`, for M(t) and M(w).
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use assur_integrator::{
     Attempt, Cost, CountedEquation, Dense, Dependence, EquationOfMotion, IntegrationError, Integrator,
     IntegratorPlugin, Knob, MotionError, Node, Pace, Request, State, Step, Stepper, Steps, Suitability,

@@ -7,6 +7,7 @@
 use assur_integrator::{
     EquationOfMotion, EventKind, IntegrationError, MotionError, Request, Run, State, Trajectory, Until,
 };
+use assur_number::elementary;
 use assur_words::{number, text};
 
 use crate::QUADRATURE;
@@ -320,7 +321,7 @@ impl March<'_> {
 
 /// Factor of the length that makes the error of a fit the allowed one.
 fn factor(error: f64) -> f64 {
-    0.85 * (1.0 / error.max(1e-30)).powf(1.0 / 12.0)
+    0.85 * elementary::powf(1.0 / error.max(1e-30), 1.0 / 12.0)
 }
 
 /// What ends the motion through a panel.

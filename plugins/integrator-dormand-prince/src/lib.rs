@@ -4,6 +4,8 @@
 //! first equation is q' = w, the slopes of the coordinate are the speeds of the stages, so that a stage holds two numbers, its
 //! speed and its acceleration.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use assur_integrator::{
     Cost, CountedEquation, IntegratorPlugin, Knob, MotionError, State, Step, Steps, Suitability, inventory,
 };

@@ -4,6 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use assur_integrator::{CountedEquation, MotionError, State};
+use assur_number::elementary;
 use assur_number::panel::chebyshev::{
     INSIDE, NODES, Series, WITH_ENDS, divided, first_zero, integral, inverse, swing, tail, value,
 };
@@ -112,7 +113,7 @@ impl Clock {
     /// The place at the parameter p from 0 to 1. With a rest, x + 1 = span sin²(πp/2), until - x = span cos²(πp/2).
     fn place(&self, p: f64) -> PanelPoint {
         let span = self.until + 1.0;
-        let (sin, cos) = (FRAC_PI_2 * p).sin_cos();
+        let (sin, cos) = elementary::sin_cos(FRAC_PI_2 * p);
         let cosine =
             |zeros: f64, slope: f64| PanelPoint { x: span * sin * sin - 1.0, zeros, slope: PI * slope };
         match (self.rests.at_start, self.rests.at_end) {
@@ -267,5 +268,5 @@ impl EnergyPanel {
 
 /// Factor of the length that brings the error of a fit to the tolerance.
 pub(crate) fn factor(tolerance: f64, error: f64) -> f64 {
-    0.85 * (tolerance / error.max(1e-30)).powf(1.0 / (NODES - 1) as f64)
+    0.85 * elementary::powf(tolerance / error.max(1e-30), 1.0 / (NODES - 1) as f64)
 }

@@ -5,6 +5,8 @@
 //! motion starts from rest or turns, 1/w has an integrable singularity, which a cosine substitution removes: there is no
 //! division by a speed of zero. There are no steps in time, so nothing drifts: the energy balance holds by construction.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Suitability, inventory};
 use assur_words::{Describe, number, text};
 

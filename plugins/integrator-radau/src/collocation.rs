@@ -3,6 +3,7 @@
 use assur_integrator::{
     Attempt, Control, CountedEquation, Dense, MotionError, Node, Pace, Partials, Scale, State, Step, Stepper,
 };
+use assur_number::elementary;
 use nalgebra::{Matrix3, Vector3};
 
 /// Most iterations of Newton's method.
@@ -174,7 +175,7 @@ impl Stepper for Collocation {
         let Step { equation, from, length: h, mut scale } = step;
         self.h = h;
         // The tolerance of the error of order 3 at which the solution of order 5 has the requested accuracy (Hairer's code RADAU5).
-        scale.tolerance = 0.1 * scale.tolerance.powf(2.0 / 3.0);
+        scale.tolerance = 0.1 * elementary::powf(scale.tolerance, 2.0 / 3.0);
         let partials = self.partials_at(equation, &from)?;
         if self.solve(equation, &from, &partials, &scale)?.is_none() {
             self.passed = false;

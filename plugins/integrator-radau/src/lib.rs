@@ -8,6 +8,8 @@
 //! less exact than the end (on a pendulum at 1e-9, 7e-8 of the energy against 5e-10 of the coordinate). Where the
 //! equation is not stiff, the explicit methods are better and cheaper.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use assur_integrator::{Cost, IntegratorPlugin, Knob, Steps, Suitability, inventory};
 use assur_words::text;
 

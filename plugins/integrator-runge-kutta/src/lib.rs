@@ -1,5 +1,7 @@
 //! `rk4`: the classical Runge-Kutta method of order 4 at a fixed step, the improvement that D 3.23 names.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use assur_integrator::{
     Attempt, Cost, CountedEquation, Dense, IntegratorPlugin, Knob, MotionError, Node, Pace, State, Step,
     Stepper, Steps, Suitability, inventory,

@@ -1,6 +1,8 @@
 //! D's own method, `uniform`: in each small interval J and M are constant, and the motion is uniformly accelerated (D
 //! 3.23, with D 3.12 and 3.13). Order 1, a fixed step.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use assur_integrator::{
     Attempt, Cost, CountedEquation, Dense, IntegratorPlugin, Knob, MotionError, Node, Pace, Step, Stepper,
     Steps, Suitability, inventory,

@@ -5,7 +5,7 @@ use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced
 
 type Vector = [f64; 2];
 
-/// A point with its first two derivatives by the coordinate.
+/// A point with its first two derivatives with respect to the coordinate.
 type Point = [Vector; 3];
 
 const B: Vector = [-0.03635, 0.03273];

@@ -32,7 +32,7 @@ pub(crate) fn calculation(session: &Session, options: &Options, style: Style) ->
     Ok(found)
 }
 
-/// The calculation of a scene, beside one that told what is probably not meant in it.
+/// The calculation of a scene, beside one that reported what is probably not meant in it.
 pub(crate) fn calculated(session: &Session, options: &Options, style: Style) -> Result<Calculation, Fault> {
     let line = ProgressLine::new(style.language);
     session.calculation(options, &mut line.watch()).map_err(|error| Fault::Scene(session.fault(&error)))

@@ -49,7 +49,7 @@ struct Waiting {
     events: VecDeque<Event>,
     /// How many of them are typed.
     typed: usize,
-    /// How many were dropped and not told yet.
+    /// How many were dropped and not reported yet.
     dropped: usize,
 }
 

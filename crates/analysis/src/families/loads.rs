@@ -80,7 +80,7 @@ fn inertia_load(rows: &Rows<'_>, link: LinkId) -> ([Lanes; 2], Lanes) {
     (force, moment)
 }
 
-/// The moment of inertia of a link about its center of mass, and its derivative by the coordinate.
+/// The moment of inertia of a link about its center of mass, and its derivative with respect to the coordinate.
 fn own_inertia(rows: &Rows<'_>, link: LinkId) -> [Lanes; 2] {
     let inertia = &rows.calculation.linkage.mechanism.links[link].inertia;
     let coordinates = rows.position.coordinates.0.map(|coordinate| inertia.at(coordinate));

@@ -219,7 +219,7 @@ fn forces(found: &Calculation, to: &mut impl Sink) {
     friction::balancing(to);
 }
 
-/// 1 / |health| of the groups that are solved; a group in a singular position has none that is a number.
+/// 1 / |determinant| of the groups that are solved; a group in a singular position has none that is a number.
 fn conditions(found: &Calculation, to: &mut impl Sink) {
     for group in solved(found) {
         let section = to.section(false);

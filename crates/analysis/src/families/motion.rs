@@ -2,7 +2,7 @@
 
 use assur_kinematics::{PointMotion, ScalarMotion};
 use assur_mechanism::{LinkId, Place, SlideId};
-use assur_number::Lanes;
+use assur_number::{Lanes, elementary};
 
 use super::{Rows, Sink};
 use crate::plan::Wanted;
@@ -94,7 +94,7 @@ impl Rows<'_> {
     /// The angle of a link, in (-pi, pi].
     fn angle(&self, link: LinkId) -> Lanes {
         let body = &self.position.bodies[link];
-        Lanes::of(|lane| body.s.0[lane].atan2(body.c.0[lane]))
+        Lanes::of(|lane| elementary::atan2(body.s.0[lane], body.c.0[lane]))
     }
 
     #[inline]

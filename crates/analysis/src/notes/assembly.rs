@@ -1,4 +1,4 @@
-//! Notes on the assembly: where assembly modes meet, end, or run through infinity.
+//! Notes on the assembly: where assembly modes meet or end, or positions become unbounded.
 
 use assur_group::{GroupError, Order};
 use assur_mechanism::{Motion, Range};
@@ -124,7 +124,7 @@ impl Calculation {
         Some(joined(" ", note))
     }
 
-    /// Where links run through infinity: beyond it, the positions belong to another assembly.
+    /// Where positions become unbounded, since guides become parallel: beyond it, the positions belong to another assembly.
     pub(super) fn poles(&self) -> Option<Text> {
         let linkage = &self.linkage;
         let poles = linkage.poles();

@@ -7,6 +7,7 @@ use assur_force::{Cause, LoadState, power};
 use assur_group::{Body, Order};
 use assur_kinematics::{Position, ScalarMotion};
 use assur_mechanism::{GROUND, Key, LoadId, Mechanism, Motion, Notice};
+use assur_number::elementary;
 use assur_words::{Text, joined, name, quantity, text};
 
 use crate::{Calculation, InputMotion};
@@ -21,7 +22,7 @@ const MOST_POSITIONS: usize = 3600;
 const FEWEST_POSITIONS: usize = 3;
 
 impl Calculation {
-    /// Everything in the scene that is probably not meant: what reading it told, then what its motion tells.
+    /// Everything in the scene that is probably not meant: what was noticed when it was read, then what its motion shows.
     pub fn doubts(&self) -> Vec<Notice> {
         let mut notices = self.linkage.mechanism.notes.clone();
         notices.extend(self.never_starts());
@@ -47,7 +48,7 @@ impl Calculation {
     /// Groups with several ways of which no place in `[assembly]` chooses one.
     fn groups_in_any_way(&self, first: &Position) -> Vec<Notice> {
         let (linkage, mechanism) = (&self.linkage, &self.linkage.mechanism);
-        // A place tells of a group what the links before it don't tell already.
+        // A place adds to what the links before a group already determine.
         let is_placed_before = |group: usize, link: usize| {
             let mut later = linkage.groups()[group..].iter();
             !later.any(|kernel| kernel.frame().links.contains(&link))
@@ -104,7 +105,7 @@ impl Calculation {
         let missed = mechanism.assembly.iter().filter_map(|&(point, wanted)| {
             let (place, name) = (mechanism.points[point].places.first()?, &mechanism.points[point].name);
             let found = first.bodies[place.link].point(place.at);
-            let away = (found[0] - wanted[0]).hypot(found[1] - wanted[1]);
+            let away = elementary::hypot(found[0] - wanted[0], found[1] - wanted[1]);
             (away > FAR * size && is_placed(place.link)).then(|| {
                 let text = text!(
                     "analysis-place-missed",
@@ -149,7 +150,8 @@ impl Calculation {
         loads.by_cause(&state, &position.bodies, &mut |cause, link, wrench| {
             let body = &position.bodies[link];
             let terms = [wrench.fx * body.x1, wrench.fy * body.y1, wrench.m * body.w1];
-            let size = wrench.fx.hypot(wrench.fy) * seen.unit + wrench.m.abs() * seen.unit / seen.size;
+            let size =
+                elementary::hypot(wrench.fx, wrench.fy) * seen.unit + wrench.m.abs() * seen.unit / seen.size;
             let terms = terms.iter().map(|term| term.abs()).sum::<f64>().max(size);
             seen.load(cause, power(&wrench, body), terms);
         });
@@ -188,7 +190,7 @@ fn parted(
     poses: &[Vec<Body<f64>>],
     same: f64,
 ) -> Option<(usize, Vec<[f64; 2]>)> {
-    let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let apart = |a: [f64; 2], b: [f64; 2]| elementary::hypot(a[0] - b[0], a[1] - b[1]);
     let each = mechanism.points.iter().enumerate().filter_map(|(id, point)| {
         let place = point.places.iter().find(|place| links.contains(&place.link))?;
         let mut places: Vec<[f64; 2]> = Vec::new();
@@ -211,7 +213,7 @@ fn diagonal(places: impl Iterator<Item = [f64; 2]>) -> f64 {
         low = [low[0].min(place[0]), low[1].min(place[1])];
         high = [high[0].max(place[0]), high[1].max(place[1])];
     }
-    (high[0] - low[0]).hypot(high[1] - low[1])
+    elementary::hypot(high[0] - low[0], high[1] - low[1])
 }
 
 /// A place as it may be written in a scene.
@@ -245,7 +247,7 @@ impl<'m> Seen<'m> {
     fn motion(&mut self, bodies: &[Body<f64>]) {
         let least = STILL * self.unit;
         for (moves, body) in self.links.iter_mut().zip(bodies) {
-            *moves |= body.x1.hypot(body.y1) > least || body.w1.abs() * self.size > least;
+            *moves |= elementary::hypot(body.x1, body.y1) > least || body.w1.abs() * self.size > least;
         }
         for (moves, slide) in self.slides.iter_mut().zip(&self.mechanism.slides) {
             *moves |= ScalarMotion::of_slide(slide, bodies).pf1.abs() > least;
@@ -284,7 +286,7 @@ impl<'m> Seen<'m> {
                 (true, true) => continue,
             };
             let key = mechanism.key_of_load(*load);
-            // A spring without stiffness was told of when the scene was read.
+            // A spring without stiffness was reported when the scene was read.
             let is_of =
                 |note: &Notice| note.key.as_ref().is_some_and(|of| of.steps().starts_with(key.steps()));
             if !acts && mechanism.notes.iter().any(is_of) {

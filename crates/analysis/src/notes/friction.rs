@@ -3,6 +3,7 @@
 use assur_force::{Cause, LoadState};
 use assur_group::Order;
 use assur_mechanism::{Contact, LoadId, Name, Notice};
+use assur_number::elementary;
 use assur_structure::name_of;
 use assur_words::{Text, number, text};
 
@@ -100,7 +101,8 @@ impl Calculation {
             }
         });
         let body = &position.bodies[contact.center.link];
-        let ([sin, cos], center) = ([angle.sin(), angle.cos()], body.first(body.arm(contact.center.at)));
+        let ([sin, cos], center) =
+            ([elementary::sin(angle), elementary::cos(angle)], body.first(body.arm(contact.center.at)));
         let [own, turned] = [center[0] * cos - center[1] * sin, contact.radius * body.w1];
         let rolls = (own + turned).abs() <= ROLLS * (own.abs() + turned.abs());
         let sense = if state.speed == 0.0 { linkage.mechanism.input.sign() } else { state.speed.signum() };

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use assur_force::{Cause, LoadState, power};
 use assur_group::Order;
 use assur_mechanism::{LoadId, Motion, Over, Range, Spring, Value, passage};
+use assur_number::elementary;
 use assur_words::{Text, list, quantity, text};
 
 use super::Listed;
@@ -59,7 +60,7 @@ impl Calculation {
                 return false;
             }
             let [a, b] = spring.ends.map(|end| position.bodies[end.link].point(end.at));
-            (b[0] - a[0]).hypot(b[1] - a[1]) <= NEAR * linkage.structure.scale
+            elementary::hypot(b[0] - a[0], b[1] - a[1]) <= NEAR * linkage.structure.scale
         };
         let words = mechanism.loads.iter().filter_map(|load| {
             let spring = load.kind.spring().filter(|spring| spring.stiffness > 0.0 && spring.length > 0.0)?;

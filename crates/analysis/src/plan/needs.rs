@@ -32,7 +32,7 @@ fn pairs(mechanism: &Mechanism) -> Vec<PairId> {
 ///
 /// A method that treats the mechanism as one system needs all of them.
 pub(crate) fn groups(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Vec<bool> {
-    // What is passive hangs on any of them.
+    // Passive parts may be attached to any of them.
     if plan.forces && !plan.by_groups || !structure.passive.is_empty() {
         return vec![true; structure.groups.len()];
     }

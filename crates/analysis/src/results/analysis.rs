@@ -30,7 +30,7 @@ pub struct Analysis {
     /// What is known about all positions.
     #[serde(skip)]
     pub survey: Survey,
-    /// Values of greatest modulus, between the positions too; without any where these were not looked for.
+    /// Values of greatest magnitude, between the positions too; without any where these were not looked for.
     #[serde(skip)]
     pub peaks: Peaks,
     /// What lets single blocks of positions be calculated again.
@@ -116,7 +116,7 @@ pub struct Failure {
 /// absent.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Cycle {
-    /// Greatest modulus and root mean square of each reaction.
+    /// Greatest magnitude and root mean square of each reaction.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub reaction_extremes: Vec<ReactionExtreme>,
     /// By slide that carries a force: where the force changes the side of the guide. A slide without a change has an

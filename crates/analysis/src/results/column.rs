@@ -14,9 +14,9 @@ pub enum Quantity {
     /// input (PF0 only): the coordinate itself. Of a link: its angle, continuous from row to row. Of a point: its
     /// projections in the frame of the ground. Of a slide: its displacement.
     Transfer(u8),
-    /// First derivative by time of PF0 of the input, a link, a point or a slide.
+    /// First derivative with respect to time of PF0 of the input, a link, a point or a slide.
     Velocity,
-    /// Second derivative by time.
+    /// Second derivative with respect to time.
     Acceleration,
     /// Moment of inertia (mass) of all moving links, or of one, reduced to the input.
     ReducedInertia,

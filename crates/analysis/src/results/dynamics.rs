@@ -28,7 +28,7 @@ pub struct Dynamics {
     /// The flywheel on each of the two shafts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flywheel_places: Vec<FlywheelSize>,
-    /// Where the unevenness follows from the motor: the motors that would do, with the greatest unevenness of each.
+    /// Where the unevenness follows from the motor: the suitable motors, with the greatest unevenness of each.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub motors_by_unevenness: Vec<MotorAdvice>,
     /// The energy-mass diagram of the regime (Wittenbauer).
@@ -49,7 +49,7 @@ pub struct RegimeReport {
     pub resistance_work: f64,
     /// Time of a cycle, s.
     pub cycle_time: f64,
-    /// The factor by which a small change of the speed is multiplied over a cycle; below 1 the regime is stable.
+    /// Floquet multiplier of the speed: the factor of a small change of it over a cycle; below 1 the regime is stable.
     pub multiplier: f64,
     /// Flywheel and rotor reduced to the input, kg m².
     pub shaft_inertia: f64,
@@ -184,7 +184,7 @@ pub struct MotorWork {
     pub working_section: Vec<[f64; 2]>,
 }
 
-/// A motor that would do, with the greatest unevenness for which it stays on the stable section of its characteristic.
+/// A suitable motor, with the greatest unevenness for which it stays on the stable section of its characteristic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MotorAdvice {
     /// Designation.

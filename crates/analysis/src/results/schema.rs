@@ -18,7 +18,7 @@ impl Section {
 /// The columns of a table, with the names of what they belong to.
 ///
 /// It is made once for a scene; tables share it. Columns stand in the order of the results: motion of links, points and
-/// slides, their derivatives by time, reduction, reactions, condition.
+/// slides, their derivatives with respect to time, reduction, reactions, condition.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Schema {
     columns: Vec<Column>,

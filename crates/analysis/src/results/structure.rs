@@ -44,7 +44,7 @@ pub struct PassiveReport {
     pub link: Option<LinkId>,
     /// Greatest distance over the cycle between the two places that it should keep together, m.
     pub misfit: f64,
-    /// The angle by which a slide of it misses, rad, where that is what is greatest.
+    /// The angle by which a slide of it misses, rad, where an angle is its greatest misfit.
     #[serde(skip)]
     pub angle: Option<f64>,
     /// Up to this it fits, m.

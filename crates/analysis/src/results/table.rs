@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use assur_number::{Lanes, Real};
+use assur_number::{Lanes, Real, elementary};
 
 use super::{Column, Part, Schema, Section};
 
@@ -154,12 +154,12 @@ impl Table {
         has.then(|| self.columns[column][row])
     }
 
-    /// The number of a row in a column; a [modulus](Part::Modulus) is that of both projections.
+    /// The number of a row in a column; a [magnitude](Part::Modulus) is that of both projections.
     pub fn get(&self, row: usize, column: Column) -> Option<f64> {
         match column.part {
             Part::Modulus => {
                 let [x, y] = [Part::X, Part::Y].map(|part| self.get(row, column.part(part)));
-                Some(x?.hypot(y?))
+                Some(elementary::hypot(x?, y?))
             }
             _ => self.at(row, self.schema.find(column)?),
         }

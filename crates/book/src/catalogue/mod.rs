@@ -137,8 +137,8 @@ const fn residual(of: Residual) -> &'static str {
     }
 }
 
-/// Whether the sign of a quantity says in which sense it acts, so that the greatest value is the one of greatest modulus: a
-/// moment of -90 N m loads a guide more than one of 30 N m. The sign of a place, of an energy or of a modulus says where it is or
+/// Whether the sign of a quantity says in which sense it acts, so that the greatest value is the one of greatest magnitude: a
+/// moment of -90 N m loads a guide more than one of 30 N m. The sign of a place, of an energy or of a magnitude says where it is or
 /// that it can't be negative.
 pub fn sign_is_sense(column: Column) -> bool {
     of(column).sense && column.part != Part::Modulus
@@ -149,7 +149,7 @@ pub fn is_ratio(column: Column) -> bool {
     matches!(of(column).measure, M::Number)
 }
 
-/// The letter of the axis of a projection; empty for a whole quantity or a modulus.
+/// The letter of the axis of a projection; empty for a whole quantity or a magnitude.
 const fn axis(part: Part) -> &'static str {
     match part {
         Part::X => "x",

@@ -18,7 +18,7 @@ pub(super) enum Measure {
     Rate(u8),
     /// Inertia reduced to the input.
     Inertia,
-    /// Its derivative by the coordinate.
+    /// Its derivative with respect to the coordinate.
     InertiaDerivative,
     /// What acts on the input along its coordinate.
     OnInput,

@@ -65,7 +65,7 @@ pub struct Regime {
     pub figures: Figures,
     /// Time of a cycle, s.
     pub cycle_time: f64,
-    /// The factor by which a small change of the speed is multiplied over a cycle: the regime is stable below 1; 1 if
+    /// Floquet multiplier, the factor of a small change of the speed over a cycle: the regime is stable below 1; 1 if
     /// nothing restores the speed.
     pub multiplier: f64,
     /// The flywheel by the methods of the textbooks, and exactly.

@@ -5,6 +5,7 @@
 //! the variational equation and stays within a factor of the last trial.
 
 use assur_motor::Characteristic;
+use assur_number::elementary;
 use assur_number::search::bisect;
 
 use super::regime::Trial;
@@ -208,7 +209,7 @@ impl Tuner<'_, '_> {
         near: &CycleSolution,
     ) -> Result<(Unknowns, CycleSolution, SpeedRange), DynamicsError> {
         const SHORTEST: f64 = 1e-6;
-        let norm = |misses: [f64; 2]| misses[0].hypot(misses[1]);
+        let norm = |misses: [f64; 2]| elementary::hypot(misses[0], misses[1]);
         let mut part = 1.0;
         let mut last = None;
         while part > SHORTEST {

@@ -85,7 +85,7 @@ fn two_links(pose: &Position, frame: &GroupFrame) -> Option<[(LinkId, Body<f64>)
     Some([(links[0], one), (links[1], two)])
 }
 
-/// How a link hangs in its outer pair; `None` if it has none.
+/// How a link is attached by its outer pair; `None` if it has none.
 fn hanging(pose: &Position, outer: &[Pair], link: LinkId) -> Option<Hanging> {
     let pair = outer.iter().find(|pair| [pair.a, pair.b].contains(&link))?;
     let (is_a, other) = (pair.a == link, &pose.bodies[if pair.a == link { pair.b } else { pair.a }]);
@@ -112,7 +112,7 @@ fn placed([c, s]: Point, own: Point, at: Point) -> Body<f64> {
     Body { x: at[0] - arm[0], y: at[1] - arm[1], ..turned }
 }
 
-/// A body that hangs in a pin, with another point of its own in a direction from the pin.
+/// A body that is attached by a pin, with another point of its own in a direction from the pin.
 fn turned(at: Point, own: Point, end: Point, [x, y]: Point) -> Body<f64> {
     let arm = [end[0] - own[0], end[1] - own[1]];
     let length = arm[0].hypot(arm[1]);

@@ -27,7 +27,7 @@ pub use unknown::{Unknown, UnknownKind};
 pub struct Frictions {
     /// Each link that turns or slides on another in a pair with friction.
     pub bearings: Vec<Bearing>,
-    /// What friction depends on: the moduli of reactions, and normal forces themselves.
+    /// What friction depends on: the magnitudes of reactions, and normal forces themselves.
     pub unknowns: Vec<Unknown>,
     /// What has to be solved together, in solving order: the last groups first, the input link in the last one.
     pub blocks: Vec<Block>,
@@ -69,13 +69,13 @@ pub struct Doubt {
 pub struct FrictionIteration {
     /// The groups in words.
     pub what: Text,
-    /// Indices of the unknowns that are moduli.
+    /// Indices of the unknowns that are magnitudes.
     pub unknowns: Vec<usize>,
-    /// The moduli that the textbook iteration gives, N: without friction, then with that of the step before.
+    /// The magnitudes that the textbook iteration gives, N: without friction, then with that of the step before.
     pub steps: Vec<Vec<f64>>,
     /// The spectral radius: the rate of the iteration, and below 1 the proof of one solution.
     pub radius: f64,
-    /// The moduli of the solution that is taken, N.
+    /// The magnitudes of the solution that is taken, N.
     pub solution: Option<Vec<f64>>,
 }
 
@@ -88,7 +88,7 @@ pub struct FrictionSolution {
     pub pairs: Vec<Wrench<f64>>,
     /// As [`FrictionForces::forces`].
     pub forces: Vec<f64>,
-    /// Whether it is the one that the results are those of.
+    /// Whether the results belong to this solution.
     pub taken: bool,
 }
 
@@ -119,7 +119,7 @@ impl<T: Real> FrictionForces<T> {
 }
 
 impl FrictionForces {
-    /// The forces that press the faces of slides, whose moduli give their friction, from reactions with friction.
+    /// The forces that press the faces of slides, whose magnitudes give their friction, from reactions with friction.
     pub fn pressing(&self, bodies: &[Body<f64>], pairs: &[Wrench<f64>]) -> Vec<f64> {
         let Frictions { bearings, unknowns, .. } = self.frictions.as_ref();
         let of = |unknown: &Unknown| unknown.vector(&bearings[unknown.bearing], bodies, pairs)[0];

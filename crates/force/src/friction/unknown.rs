@@ -9,7 +9,7 @@ use assur_structure::Structure;
 use super::Bearing;
 use crate::joints;
 
-/// A modulus of a reaction (or a normal force itself) on which the friction of a bearing depends.
+/// A magnitude of a reaction (or a normal force itself) on which the friction of a bearing depends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unknown {
     /// Index of the bearing.
@@ -60,12 +60,12 @@ impl Unknown {
         all
     }
 
-    /// Whether it is a modulus.
+    /// Whether it is a magnitude.
     pub fn is_modulus(&self) -> bool {
         self.kind != UnknownKind::Shift
     }
 
-    /// The vector whose modulus it is, from reactions without the loads of friction; of a slide its first component.
+    /// The vector whose magnitude it is, from reactions without the loads of friction; of a slide its first component.
     #[inline(always)]
     pub fn vector<T: Real>(&self, bearing: &Bearing, bodies: &[Body<T>], reactions: &[Wrench<T>]) -> [T; 2] {
         let (parts, normal) = self.pressing(bearing, bodies).of(&self.load_on(reactions));

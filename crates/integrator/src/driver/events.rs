@@ -1,5 +1,5 @@
-//! On the edge of a piece: the end of the motion, or the next piece; and inside a piece where the equation bends: where a force
-//! whose modulus gives friction changes its sign.
+//! On the edge of a piece: the end of the motion, or the next piece; and inside a piece where the equation has a kink: where a force
+//! whose magnitude gives friction changes its sign.
 
 use assur_number::search::try_bisect;
 
@@ -118,7 +118,7 @@ impl<S: Stepper> Drive<'_, S> {
         self.stick()
     }
 
-    /// The bends at the present state, where there are any.
+    /// The kinks at the present state, where there are any.
     pub(super) fn note_bends(&mut self) -> Result<(), IntegrationError> {
         if self.run.equation.depends_on_acceleration() {
             let found = self.run.equation.bends(&self.run.node.state);
@@ -127,7 +127,7 @@ impl<S: Stepper> Drive<'_, S> {
         Ok(())
     }
 
-    /// Whether a step has to be repeated up to a bend inside it; then it is planned.
+    /// Whether a step has to be repeated up to a kink inside it; then it is planned.
     pub(super) fn bends_within(&mut self, plan: &Plan, to: &Node) -> Result<bool, IntegrationError> {
         if self.bends[0].is_empty() || S::PARABOLIC {
             return Ok(false);

@@ -1,6 +1,7 @@
 //! What happens to the modes of a group between two coordinates next to each other: they meet, begin, end, or go on.
 
 use assur_group::Mode;
+use assur_number::elementary;
 
 use crate::modes::nearest_first;
 
@@ -70,7 +71,7 @@ impl Walk<'_> {
         taken.into_iter().map(|[at, _]| sides.before[at].0).collect()
     }
 
-    /// Two modes that meet and both go on: behind the meeting each has the opposite sign of its determinant, so that each was
+    /// Two modes that meet and both go on: past the meeting each has the opposite sign of its determinant, so that each was
     /// taken for the other one.
     fn pass(&mut self, to: f64, sides: &mut Sides<'_>) {
         let known = (0..sides.after.len()).filter(|next| sides.numbers[*next].is_some());
@@ -131,7 +132,7 @@ impl Walk<'_> {
 
 /// Whether a link is so far away that it may run to infinity.
 fn is_far(mode: &Mode<f64>, scale: f64) -> bool {
-    mode.bodies.iter().any(|body| body.x.hypot(body.y) > FAR_AWAY * scale)
+    mode.bodies.iter().any(|body| elementary::hypot(body.x, body.y) > FAR_AWAY * scale)
 }
 
 /// Whether the sign of a determinant, and so its way, may be rounding.

@@ -1,4 +1,4 @@
-//! Mechanisms at, beside and behind a meeting of two ways. Values with more than 15 digits: 50 digits, Newton on the
+//! Mechanisms at, beside and past a meeting of two ways. Values with more than 15 digits: 50 digits, Newton on the
 //! closure equations of the decimal lengths, PF1 and PF2 by their linear systems.
 
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -2,7 +2,7 @@
 
 use assur_group::plane::{cross, dot, minus, perp, plus, scaled, times};
 use assur_group::{Body, GroupFrame, Order, PinJoint, SlideJoint};
-use assur_number::Real;
+use assur_number::{Real, elementary};
 
 /// Two guides whose directions differ by less than this (the sine of the angle) place no link between them.
 const PARALLEL: f64 = 1e-9;
@@ -37,15 +37,16 @@ impl<T: Real> Hanging<T> {
             ([], [first, others @ ..]) => {
                 let apart = |pin: &PinJoint<T>| {
                     let [x, y] = minus(pin.own, first.own).map(Real::to_f64);
-                    x.hypot(y)
+                    elementary::hypot(x, y)
                 };
                 let far = others.iter().max_by(|a, b| apart(a).total_cmp(&apart(b)));
                 By::Pins([*first, *far.filter(|far| apart(far) > 0.0)?])
             }
             ([first, others @ ..], []) => {
                 // Seen from the link itself.
-                let crosses =
-                    |other: &&SlideJoint<T>| (other.tilt_angle - first.tilt_angle).sin().abs() > PARALLEL;
+                let crosses = |other: &&SlideJoint<T>| {
+                    elementary::sin(other.tilt_angle - first.tilt_angle).abs() > PARALLEL
+                };
                 By::Guides([*first, *others.iter().find(crosses)?])
             }
             ([], []) => return None,

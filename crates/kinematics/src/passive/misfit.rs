@@ -2,6 +2,7 @@
 
 use assur_group::{Body, Order, Pair, PairGeometry};
 use assur_mechanism::{Mechanism, PairId, Range};
+use assur_number::elementary;
 use assur_number::search::least;
 use assur_structure::{NamedPair, Passive, PassivePart, Structure};
 
@@ -25,7 +26,7 @@ pub struct Misfit {
     /// Greatest distance between the two places that a pair of it should keep together; of a slide the greater of the distance
     /// and of the angle times the size of the mechanism, m.
     pub misfit: f64,
-    /// The angle by which a slide misses, rad, where that is what is greatest.
+    /// The angle by which a slide misses, rad, where an angle is the greatest misfit.
     pub angle: Option<f64>,
     /// Up to this it fits, m.
     pub limit: f64,
@@ -197,7 +198,7 @@ impl<'a> Cycle<'a> {
 pub(crate) fn greatest(pairs: &[Pair], bodies: &[Body<f64>], scale: f64) -> f64 {
     let gap = |pair: &Pair| {
         let [one, two] = missed(pair, bodies, scale);
-        if pair.is_slide() { one.abs().max(two.abs()) } else { one.hypot(two) }
+        if pair.is_slide() { one.abs().max(two.abs()) } else { elementary::hypot(one, two) }
     };
     pairs.iter().map(gap).fold(0.0, f64::max)
 }
@@ -211,13 +212,13 @@ fn missed(pair: &Pair, bodies: &[Body<f64>], scale: f64) -> [f64; 2] {
             [one[0] - two[0], one[1] - two[1]]
         }
         PairGeometry::Slide { point, through, angle, tilt } => {
-            let (s, c) = angle.sin_cos();
+            let (s, c) = elementary::sin_cos(angle);
             let along = b.turned([c, s]);
             let [place, line] = [a.point(point), b.point(through)];
             let off = along[0] * (place[1] - line[1]) - along[1] * (place[0] - line[0]);
-            let (s, c) = (angle + tilt).sin_cos();
+            let (s, c) = elementary::sin_cos(angle + tilt);
             let axis = b.turned([c, s]);
-            let turn = (axis[0] * a.s - axis[1] * a.c).atan2(axis[0] * a.c + axis[1] * a.s);
+            let turn = elementary::atan2(axis[0] * a.s - axis[1] * a.c, axis[0] * a.c + axis[1] * a.s);
             [off, turn * scale]
         }
     }

@@ -17,7 +17,7 @@ use assur_structure::{Structure, StructureError, SurplusCause};
 pub(crate) use misfit::misfits;
 pub use misfit::{Closing, Length, Misfit};
 
-/// Slides that hold a link at two different angles, which no position can mend: a slide fixes the angle of one link to the other's.
+/// Slides that hold a link at two different angles, which no position can satisfy: a slide fixes the angle of one link to the other's.
 fn angles_of_slides(mechanism: &Mechanism) -> Option<SurplusCause> {
     /// Directions that differ by less are the same, rad: the rounding of angles in degrees.
     const SAME: f64 = 1e-9;

@@ -2,6 +2,7 @@
 
 use assur_group::{Mode, Order};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, Slide};
+use assur_number::elementary;
 use assur_structure::{Excess, PassivePart, Structure, SurplusCause};
 
 use crate::Linkage;
@@ -184,7 +185,7 @@ impl Choice {
     }
 }
 
-/// The structure with each of the other assemblies of a group in the first position: its ways where they meet there, else the places of
+/// The structure with each of the other assemblies of a group in the first position: its modes where they meet there, else the places of
 /// its points; none where the scene places one of them.
 fn others(linkage: &Linkage, group: usize) -> Vec<Structure> {
     let from = linkage.mechanism.input.from;
@@ -277,7 +278,7 @@ fn doubled(mechanism: &Mechanism) -> Vec<PassivePart> {
         slides().any(|(earlier, kept)| {
             let (a, b, turn) = seen(kept);
             let before = if is_input(id) { false } else { earlier < id || is_input(earlier) };
-            before && (a, b) == (one, other) && (turn - angle).sin().abs() < MEANT_PARALLEL
+            before && (a, b) == (one, other) && elementary::sin(turn - angle).abs() < MEANT_PARALLEL
         })
     };
     slides()

@@ -4,6 +4,8 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
+use crate::elementary;
+
 /// Number of nodes of a fit.
 pub const NODES: usize = 13;
 
@@ -32,10 +34,10 @@ impl Basis {
     fn with_ends() -> Self {
         let n = (NODES - 1) as f64;
         let angle = |j: usize| PI * (1.0 - j as f64 / n);
-        let nodes = std::array::from_fn(|j| angle(j).cos());
+        let nodes = std::array::from_fn(|j| elementary::cos(angle(j)));
         let half = |j: usize| if j == 0 || j == NODES - 1 { 0.5 } else { 1.0 };
         let table = std::array::from_fn(|k| {
-            std::array::from_fn(|j| 2.0 / n * half(k) * half(j) * (k as f64 * angle(j)).cos())
+            std::array::from_fn(|j| 2.0 / n * half(k) * half(j) * elementary::cos(k as f64 * angle(j)))
         });
         Self { nodes, table }
     }
@@ -44,10 +46,10 @@ impl Basis {
     fn inside() -> Self {
         let n = NODES as f64;
         let angle = |j: usize| PI * (1.0 - (j as f64 + 0.5) / n);
-        let nodes = std::array::from_fn(|j| angle(j).cos());
+        let nodes = std::array::from_fn(|j| elementary::cos(angle(j)));
         let table = std::array::from_fn(|k| {
             let half = if k == 0 { 0.5 } else { 1.0 };
-            std::array::from_fn(|j| 2.0 / n * half * (k as f64 * angle(j)).cos())
+            std::array::from_fn(|j| 2.0 / n * half * elementary::cos(k as f64 * angle(j)))
         });
         Self { nodes, table }
     }

@@ -2,6 +2,8 @@
 
 use std::array::from_fn;
 
+use crate::elementary;
+
 /// The method with `S` nodes in (0, 1], the last of which is 1, of order 2 S - 1; `N` is S + 1. A polynomial of degree S on
 /// [0, 1] is given by its values at 0 and at the nodes. The method is L-stable.
 #[derive(Debug)]
@@ -35,7 +37,7 @@ fn legendre<const N: usize>(x: f64) -> [f64; N] {
 fn zeros<const S: usize, const N: usize>() -> [f64; S] {
     let s = S as f64;
     let mut x: [f64; S] =
-        from_fn(|k| (2.0 * std::f64::consts::PI * (S - 1 - k) as f64 / (2.0 * s - 1.0)).cos());
+        from_fn(|k| elementary::cos(2.0 * std::f64::consts::PI * (S - 1 - k) as f64 / (2.0 * s - 1.0)));
     for x in &mut x[..S - 1] {
         for _ in 0..20 {
             let p = legendre::<N>(*x);

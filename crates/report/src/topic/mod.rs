@@ -43,7 +43,7 @@ pub use shaking::shaking;
 pub use structure::{groups, mobility, pairs, passive_part, study as structure_study};
 pub(crate) use units::Units;
 
-/// What the topics are told from.
+/// What the topics are made from.
 #[derive(Debug)]
 pub struct Source<'a> {
     analysis: &'a Analysis,

@@ -33,7 +33,7 @@ fn perp(a: C) -> C {
     [-a[1], a[0]]
 }
 
-/// Place of a point and its two derivatives by the crank's angle.
+/// Place of a point and its two derivatives with respect to the crank's angle.
 #[derive(Clone, Copy)]
 struct Point {
     place: C,

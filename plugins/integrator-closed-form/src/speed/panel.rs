@@ -1,6 +1,7 @@
 //! A panel of the speed with the polynomials of time and way.
 
 use assur_integrator::{CountedEquation, Curve, MotionError, Node, State};
+use assur_number::elementary;
 use assur_number::panel::chebyshev::{NODES, Series, WITH_ENDS, divided, integral, inverse, tail, value};
 use assur_number::search::root;
 
@@ -161,7 +162,7 @@ impl SpeedPanel {
         }
         // The distance to the pole from the remaining moment: a difference of speeds would cancel.
         let left = (e * value(&self.slowness, x) / self.half).abs();
-        ((pole.x + 1.0) / left).ln().max(0.0)
+        elementary::ln((pole.x + 1.0) / left).max(0.0)
     }
 
     /// The place at a parameter.
@@ -171,7 +172,7 @@ impl SpeedPanel {
             let (time, way) = (value(&self.time, p), value(&self.way, p));
             return Place { speed, time, way, way_rate: speed * time_rate };
         };
-        let left = (pole.x + 1.0) * (-p).exp();
+        let left = (pole.x + 1.0) * elementary::exp(-p);
         let x = pole.x - left;
         let speed = pole.speed - self.half * left;
         let time = value(&self.time, x) - pole.residue * p;
@@ -195,7 +196,7 @@ impl SpeedPanel {
             return solve(ends, time, |x| (value(&self.time, x), self.half * value(&self.slowness, x)));
         };
         solve(ends, time, |p| {
-            let x = pole.x - (pole.x + 1.0) * (-p).exp();
+            let x = pole.x - (pole.x + 1.0) * elementary::exp(-p);
             (value(&self.time, x) - pole.residue * p, -value(&self.slowness, x))
         })
     }

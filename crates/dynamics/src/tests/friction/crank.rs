@@ -1,5 +1,5 @@
 //! A slider-crank with friction in all pairs, against Newton's and Euler's equations of its three links with all unknowns, whose
-//! moduli are iterated, integrated along the crank's angle from one dead center or extreme of the rod to the next.
+//! magnitudes are iterated, integrated along the crank's angle from one dead center or extreme of the rod to the next.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -51,7 +51,7 @@ fn acceleration(q: f64, w: f64, inside: f64, acting: Acting) -> f64 {
     // The rod's angle b: sin b = t; b' and b'' by q.
     let b1 = -R * c / (L * u);
     let b2 = (R * s / L + t * b1 * b1) / u;
-    // Second derivatives by q times w^2 plus first derivatives times e, of the rod's center and of the piston.
+    // Second derivatives with respect to q times w^2 plus first derivatives times e, of the rod's center and of the piston.
     let first = [-R * s - C * t * b1, R * c + C * u * b1];
     let second = [-R * c - C * (u * b1 * b1 + t * b2), -R * s + C * (u * b2 - t * b1 * b1)];
     let piston = [-R * s - L * t * b1, -R * c - L * (u * b1 * b1 + t * b2)];
@@ -82,7 +82,7 @@ fn acceleration(q: f64, w: f64, inside: f64, acting: Acting) -> f64 {
     row(6, &[(0, PISTON * piston[0]), (3, 1.0)], -PISTON * piston[1] * ww - slides * acting.force);
     row(7, &[(4, 1.0), (5, -1.0)], -PISTON * G);
     row(8, &[(6, 1.0)], 0.0);
-    // Friction of each modulus of 1: the moment on the link that turns, the opposite on the other.
+    // Friction of each magnitude of 1: the moment on the link that turns, the opposite on the other.
     right[(2, 1)] -= senses[0] * LEVERS[0];
     right[(5, 2)] -= senses[1] * LEVERS[1];
     right[(2, 2)] += senses[1] * LEVERS[1];

@@ -1,4 +1,4 @@
-//! A number with its first two derivatives by the input coordinate, in 32 digits.
+//! A number with its first two derivatives with respect to the input coordinate, in 32 digits.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
