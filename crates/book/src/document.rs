@@ -5,7 +5,7 @@ use assur_figure::Figure;
 use assur_mechanism::{LinkId, Mechanism};
 use assur_words::{Text, joined, text, unit};
 
-use crate::number::Unit;
+use crate::catalogue::Unit;
 use crate::table::{Cell, Column, Table};
 
 /// Blocks one after another, of which each is a text, a table or a drawing.

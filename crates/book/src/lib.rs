@@ -12,9 +12,10 @@ mod number;
 mod peaks;
 mod table;
 
+pub use catalogue::Unit;
 pub use course::{Course, Jump, Node};
 pub use document::{Block, Document, Fact, Term, Value, link_name};
-pub use number::{Digits, Unit};
+pub use number::{Digits, ROUNDING, beside};
 pub use peaks::{Range, peaks, range};
 pub use table::{Cell, Column, Group, Listing, Printed, Table};
 

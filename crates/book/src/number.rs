@@ -1,6 +1,6 @@
-//! Numbers and units as they are shown.
+//! Numbers as they are shown.
 
-use assur_words::{Text, name, number, quantity};
+use assur_words::{Text, name, number};
 
 /// What stands for a value that is not determined. No text shows a number that is not finite: every number of it passes
 /// through [`digits`].
@@ -9,8 +9,8 @@ pub(crate) const NONE: &str = "-";
 /// Significant digits of the largest value of a column.
 const DIGITS: i32 = 6;
 
-/// A number below this part of the largest of its kind is shown as zero.
-const ROUNDING: f64 = 1e-13;
+/// A number below this part of the largest of its kind is rounding, and zero.
+pub const ROUNDING: f64 = 1e-13;
 
 /// How the numbers of a column are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,49 +29,13 @@ pub enum Digits {
     Long,
 }
 
-/// A unit and the factor from SI.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unit {
-    /// Its English symbol; empty for a plain number.
-    pub name: &'static str,
-    /// Factor from SI.
-    pub factor: f64,
-}
-
-impl Unit {
-    /// A plain number.
-    pub const NONE: Self = Self::of("", 1.0);
-
-    /// A unit by its symbol and the factor from SI.
-    pub const fn of(name: &'static str, factor: f64) -> Self {
-        Self { name, factor }
-    }
-
-    /// A number in SI with this unit, with six significant digits.
-    pub fn show(self, value: f64) -> Text {
-        quantity(short(value * self.factor), self.name)
-    }
-
-    /// Several numbers in SI, then the unit once.
-    pub fn show_all(self, values: &[f64]) -> Text {
-        let all: Vec<_> = values.iter().map(|value| number(short(value * self.factor))).collect();
-        assur_words::joined(" ", [assur_words::joined("; ", all), assur_words::unit(self.name)])
-    }
-
-    /// The number alone.
-    pub fn number(self, value: f64) -> Text {
-        number(short(value * self.factor))
-    }
-}
-
 impl Digits {
     /// A number as it is written; `largest`: of its column, `kind`: of its unit nearby.
     pub(crate) fn write(self, value: f64, [largest, kind]: [f64; 2]) -> Text {
         if !value.is_finite() {
             return name(NONE);
         }
-        let [clean, largest] =
-            [value, largest].map(|value| if is_rounding(value, kind) { 0.0 } else { value });
+        let [clean, largest] = [value, largest].map(|value| beside(kind, value));
         number(match self {
             Self::Ratio if is_rounding(value, kind) => short(value),
             Self::Even | Self::Ratio => digits(clean, largest),
@@ -83,9 +47,14 @@ impl Digits {
     }
 }
 
+/// A number beside the greatest of its kind: zero where it is rounding.
+pub fn beside(greatest: f64, value: f64) -> f64 {
+    if is_rounding(value, greatest) { 0.0 } else { value }
+}
+
 /// Whether a number is rounding compared with the greatest of its kind.
 fn is_rounding(value: f64, greatest: f64) -> bool {
-    value.abs() <= ROUNDING * greatest
+    value.abs() <= ROUNDING * greatest.abs()
 }
 
 /// One value with six significant digits and no zeros at the end.

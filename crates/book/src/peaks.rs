@@ -5,9 +5,9 @@ use assur_analysis::results::{
     Column, Edges, Extreme, Means, Owner, Part, Peaks, Quantity, Schema, Statistic, Table, Turn,
 };
 use assur_kinematics::continuous_angle;
-use assur_mechanism::GROUND;
 
 use crate::Course;
+use crate::catalogue::reactions;
 
 /// Extremes of a curve that are not farther from the greatest one than this part of it may be the greatest.
 const NEAR: f64 = 0.02;
@@ -30,21 +30,10 @@ pub fn peaks(calculation: &Calculation, positions: &Table, edges: &Edges) -> Pea
     }
 }
 
-/// The quantities whose greatest values are asked for: the reaction of each pair on the first link of two that moves, moments of guides, speeds and
-/// the balancing load.
+/// The quantities whose greatest values are asked for: the reactions that are shown, moments of guides, speeds and the balancing load.
 fn columns(schema: &Schema) -> Vec<Column> {
-    let mut columns: Vec<Column> = Vec::new();
-    let owners = schema.owners(Quantity::Force);
-    let on = |pair| {
-        owners.iter().filter(move |owner| matches!(owner, Owner::PairOn(of, _) if *of == pair)).count()
-    };
-    for owner in &owners {
-        let Owner::PairOn(pair, link) = *owner else { continue };
-        let known = |column: &Column| matches!(column.owner, Owner::PairOn(of, _) if of == pair);
-        if on(pair) > 2 || link != GROUND && !columns.iter().any(known) {
-            columns.push(Column::of(Quantity::Force, *owner).part(Part::Modulus));
-        }
-    }
+    let force = |(pair, link)| Column::of(Quantity::Force, Owner::PairOn(pair, link)).part(Part::Modulus);
+    let mut columns: Vec<Column> = reactions(schema).into_iter().map(force).collect();
     columns
         .extend(schema.owners(Quantity::Moment).into_iter().map(|owner| Column::of(Quantity::Moment, owner)));
     let speeds = schema.owners(Quantity::Velocity).into_iter();

@@ -3,7 +3,8 @@
 use assur_mechanism::Name;
 use assur_words::{Text, count, joined, name};
 
-use crate::number::{Digits, NONE, Unit};
+use crate::catalogue::Unit;
+use crate::number::{Digits, NONE};
 
 /// A table.
 #[derive(Debug, Clone, Default)]
@@ -159,7 +160,11 @@ impl Column {
             Cell::None => name(NONE),
             Cell::Text(text) => text.clone(),
         };
-        Printed { head, unit: self.unit.name, cells: self.cells.iter().map(cell).collect() }
+        let of_numbers = self.cells.iter().all(|cell| match cell {
+            Cell::Number(_) | Cell::None => true,
+            Cell::Text(text) => text.is_empty() || text.is_number(),
+        });
+        Printed { head, unit: self.unit.name, cells: self.cells.iter().map(cell).collect(), of_numbers }
     }
 }
 
@@ -172,16 +177,8 @@ pub struct Printed {
     pub unit: &'static str,
     /// The cells.
     pub cells: Vec<Text>,
-}
-
-impl Printed {
-    /// Whether it has numbers, counts and dashes alone, so that it stands at the right.
-    pub fn is_of_numbers(&self) -> bool {
-        self.cells.iter().all(|cell| {
-            let english = cell.to_string();
-            english.is_empty() || english == "-" || english.parse::<f64>().is_ok()
-        })
-    }
+    /// Whether these are numbers, counts and dashes alone, so that it stands at the right.
+    pub of_numbers: bool,
 }
 
 /// A table with a row for each of some things, of which every column says what it shows.

@@ -110,7 +110,7 @@ fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
         .column(text!("head-vector"), |(_, (label, _))| name(label.clone()))
         .column(text!("note-force"), |(_, (_, item))| item.name.clone())
         .column(text!("head-acts"), |(_, (_, item))| item.note.clone())
-        .measured(name("F"), Unit::of("N", 1.0), |(_, (_, item))| item.size)
+        .measured(name("F"), Unit::FORCE, |(_, (_, item))| item.size)
         .table()
 }
 

@@ -63,7 +63,7 @@ impl NoteSheet<'_> {
         let row = |row: usize| columns.iter().map(|column| cell(column, row).unwrap_or_default()).collect();
         Grid {
             head: columns.iter().map(head).collect(),
-            right: columns.iter().map(Printed::is_of_numbers).collect(),
+            right: columns.iter().map(|column| column.of_numbers).collect(),
             rows: (0..table.height()).map(row).collect(),
         }
     }

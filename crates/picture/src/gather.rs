@@ -2,15 +2,12 @@
 
 use std::collections::HashMap;
 
-use assur_analysis::results::{Column, Edges, Owner, Part, Quantity, Schema, Table};
-use assur_book::{Course, catalogue};
-use assur_mechanism::{GROUND, LinkId, Named, PairId};
+use assur_analysis::results::{Column, Edges, Owner, Part, Quantity, Table};
+use assur_book::{Course, ROUNDING, catalogue};
+use assur_mechanism::{LinkId, Named, PairId};
 use assur_words::Text;
 
 use crate::Series;
-
-/// A value this small compared with the greatest one in its unit counts as zero.
-const ROUNDING: f64 = 1e-13;
 
 /// The force that a pair exerts on one link, as indices of series.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -76,7 +73,7 @@ impl Gather<'_> {
     pub(crate) fn reactions(&mut self) -> Vec<Reaction> {
         let schema = self.table.schema();
         let mut found = Vec::new();
-        for (id, on) in pairs(schema) {
+        for (id, on) in catalogue::reactions(schema) {
             let pair = schema.named(Owner::Pair(id)).map(|name| Named { id, name: name.clone() });
             let of = pair.map(|pair| (pair, Named { id: on, name: schema.link(on).clone() }));
             let force = Column::of(Quantity::Force, Owner::PairOn(id, on));
@@ -122,19 +119,4 @@ impl Gather<'_> {
             series.floor = series.floor.max(floor);
         }
     }
-}
-
-/// Pairs and links: of a pair of two links one, because the other force is opposite; of a multiple joint all.
-fn pairs(schema: &Schema) -> Vec<(PairId, LinkId)> {
-    let all: Vec<(PairId, LinkId)> = schema
-        .owners(Quantity::Force)
-        .into_iter()
-        .filter_map(|owner| if let Owner::PairOn(pair, link) = owner { Some((pair, link)) } else { None })
-        .collect();
-    let of_pair = |ends: &[(PairId, LinkId)]| {
-        let count = if ends.len() > 2 { usize::MAX } else { 1 };
-        // The force on a moving link is more informative than the one on the ground.
-        ends.iter().filter(|(_, link)| *link != GROUND).take(count).copied().collect::<Vec<_>>()
-    };
-    all.chunk_by(|a, b| a.0 == b.0).flat_map(of_pair).collect()
 }

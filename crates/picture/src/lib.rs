@@ -39,7 +39,7 @@ pub use probe::Probe;
 pub use results::{Broken, Compared, Results};
 pub use series::{Series, Transfer};
 
-use assur_book::{Fact, catalogue};
+use assur_book::{Fact, Unit};
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined};
 use strum::{IntoStaticStr, VariantArray};
@@ -94,7 +94,8 @@ impl Look<'_> {
 
 /// Unit in which the coordinate is shown, and its factor from SI.
 pub fn coordinate_unit(linkage: &Linkage) -> (&'static str, f64) {
-    if linkage.angular() { catalogue::ANGLE } else { catalogue::LENGTH }
+    let unit = Unit::place(linkage.angular());
+    (unit.name, unit.factor)
 }
 
 /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.

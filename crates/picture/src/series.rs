@@ -2,7 +2,7 @@
 
 use assur_analysis::results::{Column, Owner, Schema};
 use assur_book::Course;
-use assur_book::catalogue::{self, Shown};
+use assur_book::catalogue;
 use assur_words::{Text, joined, list, quantity, unit};
 
 use assur_figure::number::number;
@@ -35,7 +35,8 @@ impl Series {
     pub fn of(schema: &Schema, column: Column, course: Course, floor: f64) -> Self {
         let (of, head) = (catalogue::subject(schema, column), catalogue::short(schema, column));
         let (kind, short) = (catalogue::further(column), head.to_string());
-        let Shown { unit, factor } = catalogue::shown(schema, column);
+        let unit = catalogue::unit(schema, column);
+        let (unit, factor) = (unit.name.to_owned(), unit.factor);
         let floor = if catalogue::is_ratio(column) { 0.0 } else { floor.max(course.rounding()) };
         Self { column, of, head, short, kind, unit, factor, course, floor }
     }

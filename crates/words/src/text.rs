@@ -71,6 +71,11 @@ impl Text {
         }
     }
 
+    /// Whether it is a number or a count and nothing else.
+    pub fn is_number(&self) -> bool {
+        matches!(self.0, Content::Number(_) | Content::Count(_))
+    }
+
     /// What stands in it with the same letters in every language: names, keys, paths, symbols.
     pub fn names(&self) -> Vec<&str> {
         match &self.0 {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use assur_analysis::Options;
+use assur_book::{Cell, row};
 use assur_motor::{Motor, MotorFilter, catalogues, flag_meaning, list_motors, rpm};
 use assur_report::text::{columns, told};
 use assur_report::topic;
@@ -18,7 +19,7 @@ use super::{output, scene};
 pub(crate) fn plugins(style: Style) -> Result<Status, Fault> {
     let mut rows = Vec::new();
     let mut add = |sort: &'static str, of: [&'static str; 2], told: [&Text; 2]| {
-        rows.push([text!(sort)].into_iter().chain(of.map(name)).chain(told.map(Text::clone)).collect());
+        rows.push(row![text!(sort), of[0], of[1], told[0].clone(), told[1].clone()].to_vec());
     };
     for plugin in assur_group::groups().map_err(Fault::told)? {
         add("cli-plugin-group", [plugin.name, plugin.crate_name], [&plugin.summary, &plugin.source]);
@@ -100,20 +101,21 @@ fn remarks(motors: &[&Motor], style: Style) -> String {
     }
 }
 
-fn row(motor: &Motor, style: Style) -> Vec<Text> {
-    let or_dash = |value: Option<f64>| value.map_or_else(|| name("-"), number);
+fn row(motor: &Motor, style: Style) -> Vec<Cell> {
+    let known = |value: Option<f64>| value.map(number);
     let designation = if style.ascii { motor.latin_designation() } else { motor.designation.clone() };
-    vec![
-        name(motor.catalogue.clone()),
-        name(designation),
+    row![
+        &motor.catalogue,
+        &designation,
         number(motor.poles),
         number(motor.rated_power / 1e3),
         number(format_args!("{:.0}", rpm(motor.synchronous_speed))),
         number(format_args!("{:.0}", rpm(motor.rated_speed))),
-        or_dash(motor.max_torque_ratio),
-        or_dash(motor.rotor_inertia),
+        known(motor.max_torque_ratio),
+        known(motor.rotor_inertia),
         name(motor.flags.join(" ")),
     ]
+    .into()
 }
 
 fn speed(text: &str) -> Result<f64, Fault> {

@@ -5,11 +5,12 @@ mod path;
 mod unit;
 mod words;
 
-use assur_analysis::results::{Column, Owner, Part, Quantity, Residual};
+use assur_analysis::results::{Column, Owner, Part, Quantity, Residual, Schema};
+use assur_mechanism::{GROUND, LinkId, PairId};
 
 pub use path::{KEYS, PathStep, csv, path};
-pub use unit::{ANGLE, LENGTH, Shown, shown, unit};
-pub use words::{further, kind, owner, short, subject};
+pub use unit::{Unit, unit};
+pub use words::{further, head, kind, owner, short, subject};
 
 use Owner::{Input, Link, PairOn, Slide};
 use Quantity as Q;
@@ -52,79 +53,79 @@ macro_rules! rows {
                     Entry { name: $name, symbol: $symbol, measure: $measure, json: $json, csv: $csv, sense: $sense }
                 })*
                 // A quantity that a later family brings has a row of its own here before it is shown.
-                _ => Entry { name: "", symbol: "", measure: M::Number, json: "", csv: "", sense: PLAIN },
+                _ => Entry { name: "", symbol: "", measure: M::In(Unit::NONE), json: "", csv: "", sense: PLAIN },
             }
         }
     };
 }
 
 rows! {
-    Q::Time, _ => PLAIN "quantity-time", "t", M::Time, "time", "time";
-    Q::Transfer(_), Input => PLAIN "quantity-coordinate", "q", M::Place, "coordinate", "coordinate";
-    Q::Velocity, Input => SENSE "quantity-speed", "w", M::Rate(1), "speed", "speed";
-    Q::Acceleration, Input => SENSE "quantity-input-acceleration", "e", M::Rate(2), "acceleration", "acceleration";
-    Q::DrivingWork, _ => PLAIN "quantity-work-driving", "", M::Energy, "work_driving", "work_driving";
-    Q::ResistingWork, _ => PLAIN "quantity-work-resisting", "", M::Energy, "work_resisting", "work_resisting";
-    Q::FrictionWork, _ => PLAIN "quantity-work-friction", "", M::Energy, "work_friction", "work_friction";
-    Q::KineticEnergy, Link(_) => PLAIN "quantity-kinetic-energy", "T", M::Energy,
+    Q::Time, _ => PLAIN "quantity-time", "t", M::In(Unit::SECOND), "time", "time";
+    Q::Transfer(_), Input => PLAIN "quantity-coordinate", "q", M::Transfer(0), "coordinate", "coordinate";
+    Q::Velocity, Input => SENSE "quantity-speed", "ω", M::Rate(0), "speed", "speed";
+    Q::Acceleration, Input => SENSE "quantity-input-acceleration", "ε", M::Rate(1), "acceleration", "acceleration";
+    Q::DrivingWork, _ => PLAIN "quantity-work-driving", "", M::In(Unit::JOULE), "work_driving", "work_driving";
+    Q::ResistingWork, _ => PLAIN "quantity-work-resisting", "", M::In(Unit::JOULE), "work_resisting", "work_resisting";
+    Q::FrictionWork, _ => PLAIN "quantity-work-friction", "", M::In(Unit::JOULE), "work_friction", "work_friction";
+    Q::KineticEnergy, Link(_) => PLAIN "quantity-kinetic-energy", "T", M::In(Unit::JOULE),
         "kinetic_energies.*", "*_kinetic_energy";
-    Q::Work, Input => PLAIN "quantity-work-drive", "", M::Energy, "works.drive", "work_drive";
-    Q::Work, Link(_) => PLAIN "quantity-work-weights", "", M::Energy, "works.weights", "work_weights";
-    Q::Work, _ => PLAIN "quantity-work", "A", M::Energy, "works.loads.*", "work_*";
+    Q::Work, Input => PLAIN "quantity-work-drive", "", M::In(Unit::JOULE), "works.drive", "work_drive";
+    Q::Work, Link(_) => PLAIN "quantity-work-weights", "", M::In(Unit::JOULE), "works.weights", "work_weights";
+    Q::Work, _ => PLAIN "quantity-work", "A", M::In(Unit::JOULE), "works.loads.*", "work_*";
     Q::ReducedLoad, Input => SENSE "quantity-reduced-drive", "", M::OnInput, "reduced_loads.drive", "reduced_drive";
     Q::ReducedLoad, Link(_) => SENSE "quantity-reduced-weights", "", M::OnInput,
         "reduced_loads.weights", "reduced_weights";
     Q::ReducedLoad, _ => SENSE "quantity-reduced-load", "", M::OnInput, "reduced_loads.loads.*", "reduced_load_*";
-    Q::KineticEnergy, _ => PLAIN "quantity-kinetic-energy", "T", M::Energy, "kinetic_energy", "kinetic_energy";
-    Q::Transfer(0), Link(_) => PLAIN "quantity-pf0", "", M::Place, "links.*.pf0", "*_angle";
+    Q::KineticEnergy, _ => PLAIN "quantity-kinetic-energy", "T", M::In(Unit::JOULE), "kinetic_energy", "kinetic_energy";
+    Q::Transfer(0), Link(_) => PLAIN "quantity-pf0", "", M::Transfer(0), "links.*.pf0", "*_angle";
     Q::Transfer(1), Link(_) => SENSE "quantity-pf1", "", M::Transfer(1), "links.*.pf1", "*_angle_pf1";
     Q::Transfer(order), Link(_) => SENSE "quantity-pf2", "", M::Transfer(order), "links.*.pf2", "*_angle_pf2";
-    Q::Transfer(0), Slide(_) => PLAIN "quantity-pf0", "", M::Place, "slides.*.pf0", "*_displacement";
+    Q::Transfer(0), Slide(_) => PLAIN "quantity-pf0", "", M::Transfer(0), "slides.*.pf0", "*_displacement";
     Q::Transfer(1), Slide(_) => SENSE "quantity-pf1", "", M::Transfer(1), "slides.*.pf1", "*_displacement_pf1";
     Q::Transfer(order), Slide(_) => SENSE "quantity-pf2", "", M::Transfer(order),
         "slides.*.pf2", "*_displacement_pf2";
-    Q::Transfer(0), _ => PLAIN "quantity-pf0", "", M::Place, "points.*.pf0", "*_%";
+    Q::Transfer(0), _ => PLAIN "quantity-pf0", "", M::Transfer(0), "points.*.pf0", "*_%";
     Q::Transfer(1), _ => SENSE "quantity-pf1", "", M::Transfer(1), "points.*.pf1", "*_%_pf1";
     Q::Transfer(order), _ => SENSE "quantity-pf2", "", M::Transfer(order), "points.*.pf2", "*_%_pf2";
-    Q::Velocity, Link(_) => SENSE "quantity-velocity", "w", M::Rate(1), "velocities.links.*", "*_w";
-    Q::Velocity, Slide(_) => SENSE "quantity-velocity", "v", M::Rate(1), "velocities.slides.*", "*_v";
-    Q::Velocity, _ => SENSE "quantity-velocity", "v", M::Rate(1), "velocities.points.*", "*_v%";
-    Q::Acceleration, Link(_) => SENSE "quantity-acceleration", "e", M::Rate(2), "accelerations.links.*", "*_e";
-    Q::Acceleration, Slide(_) => SENSE "quantity-acceleration", "a", M::Rate(2), "accelerations.slides.*", "*_a";
-    Q::Acceleration, _ => SENSE "quantity-acceleration", "a", M::Rate(2), "accelerations.points.*", "*_a%";
-    Q::ReducedInertia, Link(_) => PLAIN "quantity-reduced-inertia", "J", M::Inertia,
+    Q::Velocity, Link(_) => SENSE "quantity-velocity", "ω", M::Rate(0), "velocities.links.*", "*_w";
+    Q::Velocity, Slide(_) => SENSE "quantity-velocity", "v", M::Rate(0), "velocities.slides.*", "*_v";
+    Q::Velocity, _ => SENSE "quantity-velocity", "v", M::Rate(0), "velocities.points.*", "*_v%";
+    Q::Acceleration, Link(_) => SENSE "quantity-acceleration", "ε", M::Rate(1), "accelerations.links.*", "*_e";
+    Q::Acceleration, Slide(_) => SENSE "quantity-acceleration", "a", M::Rate(1), "accelerations.slides.*", "*_a";
+    Q::Acceleration, _ => SENSE "quantity-acceleration", "a", M::Rate(1), "accelerations.points.*", "*_a%";
+    Q::ReducedInertia, Link(_) => PLAIN "quantity-reduced-inertia", "J", M::Inertia(0),
         "reduced.inertia_of_links.*", "*_reduced_inertia";
-    Q::ReducedInertia, _ => PLAIN "quantity-reduced-inertia", "J", M::Inertia, "reduced.inertia", "reduced_inertia";
-    Q::ReducedInertiaDerivative, _ => SENSE "quantity-reduced-inertia-derivative", "J'", M::InertiaDerivative,
+    Q::ReducedInertia, _ => PLAIN "quantity-reduced-inertia", "J", M::Inertia(0), "reduced.inertia", "reduced_inertia";
+    Q::ReducedInertiaDerivative, _ => SENSE "quantity-reduced-inertia-derivative", "J'", M::Inertia(1),
         "reduced.inertia_derivative", "reduced_inertia_derivative";
     Q::ReducedMoment, _ => SENSE "quantity-reduced-moment", "Q", M::OnInput, "reduced.moment", "reduced_moment";
     Q::Load, _ => SENSE "", "", M::Load, "loads.*", "load_*";
-    Q::InertiaForce, _ => SENSE "quantity-inertia-force", "F", M::Force, "inertia_loads.*.force", "*_inertia_f%";
-    Q::InertiaMoment, _ => SENSE "quantity-inertia-moment", "M", M::Moment,
+    Q::InertiaForce, _ => SENSE "quantity-inertia-force", "F", M::In(Unit::FORCE), "inertia_loads.*.force", "*_inertia_f%";
+    Q::InertiaMoment, _ => SENSE "quantity-inertia-moment", "M", M::In(Unit::MOMENT),
         "inertia_loads.*.moment", "*_inertia_moment";
-    Q::ShakingForce, _ => SENSE "quantity-shaking-force", "F", M::Force, "shaking.force", "shaking_f%";
-    Q::ShakingMoment, _ => SENSE "quantity-shaking-moment", "M", M::Moment, "shaking.moment", "shaking_moment";
-    Q::Force, PairOn(..) => SENSE "quantity-force", "F", M::Force, "reactions.*.+", "*_+_f%";
-    Q::Force, _ => SENSE "quantity-force", "F", M::Force, "", "";
-    Q::Moment, _ => SENSE "quantity-moment", "M", M::Moment, "reactions.*.moment", "*_moment";
-    Q::Offset, _ => PLAIN "quantity-offset", "", M::Length, "", "";
+    Q::ShakingForce, _ => SENSE "quantity-shaking-force", "F", M::In(Unit::FORCE), "shaking.force", "shaking_f%";
+    Q::ShakingMoment, _ => SENSE "quantity-shaking-moment", "M", M::In(Unit::MOMENT), "shaking.moment", "shaking_moment";
+    Q::Force, PairOn(..) => SENSE "quantity-force", "F", M::In(Unit::FORCE), "reactions.*.+", "*_+_f%";
+    Q::Force, _ => SENSE "quantity-force", "F", M::In(Unit::FORCE), "", "";
+    Q::Moment, _ => SENSE "quantity-moment", "M", M::In(Unit::MOMENT), "reactions.*.moment", "*_moment";
+    Q::Offset, _ => PLAIN "quantity-offset", "s", M::In(Unit::LENGTH), "", "";
     Q::Balancing, _ => SENSE "quantity-balancing", "", M::Balancing, "balancing", "balancing";
-    Q::OfMethod, _ => SENSE "quantity-force", "", M::Force, "method.*", "method_*";
-    Q::FrictionMoment, PairOn(..) => SENSE "quantity-friction-moment", "Mf", M::Moment,
+    Q::OfMethod, _ => SENSE "quantity-force", "", M::In(Unit::FORCE), "method.*", "method_*";
+    Q::FrictionMoment, PairOn(..) => SENSE "quantity-friction-moment", "Mf", M::In(Unit::MOMENT),
         "friction.*.moments.+", "*_+_friction_moment";
-    Q::FrictionMoment, _ => SENSE "quantity-friction-moment", "Mf", M::Moment,
+    Q::FrictionMoment, _ => SENSE "quantity-friction-moment", "Mf", M::In(Unit::MOMENT),
         "friction.*.moment", "*_friction_moment";
-    Q::FrictionForce, _ => SENSE "quantity-friction-force", "Ff", M::Force, "friction.*.force", "*_friction_force";
+    Q::FrictionForce, _ => SENSE "quantity-friction-force", "Ff", M::In(Unit::FORCE), "friction.*.force", "*_friction_force";
     Q::FrictionPower, _ => SENSE "quantity-friction-power", "Pf", M::Power, "friction.*.power", "*_friction_power";
     Q::IdealBalancing, _ => SENSE "quantity-ideal-balancing", "", M::Balancing,
         "balancing_without_friction", "balancing_without_friction";
-    Q::Efficiency, _ => PLAIN "quantity-efficiency", "", M::Number, "efficiency", "efficiency";
-    Q::FrictionCertificate, _ => PLAIN "quantity-friction-certificate", "", M::Number,
+    Q::Efficiency, _ => PLAIN "quantity-efficiency", "", M::In(Unit::NONE), "efficiency", "efficiency";
+    Q::FrictionCertificate, _ => PLAIN "quantity-friction-certificate", "", M::In(Unit::NONE),
         "friction_certificate.*", "friction_certificate_*";
     Q::Holding, _ => SENSE "quantity-holding", "", M::OnInput, "holding.moment", "";
     Q::HoldingBound, _ => SENSE "quantity-holding-bound", "", M::OnInput, "holding.bound", "";
-    Q::Condition, _ => PLAIN "quantity-condition", "", M::Number, "condition.*", "condition_*";
-    Q::Residual(of), _ => PLAIN residual(of), "", M::Number, "residuals.*", "residual_*";
+    Q::Condition, _ => PLAIN "quantity-condition", "", M::In(Unit::NONE), "condition.*", "condition_*";
+    Q::Residual(of), _ => PLAIN residual(of), "", M::In(Unit::NONE), "residuals.*", "residual_*";
 }
 
 /// The identity of the name of a residual.
@@ -146,7 +147,20 @@ pub fn sign_is_sense(column: Column) -> bool {
 
 /// Whether it is a plain number, of which a small one beside a great one is no rounding of zero: a condition number, a residual.
 pub fn is_ratio(column: Column) -> bool {
-    matches!(of(column).measure, M::Number)
+    matches!(of(column).measure, M::In(unit) if unit.name.is_empty())
+}
+
+/// The pairs that have reactions, each with the links on which its force is shown: of two links the first that moves, since the force
+/// on the other is opposite; of more links all.
+pub fn reactions(schema: &Schema) -> Vec<(PairId, LinkId)> {
+    let pair_on = |owner| if let PairOn(pair, link) = owner { Some((pair, link)) } else { None };
+    let all: Vec<_> = schema.owners(Q::Force).into_iter().filter_map(pair_on).collect();
+    let of_pair = |links: &[(PairId, LinkId)]| match *links {
+        [(pair, GROUND), (_, moving)] => vec![(pair, moving)],
+        [first, _] => vec![first],
+        _ => links.to_vec(),
+    };
+    all.chunk_by(|one, other| one.0 == other.0).flat_map(of_pair).collect()
 }
 
 /// The letter of the axis of a projection; empty for a whole quantity or a magnitude.

@@ -71,7 +71,6 @@ pub fn csv(schema: &Schema, column: Column) -> Option<String> {
     if matches!(column.quantity, Quantity::Residual(_)) {
         name = name.replace(' ', "_");
     }
-    // `m_per_rad2`, `kgm2`.
-    let unit = unit(schema, column).replace('/', "_per_").replace(' ', "");
-    Some(if unit.is_empty() { name } else { name + "_" + &unit })
+    let suffix = unit(schema, column).suffix();
+    Some(if suffix.is_empty() { name } else { name + "_" + &suffix })
 }

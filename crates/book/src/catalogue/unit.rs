@@ -1,106 +1,161 @@
-//! The unit of a quantity, in SI and as it is shown.
+//! The units of quantities: in SI, as they are shown, and in the names of columns.
 
 use assur_analysis::results::{Column, Owner, Quantity, Schema};
+use assur_words::{Text, number, quantity};
 
 use super::of;
+use crate::number::short;
 
-/// What a number measures.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Measure {
-    /// A plain number.
-    Number,
-    Time,
-    /// Where its owner is: an angle of a link, a length of a point or slide, the coordinate of the input.
-    Place,
-    /// A derivative of the place by the coordinate, of this order.
-    Transfer(u8),
-    /// A derivative of the place by time, of this order.
-    Rate(u8),
-    /// Inertia reduced to the input.
-    Inertia,
-    /// Its derivative with respect to the coordinate.
-    InertiaDerivative,
-    /// What acts on the input along its coordinate.
-    OnInput,
-    /// The balancing load: a moment or a force.
-    Balancing,
-    Moment,
-    Force,
-    /// Work or energy.
-    Energy,
-    /// A power; without a motion the work by unit of the coordinate.
-    Power,
-    Length,
-    /// A load of the scene.
-    Load,
-}
-
-/// The unit of a derivative: `m/s2`.
-fn derivative(base: &str, by: &str, order: u8) -> String {
-    match order {
-        0 => base.to_owned(),
-        1 => format!("{base}/{by}"),
-        order => format!("{base}/{by}{order}"),
-    }
-}
-
-/// The SI unit of a column: `kg m2/rad`; empty for a plain number.
-pub fn unit(schema: &Schema, column: Column) -> String {
-    let (coordinate, on_input, inertia) =
-        if schema.angular { ("rad", "N m", "kg m2") } else { ("m", "N", "kg") };
-    let place = match column.owner {
-        Owner::Link(_) => "rad",
-        Owner::Input => coordinate,
-        _ => "m",
-    };
-    let unit = match of(column).measure {
-        Measure::Number => "",
-        Measure::Time => "s",
-        Measure::Place => place,
-        Measure::Transfer(order) => return derivative(place, coordinate, order),
-        Measure::Rate(order) => return derivative(place, "s", order),
-        Measure::Inertia => inertia,
-        Measure::InertiaDerivative => return derivative(inertia, coordinate, 1),
-        Measure::Balancing if schema.balances_by_moment => "N m",
-        Measure::Moment => "N m",
-        Measure::Balancing | Measure::Force => "N",
-        Measure::Energy => "J",
-        Measure::Power if schema.find(Column::of(Quantity::Velocity, Owner::Input)).is_some() => "W",
-        Measure::OnInput | Measure::Power => on_input,
-        Measure::Length => "m",
-        Measure::Load => match column.owner {
-            Owner::Load(load) => schema.unit_of_load(load),
-            _ => "N",
-        },
-    };
-    unit.to_owned()
-}
-
-/// A unit in which a quantity is shown.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Shown {
-    /// Its symbol.
-    pub unit: String,
+/// A unit: its SI unit, which names of columns have, and the unit in which people read its numbers.
+///
+/// Symbols are written in ASCII, `kg m2/rad`; texts have them with the signs of print.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// The symbol of the SI unit; empty for a plain number.
+    si: &'static str,
+    /// The symbol of the unit that is shown.
+    pub name: &'static str,
     /// How many of these units the SI unit has.
     pub factor: f64,
 }
 
-/// The unit in which angles are shown, and how many of it a radian has.
-pub const ANGLE: (&str, f64) = ("deg", 180.0 / std::f64::consts::PI);
-/// The unit in which lengths are shown, and how many of it a meter has.
-pub const LENGTH: (&str, f64) = ("mm", 1e3);
+impl Unit {
+    /// A plain number.
+    pub const NONE: Self = Self::si("");
+    /// A mass.
+    pub const KILOGRAM: Self = Self::si("kg");
+    /// A time.
+    pub const SECOND: Self = Self::si("s");
+    /// A moment.
+    pub const MOMENT: Self = Self::si("N m");
+    /// A force.
+    pub const FORCE: Self = Self::si("N");
+    /// Work and energy.
+    pub const JOULE: Self = Self::si("J");
+    /// A power.
+    pub const POWER: Self = Self::si("W");
+    /// A moment of inertia.
+    pub const INERTIA: Self = Self::si("kg m2");
+    /// A length.
+    pub const LENGTH: Self = Self::si("m").shown("mm", 1e3);
+    /// An angle.
+    pub const ANGLE: Self = Self::si("rad").shown("deg", 180.0 / std::f64::consts::PI);
+    /// A curvature.
+    pub const CURVATURE: Self = Self::si("1/m");
+    /// Angular velocity and angular acceleration.
+    pub const TURNING: [Self; 2] = [Self::si("rad/s"), Self::si("rad/s2")];
+    /// Velocity and acceleration.
+    pub const MOVING: [Self; 2] = [Self::si("m/s"), Self::si("m/s2")];
 
-/// The unit in which a column is shown: places in degrees and millimeters, derivatives of lengths by the coordinate in
-/// millimeters, everything else in SI.
-pub fn shown(schema: &Schema, column: Column) -> Shown {
-    let unit = unit(schema, column);
-    let (symbol, factor) = match (of(column).measure, unit.as_str()) {
-        (Measure::Place, "rad") => (ANGLE.0.to_owned(), ANGLE.1),
-        (Measure::Place | Measure::Length, "m") => (LENGTH.0.to_owned(), LENGTH.1),
-        (Measure::Transfer(order), _) if unit.starts_with('m') && schema.angular => {
-            (derivative(LENGTH.0, "rad", order), LENGTH.1)
+    /// An SI unit that is shown as it is.
+    pub const fn si(symbol: &'static str) -> Self {
+        Self { si: symbol, name: symbol, factor: 1.0 }
+    }
+
+    /// The same, shown in another unit, of which the SI unit has `factor`.
+    #[must_use]
+    pub const fn shown(self, name: &'static str, factor: f64) -> Self {
+        Self { name, factor, ..self }
+    }
+
+    /// An angle or a length: a place of what turns or slides.
+    pub const fn place(is_angle: bool) -> Self {
+        if is_angle { Self::ANGLE } else { Self::LENGTH }
+    }
+
+    /// First and second derivative by time of an angle or a length.
+    pub const fn rates(is_angle: bool) -> [Self; 2] {
+        if is_angle { Self::TURNING } else { Self::MOVING }
+    }
+
+    /// A derivative of an angle or a length with respect to the coordinate of the input, which is an angle where this is `angular`.
+    pub const fn transfer(is_angle: bool, angular: bool, order: u8) -> Self {
+        match (is_angle, angular, order) {
+            (_, _, 0) => Self::place(is_angle),
+            (true, true, 1) => Self::si("rad/rad"),
+            (true, true, _) => Self::si("rad/rad2"),
+            (true, false, 1) => Self::si("rad/m"),
+            (true, false, _) => Self::si("rad/m2"),
+            (false, true, 1) => Self::si("m/rad").shown("mm/rad", 1e3),
+            (false, true, _) => Self::si("m/rad2").shown("mm/rad2", 1e3),
+            (false, false, 1) => Self::si("m/m"),
+            (false, false, _) => Self::si("m/m2"),
         }
-        _ => (unit, 1.0),
+    }
+
+    /// What acts along an angle or along a length.
+    pub const fn load(is_moment: bool) -> Self {
+        if is_moment { Self::MOMENT } else { Self::FORCE }
+    }
+
+    /// Inertia reduced to the input and its derivative with respect to the coordinate.
+    pub const fn inertias(angular: bool) -> [Self; 2] {
+        if angular { [Self::INERTIA, Self::si("kg m2/rad")] } else { [Self::KILOGRAM, Self::si("kg/m")] }
+    }
+
+    /// What the name of a column in SI ends with: `m_per_rad2`, `kgm2`.
+    pub fn suffix(self) -> String {
+        self.si.replace('/', "_per_").replace(' ', "")
+    }
+
+    /// A number in SI with this unit, with six significant digits.
+    pub fn show(self, value: f64) -> Text {
+        quantity(short(value * self.factor), self.name)
+    }
+
+    /// Several numbers in SI, then the unit once.
+    pub fn show_all(self, values: &[f64]) -> Text {
+        let all: Vec<_> = values.iter().map(|value| self.number(*value)).collect();
+        assur_words::joined(" ", [assur_words::joined("; ", all), assur_words::unit(self.name)])
+    }
+
+    /// The number alone.
+    pub fn number(self, value: f64) -> Text {
+        number(short(value * self.factor))
+    }
+}
+
+/// What a number measures.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Measure {
+    /// A number of this unit.
+    In(Unit),
+    /// A derivative of this order by the coordinate of where its owner is: an angle of a link, a length of a point or slide, the
+    /// coordinate of the input.
+    Transfer(u8),
+    /// A derivative by time: velocity or acceleration.
+    Rate(usize),
+    /// Inertia reduced to the input, or its derivative.
+    Inertia(usize),
+    /// What acts on the input along its coordinate.
+    OnInput,
+    /// The balancing load: a moment or a force.
+    Balancing,
+    /// A power; without a motion the work by unit of the coordinate.
+    Power,
+    /// A load of the scene.
+    Load,
+}
+
+/// The unit of a column.
+pub fn unit(schema: &Schema, column: Column) -> Unit {
+    let angular = schema.angular;
+    let is_angle = match column.owner {
+        Owner::Link(_) => true,
+        Owner::Input => angular,
+        _ => false,
     };
-    Shown { unit: symbol, factor }
+    match of(column).measure {
+        Measure::In(unit) => unit,
+        Measure::Transfer(order) => Unit::transfer(is_angle, angular, order),
+        Measure::Rate(order) => Unit::rates(is_angle)[order],
+        Measure::Inertia(order) => Unit::inertias(angular)[order],
+        Measure::Balancing => Unit::load(schema.balances_by_moment),
+        Measure::Power if schema.find(Column::of(Quantity::Velocity, Owner::Input)).is_some() => Unit::POWER,
+        Measure::OnInput | Measure::Power => Unit::load(angular),
+        Measure::Load => match column.owner {
+            Owner::Load(load) => Unit::si(schema.unit_of_load(load)),
+            _ => Unit::FORCE,
+        },
+    }
 }

@@ -36,6 +36,17 @@ fn symbol(column: Column) -> String {
     of(column).symbol.to_owned() + axis(column.part)
 }
 
+/// A column as a head among the columns of its owner: `PF1 x`, `vx`, `F`; what it is in words where it has no symbol.
+pub fn head(column: Column) -> Text {
+    let symbol = symbol(column);
+    match column.quantity {
+        Quantity::Transfer(0) => name(symbol),
+        Quantity::Transfer(_) => spaced([kind(column), name(symbol)]),
+        _ if symbol.is_empty() => kind(column),
+        _ => name(symbol),
+    }
+}
+
 /// What a column is, in words: `velocity`, `PF1`; empty for a load, whose name says all.
 pub fn kind(column: Column) -> Text {
     let id = of(column).name;
@@ -65,7 +76,8 @@ pub fn further(column: Column) -> Text {
 /// A column as the head of a table: `D.x'`, `A>rod.Fx`; no two columns have the same.
 pub fn short(schema: &Schema, column: Column) -> Text {
     let own = || schema.name(column.owner).to_string();
-    let symbol = symbol(column);
+    // As it is typed.
+    let symbol = symbol(column).replace('ω', "w").replace('ε', "e");
     let dotted =
         |of: String, symbol: &str| name(if symbol.is_empty() { of } else { format!("{of}.{symbol}") });
     match (column.quantity, column.owner) {

@@ -43,7 +43,7 @@ fn no_number_that_is_not_finite_is_shown() {
 
 #[test]
 fn few_rows_of_many_owners_stand_as_a_row_for_each_owner() {
-    let column = |head, value| Column::numbers(name(head), Unit::of("mm", 1e3), [Some(value), None]);
+    let column = |head, value| Column::numbers(name(head), Unit::LENGTH, [Some(value), None]);
     let group = |owner, columns| crate::Group { owner: name(owner), columns };
     let keys = vec![Column::counted(name("No."), [3, 27])];
     let groups =

@@ -1,6 +1,6 @@
 //! Columns of a table side by side.
 
-use assur_book::Printed;
+use assur_book::{Cell, Column, Printed, Table};
 use assur_words::{Text, unit};
 use unicode_width::UnicodeWidthStr;
 
@@ -22,9 +22,8 @@ pub(super) struct Ready {
 impl Ready {
     pub(super) fn of(column: &Printed, style: Style<'_>) -> Self {
         let cells = column.cells.iter().map(|cell| vec![style.line(cell)]).collect();
-        // Lines have no subscripts.
-        let head = vec![style.line(&column.head).replace("_{", "").replace('}', "")];
-        let (unit, right) = (style.line(&unit(column.unit)), column.is_of_numbers());
+        let (head, unit) = (vec![style.line(&column.head)], style.line(&unit(column.unit)));
+        let right = column.of_numbers;
         let mut column = Self { head, unit, cells, width: 0, right };
         column.width = column.widest(UnicodeWidthStr::width);
         column
@@ -115,11 +114,10 @@ pub(super) fn grid(columns: &[&Ready], rows: usize) -> Vec<Line> {
 }
 
 /// Rows in aligned columns below their heads and a line; columns of numbers are flush right.
-pub fn columns(head: &[Text], rows: &[Vec<Text>], style: Style<'_>) -> String {
-    let column = |(number, head): (usize, &Text)| {
-        let cells = rows.iter().map(|row| row.get(number).cloned().unwrap_or_default()).collect();
-        Ready::of(&Printed { head: head.clone(), unit: "", cells }, style)
-    };
-    let all: Vec<_> = head.iter().enumerate().map(column).collect();
+pub fn columns(head: &[Text], rows: &[Vec<Cell>], style: Style<'_>) -> String {
+    let heads = head.iter().cloned().map(Column::of);
+    let (keys, groups) = Table::list(Text::default(), heads).rows(rows.iter().cloned()).printed();
+    let all = keys.iter().chain(groups.iter().flatten()).map(|column| Ready::of(column, style));
+    let all: Vec<_> = all.collect();
     joined(&grid(&all.iter().collect::<Vec<_>>(), rows.len()))
 }

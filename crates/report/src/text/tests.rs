@@ -17,7 +17,7 @@ fn ascii() -> Style<'static> {
 #[test]
 fn columns_of_words_are_flush_left_and_of_numbers_flush_right() {
     let head = ["pair", "N"].map(name);
-    let rows = [("A", "1.5"), ("größe", "-12.25")].map(|(word, digits)| vec![name(word), number(digits)]);
+    let rows = [("A", "1.5"), ("größe", "-12.25")].map(|(word, digits)| row![word, number(digits)].to_vec());
     let plain = columns(&head, &rows, Style::english());
     assert_eq!(plain, "pair        N\n-----  ------\nA         1.5\ngröße  -12.25\n");
     assert!(columns(&head, &rows, ascii()).contains("groesse  -12.25\n"));
@@ -182,7 +182,7 @@ fn long_lists_and_wide_tables_are_shortened_and_say_so() {
     let mut page = Document::default();
     let rows = 4096;
     let key = Column::counted(name("No."), vec![1; rows]);
-    let wide = Column::numbers(name("a long head"), Unit::of("J", 1.0), vec![Some(1.0); rows]);
+    let wide = Column::numbers(name("a long head"), Unit::JOULE, vec![Some(1.0); rows]);
     page.table(Table::over(Text::default(), vec![key], vec![wide; 200]));
     let text = written(&page, Style::english());
     assert!(

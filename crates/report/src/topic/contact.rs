@@ -1,11 +1,10 @@
 //! The side on which guides press, and the straight line that an arc envelopes.
 
-use assur_book::{Column, Document, Table};
+use assur_book::{Column, Document, Table, Unit};
 use assur_diagram::{Enveloping, EnvelopingPoint, SignChange};
 use assur_words::{Text, name, number, text};
 
 use super::Source;
-use super::units::{FORCE, LENGTH};
 
 /// Sides of the guides, and enveloping.
 pub fn contacts(source: &Source<'_>, page: &mut Document) {
@@ -31,38 +30,38 @@ fn sides(source: &Source<'_>, page: &mut Document) {
         Some(change) if change.jump => text!("report-jumps"),
         Some(_) => text!("report-passes-zero"),
     };
-    let coordinate = source.units.coordinate;
+    let coordinate = source.coordinate();
     let table = Table::each(Text::default(), rows)
         .column(text!("head-guide"), |(slide, _)| Text::from(*slide))
         .column(text!("head-after-position"), |(_, change)| change.map(|change| number(change.after_index)))
         .measured(Text::from(&source.analysis.input.link), coordinate, |(_, change)| {
             Some((*change)?.coordinate)
         })
-        .measured(text!("head-before"), FORCE, |(_, change)| Some((*change)?.before))
-        .measured(text!("head-after"), FORCE, |(_, change)| Some((*change)?.after))
+        .measured(text!("head-before"), Unit::FORCE, |(_, change)| Some((*change)?.before))
+        .measured(text!("head-after"), Unit::FORCE, |(_, change)| Some((*change)?.after))
         .column(text!("head-change"), |(_, change)| how(*change));
     page.table(table.table());
 }
 
 fn enveloping(source: &Source<'_>, found: &Enveloping, page: &mut Document) {
-    let (coordinate, per) = (source.units.coordinate, source.units.length[1]);
+    let (coordinate, per) = (source.coordinate(), Unit::transfer(false, source.angular, 1));
     page.heading(text!("report-enveloping", contact = &found.contact));
     page.paragraph(text!(
         "report-enveloping-text",
         from = coordinate.show(found.interval[0]),
         to = coordinate.show(found.interval[1]),
-        level = LENGTH.show(found.level),
-        greatest = LENGTH.show(found.greatest),
+        level = Unit::LENGTH.show(found.level),
+        greatest = Unit::LENGTH.show(found.greatest),
         at = coordinate.show(found.greatest_at),
-        way = LENGTH.show(found.way)
+        way = Unit::LENGTH.show(found.way)
     ));
     let column =
         |head, unit, value: fn(&EnvelopingPoint) -> f64| Column::each(&found.path, head, unit, value);
     let key = column(Text::from(&source.analysis.input.link), coordinate, |point| point.coordinate);
     let columns = vec![
-        column(name("x"), LENGTH, |point| point.lowest[0]),
-        column(name("y"), LENGTH, |point| point.lowest[1]),
-        column(text!("head-deviation"), LENGTH, |point| point.deviation),
+        column(name("x"), Unit::LENGTH, |point| point.lowest[0]),
+        column(name("y"), Unit::LENGTH, |point| point.lowest[1]),
+        column(text!("head-deviation"), Unit::LENGTH, |point| point.deviation),
         column(text!("head-sliding"), per, |point| point.sliding),
     ];
     page.table(Table::over(Text::default(), vec![key], columns));

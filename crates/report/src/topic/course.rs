@@ -1,13 +1,12 @@
 //! Motion over time: how it was found, its samples, energies, and the greatest reactions.
 
 use assur_analysis::results::{Integration, Owner, Part, Quantity, Table as Results};
-use assur_book::{Column, Document, Table, Unit};
+use assur_book::{Column, Document, Table, Unit, catalogue};
 use assur_integrator::{EventKind, Knob};
 use assur_mechanism::{Motion, StepLength};
 use assur_words::{Text, name, number, text};
 
-use super::forces::{force, has_reactions, shown};
-use super::units::{FORCE, JOULE, SECOND};
+use super::forces::{force, has_reactions};
 use super::{Source, Values, each};
 
 /// Rows of the table; of more samples every so many are shown.
@@ -45,11 +44,13 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
     let has_fixed_steps = assur_integrator::find(&found.method).is_ok_and(|method| method.knob == Knob::Step);
     page.paragraph(if has_fixed_steps {
         let step = match source.mechanism.motion {
-            Some(Motion::Transient { step: Some(StepLength::Time(step)), .. }) => SECOND.show(step),
+            Some(Motion::Transient { step: Some(StepLength::Time(step)), .. }) => Unit::SECOND.show(step),
             Some(Motion::Transient { step: Some(StepLength::Way(step)), .. }) => {
-                source.units.coordinate.show(step)
+                source.coordinate().show(step)
             }
-            _ => text!("report-mean-step", step = SECOND.show(found.end.time / cost.steps.max(1) as f64)),
+            _ => {
+                text!("report-mean-step", step = Unit::SECOND.show(found.end.time / cost.steps.max(1) as f64))
+            }
         };
         text!("report-integration-fixed", step, steps = cost.steps, evaluations, jacobians, pieces)
     } else {
@@ -69,21 +70,21 @@ fn integration(source: &Source<'_>, found: &Integration, page: &mut Document) {
     if let Some(error) = cost.error {
         page.paragraph(text!("report-motion-error", value = Unit::NONE.show(error)));
     }
-    let raw = Unit::of(if source.analysis.input.angular { "rad" } else { "m" }, 1.0);
+    let raw = Unit::si(if source.angular { "rad" } else { "m" });
     page.paragraph(text!(
         "report-end",
-        time = SECOND.show(found.end.time),
+        time = Unit::SECOND.show(found.end.time),
         raw = raw.show(found.end.coordinate),
-        coordinate = source.units.coordinate.show(found.end.coordinate),
-        speed = source.units.rates[0].show(found.end.speed)
+        coordinate = source.coordinate().show(found.end.coordinate),
+        speed = Unit::rates(source.angular)[0].show(found.end.speed)
     ));
     let energy = &found.energy;
     page.paragraph(text!(
         "report-energies",
-        start = JOULE.show(energy.kinetic_start),
-        end = JOULE.show(energy.kinetic_end),
-        potential_start = JOULE.show(energy.potential_start),
-        potential_end = JOULE.show(energy.potential_end)
+        start = Unit::JOULE.show(energy.kinetic_start),
+        end = Unit::JOULE.show(energy.kinetic_end),
+        potential_start = Unit::JOULE.show(energy.potential_start),
+        potential_end = Unit::JOULE.show(energy.potential_end)
     ));
     let change = number(format_args!("{:.2e}", energy.change));
     page.paragraph(if energy.conservative {
@@ -105,39 +106,37 @@ fn some(all: &Results) -> Vec<usize> {
 
 fn samples(source: &Source<'_>, page: &mut Document) {
     let all = &source.analysis.trajectory;
-    let (rows, units) = (some(all), &source.units);
-    let column = |head, unit, values| {
-        let values = each(all, values);
-        Column::numbers(head, unit, rows.iter().map(|row| values[*row]))
+    let rows = some(all);
+    let column = |head, values| {
+        let column = super::column(all, head, values);
+        Column { cells: rows.iter().map(|row| column.cells[*row].clone()).collect(), ..column }
     };
     let of = |quantity| Values::of(quantity, Owner::Input);
-    let time = column(text!("head-time"), SECOND, of(Quantity::Time));
-    let mut columns = vec![
-        column(Text::from(&source.analysis.input.link), units.coordinate, Values::COORDINATE),
-        column(text!("head-speed"), units.rates[0], of(Quantity::Velocity)),
-        column(text!("head-acceleration"), units.rates[1], of(Quantity::Acceleration)),
-    ];
+    let mut columns = vec![column(Text::from(&source.analysis.input.link), Values::COORDINATE)];
     for (head, quantity) in [
+        (text!("head-speed"), Quantity::Velocity),
+        (text!("head-acceleration"), Quantity::Acceleration),
         (text!("head-driving-work"), Quantity::DrivingWork),
         (text!("head-resisting-work"), Quantity::ResistingWork),
         (text!("head-friction-work-of-course"), Quantity::FrictionWork),
         (text!("head-kinetic-energy"), Quantity::KineticEnergy),
     ] {
         if all.schema().find(of(quantity)).is_some() {
-            columns.push(column(head, JOULE, of(quantity)));
+            columns.push(column(head, of(quantity)));
         }
     }
     let drive = all.schema().find(Values::BALANCING).filter(|column| all.has(*column));
     if source.mechanism.drive.is_some() && drive.is_some() {
-        columns.push(column(text!("head-drive"), units.reduced[2], Values::BALANCING));
+        columns.push(column(text!("head-drive"), Values::BALANCING));
     }
+    let time = column(text!("head-time"), of(Quantity::Time));
     let caption = text!("report-course", shown = rows.len(), all = all.len());
     page.table(Table::over(caption, vec![time], columns));
 }
 
 /// The load that holds the motion at rest or at its speed, from the first sample of each interval of holding.
 fn holding(source: &Source<'_>, page: &mut Document) {
-    let (moment, rate) = (source.units.reduced[2], source.units.rates[0]);
+    let (moment, rate) = (Unit::load(source.angular), Unit::rates(source.angular)[0]);
     let all = &source.analysis.trajectory;
     let of = |quantity| each(all, Values::of(quantity, Owner::Input));
     let [time, speed, held, bound] =
@@ -151,7 +150,7 @@ fn holding(source: &Source<'_>, page: &mut Document) {
         page.paragraph(text!(
             "report-held",
             speed = rate.show(speed[row].unwrap_or_default()),
-            time = SECOND.show(time[row].unwrap_or_default()),
+            time = Unit::SECOND.show(time[row].unwrap_or_default()),
             held = moment.show(holds),
             bound = moment.show(bound)
         ));
@@ -163,9 +162,9 @@ fn events(source: &Source<'_>, found: &Integration, page: &mut Document) {
     let caption = text!("report-events", shown = shown.len(), all = found.events.len());
     let table = Table::each(caption, shown)
         .column(text!("head-event"), |event| words_of(event.kind))
-        .measured(text!("head-time"), SECOND, |event| event.state.time)
-        .measured(text!("head-coordinate"), source.units.coordinate, |event| event.state.coordinate)
-        .measured(text!("head-speed"), source.units.rates[0], |event| event.state.speed);
+        .measured(text!("head-time"), Unit::SECOND, |event| event.state.time)
+        .measured(text!("head-coordinate"), source.coordinate(), |event| event.state.coordinate)
+        .measured(text!("head-speed"), Unit::rates(source.angular)[0], |event| event.state.speed);
     page.table(table.table());
 }
 
@@ -196,11 +195,11 @@ fn greatest(source: &Source<'_>, page: &mut Document) {
         let found = sizes.filter_map(|(size, time)| Some((size?, (*time)?)));
         Some((pair, link, found.max_by(|a, b| a.0.total_cmp(&b.0))?))
     };
-    let rows = shown(all).into_iter().filter_map(greatest);
+    let rows = catalogue::reactions(all.schema()).into_iter().filter_map(greatest);
     let table = Table::each(text!("report-greatest-at-samples"), rows)
         .column(text!("head-pair"), |(pair, ..)| source.name(Owner::Pair(*pair)))
         .column(text!("head-on"), |(_, link, _)| source.name(Owner::Link(*link)))
-        .measured(text!("head-greatest-force"), FORCE, |(.., (size, _))| *size)
-        .measured(text!("head-time"), SECOND, |(.., (_, time))| *time);
+        .measured(text!("head-greatest-force"), Unit::FORCE, |(.., (size, _))| *size)
+        .measured(text!("head-time"), Unit::SECOND, |(.., (_, time))| *time);
     page.table(table.table());
 }

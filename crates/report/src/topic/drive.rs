@@ -6,14 +6,13 @@ use assur_motor::{USUAL_SOURCE, USUAL_UNEVENNESS, rpm};
 use assur_words::{Text, joined, name, text};
 
 use super::Source;
-use super::units::{INERTIA, KILOGRAM, LENGTH, MOMENT, MOVING, POWER, TURNING};
 
 /// Motors that are listed beside the chosen one.
 const MOST: usize = 10;
 /// Kilowatts of a power in W.
-const KILOWATT: Unit = Unit::of("kW", 1e-3);
+const KILOWATT: Unit = Unit::POWER.shown("kW", 1e-3);
 /// Turns in a minute of a speed in rad/s.
-const RPM: Unit = Unit::of("rpm", rpm(1.0));
+const RPM: Unit = Unit::TURNING[0].shown("rpm", rpm(1.0));
 
 /// The motor with its characteristic, the motors that would do, and the flywheel by each method and on each shaft.
 pub fn drive(source: &Source<'_>, page: &mut Document) {
@@ -42,30 +41,28 @@ pub fn motor_facts(motor: &MotorReport) -> Vec<Fact> {
     let given = motor.designation.is_empty();
     let designation = if given { text!("fact-motor-given") } else { name(motor.designation.clone()) };
     let catalogue = motor.catalogue.clone().map(|of| Fact::text("fact-catalogue", name(of)));
-    let speed = |id, speed: f64| {
-        let both = [TURNING[0].show(speed), Unit::of("rpm", 1.0).show(rpm(speed))];
-        Fact::text(id, joined(" = ", both))
-    };
+    let speed =
+        |id, speed: f64| Fact::text(id, joined(" = ", [Unit::TURNING[0], RPM].map(|unit| unit.show(speed))));
     let (rated, work) = (&motor.rated, &motor.work);
     let some = |id, value: Option<f64>, unit| value.map(|value| Fact::number(id, value, unit));
     [
         Some(Fact::text("fact-motor", designation)),
         catalogue,
-        some("fact-rated-power", Some(rated.power), POWER),
+        some("fact-rated-power", Some(rated.power), Unit::POWER),
         Some(speed("fact-synchronous-speed", rated.synchronous_speed)),
         Some(speed("fact-rated-speed", rated.rated_speed)),
         some("fact-breakdown-ratio", rated.max_torque_ratio, Unit::NONE),
-        some("fact-rotor", rated.inertia, INERTIA),
-        some("fact-motor-mass", motor.mass, KILOGRAM),
-        some("fact-motor-length", motor.length, LENGTH),
-        some("fact-motor-diameter", motor.diameter, LENGTH),
+        some("fact-rotor", rated.inertia, Unit::INERTIA),
+        some("fact-motor-mass", motor.mass, Unit::KILOGRAM),
+        some("fact-motor-length", motor.length, Unit::LENGTH),
+        some("fact-motor-diameter", motor.diameter, Unit::LENGTH),
         Some(Fact::text("fact-characteristic", characteristic(work.characteristic))),
-        some("fact-rated-torque", Some(work.rated_torque), MOMENT),
-        some("fact-breakdown-torque", work.breakdown_torque, MOMENT),
-        Some(Fact::range("fact-working-speed", work.speed, TURNING[0])),
-        Some(Fact::range("fact-working-torque", work.torque, MOMENT)),
-        some("fact-rms-torque", Some(work.rms_torque), MOMENT),
-        some("fact-starting-load", Some(work.starting_load), MOMENT),
+        some("fact-rated-torque", Some(work.rated_torque), Unit::MOMENT),
+        some("fact-breakdown-torque", work.breakdown_torque, Unit::MOMENT),
+        Some(Fact::range("fact-working-speed", work.speed, Unit::TURNING[0])),
+        Some(Fact::range("fact-working-torque", work.torque, Unit::MOMENT)),
+        some("fact-rms-torque", Some(work.rms_torque), Unit::MOMENT),
+        some("fact-starting-load", Some(work.starting_load), Unit::MOMENT),
     ]
     .into_iter()
     .flatten()
@@ -108,7 +105,7 @@ fn runners_up(motor: &MotorReport, page: &mut Document) {
         .measured(text!("head-power"), KILOWATT, |other| other.power)
         .measured(text!("head-rated-speed"), RPM, |other| other.rated_speed)
         .column(text!("head-ratio"), |other| other.ratio)
-        .measured(text!("head-mass"), KILOGRAM, |other| other.mass);
+        .measured(text!("head-mass"), Unit::KILOGRAM, |other| other.mass);
     page.table(table.table());
 }
 
@@ -116,8 +113,8 @@ fn runners_up(motor: &MotorReport, page: &mut Document) {
 pub fn flywheel_methods(found: &Dynamics) -> Table {
     Table::each(text!("report-flywheel-methods"), &found.flywheel_methods)
         .column(text!("head-method"), |one| flywheel_method(one.method))
-        .measured(text!("head-flywheel"), INERTIA, |one| one.flywheel)
-        .measured(text!("head-from-exact"), Unit::of("%", 100.0), |one| one.difference.map(clean))
+        .measured(text!("head-flywheel"), Unit::INERTIA, |one| one.flywheel)
+        .measured(text!("head-from-exact"), Unit::NONE.shown("%", 100.0), |one| one.difference.map(clean))
         .column(text!("head-formula"), |one| one.formula.clone())
         .table()
 }
@@ -127,12 +124,12 @@ fn flywheel_places(found: &Dynamics) -> Table {
     let kept = |ok| if ok { text!("report-kept") } else { text!("report-exceeded") };
     Table::each(text!("report-flywheel-places"), &found.flywheel_places)
         .column(text!("head-shaft"), |one| flywheel_shaft(one.shaft))
-        .measured(name("J"), INERTIA, |one| one.inertia)
-        .measured(text!("head-diameter"), LENGTH, |one| one.diameter)
-        .measured(text!("head-width"), LENGTH, |one| one.width)
-        .measured(text!("head-mass"), KILOGRAM, |one| one.mass)
-        .measured(text!("head-rim-speed"), MOVING[0], |one| one.rim_speed)
-        .measured(text!("head-allowed"), MOVING[0], |one| one.admissible_rim_speed)
+        .measured(name("J"), Unit::INERTIA, |one| one.inertia)
+        .measured(text!("head-diameter"), Unit::LENGTH, |one| one.diameter)
+        .measured(text!("head-width"), Unit::LENGTH, |one| one.width)
+        .measured(text!("head-mass"), Unit::KILOGRAM, |one| one.mass)
+        .measured(text!("head-rim-speed"), Unit::MOVING[0], |one| one.rim_speed)
+        .measured(text!("head-allowed"), Unit::MOVING[0], |one| one.admissible_rim_speed)
         .column(text!("head-result"), |one| kept(one.ok))
         .table()
 }
@@ -153,9 +150,9 @@ fn compared(motors: &[MotorAdvice], page: &mut Document) {
         .measured(text!("head-rated-speed"), RPM, |motor| motor.rated_speed)
         .column(text!("head-unevenness"), |motor| of(motor, |regime| regime.unevenness))
         .column(text!("head-ratio"), |motor| of(motor, |regime| regime.ratio))
-        .measured(text!("head-flywheel"), INERTIA, |motor| of(motor, |regime| regime.flywheel))
+        .measured(text!("head-flywheel"), Unit::INERTIA, |motor| of(motor, |regime| regime.flywheel))
         .column(text!("head-reserve"), |motor| motor.regime.as_ref().and_then(|regime| regime.torque_reserve))
-        .measured(text!("head-mass"), KILOGRAM, |motor| motor.mass);
+        .measured(text!("head-mass"), Unit::KILOGRAM, |motor| motor.mass);
     page.table(table.table());
     let range = |[least, most]: [f64; 2]| {
         let [least, most] = [least, most].map(|value| Unit::NONE.number(value));

@@ -1,14 +1,13 @@
 //! The results that are asked for first: structure, strokes, greatest loads, the drive, whether the checks hold.
 
 use assur_analysis::results::{Analysis, Column, Owner, Part, Quantity, Turn};
-use assur_book::{Fact, Unit};
+use assur_book::{Fact, ROUNDING, Unit, catalogue};
 use assur_geometry::overview;
 use assur_kinematics::Linkage;
 use assur_words::{Text, count, joined, list, name, number, text};
 
-use super::forces::{force, shown};
-use super::units::{ANGLE, FORCE, LENGTH, MOMENT, MOVING, POWER, SECOND, TURN, TURNING};
-use super::{Units, regime};
+use super::forces::force;
+use super::regime;
 
 /// What a group of facts is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,7 +26,7 @@ pub enum About {
 
 /// All results that are asked for first, each with what it is about.
 pub fn results(analysis: &Analysis, linkage: &Linkage) -> Vec<(About, Fact)> {
-    let place = Units::of(analysis.input.angular).coordinate;
+    let place = Unit::place(analysis.input.angular);
     let mut forces = reactions(analysis, linkage, place);
     forces.extend(balancing(analysis, linkage, place));
     let main = [
@@ -71,12 +70,12 @@ fn structure(analysis: &Analysis) -> Vec<Fact> {
 }
 
 fn end_of_motion(analysis: &Analysis) -> Vec<Fact> {
-    let units = Units::of(analysis.input.angular);
+    let angular = analysis.input.angular;
     let facts = analysis.integration.as_ref().map(|found| {
-        let time = Fact::number("fact-end-time", found.end.time, SECOND)
-            .at(&[found.end.coordinate], units.coordinate);
-        let turns = found.turns.map(|turns| Fact::number("fact-turns", turns, TURN));
-        [Some(time), turns, Some(Fact::number("fact-end-speed", found.end.speed, units.rates[0]))]
+        let time = Fact::number("fact-end-time", found.end.time, Unit::SECOND)
+            .at(&[found.end.coordinate], Unit::place(angular));
+        let turns = found.turns.map(|turns| Fact::number("fact-turns", turns, Unit::si("rev")));
+        [Some(time), turns, Some(Fact::number("fact-end-speed", found.end.speed, Unit::rates(angular)[0]))]
     });
     facts.into_iter().flatten().flatten().collect()
 }
@@ -103,7 +102,7 @@ fn extreme(id: &'static str, turn: Turn, unit: Unit, place: Unit) -> Fact {
 /// A mechanism that can't be assembled everywhere has no strokes.
 fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let Ok(found) = overview(linkage) else { return Vec::new() };
-    let (mechanism, units) = (&linkage.mechanism, Units::of(analysis.input.angular));
+    let mechanism = &linkage.mechanism;
     let slides = found.slides.iter().map(|(id, course)| {
         (Owner::Slide(*id), &mechanism.slides[*id].name, course.stroke.as_ref(), &course.pf1)
     });
@@ -114,7 +113,7 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     for (owner, of, stroke, pf1) in slides.chain(links) {
         let Some(stroke) = stroke else { continue };
         let is_slide = matches!(owner, Owner::Slide(_));
-        let (id, unit) = if is_slide { ("fact-stroke", LENGTH) } else { ("fact-swing", ANGLE) };
+        let (id, unit) = if is_slide { ("fact-stroke", Unit::LENGTH) } else { ("fact-swing", Unit::ANGLE) };
         let place_of = Column::of(Quantity::Transfer(0), owner);
         let of = |fact: Fact| fact.of("slide", Text::from(of));
         let size = Fact::number(id, stroke.stroke, unit).at(&stroke.dead_points, place);
@@ -123,31 +122,29 @@ fn motion(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         facts.extend(ratio.map(|fact| of(fact).about(place_of)));
         let speed = Column::of(Quantity::Velocity, owner);
         facts.push(if let Some(turn) = farthest(analysis, speed) {
-            let unit = if is_slide { MOVING[0] } else { TURNING[0] };
+            let unit = Unit::rates(!is_slide)[0];
             of(extreme("fact-fastest", turn, unit, place)).about(speed)
         } else {
             let [value, at] =
                 if pf1.max.abs() >= pf1.min.abs() { [pf1.max, pf1.at_max] } else { [pf1.min, pf1.at_min] };
-            let unit = if is_slide { units.length[1] } else { units.angle[1] };
+            let unit = Unit::transfer(!is_slide, analysis.input.angular, 1);
             let fact = of(Fact::number("fact-greatest-pf1", value, unit)).at(&[at], place);
             fact.about(Column::of(Quantity::Transfer(1), owner))
         });
     }
     facts.extend(found.transmission.map(|(group, angle, at)| {
-        let fact = Fact::number("fact-transmission", angle, ANGLE).of("group", number(group + 1));
+        let fact = Fact::number("fact-transmission", angle, Unit::ANGLE).of("group", number(group + 1));
         fact.at(&[at], place).about(Column::of(Quantity::Condition, Owner::Group(group)))
     }));
     facts
 }
 
-/// What is below this part of the greatest reaction, or of its moment over the size of the mechanism, is rounding.
-const ROUNDING: f64 = 1e-13;
-
+/// Without what is rounding beside the greatest reaction, of a moment over the size of the mechanism.
 fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let schema = analysis.positions.schema();
     let named = |owner| schema.named(owner).map(Text::from).unwrap_or_default();
     let mut facts = Vec::new();
-    let pairs = shown(&analysis.positions);
+    let pairs = catalogue::reactions(schema);
     let moduli =
         pairs.iter().filter_map(|(pair, link)| farthest(analysis, force(*pair, *link).part(Part::Modulus)));
     let moduli = moduli.map(|turn| turn.value.abs()).filter(|value| value.is_finite());
@@ -155,17 +152,17 @@ fn reactions(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     for links in pairs.chunk_by(|one, other| one.0 == other.0) {
         let pair = links[0].0;
         let of_pair = |id: &'static str, column: Column, unit: Unit| {
-            let lever = if unit == MOMENT { linkage.structure.scale } else { 1.0 };
+            let lever = if unit == Unit::MOMENT { linkage.structure.scale } else { 1.0 };
             let turn = farthest(analysis, column).filter(|turn| turn.value.abs() > floor * lever)?;
             Some(extreme(id, turn, unit, place).of("pair", named(Owner::Pair(pair))).about(column))
         };
         for &(_, link) in links {
             let column = force(pair, link).part(Part::Modulus);
-            let fact = of_pair("fact-greatest-reaction", column, FORCE);
+            let fact = of_pair("fact-greatest-reaction", column, Unit::FORCE);
             facts.extend(fact.map(|fact| fact.of("link", named(Owner::Link(link)))));
         }
         let moment = Column::of(Quantity::Moment, Owner::Pair(pair));
-        facts.extend(of_pair("fact-greatest-moment", moment, MOMENT));
+        facts.extend(of_pair("fact-greatest-moment", moment, Unit::MOMENT));
     }
     facts
 }
@@ -177,10 +174,13 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
     let (ids, unit) = if analysis.input.balancing_is_moment {
         (
             ["fact-greatest-balancing-moment", "fact-mean-balancing-moment", "fact-rms-balancing-moment"],
-            MOMENT,
+            Unit::MOMENT,
         )
     } else {
-        (["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"], FORCE)
+        (
+            ["fact-greatest-balancing-force", "fact-mean-balancing-force", "fact-rms-balancing-force"],
+            Unit::FORCE,
+        )
     };
     let mut facts = vec![extreme(ids[0], turn, unit, place).about(Column::BALANCING)];
     // The mean moment of a regime is that of its works.
@@ -194,7 +194,7 @@ fn balancing(analysis: &Analysis, linkage: &Linkage, place: Unit) -> Vec<Fact> {
         facts.push(fact.about(Column::BALANCING));
     }
     let power = analysis.peaks.power.filter(|_| means.is_some());
-    let power = power.map(|turn| extreme("fact-greatest-power", turn, POWER, place));
+    let power = power.map(|turn| extreme("fact-greatest-power", turn, Unit::POWER, place));
     facts.extend(power.map(|fact| fact.about(Column::BALANCING)));
     facts
 }

@@ -1,30 +1,25 @@
 //! Reduction, reactions with their causes, loads and the balancing load.
 
 use assur_analysis::results::{Owner, Part, Quantity, Statistic, Table as Results};
-use assur_book::{Column, Document, Group, Table, Unit, catalogue, link_name};
-use assur_mechanism::{Balance, GROUND, LinkId, PairId, Place};
+use assur_book::{Column, Document, Group, Table, Unit, beside, catalogue, link_name};
+use assur_mechanism::{Balance, LinkId, PairId, Place};
 use assur_words::{Text, name, number, text};
 
-use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
 use super::{Source, Values, each};
 
 /// Inertia, its derivative and the moment of the loads, reduced to the input link and to a point.
 pub fn reduction(source: &Source<'_>, page: &mut Document) {
-    let (table, units) = (&source.positions, source.units.reduced);
+    let table = &source.positions;
     let of = |quantity| Values::of(quantity, Owner::Input);
     let [inertia, moment] = [Quantity::ReducedInertia, Quantity::ReducedMoment].map(of);
     if table.is_empty() || table.schema().find(inertia).is_none() {
         return;
     }
     page.heading(text!("report-reduction"));
-    let columns = vec![
-        source.column(name("J"), units[0], inertia),
-        source.column(name("dJ/dq"), units[1], of(Quantity::ReducedInertiaDerivative)),
-        source.column(name("Q"), units[2], moment),
-    ];
-    page.table(Table::over(text!("report-reduced"), source.keys(), columns));
-    let share =
-        |owner| source.column(source.name(owner), units[0], Values::of(Quantity::ReducedInertia, owner));
+    let columns =
+        [inertia, of(Quantity::ReducedInertiaDerivative), moment].map(|values| source.column(values));
+    page.table(Table::over(text!("report-reduced"), source.keys(), columns.into()));
+    let share = |owner| source.headed(source.name(owner), Values::of(Quantity::ReducedInertia, owner));
     let links = source.owners(Quantity::ReducedInertia, |owner| matches!(owner, Owner::Link(_)));
     if links.len() > 1 {
         let shares = links.into_iter().map(share).collect();
@@ -34,27 +29,13 @@ pub fn reduction(source: &Source<'_>, page: &mut Document) {
     let dynamics = source.analysis.dynamics.as_ref();
     let Some(point) = dynamics.and_then(|found| found.reduction_point.as_ref()) else { return };
     let radius = point.radius;
-    let (to, r) = (Text::from(&point.name), LENGTH.show(radius));
+    let (to, r) = (Text::from(&point.name), Unit::LENGTH.show(radius));
     let scaled = |values, by: f64| each(table, values).into_iter().map(move |value| Some(value? / by));
     let columns = vec![
-        Column::numbers(name("m"), KILOGRAM, scaled(inertia, radius * radius)),
-        Column::numbers(name("F"), FORCE, scaled(moment, radius)),
+        Column::numbers(name("m"), Unit::KILOGRAM, scaled(inertia, radius * radius)),
+        Column::numbers(name("F"), Unit::FORCE, scaled(moment, radius)),
     ];
     page.table(Table::over(text!("report-reduced-to-point", point = to, radius = r), source.keys(), columns));
-}
-
-/// All pairs that have reactions, with each link that is shown: of two links the first that moves (the force on
-/// the other is opposite), of more links all.
-pub(super) fn shown(table: &Results) -> Vec<(PairId, LinkId)> {
-    let owners = table.schema().owners(Quantity::Force).into_iter();
-    let pair_on = |owner| if let Owner::PairOn(pair, link) = owner { Some((pair, link)) } else { None };
-    let all: Vec<_> = owners.filter_map(pair_on).collect();
-    let of_pair = |links: &[(PairId, LinkId)]| match *links {
-        [(pair, GROUND), (_, moving)] => vec![(pair, moving)],
-        [first, _] => vec![first],
-        _ => links.to_vec(),
-    };
-    all.chunk_by(|one, other| one.0 == other.0).flat_map(of_pair).collect()
 }
 
 /// Whether any row has reactions.
@@ -81,7 +62,9 @@ pub fn reactions(source: &Source<'_>, page: &mut Document) {
 
 /// The reactions in the shown positions.
 pub fn reactions_at_positions(source: &Source<'_>, page: &mut Document) {
-    let groups = shown(&source.positions).into_iter().map(|(pair, link)| of_pair(source, pair, link));
+    let groups = catalogue::reactions(source.positions.schema())
+        .into_iter()
+        .map(|(pair, link)| of_pair(source, pair, link));
     page.table(source.table(text!("report-reactions-table"), text!("head-pair-on"), groups));
 }
 
@@ -96,11 +79,10 @@ fn of_pair(source: &Source<'_>, pair: PairId, link: LinkId) -> Group {
     let [x, y] = [Part::X, Part::Y].map(|part| each(table, values.part(part)));
     let directions = x.into_iter().zip(y).map(|(x, y)| direction([x?, y?]));
     let mut columns = components(source, values);
-    columns.push(Column::numbers(text!("head-direction"), ANGLE, directions));
+    columns.push(Column::numbers(text!("head-direction"), Unit::ANGLE, directions));
     if matches!(pair, PairId::Slide(_)) {
         let of = |quantity| Values::of(quantity, Owner::Pair(pair));
-        columns.push(source.column(name("M"), MOMENT, of(Quantity::Moment)));
-        columns.push(source.column(name("s"), LENGTH, of(Quantity::Offset)));
+        columns.extend([Quantity::Moment, Quantity::Offset].map(|quantity| source.column(of(quantity))));
     }
     Group { owner: pair_on(source, pair, link), columns }
 }
@@ -108,33 +90,22 @@ fn of_pair(source: &Source<'_>, pair: PairId, link: LinkId) -> Group {
 /// Angle of a force, rad; a zero force has none. A component that is rounding counts as zero.
 pub fn direction(force: [f64; 2]) -> Option<f64> {
     let modulus = force[0].hypot(force[1]);
-    let [x, y] = force.map(|part| if part.abs() <= 1e-12 * modulus { 0.0 } else { part });
+    let [x, y] = force.map(|part| beside(modulus, part));
     (modulus > 1e-9).then(|| y.atan2(x))
 }
 
 fn greatest(source: &Source<'_>, page: &mut Document) {
     let all = &source.analysis.cycle.reaction_extremes;
     let of = |(pair, link)| all.iter().find(|one| one.joint.id == pair && one.on.id == link);
-    let found = shown(&source.analysis.positions).into_iter().filter_map(of);
+    let found = catalogue::reactions(source.analysis.positions.schema()).into_iter().filter_map(of);
     let table = Table::each(text!("report-greatest-reactions"), found)
         .column(text!("head-pair"), |found| Text::from(&found.joint))
         .column(text!("head-on"), |found| Text::from(&found.on))
-        .measured(text!("head-greatest-force"), FORCE, |found| found.greatest)
+        .measured(text!("head-greatest-force"), Unit::FORCE, |found| found.greatest)
         .column(text!("head-position"), |found| number(found.index))
-        .measured(Text::from(&source.analysis.input.link), source.units.coordinate, |found| found.coordinate)
-        .measured(text!("head-rms-force"), FORCE, |found| found.rms);
+        .measured(Text::from(&source.analysis.input.link), source.coordinate(), |found| found.coordinate)
+        .measured(text!("head-rms-force"), Unit::FORCE, |found| found.rms);
     page.table(table.table());
-}
-
-impl Source<'_> {
-    /// Identity of the heading of the balancing load, its symbol and its unit.
-    fn balancing_load(&self) -> (Text, &'static str, Unit) {
-        if self.analysis.input.balancing_is_moment {
-            (text!("report-balancing-moment"), "Mb", MOMENT)
-        } else {
-            (text!("report-balancing-force"), "Fb", FORCE)
-        }
-    }
 }
 
 /// The balancing load in each position, and the greatest one.
@@ -145,20 +116,19 @@ pub fn balancing(source: &Source<'_>, page: &mut Document) {
         return;
     };
     let number = greatest.number;
-    let (heading, _, unit) = source.balancing_load();
-    page.heading(heading);
+    let is_moment = source.analysis.input.balancing_is_moment;
+    page.heading(if is_moment { text!("report-balancing-moment") } else { text!("report-balancing-force") });
     balancing_at_positions(source, page);
     page.paragraph(text!(
         "report-greatest-balancing",
-        load = unit.show(greatest.value),
+        load = Unit::load(is_moment).show(greatest.value),
         position = assur_words::number(number),
-        at = source.units.coordinate.show(source.mechanism.input.coordinate(number))
+        at = source.coordinate().show(source.mechanism.input.coordinate(number))
     ));
 }
 
 /// The balancing load in the shown positions.
 pub fn balancing_at_positions(source: &Source<'_>, page: &mut Document) {
-    let (_, symbol, unit) = source.balancing_load();
     let link = match source.mechanism.balance {
         Some(Balance::Moment(id) | Balance::Force { at: Place { link: id, .. }, .. }) => id,
         None => source.mechanism.input.link,
@@ -169,8 +139,7 @@ pub fn balancing_at_positions(source: &Source<'_>, page: &mut Document) {
     } else {
         text!("report-balancing-force-on", link)
     };
-    let column = source.column(name(symbol), unit, Values::BALANCING);
-    page.table(Table::over(caption, source.keys(), vec![column]));
+    page.table(Table::over(caption, source.keys(), vec![source.column(Values::BALANCING)]));
 }
 
 /// The share of each cause.
@@ -183,7 +152,7 @@ pub fn causes(source: &Source<'_>, page: &mut Document) {
     page.paragraph(text!("report-causes-text"));
     let causes = || schema.causes.iter().enumerate().map(|(cause, of)| (Some(cause), Text::from(of)));
     let all = || causes().chain([(None, text!("report-whole"))]);
-    for (pair, link) in shown(&source.positions) {
+    for (pair, link) in catalogue::reactions(source.positions.schema()) {
         let share = |(cause, owner)| Group {
             owner,
             columns: components(source, Values { cause, ..force(pair, link) }),
@@ -191,15 +160,20 @@ pub fn causes(source: &Source<'_>, page: &mut Document) {
         let caption = pair_on(source, pair, link);
         page.table(source.table(caption, text!("head-cause"), all().map(share)));
     }
-    let unit = source.balancing_load().2;
-    let share = |(cause, head)| source.column(head, unit, Values { cause, ..Values::BALANCING });
+    let share = |(cause, head)| source.headed(head, Values { cause, ..Values::BALANCING });
     page.table(Table::over(text!("report-balancing"), source.keys(), all().map(share).collect()));
+}
+
+/// The heads of projections and modulus of a reaction.
+pub fn force_heads() -> [Column; 3] {
+    let force = Values::of(Quantity::Force, Owner::Input);
+    let head = |part| Column::short(catalogue::head(force.part(part)), Unit::FORCE);
+    [Part::X, Part::Y, Part::Modulus].map(head)
 }
 
 /// Projections and modulus.
 fn components(source: &Source<'_>, force: Values) -> Vec<Column> {
-    let parts = [("R_{x}", Part::X), ("R_{y}", Part::Y), ("R", Part::Modulus)];
-    parts.into_iter().map(|(head, part)| source.column(name(head), FORCE, force.part(part))).collect()
+    [Part::X, Part::Y, Part::Modulus].map(|part| source.column(force.part(part))).into()
 }
 
 /// The loads, the inertia loads of the links, and the shaking force.
@@ -210,11 +184,7 @@ pub fn loads(source: &Source<'_>, page: &mut Document) {
         return;
     }
     page.heading(text!("report-loads"));
-    let load = |owner: &Owner| {
-        let values = Values::of(Quantity::Load, *owner);
-        let unit = if catalogue::unit(schema, values) == "N m" { MOMENT } else { FORCE };
-        source.column(source.name(*owner), unit, values)
-    };
+    let load = |owner: &Owner| source.headed(source.name(*owner), Values::of(Quantity::Load, *owner));
     let columns: Vec<_> = loads.iter().map(load).collect();
     if !columns.is_empty() {
         page.table(Table::over(text!("report-loads-table"), source.keys(), columns));
@@ -238,10 +208,6 @@ pub fn inertia_loads(source: &Source<'_>, page: &mut Document) {
 
 /// Projections of a force, and a moment.
 fn wrench(source: &Source<'_>, force: Quantity, moment: Quantity, owner: Owner) -> Vec<Column> {
-    let force = Values::of(force, owner);
-    vec![
-        source.column(name("F_{x}"), FORCE, force.part(Part::X)),
-        source.column(name("F_{y}"), FORCE, force.part(Part::Y)),
-        source.column(name("M"), MOMENT, Values::of(moment, owner)),
-    ]
+    let [x, y] = Values::vector(force, owner);
+    [x, y, Values::of(moment, owner)].map(|values| source.column(values)).into()
 }

@@ -3,9 +3,8 @@
 use assur_analysis::results::{FrictionCycle, Owner, Quantity};
 use assur_book::{Column, Document, Fact, Group, Table, Unit, catalogue, row};
 use assur_structure::name_of;
-use assur_words::{Text, joined, name, text};
+use assur_words::{Text, joined, text};
 
-use super::units::{FORCE, JOULE, MOMENT, POWER};
 use super::{Source, Values};
 
 /// The friction of the pairs, with its heading.
@@ -28,7 +27,7 @@ pub fn friction_tables(source: &Source<'_>, page: &mut Document) {
 
 /// Efficiency of the cycle, and the intervals in which the mechanism brakes itself or jams.
 pub(super) fn facts(source: &Source<'_>, cycle: &FrictionCycle) -> Vec<Fact> {
-    let unit = source.units.coordinate;
+    let unit = source.coordinate();
     let mut facts = Vec::new();
     facts.extend(cycle.efficiency.map(|found| Fact::number("fact-efficiency", found, Unit::NONE)));
     let intervals = [("fact-self-braking", &cycle.self_braking), ("fact-dead-angle", &cycle.dead_angles)];
@@ -45,24 +44,11 @@ fn of_pairs(source: &Source<'_>, page: &mut Document) {
         schema.owners(Quantity::FrictionMoment).into_iter().chain(schema.owners(Quantity::FrictionForce));
     let groups = owners.map(|owner| {
         let of = |quantity| Values::of(quantity, owner);
-        let slides = schema.find(of(Quantity::FrictionForce)).is_some();
-        let (symbol, unit, quantity) = if slides {
-            ("F_{f}", FORCE, Quantity::FrictionForce)
-        } else {
-            ("M_{f}", MOMENT, Quantity::FrictionMoment)
-        };
-        let mut columns = vec![source.column(name(symbol), unit, of(quantity))];
-        let power = of(Quantity::FrictionPower);
-        if schema.find(power).is_some() {
-            let unit = match catalogue::unit(schema, power).as_str() {
-                "W" => POWER,
-                "N m" => MOMENT,
-                _ => FORCE,
-            };
-            columns.push(source.column(name("P_{f}"), unit, power));
-        }
+        let all = [Quantity::FrictionForce, Quantity::FrictionMoment, Quantity::FrictionPower].map(of);
+        let columns = all.into_iter().filter(|values| schema.find(*values).is_some());
+        let columns = columns.map(|values| source.column(values)).collect();
         let owner = match owner {
-            Owner::PairOn(..) => catalogue::owner(schema, of(quantity)),
+            Owner::PairOn(..) => catalogue::owner(schema, of(Quantity::FrictionMoment)),
             owner => source.name(owner),
         };
         Group { owner, columns }
@@ -72,23 +58,22 @@ fn of_pairs(source: &Source<'_>, page: &mut Document) {
 
 /// Balancing load without friction, efficiency, and the certificate of each group, in the shown positions.
 fn efficiency(source: &Source<'_>, page: &mut Document) {
-    let unit = if source.analysis.input.balancing_is_moment { MOMENT } else { FORCE };
     let of = |quantity| Values::of(quantity, Owner::Input);
     let mut columns = vec![
-        source.column(text!("head-ideal-balancing"), unit, of(Quantity::IdealBalancing)),
-        source.column(text!("head-efficiency"), Unit::NONE, of(Quantity::Efficiency)),
+        source.headed(text!("head-ideal-balancing"), of(Quantity::IdealBalancing)),
+        source.headed(text!("head-efficiency"), of(Quantity::Efficiency)),
     ];
     for owner in source.owners(Quantity::FrictionCertificate, |_| true) {
         let values = Values::of(Quantity::FrictionCertificate, owner);
         let group = catalogue::owner(source.positions.schema(), values);
-        columns.push(source.column(text!("head-certificate", group), Unit::NONE, values));
+        columns.push(source.headed(text!("head-certificate", group), values));
     }
     page.table(Table::over(text!("report-efficiency"), source.keys(), columns));
 }
 
 /// The loss of each pair over the cycle.
 fn losses(source: &Source<'_>, cycle: &FrictionCycle, page: &mut Document) {
-    let heads = [Column::of(text!("head-pair")), Column::short(text!("head-friction-work"), JOULE)];
+    let heads = [Column::of(text!("head-pair")), Column::short(text!("head-friction-work"), Unit::JOULE)];
     let mut table = Table::list(text!("report-friction-work"), heads);
     let pairs = source.mechanism.frictions.iter().zip(cycle.friction_work.values());
     for (friction, work) in pairs {

@@ -8,11 +8,9 @@ use assur_mechanism::{
 use assur_words::{Text, joined, list, name, text, unit};
 
 use super::Source;
-use super::units::{ANGLE, INERTIA, KILOGRAM, LENGTH, MOMENT, POWER, TURNING};
 
 /// Of a longer table the first rows are shown.
 const MOST_ROWS: usize = 12;
-const NEWTON: &str = "N";
 
 /// Each load: where and how it acts, and the law of its value.
 pub fn loads_given(source: &Source<'_>, page: &mut Document) {
@@ -20,7 +18,7 @@ pub fn loads_given(source: &Source<'_>, page: &mut Document) {
     let heads = [text!("head-load"), text!("head-acts"), text!("head-value")].map(Column::of);
     let mut rows = Table::list(text!("report-given-loads"), heads);
     if let Some([x, y]) = mechanism.gravity {
-        let size = Unit::of("m/s²", 1.0).show(x.hypot(y));
+        let size = Unit::MOVING[1].show(x.hypot(y));
         rows.row(row![name("G"), text!("given-gravity"), joined(" = ", [name("g"), size])]);
     }
     for load in &mechanism.loads {
@@ -36,29 +34,29 @@ fn given(mechanism: &Mechanism, load: &LoadKind) -> (Text, Text) {
     let law = |value: &Value, unit| law(mechanism, value, unit);
     match load {
         LoadKind::Force(Force { at, direction: along, value }) => {
-            let place = text!("given-force", place = LENGTH.show_all(&at.at), link = link(at.link));
-            (list([place, direction(*along)]), law(value, NEWTON))
+            let place = text!("given-force", place = Unit::LENGTH.show_all(&at.at), link = link(at.link));
+            (list([place, direction(*along)]), law(value, Unit::FORCE.name))
         }
         LoadKind::Moment(moment) => {
-            (text!("given-moment", link = link(moment.link)), law(&moment.value, MOMENT.name))
+            (text!("given-moment", link = link(moment.link)), law(&moment.value, Unit::MOMENT.name))
         }
         LoadKind::Brake(brake) => {
             let what = text!(
                 "given-brake",
                 link = link(brake.link),
-                radius = LENGTH.show(brake.radius),
+                radius = Unit::LENGTH.show(brake.radius),
                 lever = Unit::NONE.number(brake.lever),
                 friction = Unit::NONE.number(brake.friction)
             );
-            (what, law(&brake.force, NEWTON))
+            (what, law(&brake.force, Unit::FORCE.name))
         }
         LoadKind::Spring(spring) => {
             let [one, other] = spring.ends.map(|end| link(end.link));
             let data = text!(
                 "given-spring-data",
-                stiffness = Unit::of("N/m", 1.0).show(spring.stiffness),
-                length = LENGTH.show(spring.length),
-                damping = Unit::of("N·s/m", 1.0).show(spring.damping)
+                stiffness = Unit::si("N/m").show(spring.stiffness),
+                length = Unit::LENGTH.show(spring.length),
+                damping = Unit::si("N s/m").show(spring.damping)
             );
             (text!("given-spring", one, other), data)
         }
@@ -66,18 +64,18 @@ fn given(mechanism: &Mechanism, load: &LoadKind) -> (Text, Text) {
             let what = text!(
                 "given-contact",
                 link = link(contact.center.link),
-                radius = LENGTH.show(contact.radius),
+                radius = Unit::LENGTH.show(contact.radius),
                 friction = Unit::NONE.number(contact.friction)
             );
-            (what, law(&contact.force, NEWTON))
+            (what, law(&contact.force, Unit::FORCE.name))
         }
     }
 }
 
 fn direction(direction: Direction) -> Text {
     match direction {
-        Direction::Ground(angle) => text!("given-along-ground", angle = ANGLE.show(angle)),
-        Direction::Link(angle) => text!("given-along-link", angle = ANGLE.show(angle)),
+        Direction::Ground(angle) => text!("given-along-ground", angle = Unit::ANGLE.show(angle)),
+        Direction::Link(angle) => text!("given-along-link", angle = Unit::ANGLE.show(angle)),
         Direction::AgainstMotion => text!("given-against-motion"),
     }
 }
@@ -85,14 +83,12 @@ fn direction(direction: Direction) -> Text {
 /// A value or the law by which it varies, in words.
 fn law(mechanism: &Mechanism, value: &Value, of: &'static str) -> Text {
     match value {
-        Value::Constant(value) => Unit::of(of, 1.0).show(*value),
+        Value::Constant(value) => Unit::si(of).show(*value),
         Value::Table { over, table, .. } => {
             let (argument, by) = match over {
-                Over::Coordinate if mechanism.input.is_angle() => (text!("given-over-coordinate"), ANGLE),
-                Over::Coordinate => (text!("given-over-coordinate"), LENGTH),
-                Over::Time => (text!("given-over-time"), Unit::of("s", 1.0)),
-                Over::Speed if mechanism.input.is_angle() => (text!("given-over-speed"), TURNING[0]),
-                Over::Speed => (text!("given-over-speed"), Unit::of("m/s", 1.0)),
+                Over::Coordinate => (text!("given-over-coordinate"), Unit::place(mechanism.input.is_angle())),
+                Over::Time => (text!("given-over-time"), Unit::SECOND),
+                Over::Speed => (text!("given-over-speed"), Unit::rates(mechanism.input.is_angle())[0]),
             };
             text!(
                 "given-table",
@@ -104,7 +100,7 @@ fn law(mechanism: &Mechanism, value: &Value, of: &'static str) -> Text {
         }
         Value::Stroke { axis, forward, back } => text!(
             "given-stroke",
-            axis = ANGLE.show(*axis),
+            axis = Unit::ANGLE.show(*axis),
             unit = unit(of),
             forward = pairs(forward, Unit::NONE),
             back = pairs(back, Unit::NONE)
@@ -128,7 +124,7 @@ fn pairs(table: &LawTable, by: Unit) -> Text {
 
 /// What the scene says about motion and drive.
 pub fn motion_given(source: &Source<'_>, page: &mut Document) {
-    let [speed, acceleration] = source.units.rates;
+    let [speed, acceleration] = Unit::rates(source.angular);
     let mut facts = match &source.mechanism.motion {
         Some(Motion::Prescribed { speed: w, acceleration: e }) => {
             vec![Fact::number("given-speed", *w, speed), Fact::number("given-acceleration", *e, acceleration)]
@@ -140,7 +136,7 @@ pub fn motion_given(source: &Source<'_>, page: &mut Document) {
         }
         None => Vec::new(),
     };
-    facts.extend(source.mechanism.drive.iter().flat_map(|of| drive(of, source.units.reduced[2])));
+    facts.extend(source.mechanism.drive.iter().flat_map(|of| drive(of, Unit::load(source.angular))));
     page.facts(text!("report-given-motion"), facts);
 }
 
@@ -163,7 +159,7 @@ fn drive(drive: &Drive, moment: Unit) -> Vec<Fact> {
         }
         Torque::None => {}
     }
-    facts.extend(drive.flywheel.map(|flywheel| wanted("given-flywheel", flywheel, INERTIA)));
+    facts.extend(drive.flywheel.map(|flywheel| wanted("given-flywheel", flywheel, Unit::INERTIA)));
     facts
 }
 
@@ -173,11 +169,11 @@ fn motor_given(motor: &MotorChoice) -> Vec<Fact> {
         MotorChoice::Designation(designation) => vec![Fact::text("given-motor", name(designation.clone()))],
         MotorChoice::Rated(rated) => {
             let breakdown = |ratio| Fact::number("fact-breakdown-ratio", ratio, Unit::NONE);
-            let rotor = |inertia| Fact::number("fact-rotor", inertia, INERTIA);
+            let rotor = |inertia| Fact::number("fact-rotor", inertia, Unit::INERTIA);
             let some = [
-                Fact::number("fact-rated-power", rated.power, POWER),
-                Fact::number("fact-synchronous-speed", rated.synchronous_speed, TURNING[0]),
-                Fact::number("fact-rated-speed", rated.rated_speed, TURNING[0]),
+                Fact::number("fact-rated-power", rated.power, Unit::POWER),
+                Fact::number("fact-synchronous-speed", rated.synchronous_speed, Unit::TURNING[0]),
+                Fact::number("fact-rated-speed", rated.rated_speed, Unit::TURNING[0]),
             ];
             some.into_iter()
                 .chain(rated.max_torque_ratio.map(breakdown))
@@ -201,7 +197,7 @@ pub fn dimensions(source: &Source<'_>, page: &mut Document) {
 }
 
 fn points(source: &Source<'_>, page: &mut Document) {
-    let length = |axis| Column::short(name(axis), LENGTH);
+    let length = |axis| Column::short(name(axis), Unit::LENGTH);
     let heads = [Column::of(text!("head-link")), Column::of(text!("head-point")), length("x"), length("y")];
     let mut table = Table::list(text!("report-points"), heads);
     for (id, link) in source.mechanism.links.iter().enumerate() {
@@ -217,13 +213,13 @@ fn points(source: &Source<'_>, page: &mut Document) {
 fn slides(source: &Source<'_>, page: &mut Document) {
     let table = Table::each(text!("report-slides"), &source.mechanism.slides)
         .column(text!("head-slide"), |slide| &slide.name)
-        .measured(text!("head-point-x"), LENGTH, |slide| slide.point[0])
-        .measured(name("y"), LENGTH, |slide| slide.point[1])
+        .measured(text!("head-point-x"), Unit::LENGTH, |slide| slide.point[0])
+        .measured(name("y"), Unit::LENGTH, |slide| slide.point[1])
         .column(text!("head-on"), |slide| link_name(source.mechanism, slide.on))
-        .measured(text!("head-through-x"), LENGTH, |slide| slide.through[0])
-        .measured(name("y"), LENGTH, |slide| slide.through[1])
-        .measured(text!("head-angle"), ANGLE, |slide| slide.angle)
-        .measured(text!("head-tilt"), ANGLE, |slide| slide.tilt);
+        .measured(text!("head-through-x"), Unit::LENGTH, |slide| slide.through[0])
+        .measured(name("y"), Unit::LENGTH, |slide| slide.through[1])
+        .measured(text!("head-angle"), Unit::ANGLE, |slide| slide.angle)
+        .measured(text!("head-tilt"), Unit::ANGLE, |slide| slide.tilt);
     page.table(table.table());
 }
 
@@ -244,10 +240,10 @@ fn masses(source: &Source<'_>, page: &mut Document) {
     let heavy = source.mechanism.links.iter().skip(1).filter(|link| link.is_heavy());
     let table = Table::each(text!("report-masses"), heavy)
         .column(text!("head-link"), |link| &link.name)
-        .measured(text!("head-mass"), KILOGRAM, |link| link.mass)
-        .measured(text!("head-center-x"), LENGTH, |link| link.center[0])
-        .measured(name("y"), LENGTH, |link| link.center[1])
-        .measured(text!("head-inertia"), INERTIA, |link| inertia_given(&link.inertia))
+        .measured(text!("head-mass"), Unit::KILOGRAM, |link| link.mass)
+        .measured(text!("head-center-x"), Unit::LENGTH, |link| link.center[0])
+        .measured(name("y"), Unit::LENGTH, |link| link.center[1])
+        .measured(text!("head-inertia"), Unit::INERTIA, |link| inertia_given(&link.inertia))
         .table();
     if table.is_empty() {
         return page.paragraph(text!("report-massless"));

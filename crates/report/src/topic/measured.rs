@@ -1,34 +1,24 @@
 //! The geometry of the motion as tables.
 
-use assur_book::{Column, Document, Group, Table, Unit};
+use assur_book::{Column, Document, Group, Table, Unit, beside};
 use assur_geometry::{AtPosition, CenterAt, Centers, Geometry, SlideCourse, Stroke};
 use assur_mechanism::Named;
 use assur_words::{Text, name, text};
 
-use super::Units;
 use super::structure::named;
-use super::units::{ANGLE, LENGTH, MOVING, TURNING};
 
 /// What was measured on the motion.
 pub fn geometry(found: &Geometry, page: &mut Document) {
-    let units = Units::of(found.angular);
+    let unit = Unit::place(found.angular);
     if !found.title.is_empty() {
         page.title(name(found.title.clone()));
     }
-    strokes(found, &units, page);
-    extremes(found, &units, page);
-    force_angles(found, &units, page);
-    rests(found, &units, page);
-    centers(found, &units, page);
-    curvature(found, &units, page);
-}
-
-/// A value below this part of the value it stands beside is rounding.
-const ROUNDING: f64 = 1e-12;
-
-/// A value beside another one of its kind.
-fn beside(value: f64, other: f64) -> f64 {
-    if value.abs() <= ROUNDING * other.abs() { 0.0 } else { value }
+    strokes(found, unit, page);
+    extremes(found, unit, page);
+    force_angles(found, unit, page);
+    rests(found, unit, page);
+    centers(found, unit, page);
+    curvature(found, unit, page);
 }
 
 fn list(values: &[f64], unit: Unit) -> Text {
@@ -37,19 +27,18 @@ fn list(values: &[f64], unit: Unit) -> Text {
 
 /// What goes to and fro: name, stroke, units of its displacement and of its speed.
 fn swinging(found: &Geometry) -> impl Iterator<Item = (&Named<usize>, &Stroke, Unit, Unit)> {
-    let slides = found.slides.iter().map(|(name, at)| (name, &at.stroke, LENGTH, MOVING[0]));
-    let links = found.links.iter().map(|(name, at)| (name, &at.stroke, ANGLE, TURNING[0]));
-    let points = found.points.iter().map(|(name, at)| (name, &at.stroke, LENGTH, MOVING[0]));
+    let slides = found.slides.iter().map(|(name, at)| (name, &at.stroke, Unit::LENGTH, Unit::MOVING[0]));
+    let links = found.links.iter().map(|(name, at)| (name, &at.stroke, Unit::ANGLE, Unit::TURNING[0]));
+    let points = found.points.iter().map(|(name, at)| (name, &at.stroke, Unit::LENGTH, Unit::MOVING[0]));
     let all = slides.chain(links).chain(points);
     all.filter_map(|(name, stroke, unit, speed)| Some((name, stroke.as_ref()?, unit, speed)))
 }
 
-fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
+fn strokes(found: &Geometry, unit: Unit, page: &mut Document) {
     page.heading(text!("geometry-strokes"));
-    let unit = units.coordinate;
     let overlap = |stroke: &Stroke| {
         let (angle, [way, _]) = stroke.overlap.zip(stroke.intervals)?;
-        Some(beside(angle, way))
+        Some(beside(way, angle))
     };
     let table = Table::each(Text::default(), swinging(found))
         .column(text!("head-what"), |(name, ..)| Text::from(*name))
@@ -75,10 +64,11 @@ fn strokes(found: &Geometry, units: &Units, page: &mut Document) {
     }
 }
 
-fn extremes(found: &Geometry, units: &Units, page: &mut Document) {
+fn extremes(found: &Geometry, unit: Unit, page: &mut Document) {
     let mut rows = Vec::new();
     let mut add = |of, what, at, unit| rows.push((of, what, at, unit));
-    let (length, angle) = (units.length, units.angle);
+    let [length, angle] =
+        [false, true].map(|is| [0, 1, 2].map(|order| Unit::transfer(is, found.angular, order)));
     for (of, at) in &found.slides {
         add(of, text!("geometry-displacement"), &at.pf0, length[0]);
         add(of, text!("quantity-pf1"), &at.pf1, length[1]);
@@ -100,33 +90,33 @@ fn extremes(found: &Geometry, units: &Units, page: &mut Document) {
         .column(text!("head-of"), |(of, ..)| Text::from(*of))
         .column(text!("head-quantity"), |(_, what, ..)| what.clone())
         .column(text!("head-unit"), |(.., unit)| assur_words::unit(unit.name))
-        .column(text!("head-least"), |(.., at, unit)| unit.number(beside(at.min, at.max)))
-        .measured(text!("head-at"), units.coordinate, |(.., at, _)| at.at_min)
-        .column(text!("head-greatest"), |(.., at, unit)| unit.number(beside(at.max, at.min)))
-        .measured(text!("head-at"), units.coordinate, |(.., at, _)| at.at_max);
+        .column(text!("head-least"), |(.., at, unit)| unit.number(beside(at.max, at.min)))
+        .measured(text!("head-at"), unit, |(.., at, _)| at.at_min)
+        .column(text!("head-greatest"), |(.., at, unit)| unit.number(beside(at.min, at.max)))
+        .measured(text!("head-at"), unit, |(.., at, _)| at.at_max);
     page.table(table.table());
 }
 
-fn force_angles(found: &Geometry, units: &Units, page: &mut Document) {
+fn force_angles(found: &Geometry, unit: Unit, page: &mut Document) {
     if found.groups.is_empty() {
         return;
     }
     page.heading(text!("geometry-force-angles"));
     for (group, at) in &found.groups {
         let ends = &at.extremes;
-        let [least, most] = [ends.min, ends.max].map(|angle| ANGLE.show(angle));
-        let [at_least, at_most] = [ends.at_min, ends.at_max].map(|at| units.coordinate.show(at));
+        let [least, most] = [ends.min, ends.max].map(|angle| Unit::ANGLE.show(angle));
+        let [at_least, at_most] = [ends.at_min, ends.at_max].map(|at| unit.show(at));
         page.paragraph(text!("geometry-force-angle", group, what = &at.what, least, at_least, most, at_most));
     }
 }
 
-fn rests(found: &Geometry, units: &Units, page: &mut Document) {
+fn rests(found: &Geometry, unit: Unit, page: &mut Document) {
     let links = found.links.iter().map(|(name, at)| (name, &at.rests));
     let points = found.points.iter().map(|(name, at)| (name, &at.rests));
     let at = links.chain(points).filter(|(_, rests)| !rests.is_empty());
     let table = Table::each(Text::default(), at)
         .column(text!("head-link-or-point"), |(of, _)| Text::from(*of))
-        .measured(text!("head-rests-at"), units.coordinate, |(_, at)| list(at, units.coordinate))
+        .measured(text!("head-rests-at"), unit, |(_, at)| list(at, unit))
         .table();
     let always = found.links.iter().filter(|(_, at)| at.rests_always).map(|(link, _)| Text::from(link));
     let always: Vec<_> = always.collect();
@@ -141,14 +131,13 @@ fn rests(found: &Geometry, units: &Units, page: &mut Document) {
 }
 
 /// Number and coordinate of the positions.
-fn keys(found: &Geometry, units: &Units) -> Vec<Column> {
+fn keys(found: &Geometry, unit: Unit) -> Vec<Column> {
     let numbers = Column::counted(text!("head-number"), found.positions.iter().map(|at| at.index));
-    let coordinate =
-        Column::each(&found.positions, text!("head-coordinate"), units.coordinate, |at| at.coordinate);
+    let coordinate = Column::each(&found.positions, text!("head-coordinate"), unit, |at| at.coordinate);
     vec![numbers, coordinate]
 }
 
-fn centers(found: &Geometry, units: &Units, page: &mut Document) {
+fn centers(found: &Geometry, unit: Unit, page: &mut Document) {
     page.heading(text!("geometry-centers"));
     let against = Text::from(&found.against);
     page.paragraph(text!("geometry-centers-text", link = against.clone()));
@@ -160,7 +149,7 @@ fn centers(found: &Geometry, units: &Units, page: &mut Document) {
     let groups = first.links.keys().filter(|name| !found.rigid.contains(name)).map(|link| {
         let column = |head: String, at: fn(&Centers) -> Option<[f64; 2]>, axis: usize| {
             let value = |row: &AtPosition| at(row.links.get(link)?).map(|at| at[axis]);
-            Column::numbers(name(head), LENGTH, found.positions.iter().map(value))
+            Column::numbers(name(head), Unit::LENGTH, found.positions.iter().map(value))
         };
         let point = |letter: &str, at: fn(&Centers) -> Option<[f64; 2]>| {
             [("x", 0), ("y", 1)].map(|(axis, i)| column(format!("{letter}{axis}"), at, i))
@@ -173,7 +162,7 @@ fn centers(found: &Geometry, units: &Units, page: &mut Document) {
         ];
         Group { owner: Text::from(link), columns: all.into_iter().flatten().collect() }
     });
-    let (groups, keys) = (groups.collect(), keys(found, units));
+    let (groups, keys) = (groups.collect(), keys(found, unit));
     page.table(Table { caption: text!("head-links"), keys, owners: text!("head-link"), groups });
 }
 
@@ -181,17 +170,16 @@ fn place(center: &CenterAt) -> Option<[f64; 2]> {
     if let CenterAt::Point(place) = center { Some(*place) } else { None }
 }
 
-fn curvature(found: &Geometry, units: &Units, page: &mut Document) {
+fn curvature(found: &Geometry, unit: Unit, page: &mut Document) {
     if found.points.is_empty() {
         return;
     }
     page.heading(text!("geometry-curvature"));
     page.paragraph(text!("geometry-curvature-text"));
-    let unit = Unit::of("1/m", 1.0);
     let column = |point: &Named<usize>| {
         let value = |row: &AtPosition| row.points.get(point).map(|at| at.curvature);
-        Column::numbers(Text::from(point), unit, found.positions.iter().map(value))
+        Column::numbers(Text::from(point), Unit::CURVATURE, found.positions.iter().map(value))
     };
     let columns = found.points.keys().map(column).collect();
-    page.table(Table::over(text!("head-curvature"), keys(found, units), columns));
+    page.table(Table::over(text!("head-curvature"), keys(found, unit), columns));
 }

@@ -15,10 +15,9 @@ mod plans;
 mod regime;
 mod shaking;
 mod structure;
-mod units;
 
 use assur_analysis::results::{Analysis, Column as Values, Owner, Quantity, Table};
-use assur_book::{Column, Document};
+use assur_book::{Column, Document, Unit, catalogue};
 use assur_kinematics::Linkage;
 use assur_mechanism::Mechanism;
 use assur_words::{Text, name, text};
@@ -30,7 +29,7 @@ pub use drive::{advice, drive, flywheel_methods, flywheel_shaft, motor_facts};
 pub use explain::explain;
 pub use facts::{About, checks_fact, results, summary};
 pub use forces::{
-    balancing, balancing_at_positions, causes, direction, inertia_loads, loads, reactions,
+    balancing, balancing_at_positions, causes, direction, force_heads, inertia_loads, loads, reactions,
     reactions_at_positions, reduction,
 };
 pub use friction::{friction, friction_tables};
@@ -41,7 +40,6 @@ pub use plans::plans;
 pub use regime::{course as regime_over_cycle, facts as regime_facts, iteration};
 pub use shaking::shaking;
 pub use structure::{groups, mobility, pairs, passive_part, study as structure_study};
-pub(crate) use units::Units;
 
 /// What the topics are made from.
 #[derive(Debug)]
@@ -51,7 +49,8 @@ pub struct Source<'a> {
     mechanism: &'a Mechanism,
     /// Those that are shown of the positions.
     positions: Table,
-    units: Units,
+    /// Whether the coordinate of the input is an angle.
+    angular: bool,
 }
 
 impl<'a> Source<'a> {
@@ -60,23 +59,28 @@ impl<'a> Source<'a> {
         let all = &analysis.positions;
         let positions =
             positions.map_or_else(|| all.clone(), |list| all.only(|number| list.contains(&number)));
-        let units = Units::of(analysis.input.angular);
-        Self { analysis, linkage, mechanism: &linkage.mechanism, positions, units }
+        Self { analysis, linkage, mechanism: &linkage.mechanism, positions, angular: analysis.input.angular }
+    }
+
+    /// The unit of the coordinate of the input.
+    fn coordinate(&self) -> Unit {
+        Unit::place(self.angular)
     }
 
     /// Number and coordinate of the positions.
     fn keys(&self) -> Vec<Column> {
         let numbers = Column::counted(text!("head-number"), self.positions.numbers().iter().copied());
-        let coordinate = each(&self.positions, Values::COORDINATE);
-        vec![
-            numbers,
-            Column::numbers(Text::from(&self.analysis.input.link), self.units.coordinate, coordinate),
-        ]
+        vec![numbers, self.headed(Text::from(&self.analysis.input.link), Values::COORDINATE)]
     }
 
     /// A column of one quantity over the positions; a dash where a position has none.
-    fn column(&self, head: Text, unit: assur_book::Unit, values: Values) -> Column {
-        Column::numbers(head, unit, each(&self.positions, values))
+    fn column(&self, values: Values) -> Column {
+        self.headed(catalogue::head(values), values)
+    }
+
+    /// The same with a head of its own.
+    fn headed(&self, head: Text, values: Values) -> Column {
+        column(&self.positions, head, values)
     }
 
     /// The owners of a quantity that are shown.
@@ -97,6 +101,11 @@ fn each(table: &Table, values: Values) -> Vec<Option<f64>> {
         Some(column) => table.each(column).collect(),
         None => (0..table.len()).map(|row| table.get(row, values)).collect(),
     }
+}
+
+/// A column of one quantity over the rows of a table, with its unit.
+fn column(table: &Table, head: Text, values: Values) -> Column {
+    Column::numbers(head, catalogue::unit(table.schema(), values), each(table, values))
 }
 
 /// The whole report: first the results that are asked for first, then the tables.
@@ -168,7 +177,7 @@ fn remarks(source: &Source<'_>, page: &mut Document) {
 impl Source<'_> {
     /// `position 6, 45 deg`.
     pub fn place(&self, position: usize) -> Text {
-        let at = self.units.coordinate.show(self.mechanism.input.coordinate(position));
+        let at = self.coordinate().show(self.mechanism.input.coordinate(position));
         text!("note-place", position = assur_words::number(position), at)
     }
 }

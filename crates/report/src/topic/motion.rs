@@ -1,15 +1,18 @@
 //! Positions, transfer functions, velocities and accelerations; nearness of the groups to singular positions.
 
 use assur_analysis::results::{Owner, Part, Quantity};
-use assur_book::{Digits, Document, Group, Table, Unit};
+use assur_book::{Digits, Document, Group, Table};
 use assur_mechanism::GROUND;
-use assur_words::{Text, count, joined, name, text};
+use assur_words::{Text, count, text};
 
-use super::units::{MOVING, TURNING};
 use super::{Source, Values};
 
-/// A column of a table: its head, its unit, and what it shows of the owner.
-type Shown = (Text, Unit, Quantity, Part);
+/// The whole of a quantity.
+const WHOLE: &[Part] = &[Part::Whole];
+/// Both projections of a vector.
+const PROJECTIONS: &[Part] = &[Part::X, Part::Y];
+/// Velocity and acceleration.
+const RATES: &[Quantity] = &[Quantity::Velocity, Quantity::Acceleration];
 
 /// Of how many positions the tables show some, where they don't show all.
 pub fn shown_positions(source: &Source<'_>, page: &mut Document) {
@@ -32,7 +35,7 @@ pub fn condition(source: &Source<'_>, page: &mut Document) {
         let Owner::Group(group) = owner else { return None };
         let head = text!("report-group-number", number = count(group + 1));
         let values = Values::of(Quantity::Condition, owner);
-        Some(source.column(head, Unit::NONE, values).with(Digits::Ratio))
+        Some(source.headed(head, values).with(Digits::Ratio))
     };
     let columns = owners.into_iter().filter_map(column).collect();
     page.table(Table::over(text!("head-groups"), source.keys(), columns));
@@ -65,101 +68,85 @@ impl Source<'_> {
         Table { caption, keys: self.keys(), owners, groups: groups.into_iter().collect() }
     }
 
-    /// The columns of an owner.
-    fn group(&self, owner: Owner, shown: &[Shown]) -> Group {
-        let column = |(head, unit, quantity, part): &Shown| {
-            self.column(head.clone(), *unit, Values::of(*quantity, owner).part(*part))
+    /// Adds a table over the positions with these parts of these quantities for each owner.
+    fn groups(
+        &self,
+        page: &mut Document,
+        [caption, kind]: [Text; 2],
+        owners: Vec<Owner>,
+        (quantities, parts): (&[Quantity], &[Part]),
+    ) {
+        let group = |owner| {
+            let of = |quantity: &Quantity| Values::of(*quantity, owner);
+            let all =
+                quantities.iter().flat_map(|quantity| parts.iter().map(move |part| of(quantity).part(*part)));
+            Group { owner: self.name(owner), columns: all.map(|values| self.column(values)).collect() }
         };
-        Group { owner: self.name(owner), columns: shown.iter().map(column).collect() }
+        page.table(self.table(caption, kind, owners.into_iter().map(group)));
     }
 
-    /// Adds a table over the positions with these columns for each owner.
-    fn groups(&self, page: &mut Document, caption: Text, kind: Text, owners: Vec<Owner>, shown: &[Shown]) {
-        page.table(self.table(caption, kind, owners.into_iter().map(|owner| self.group(owner, shown))));
+    /// Whether anything beside the input is placed.
+    fn places(&self) -> bool {
+        !self.positions.is_empty() && self.positions.schema().owners(Quantity::Transfer(0)).len() > 1
     }
 }
 
 /// Places of the points, angles of the links, displacements of the slides.
 pub fn positions(source: &Source<'_>, page: &mut Document) {
-    let place = Quantity::Transfer(0);
-    // Besides the input.
-    if source.positions.is_empty() || source.positions.schema().owners(place).len() <= 1 {
+    if !source.places() {
         return;
     }
-    let (angle, length) = (source.units.angle[0], source.units.length[0]);
+    let place = Quantity::Transfer(0);
     page.heading(text!("report-positions"));
-    let points = [(name("x"), length, place, Part::X), (name("y"), length, place, Part::Y)];
-    source.groups(page, text!("head-points"), text!("head-point"), source.moving(place), &points);
-    let angles = [(name(""), angle, place, Part::Whole)];
-    source.groups(page, text!("report-angles"), text!("head-link"), source.links(place), &angles);
-    let displacements = [(name(""), length, place, Part::Whole)];
-    let slides = source.slides(place);
-    source.groups(page, text!("report-displacements"), text!("head-slide"), slides, &displacements);
+    let captions = [text!("head-points"), text!("head-point")];
+    source.groups(page, captions, source.moving(place), (&[place], PROJECTIONS));
+    let captions = [text!("report-angles"), text!("head-link")];
+    source.groups(page, captions, source.links(place), (&[place], WHOLE));
+    let captions = [text!("report-displacements"), text!("head-slide")];
+    source.groups(page, captions, source.slides(place), (&[place], WHOLE));
 }
 
 /// Transfer functions of the first and the second order.
 pub fn transfer(source: &Source<'_>, page: &mut Document) {
-    if source.positions.is_empty() || source.positions.schema().owners(Quantity::Transfer(0)).len() <= 1 {
+    if !source.places() {
         return;
     }
-    let (angle, length) = (source.units.angle, source.units.length);
-    let [first, second] = [Quantity::Transfer(1), Quantity::Transfer(2)];
-    let of = |order: &'static str, axis: &'static str| joined(" ", [text!(order), name(axis)]);
+    let orders = &[Quantity::Transfer(1), Quantity::Transfer(2)];
     page.heading(text!("report-transfer"));
-    let whole = |units: [Unit; 3]| {
-        [
-            (text!("quantity-pf1"), units[1], first, Part::Whole),
-            (text!("quantity-pf2"), units[2], second, Part::Whole),
-        ]
-    };
-    source.groups(page, text!("head-links"), text!("head-link"), source.links(first), &whole(angle));
-    let shown = [
-        (of("quantity-pf1", "x"), length[1], first, Part::X),
-        (of("quantity-pf1", "y"), length[1], first, Part::Y),
-        (of("quantity-pf2", "x"), length[2], second, Part::X),
-        (of("quantity-pf2", "y"), length[2], second, Part::Y),
-    ];
-    source.groups(page, text!("head-points"), text!("head-point"), source.moving(first), &shown);
-    source.groups(page, text!("head-slides"), text!("head-slide"), source.slides(first), &whole(length));
+    let captions = [text!("head-links"), text!("head-link")];
+    source.groups(page, captions, source.links(orders[0]), (orders, WHOLE));
+    let captions = [text!("head-points"), text!("head-point")];
+    source.groups(page, captions, source.moving(orders[0]), (orders, PROJECTIONS));
+    let captions = [text!("head-slides"), text!("head-slide")];
+    source.groups(page, captions, source.slides(orders[0]), (orders, WHOLE));
 }
 
 /// Velocities and accelerations.
 pub fn rates(source: &Source<'_>, page: &mut Document) {
-    let [v, a] = [Quantity::Velocity, Quantity::Acceleration];
-    if source.positions.is_empty() || source.positions.schema().owners(v).is_empty() {
+    if source.positions.is_empty() || source.positions.schema().owners(RATES[0]).is_empty() {
         return;
     }
     page.heading(text!("report-rates"));
     let of_input = vec![
-        source.column(text!("head-speed"), source.units.rates[0], Values::of(v, Owner::Input)),
-        source.column(text!("head-acceleration"), source.units.rates[1], Values::of(a, Owner::Input)),
+        source.headed(text!("head-speed"), Values::of(RATES[0], Owner::Input)),
+        source.headed(text!("head-acceleration"), Values::of(RATES[1], Owner::Input)),
     ];
     page.table(Table::over(text!("report-input"), source.keys(), of_input));
     rates_of_links(source, page);
     rates_of_points(source, page);
-    let shown = [(name("v"), MOVING[0], v, Part::Whole), (name("a"), MOVING[1], a, Part::Whole)];
-    source.groups(page, text!("report-slides-rates"), text!("head-slide"), source.slides(v), &shown);
+    let captions = [text!("report-slides-rates"), text!("head-slide")];
+    source.groups(page, captions, source.slides(RATES[0]), (RATES, WHOLE));
 }
 
 /// Angular velocities and accelerations of the links.
 pub fn rates_of_links(source: &Source<'_>, page: &mut Document) {
-    let [v, a] = [Quantity::Velocity, Quantity::Acceleration];
-    let shown = [(name("ω"), TURNING[0], v, Part::Whole), (name("ε"), TURNING[1], a, Part::Whole)];
-    source.groups(page, text!("report-links-rates"), text!("head-link"), source.links(v), &shown);
+    let captions = [text!("report-links-rates"), text!("head-link")];
+    source.groups(page, captions, source.links(RATES[0]), (RATES, WHOLE));
 }
 
 /// Velocities and accelerations of the points.
 pub fn rates_of_points(source: &Source<'_>, page: &mut Document) {
-    let [v, a] = [(Quantity::Velocity, MOVING[0]), (Quantity::Acceleration, MOVING[1])];
-    let shown = [
-        ("v_{x}", v, Part::X),
-        ("v_{y}", v, Part::Y),
-        ("v", v, Part::Modulus),
-        ("a_{x}", a, Part::X),
-        ("a_{y}", a, Part::Y),
-        ("a", a, Part::Modulus),
-    ]
-    .map(|(head, (quantity, unit), part)| (name(head), unit, quantity, part));
-    let points = source.moving(Quantity::Velocity);
-    source.groups(page, text!("report-points-rates"), text!("head-point"), points, &shown);
+    let captions = [text!("report-points-rates"), text!("head-point")];
+    let points = source.moving(RATES[0]);
+    source.groups(page, captions, points, (RATES, &[Part::X, Part::Y, Part::Modulus]));
 }

@@ -5,7 +5,7 @@ use assur_diagram::{JointForce, PlanSheet, PlanVector, Split, VectorPlan};
 use assur_geometry::{Center, CenterAt};
 use assur_words::{Text, name, number, text, unit};
 
-use super::units::FORCE;
+use super::forces::force_heads;
 
 /// All plans of a position, one table after the other.
 pub fn plans(sheet: &PlanSheet, page: &mut Document) {
@@ -38,7 +38,7 @@ fn plan(plan: &VectorPlan, page: &mut Document) {
         .column(text!("head-vector"), |item| item.name.clone())
         .column(text!("head-size"), |item| size(item))
         .column(text!("head-unit"), |item| unit(item.unit.clone()))
-        .measured(text!("head-direction"), Unit::of("deg", 1.0), |item| angle(item))
+        .measured(text!("head-direction"), Unit::si("deg"), |item| angle(item))
         .column(text!("head-from-x"), |item| places(item.start[0]))
         .column(name("y"), |item| places(item.start[1]))
         .column(text!("head-meaning"), |item| item.note.clone());
@@ -66,7 +66,7 @@ fn centers(centers: &[Center], page: &mut Document) {
         CenterAt::Direction(_) => text!("plan-at-infinity"),
         CenterAt::Everywhere => text!("plan-no-relative-motion"),
     };
-    let meter = Unit::of("m", 1.0);
+    let meter = Unit::si("m");
     let table = Table::each(text!("plan-centers"), centers)
         .column(text!("head-link"), |center| Text::from(&center.link))
         .column(text!("head-against"), |center| Text::from(&center.against))
@@ -81,14 +81,8 @@ fn causes(split: &Split, page: &mut Document) {
     let shares = || split.shares.iter().chain([&split.whole]);
     let force = beside(shares().flat_map(|share| &share.reactions).flat_map(|reaction| reaction.force));
     let balancing = beside(shares().map(|share| share.balancing));
-    let heads = [
-        Column::of(text!("head-cause")),
-        Column::of(text!("head-pair")),
-        Column::of(text!("head-on")),
-        Column::short(name("Rx"), FORCE),
-        Column::short(name("Ry"), FORCE),
-        Column::short(name("R"), FORCE),
-    ];
+    let heads = [text!("head-cause"), text!("head-pair"), text!("head-on")].map(Column::of);
+    let heads = heads.into_iter().chain(force_heads());
     let residual = number(format_args!("{:.1e}", split.residual));
     let mut table = Table::list(text!("plan-causes", residual), heads);
     for share in shares() {
@@ -115,10 +109,8 @@ fn degrees([x, y]: [f64; 2]) -> Cell {
     }))
 }
 
-/// Numbers of one kind: one that is rounding compared to the greatest is zero.
+/// Numbers of one kind beside the greatest of them.
 fn beside(all: impl IntoIterator<Item = f64>) -> impl Fn(f64) -> f64 {
-    /// In parts of the greatest.
-    const ROUNDING: f64 = 1e-13;
     let greatest = all.into_iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-    move |value| if value.abs() <= ROUNDING * greatest { 0.0 } else { value }
+    move |value| assur_book::beside(greatest, value)
 }

@@ -4,8 +4,7 @@ use assur_analysis::results::{Analysis, Dynamics, MotorReport, Owner, Quantity, 
 use assur_book::{Column, Digits, Document, Fact, Table, Unit};
 use assur_words::{Text, name, number, text};
 
-use super::units::{INERTIA, JOULE, POWER, SECOND};
-use super::{Source, Units, Values, each};
+use super::{Source, Values, each};
 
 /// Rows of the table over a cycle, without the first.
 const ROWS: usize = 48;
@@ -13,8 +12,8 @@ const ROWS: usize = 48;
 /// The numbers of the regime and of its drive; none without a regime. Every form takes them from here.
 pub fn facts(analysis: &Analysis) -> Vec<Fact> {
     let Some(found) = &analysis.dynamics else { return Vec::new() };
-    let units = Units::of(analysis.input.angular);
-    let ([rate, _], place, moment) = (units.rates, units.coordinate, units.reduced[2]);
+    let angular = analysis.input.angular;
+    let ([rate, _], place, moment) = (Unit::rates(angular), Unit::place(angular), Unit::load(angular));
     let (figures, regime) = (&found.figures, &found.regime);
     let some = |id, value: Option<f64>, unit: Unit| value.map(|value| Fact::number(id, value, unit));
     // What is positive where the drive drives has another name, and the other sign, where the loads drive.
@@ -34,24 +33,24 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
         some("fact-dynamic-unevenness", figures.dynamic_unevenness, Unit::NONE),
         Some(speed_min.at(&[figures.coordinate_at_min], place)),
         Some(speed_max.at(&[figures.coordinate_at_max], place)),
-        some("fact-cycle-time", Some(regime.cycle_time), SECOND),
-        some("fact-excess-work", Some(figures.excess_work), JOULE),
+        some("fact-cycle-time", Some(regime.cycle_time), Unit::SECOND),
+        some("fact-excess-work", Some(figures.excess_work), Unit::JOULE),
         one_of(["fact-mean-resistance", "fact-mean-driving"], Some(regime.mean_resistance), moment),
-        one_of(["fact-resistance-work", "fact-net-driving-work"], Some(regime.resistance_work), JOULE),
-        some("fact-driving-work", driving, JOULE),
-        some("fact-resisting-work", resisting, JOULE),
-        some("fact-friction-work", friction, JOULE),
-        energies(analysis).map(|range| Fact::range("fact-kinetic-energy", range, JOULE)),
+        one_of(["fact-resistance-work", "fact-net-driving-work"], Some(regime.resistance_work), Unit::JOULE),
+        some("fact-driving-work", driving, Unit::JOULE),
+        some("fact-resisting-work", resisting, Unit::JOULE),
+        some("fact-friction-work", friction, Unit::JOULE),
+        energies(analysis).map(|range| Fact::range("fact-kinetic-energy", range, Unit::JOULE)),
         one_of(["fact-driving-moment", "fact-braking-moment"], figures.torque, moment),
-        one_of(["fact-required-power", "fact-power-taken"], required_power(found, regime), POWER),
+        one_of(["fact-required-power", "fact-power-taken"], required_power(found, regime), Unit::POWER),
         motor.map(|motor| Fact::text("fact-motor", name(motor.designation.clone()))),
-        some("fact-rated-power", found.motor.as_ref().map(|motor| motor.rated.power), POWER),
+        some("fact-rated-power", found.motor.as_ref().map(|motor| motor.rated.power), Unit::POWER),
         some("fact-gear-ratio", figures.ratio, Unit::NONE),
-        some("fact-flywheel", found.flywheel, INERTIA),
+        some("fact-flywheel", found.flywheel, Unit::INERTIA),
         some(
             "fact-shaft-inertia",
             Some(regime.shaft_inertia).filter(|inertia| *inertia > 0.0),
-            units.reduced[0],
+            Unit::inertias(angular)[0],
         ),
         some("fact-multiplier", Some(regime.multiplier), Unit::NONE),
     ]
@@ -93,7 +92,7 @@ pub fn iteration(source: &Source<'_>, page: &mut Document) {
         evaluations = effort.evaluations,
         residual = number(format_args!("{:.1e}", effort.residual))
     ));
-    let rate = source.units.rates[0];
+    let [rate, _] = Unit::rates(source.angular);
     let long = |head: Text, unit: Unit| Column::short(head, unit).with(Digits::Long);
     let table = Table::each(text!("report-iteration"), &regime.iteration)
         .column(text!("head-cycle"), |turn| number(turn.number))
@@ -105,7 +104,7 @@ pub fn iteration(source: &Source<'_>, page: &mut Document) {
         let table = Table::each(text!("report-trials"), &regime.trials)
             .column(text!("head-trial"), |trial| number(trial.number))
             .add(long(text!("head-ratio"), Unit::NONE), |trial| trial.ratio)
-            .add(long(text!("head-flywheel"), INERTIA), |trial| trial.flywheel)
+            .add(long(text!("head-flywheel"), Unit::INERTIA), |trial| trial.flywheel)
             .add(long(text!("head-mean-speed"), rate), |trial| trial.mean_speed)
             .add(long(text!("head-unevenness"), Unit::NONE), |trial| trial.unevenness);
         page.table(table.table());
@@ -115,25 +114,25 @@ pub fn iteration(source: &Source<'_>, page: &mut Document) {
 /// Speed, moments and inertia over the cycle.
 pub fn course(source: &Source<'_>, page: &mut Document) {
     let Some(regime) = source.analysis.dynamics.as_ref().map(|found| &found.regime) else { return };
-    let units = &source.units;
+    let ([rate, _], load) = (Unit::rates(source.angular), Unit::load(source.angular));
+    let [inertia, derivative] = Unit::inertias(source.angular);
     // Every so many rows, both ends included; JSON has all.
     let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
     let rows: Vec<_> = regime.course.iter().step_by(stride).collect();
     let column = |head, unit: Unit, value: &dyn Fn(&RegimePoint) -> Option<f64>| {
         Column::numbers(head, unit, rows.iter().map(|row| value(row)))
     };
-    let key = column(Text::from(&source.analysis.input.link), units.coordinate, &|row| Some(row.coordinate));
+    let key =
+        column(Text::from(&source.analysis.input.link), source.coordinate(), &|row| Some(row.coordinate));
     let mean = regime.mean_resistance;
     let columns = vec![
-        column(text!("head-speed"), units.rates[0], &|row| Some(row.speed)),
-        column(text!("head-first-turn"), units.rates[0], &|row| row.first_turn),
-        column(text!("head-loads"), units.reduced[2], &|row| Some(row.load)),
-        column(text!("head-drive"), units.reduced[2], &|row| Some(row.drive)),
-        column(text!("head-mean-load"), units.reduced[2], &|row| {
-            Some(-mean * if row.speed < 0.0 { -1.0 } else { 1.0 })
-        }),
-        column(name("J"), units.reduced[0], &|row| Some(row.inertia)),
-        column(name("dJ/dq"), units.reduced[1], &|row| Some(row.inertia_derivative)),
+        column(text!("head-speed"), rate, &|row| Some(row.speed)),
+        column(text!("head-first-turn"), rate, &|row| row.first_turn),
+        column(text!("head-loads"), load, &|row| Some(row.load)),
+        column(text!("head-drive"), load, &|row| Some(row.drive)),
+        column(text!("head-mean-load"), load, &|row| Some(-mean * if row.speed < 0.0 { -1.0 } else { 1.0 })),
+        column(name("J"), inertia, &|row| Some(row.inertia)),
+        column(name("J'"), derivative, &|row| Some(row.inertia_derivative)),
     ];
     page.table(Table::over(text!("report-regime-course"), vec![key], columns));
 }

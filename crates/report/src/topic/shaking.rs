@@ -1,11 +1,8 @@
 //! Shaking force, its harmonics and counterweights as tables.
 
-use assur_book::{Column, Digits, Document, Table, Unit};
+use assur_book::{Column, Digits, Document, Table, Unit, beside};
 use assur_shaking::{AtPosition, Balanced, Criterion, Harmonic, Shaking, Size};
 use assur_words::{Text, list, name, number, text};
-
-use super::Units;
-use super::units::{ANGLE, FORCE, KILOGRAM, LENGTH, MOMENT};
 
 /// What the inertia loads do to the ground, and counterweights against it.
 pub fn shaking(found: &Shaking, page: &mut Document) {
@@ -38,17 +35,12 @@ fn sizes(found: &Shaking, page: &mut Document) {
     };
     let table = Table::each(Text::default(), std::iter::once(before).chain(after))
         .column(text!("head-counterweights"), |(what, _)| what.clone())
-        .measured(text!("head-greatest-force"), FORCE, of(|size| size.greatest_force))
-        .measured(text!("head-rms-force"), FORCE, of(|size| size.rms_force))
-        .measured(text!("head-greatest-moment"), MOMENT, of(|size| size.greatest_moment))
-        .measured(text!("head-rms-moment"), MOMENT, of(|size| size.rms_moment));
+        .measured(text!("head-greatest-force"), Unit::FORCE, of(|size| size.greatest_force))
+        .measured(text!("head-rms-force"), Unit::FORCE, of(|size| size.rms_force))
+        .measured(text!("head-greatest-moment"), Unit::MOMENT, of(|size| size.greatest_moment))
+        .measured(text!("head-rms-moment"), Unit::MOMENT, of(|size| size.rms_moment));
     page.table(table.table());
     proofs(found, page);
-}
-
-/// A size with that before balancing, beside which it may be rounding.
-fn beside(before: f64, value: f64) -> f64 {
-    if value < 1e-9 * before { 0.0 } else { value }
 }
 
 fn proofs(found: &Shaking, page: &mut Document) {
@@ -56,7 +48,7 @@ fn proofs(found: &Shaking, page: &mut Document) {
     let bound = |bound| beside(found.before.greatest_force, bound);
     let table = Table::each(Text::default(), proved)
         .column(text!("head-counterweights"), |(balance, _)| balance_name(balance))
-        .measured(text!("head-bound"), FORCE, |(_, proof)| bound(proof.bound))
+        .measured(text!("head-bound"), Unit::FORCE, |(_, proof)| bound(proof.bound))
         .add(Column::of(text!("head-gap")).with(Digits::Exponent), |(_, proof)| proof.gap)
         .table();
     if !table.is_empty() {
@@ -75,10 +67,10 @@ fn counterweights(found: &Shaking, page: &mut Document) {
     let table = Table::each(Text::default(), weights)
         .column(text!("head-counterweights"), |(balance, _)| balance_name(balance))
         .column(text!("head-link"), |(_, one)| Text::from(&one.link))
-        .measured(text!("head-mass-radius"), Unit::of("kg·m", 1.0), |(_, one)| one.product)
-        .measured(text!("head-direction"), ANGLE, |(_, one)| one.angle)
-        .measured(text!("head-radius"), LENGTH, |(_, one)| one.radius)
-        .measured(text!("head-mass"), KILOGRAM, |(_, one)| one.mass);
+        .measured(text!("head-mass-radius"), Unit::si("kg m"), |(_, one)| one.product)
+        .measured(text!("head-direction"), Unit::ANGLE, |(_, one)| one.angle)
+        .measured(text!("head-radius"), Unit::LENGTH, |(_, one)| one.radius)
+        .measured(text!("head-mass"), Unit::KILOGRAM, |(_, one)| one.mass);
     page.table(table.table());
 }
 
@@ -88,14 +80,14 @@ type Component = (Text, Unit, fn(&Harmonic) -> f64);
 fn harmonics(found: &Shaking, page: &mut Document) {
     page.heading(text!("shaking-harmonics"));
     page.paragraph(text!("shaking-harmonics-text"));
-    let input = if found.angular { MOMENT } else { FORCE };
+    let input = Unit::load(found.angular);
     let parts: [Component; 8] = [
-        (name("Fx cos"), FORCE, |at| at.x[0]),
-        (name("Fx sin"), FORCE, |at| at.x[1]),
-        (name("Fy cos"), FORCE, |at| at.y[0]),
-        (name("Fy sin"), FORCE, |at| at.y[1]),
-        (name("M cos"), MOMENT, |at| at.moment[0]),
-        (name("M sin"), MOMENT, |at| at.moment[1]),
+        (name("Fx cos"), Unit::FORCE, |at| at.x[0]),
+        (name("Fx sin"), Unit::FORCE, |at| at.x[1]),
+        (name("Fy cos"), Unit::FORCE, |at| at.y[0]),
+        (name("Fy sin"), Unit::FORCE, |at| at.y[1]),
+        (name("M cos"), Unit::MOMENT, |at| at.moment[0]),
+        (name("M sin"), Unit::MOMENT, |at| at.moment[1]),
         (text!("head-input-load-cos"), input, |at| at.torque[0]),
         (text!("head-input-load-sin"), input, |at| at.torque[1]),
     ];
@@ -107,23 +99,22 @@ fn harmonics(found: &Shaking, page: &mut Document) {
 
 fn positions(found: &Shaking, page: &mut Document) {
     page.heading(text!("shaking-positions"));
-    let units = Units::of(found.angular);
-    let input = if found.angular { MOMENT } else { FORCE };
+    let input = Unit::load(found.angular);
     let column = |head: Text, unit: Unit, value: &dyn Fn(&AtPosition) -> f64| {
         Column::each(&found.positions, head, unit, value)
     };
     let numbers = Column::counted(text!("head-number"), found.positions.iter().map(|at| at.index));
-    let coordinate = column(text!("head-coordinate"), units.coordinate, &|at| at.coordinate);
+    let coordinate = column(text!("head-coordinate"), Unit::place(found.angular), &|at| at.coordinate);
     let mut columns = vec![
-        column(name("Fx"), FORCE, &|at| at.force[0]),
-        column(name("Fy"), FORCE, &|at| at.force[1]),
-        column(name("F"), FORCE, &|at| at.force[0].hypot(at.force[1])),
-        column(name("M"), MOMENT, &|at| at.moment),
+        column(name("Fx"), Unit::FORCE, &|at| at.force[0]),
+        column(name("Fy"), Unit::FORCE, &|at| at.force[1]),
+        column(name("F"), Unit::FORCE, &|at| at.force[0].hypot(at.force[1])),
+        column(name("M"), Unit::MOMENT, &|at| at.moment),
         column(text!("head-input-load"), input, &|at| at.torque),
     ];
     for i in 0..found.balances.len() {
         let size = |at: &AtPosition| at.balanced.get(i).map_or(0.0, |[x, y]| x.hypot(*y));
-        columns.push(column(text!("head-balanced", number = i + 1), FORCE, &size));
+        columns.push(column(text!("head-balanced", number = i + 1), Unit::FORCE, &size));
     }
     page.table(Table::over(Text::default(), vec![numbers, coordinate], columns));
 }

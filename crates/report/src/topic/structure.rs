@@ -8,7 +8,7 @@ use assur_mechanism::Named;
 use assur_structure::roman;
 use assur_words::{Text, joined, list, name, number, text};
 
-use super::{Source, Units};
+use super::Source;
 
 /// Links, mobility, formula of structure and class.
 pub fn mobility(source: &Source<'_>, page: &mut Document) {
@@ -40,17 +40,15 @@ pub fn passive_part(passive: &PassiveReport, angular: bool) -> Text {
     if passive.fits() {
         return text!("report-passive", what = &passive.what);
     }
-    let units = Units::of(angular);
-    let (length, turn) = (units.length[0], units.angle[0]);
     let closes = passive.closes.as_ref().map_or_else(Text::default, |closing| {
-        let unit = if closing.is_angle { turn } else { length };
+        let unit = Unit::place(closing.is_angle);
         text!("report-closes", key = &closing.key, value = unit.show(closing.value))
     });
     let [misfit, limit] = [passive.misfit, passive.limit].map(|size| match passive.angle {
-        Some(angle) => turn.show(size * angle / passive.misfit),
-        None => length.show(size),
+        Some(angle) => Unit::ANGLE.show(size * angle / passive.misfit),
+        None => Unit::LENGTH.show(size),
     });
-    let place = units.coordinate.show(passive.at);
+    let place = Unit::place(angular).show(passive.at);
     text!(
         "report-misfit",
         what = &passive.what,
@@ -139,7 +137,7 @@ pub fn study(found: &StructureStudy, page: &mut Document) {
     if !found.inputs.is_empty() {
         possible_inputs(found, page);
     }
-    let unit = Units::of(found.angular).coordinate;
+    let unit = Unit::place(found.angular);
     found.modes.iter().for_each(|group| modes(group, unit, page));
 }
 

@@ -1,5 +1,6 @@
 //! The chart as a figure.
 
+use assur_book::{Cell, row};
 use assur_figure::cells::{self, Look, Marker};
 use assur_figure::{
     Axis, AxisKind, Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke, Zoom, extent,
@@ -133,15 +134,15 @@ pub fn stage_text(
     text + "\n" + &columns(&head, &rows, style)
 }
 
-fn cells(row: &Measurement) -> Vec<Text> {
-    let dash = || name("-");
-    vec![
-        name(if row.front { "*" } else { " " }),
-        name(row.method.clone()),
+fn cells(row: &Measurement) -> Vec<Cell> {
+    row![
+        if row.front { "*" } else { " " },
+        &row.method,
         row.setting.describe(),
-        row.seconds.map_or_else(dash, units::time),
-        row.evaluations.map_or_else(dash, number),
-        row.error.map_or_else(dash, |error| units::error(error, row.at_most)),
+        row.seconds.map(units::time),
+        row.evaluations.map(number),
+        row.error.map(|error| units::error(error, row.at_most)),
         row.reason.clone().unwrap_or_default(),
     ]
+    .into()
 }

@@ -5,7 +5,7 @@ use assur_diagram::Split;
 use assur_picture::causes::{CauseShare, part, parts, sum};
 use assur_picture::forces;
 use assur_picture::plans::has_forces;
-use assur_report::topic::direction;
+use assur_report::topic::{direction, force_heads};
 use assur_words::{Text, joined, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -43,7 +43,7 @@ pub(super) fn draw(state: &State, scene: &Scene, found: &Found, area: Rect, buff
 fn table(found: &Found, split: &Split, reaction: &Reaction, parts: &[CauseShare], room: usize) -> Table {
     let head = if reaction.of.is_some() { name("M") } else { Text::default() };
     let is_moment = reaction.of.is_some() || found.analysis.input.balancing_is_moment;
-    let last = Column::short(head, Unit::of(if is_moment { "N m" } else { "N" }, 1.0));
+    let last = Column::short(head, Unit::load(is_moment));
     let sum_of_all = sum(parts, text!("forces-sum"));
     let whole = part(&split.whole, reaction);
     let whole = CauseShare { cause: text!("forces-whole", method = name(found.analyzer.clone())), ..whole };
@@ -74,8 +74,8 @@ fn size(part: &CauseShare) -> f64 {
 
 /// The columns of a table of forces: whose it is, projections, modulus and direction, and one of its own.
 pub(super) fn heads(first: Text, last: Column) -> [Column; 6] {
-    let [x, y, size] = ["Fx", "Fy", "F"].map(|letters| Column::short(name(letters), Unit::of("N", 1.0)));
-    let direction = Column::short(text!("forces-direction"), Unit::of("deg", 1.0_f64.to_degrees()));
+    let [x, y, size] = force_heads();
+    let direction = Column::short(text!("forces-direction"), Unit::ANGLE);
     [Column::of(first), x, y, size, direction, last]
 }
 

@@ -46,8 +46,8 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
 }
 
 fn draw_table(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &mut Buffer) {
-    let (letter, of) = if scene.other.is_some() { ("|dF|", "N") } else { ("M", "N m") };
-    let last = Column::short(name(letter), Unit::of(of, 1.0));
+    let (letter, of) = if scene.other.is_some() { ("|dF|", Unit::FORCE) } else { ("M", Unit::MOMENT) };
+    let last = Column::short(name(letter), of);
     let rows = found.reactions.iter().map(|reaction| cells(state, scene, found, reaction));
     let table = Table::list(Text::default(), causes::heads(text!("forces-pair"), last)).rows(rows);
     let lines = page::told(state, area.width.saturating_sub(2), |page| page.table(table));

@@ -58,10 +58,10 @@ fn masses(mechanism: &Mechanism, list: &mut Vec<Text>) {
         return;
     }
     let sum: f64 = heavy.iter().map(|id| mechanism.links[*id].mass).sum();
-    let how = text!("model-masses-how", count = heavy.len(), sum = Unit::of("kg", 1.0).show(sum));
+    let how = text!("model-masses-how", count = heavy.len(), sum = Unit::KILOGRAM.show(sum));
     list.push(remark(text!("model-masses"), how));
     if let Some(gravity) = mechanism.gravity {
-        let gravity = Unit::of("m/s²", 1.0).show_all(&gravity);
+        let gravity = Unit::MOVING[1].show_all(&gravity);
         list.push(remark(text!("missing-weights"), text!("model-weights-how", gravity)));
     }
 }

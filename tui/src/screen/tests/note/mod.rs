@@ -82,9 +82,8 @@ fn every_tag_is_closed_and_every_text_is_there() {
         assert!(html.contains("A. &lt;B&gt;") && !html.contains("NaN") && !html.contains('`'), "{scene}");
         assert!(language != "en" || html.contains("(number of steps)"), "{scene}: what symbols mean");
         // An identifier without a text would be printed itself.
-        let identifiers = include_str!("../../../../lang/en.ftl")
-            .lines()
-            .filter_map(|line| line.split_once(" = "));
+        let identifiers =
+            include_str!("../../../../lang/en.ftl").lines().filter_map(|line| line.split_once(" = "));
         for (id, _) in identifiers.filter(|(id, _)| id.contains('-')) {
             assert!(!html.contains(&format!(">{id}<")), "{scene} {language}: {id}");
         }
