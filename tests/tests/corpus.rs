@@ -157,6 +157,12 @@ const ANSWERS: &[(&str, Answer)] = &[
     // Found is not the 120 rpm that are wanted, but 16.91 rad/s, which take 606 W.
     ("st-ratio-given-power", Numbers(|found| is(&found["dynamics"]["required_power"], 606.0, 1.0))),
     ("stability_fail_61", Numbers(any)),
+    ("switch-driven-back", Message(&["`sign` (character 7 ", "driven back", "w = 12.0827"])),
+    // 8 rad/s² to rest after 1/8 s, and 32 rad/s² in the last 1/16 s.
+    ("switch-friction-by-formula", Numbers(|found| ends_at(found, [0.125, 2.0]))),
+    ("switch-slider-crank", Numbers(nothing_drives)),
+    // q - 2 t = z: z' is 1 and falls by 8 rad/s² in the last 0.15 s, after three quarters of a second between z = 0 and 0.
+    ("switch-time-and-coordinate", Numbers(|found| ends_at(found, [1.86, 1.8]))),
     ("tr-coulomb-sticks", Numbers(nothing_drives)),
     ("tr-held-brake", Numbers(nothing_drives)),
     ("tr-held-speed", Numbers(nothing_drives)),
@@ -221,6 +227,12 @@ fn up_an_incline() -> f64 {
 
 fn is(found: &Value, wanted: f64, tolerance: f64) -> bool {
     found.as_f64().is_some_and(|found| (found - wanted).abs() <= tolerance)
+}
+
+/// Coordinate and speed at the end of a motion.
+fn ends_at(found: &Value, wanted: [f64; 2]) -> bool {
+    let end = &found["integration"]["end"];
+    is(&end["coordinate"], wanted[0], 1e-8) && is(&end["speed"], wanted[1], 1e-8)
 }
 
 /// The balancing moments in all positions.

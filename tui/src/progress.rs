@@ -12,6 +12,8 @@ use crate::number::plain;
 
 /// A calculation that ends sooner shows no line.
 const PATIENCE: Duration = Duration::from_secs(1);
+/// Between two texts of the line at least: a calculation may report a million times.
+const TEXTS: Duration = Duration::from_millis(100);
 /// The line of work that can't be counted.
 const UNCOUNTED: &str = "{msg} ({since})";
 /// The line of work that is counted.
@@ -85,14 +87,19 @@ impl ProgressLine {
 
     /// For an analysis that is never stopped.
     pub(crate) fn watch(&self) -> impl FnMut(Progress) -> ControlFlow<()> + '_ {
-        |progress| {
-            match counted(progress) {
-                (what, Some([done, total])) => self.count(&what, done, total),
-                (what, None) if self.since.elapsed() >= PATIENCE => {
-                    self.bar.set_style(style(UNCOUNTED, self.language));
-                    self.bar.set_message(what.render(self.language));
-                }
-                _ => {}
+        let mut next = PATIENCE;
+        move |progress| {
+            let is_due = || self.since.elapsed() >= next;
+            match progress {
+                Progress::Motion { .. } | Progress::Regime { .. } if !is_due() => {}
+                _ => match counted(progress) {
+                    (what, Some([done, total])) => self.count(&what, done, total),
+                    (what, None) => {
+                        self.bar.set_style(style(UNCOUNTED, self.language));
+                        self.bar.set_message(what.render(self.language));
+                        next = self.since.elapsed() + TEXTS;
+                    }
+                },
             }
             ControlFlow::Continue(())
         }

@@ -3,7 +3,8 @@
 use assur_check::{Check, Finding};
 use assur_dynamics::{Driven, Machine, Regime, Steady, Transient};
 use assur_integrator::{
-    AUTO, EquationOfMotion, Piece, Request, Sample, Solution, State, Trajectory, Until, solve,
+    AUTO, EquationOfMotion, Event, EventKind, Piece, Request, Sample, Solution, State, Trajectory, Until,
+    solve,
 };
 use assur_words::{Text, name, text};
 
@@ -118,7 +119,13 @@ enum Between {
 }
 
 impl Between {
-    fn of(before: &Sample, after: &Sample, [piece, next]: [&Piece; 2], fastest: f64) -> Self {
+    fn of(
+        before: &Sample,
+        after: &Sample,
+        [piece, next]: [&Piece; 2],
+        fastest: f64,
+        events: &[Event],
+    ) -> Self {
         let dimensions = [
             (piece.coordinate, next.coordinate, before.coordinate, after.coordinate),
             (piece.speed, next.speed, before.speed, after.speed),
@@ -131,11 +138,16 @@ impl Between {
             (begin - bound).abs() <= ROUNDING * bound.abs().max(1.0)
         };
         let left = dimensions.iter().filter(|dimension| leaves(dimension));
+        let switched = events.iter().filter(|event| {
+            let at = event.state.time;
+            event.kind == EventKind::Switch && before.time <= at && at <= after.time
+        });
+        let switched = switched.count();
         let gain = before.acceleration.abs().max(after.acceleration.abs()) * (after.time - before.time);
-        if STEPS * gain > fastest || left.clone().any(|dimension| !adjoins(dimension)) {
+        if STEPS * gain > fastest || left.clone().any(|dimension| !adjoins(dimension)) || switched > 1 {
             return Self::Unseen;
         }
-        if left.count() > 0 { Self::Change } else { Self::Smooth }
+        if left.count() + switched > 0 { Self::Change } else { Self::Smooth }
     }
 }
 
@@ -177,7 +189,9 @@ impl Balance {
             rounding.push(ROUNDINGS * (change * speed).abs());
         }
         let pairs = samples.windows(2).zip(pieces.windows(2));
-        let between = pairs.map(|(s, p)| Between::of(&s[0], &s[1], [&p[0], &p[1]], fastest)).collect();
+        let between =
+            pairs.map(|(s, p)| Between::of(&s[0], &s[1], [&p[0], &p[1]], fastest, &trajectory.events));
+        let between = between.collect();
         let unresolved = unresolved * steps;
         Some(Self { step, kinetic, power, rounding, unresolved, by_speed, between })
     }

@@ -1,10 +1,13 @@
 //! The drive of the input link, reduced to it: torque, flywheel and rotor; and a machine with its drive as an equation of motion.
 
 use assur_force::{Side, beside};
-use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Piece, Reduced, State, Stretch};
+use assur_mechanism::LoadId;
 use assur_motor::Characteristic;
+use assur_words::{Text, name, text};
 
 use crate::Machine;
+use crate::machine::load_state;
 
 /// Source of the driving torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,9 +148,34 @@ impl<'a> Driven<'a> {
     }
 
     /// Chooses the formulas of loads and drive on the side of a state that lies on no bound of the speed.
-    pub(crate) fn enter_side(&mut self, state: &assur_force::LoadState) {
-        self.machine.enter_side(state);
+    pub(crate) fn enter_side(&mut self, state: &assur_force::LoadState) -> Result<Piece, MotionError> {
+        let piece = self.machine.enter_side(state);
         self.factor = self.drive.branch(self.drive.sense * state.speed).factor;
+        // At rest itself there is no motion that leads anywhere.
+        if self.dependence().moment_switches && state.speed != 0.0 {
+            self.follow(state)?;
+        }
+        Ok(piece)
+    }
+
+    /// Takes the sides of switches over several variables to which the motion on these sides itself leads.
+    fn follow(&mut self, at: &assur_force::LoadState) -> Result<(), MotionError> {
+        /// More than a switch for each of some loads.
+        const MOST: usize = 8;
+        let assur_force::LoadState { time, coordinate, speed, .. } = *at;
+        let mut turned = None;
+        for _ in 0..MOST {
+            let acceleration = self.acceleration(&State { time, coordinate, speed })?;
+            turned = self.machine.turn(&assur_force::LoadState { acceleration, ..*at });
+            if turned.is_none() {
+                return Ok(());
+            }
+        }
+        let back = |(load, function, column): (LoadId, String, usize)| {
+            let load = self.machine.name_of(load).clone();
+            text!("dynamics-driven-back", load, function = name(function), column)
+        };
+        Err(MotionError::Undetermined(turned.map_or_else(Text::default, back)))
     }
 }
 
@@ -159,10 +187,8 @@ impl EquationOfMotion for Driven<'_> {
     }
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
-        let mut piece = self.machine.enter(state)?;
-        let branch = self.drive.branch(self.drive.sense * state.speed);
-        self.factor = branch.factor;
-        let [low, high] = branch.speed;
+        let mut piece = self.enter_side(&load_state(state))?;
+        let [low, high] = self.drive.branch(self.drive.sense * state.speed).speed;
         let own = if self.drive.sense < 0.0 { [-high, -low] } else { [low, high] };
         piece.speed = [piece.speed[0].max(own[0]), piece.speed[1].min(own[1])];
         Ok(piece)
@@ -174,6 +200,10 @@ impl EquationOfMotion for Driven<'_> {
         }
         self.reduced(state)?;
         self.machine.bends(state)
+    }
+
+    fn holds(&self, stretch: &Stretch) -> Option<bool> {
+        self.machine.holds(stretch)
     }
 
     #[inline]

@@ -83,7 +83,7 @@ impl Driven<'_> {
         of_speed: f64,
     ) -> Result<(Reduced, FrictionMoment), MotionError> {
         let speed = if of_speed == 0.0 { at.speed } else { beside(at.speed, of_speed) };
-        self.enter_side(&assur_force::LoadState { side, ..load_state(&State { speed, ..*at }) });
+        self.enter_side(&assur_force::LoadState { side, ..load_state(&State { speed, ..*at }) })?;
         Ok((self.reduced(at)?, self.machine.friction()))
     }
 

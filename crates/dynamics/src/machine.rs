@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use assur_force::{Loads, Phase};
 use assur_group::{Body, Order};
-use assur_integrator::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State};
+use assur_integrator::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State, Stretch};
 use assur_kinematics::{Linkage, Position};
+use assur_mechanism::{LoadId, Name};
 use assur_words::text;
 
 use crate::Regime;
@@ -149,6 +150,16 @@ impl<'a> Machine<'a> {
         piece
     }
 
+    /// Takes the sides of switches over several variables to which a motion leads, see [`Loads::turn`].
+    pub(crate) fn turn(&mut self, state: &assur_force::LoadState) -> Option<(LoadId, String, usize)> {
+        self.loads.turn(state, &mut self.phase)
+    }
+
+    /// The name of a load.
+    pub(crate) fn name_of(&self, load: LoadId) -> &Name {
+        &self.linkage.mechanism.loads[load].name
+    }
+
     #[inline]
     fn solve(&mut self, coordinate: f64) -> Result<(), MotionError> {
         if !coordinate.is_finite() {
@@ -193,6 +204,10 @@ impl EquationOfMotion for Machine<'_> {
         Ok(self.enter_side(&load_state(state)))
     }
 
+    fn holds(&self, stretch: &Stretch) -> Option<bool> {
+        self.loads.hold(&self.phase, stretch)
+    }
+
     #[inline]
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {
         self.driven(state, [0.0; 2])
@@ -228,6 +243,10 @@ impl EquationOfMotion for Watched<'_, '_> {
 
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
         self.motion.enter(state)
+    }
+
+    fn holds(&self, stretch: &Stretch) -> Option<bool> {
+        self.motion.holds(stretch)
     }
 
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError> {

@@ -13,6 +13,7 @@ mod loads;
 mod settled;
 mod steady;
 mod steps;
+mod switches;
 mod transient;
 mod unevenness;
 mod unmet;

@@ -1,6 +1,6 @@
 //! Which formula of each load applies at a state.
 
-use assur_integrator::Piece;
+use assur_integrator::{Piece, Stretch};
 use assur_mechanism::LoadId;
 
 use crate::LoadState;
@@ -205,6 +205,34 @@ impl Loads {
             Side::Held { upper } => Selections::Held([(1.0 - upper, held(-1.0)), (upper, held(1.0))]),
             Side::Prescribed => Selections::One(Selection { moves: speed != 0.0, closed: true, ..one(1.0) }),
         }
+    }
+
+    /// Whether the formulas of a phase hold throughout a stretch of a motion, apart from the bounds of its piece; see
+    /// [`EquationOfMotion::holds`](assur_integrator::EquationOfMotion::holds).
+    pub fn hold(&self, phase: &Phase, stretch: &Stretch) -> Option<bool> {
+        let all = self.applied.iter().zip(&phase.loads);
+        let mut laws = all.flat_map(|(load, phase)| load.laws().zip([phase.size, phase.angle]));
+        laws.try_fold(true, |all, (law, active)| match law {
+            Law::Formula(law) => Some(law.holds(active.sides, stretch)? && all),
+            _ => Some(all),
+        })
+    }
+
+    /// Takes the sides of switches over several variables just ahead of a state, to which its acceleration leads. Returns the load whose formula
+    /// changes by that, if one does, with the function that switches and the character at which it stands.
+    pub fn turn(&self, state: &LoadState, phase: &mut Phase) -> Option<(LoadId, String, usize)> {
+        let side = match self.selections(&LoadState { acceleration: 0.0, ..*state }) {
+            Selections::One(side) | Selections::Held([_, (_, side)]) => side,
+        };
+        let mut turned = None;
+        for (load, phase) in self.applied.iter().zip(&mut phase.loads) {
+            for (law, active) in load.laws().zip([&mut phase.size, &mut phase.angle]) {
+                let Law::Formula(law) = law else { continue };
+                let found = law.turn(&mut active.sides, state, &side, self.period);
+                turned = found.map(|(function, column)| (load.id, function, column)).or(turned);
+            }
+        }
+        turned
     }
 
     /// A phase with room for all loads, not yet entered.

@@ -1,7 +1,7 @@
 //! Loads by formula: on which side of its switches a state lies, and where the smooth branch ends.
 
 use assur_formula::{Branches, Formula, Sign, Used, Variable, Variables};
-use assur_integrator::Piece;
+use assur_integrator::{Piece, State, Stretch};
 use assur_number::search::bisect;
 
 use crate::breaks::{Breaks, cut};
@@ -70,14 +70,17 @@ pub(crate) fn variable_of(used: Used) -> Option<Variable> {
     }
 }
 
+/// Whether a switch depends on speed or time and on something else.
+fn is_mixed(used: Used) -> bool {
+    (used.speed || used.time) && variable_of(used).is_none()
+}
+
 impl FormulaLaw {
-    /// A formula without places of points. `steps`: integrators must be able to step onto its switches.
-    pub(crate) fn new(formula: Formula, factor: f64, steps: bool) -> Result<Self, LoadFault> {
-        let mixed = |used: Used| {
-            let moves = used.speed || used.time;
-            moves && variable_of(used).is_none()
-        };
-        let found = formula.switches().iter().position(|switch| mixed(switch.used));
+    /// A formula without places of points. `steps`: integrators must be able to step onto its switches; `along`: switches over
+    /// several variables are met on the way.
+    pub(crate) fn new(formula: Formula, factor: f64, [steps, along]: [bool; 2]) -> Result<Self, LoadFault> {
+        let refused = |used: Used| is_mixed(used) && (used.place || !along);
+        let found = formula.switches().iter().position(|switch| refused(switch.used));
         if let Some(index) = found.filter(|_| steps) {
             return Err(unlocated(&formula, index));
         }
@@ -168,16 +171,79 @@ impl FormulaLaw {
             return Branches::default();
         }
         let mut found = self.of_places(side.coordinate(state, period)).only(self.jumps);
-        for (index, switch) in self.formula.switches().iter().enumerate() {
+        for index in 0..self.formula.switches().len() {
             let bit = 1 << index;
-            if self.jumps & bit != 0 && self.places.switches & bit == 0 {
-                let ahead = |distance| side.ahead(state, period, switch.used, distance);
-                if let Some(side) = self.formula.side_ahead(index, ahead).0 {
-                    found.set(index, side);
-                }
+            if self.jumps & bit != 0
+                && self.places.switches & bit == 0
+                && let Some(side) = self.side_ahead(index, state, side, period).0
+            {
+                found.set(index, side);
             }
         }
         found
+    }
+
+    /// The side of a switch just ahead of a state, and the variables there.
+    fn side_ahead(
+        &self,
+        switch: usize,
+        state: &LoadState,
+        side: &Selection,
+        period: Option<f64>,
+    ) -> (Option<Sign>, Variables) {
+        let used = self.formula.switches()[switch].used;
+        let is_met = self.is_met(used);
+        let later = |distance| side.later(state, period, distance);
+        let ahead =
+            |distance| if is_met { later(distance) } else { side.ahead(state, period, used, distance) };
+        let (sign, distance) = self.formula.side_ahead(switch, ahead);
+        (sign, ahead(distance))
+    }
+
+    /// Whether a switch is met on the way of a motion that is calculated: no bound of one variable describes it.
+    fn is_met(&self, used: Used) -> bool {
+        self.steps && is_mixed(used)
+    }
+
+    /// The switches that are met on the way.
+    pub(crate) fn met(&self) -> impl Iterator<Item = usize> {
+        let switches = self.formula.switches().iter().enumerate();
+        switches.filter(|(_, switch)| self.is_met(switch.used)).map(|(index, _)| index)
+    }
+
+    /// Whether all `sides` hold throughout a stretch of a motion, see [`EquationOfMotion::holds`](assur_integrator::EquationOfMotion::holds).
+    pub(crate) fn holds(&self, sides: Branches, stretch: &Stretch) -> Option<bool> {
+        let along = |name| match name {
+            Variable::Coordinate => [stretch.states.coordinate, stretch.states.speed],
+            Variable::Speed => [stretch.states.speed, stretch.acceleration],
+            Variable::Time => [stretch.states.time, [1.0; 2]],
+            Variable::Place => [[f64::NAN; 2]; 2],
+        };
+        let State { time, coordinate, speed } = stretch.end;
+        let end = Variables { coordinate, speed, time, place: f64::NAN };
+        let stays = |switch| self.formula.stays(switch, sides.side(switch)?, along, &end);
+        let mut found = self.met().map(stays);
+        found.try_fold(true, |all, stays| Some(stays? && all))
+    }
+
+    /// Takes the sides of the switches that are met on the way just ahead of a state with its acceleration. Returns the one that
+    /// changes, as it is written and where.
+    pub(crate) fn turn(
+        &self,
+        sides: &mut Branches,
+        state: &LoadState,
+        side: &Selection,
+        period: Option<f64>,
+    ) -> Option<(String, usize)> {
+        let mut turned = None;
+        for switch in self.met() {
+            let ahead = self.side_ahead(switch, state, side, period).0;
+            if let Some(ahead) = ahead.filter(|ahead| sides.side(switch) != Some(*ahead)) {
+                sides.set(switch, ahead);
+                turned = Some(place_of(&self.formula, switch));
+            }
+        }
+        turned
     }
 
     fn of_places(&self, coordinate: f64) -> Branches {
@@ -201,12 +267,10 @@ impl FormulaLaw {
         for (index, switch) in
             self.formula.switches().iter().enumerate().filter(|(_, switch)| !switch.used.place)
         {
-            let ahead = |distance| side.ahead(state, period, switch.used, distance);
-            let (sign, distance) = self.formula.side_ahead(index, ahead);
+            let (sign, from) = self.side_ahead(index, state, side, period);
             if let Some(sign) = sign {
                 found.set(index, sign);
             }
-            let from = ahead(distance);
             let until = |here: f64, path: &dyn Fn(f64) -> Variables| {
                 [-1.0, 1.0].map(|along| self.formula.smooth_until(index, sign, here, along, path))
             };

@@ -32,7 +32,7 @@ pub(crate) struct Active {
     /// Sum of the whole cycles that are subtracted from the argument.
     pub(crate) shift: f64,
     /// Of a formula, the sides of its switches.
-    sides: Branches,
+    pub(crate) sides: Branches,
 }
 
 impl Active {
@@ -59,6 +59,11 @@ impl Law {
     pub(crate) fn over_coordinate(table: Curve, period: Option<f64>) -> Self {
         let breaks = Breaks::new(table.arguments().to_vec(), period);
         Self::Coordinate(table, breaks)
+    }
+
+    /// Whether a motion meets changes of it on its way, which no bound of one variable describes.
+    pub(crate) fn is_met(&self) -> bool {
+        matches!(self, Self::Formula(law) if law.met().next().is_some())
     }
 
     /// Whether all rows have one value, so that the law depends on nothing.

@@ -220,6 +220,7 @@ impl Loads {
             moment_on_speed: self.applied.iter().any(Applied::depends_on_speed),
             moment_on_time: self.applied.iter().any(|load| load.laws().any(|law| law.used().time)),
             moment_on_acceleration: false,
+            moment_switches: self.applied.iter().flat_map(Applied::laws).any(Law::is_met),
         }
     }
 

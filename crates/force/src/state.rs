@@ -133,6 +133,24 @@ impl Selection {
         }
     }
 
+    /// The variables just ahead of a state of a motion that is calculated, or just before it: the time passes, and the motion goes
+    /// on at the acceleration of the state, but keeps the sense that its speed has. `distance`: in the least that counts.
+    pub(crate) fn later(&self, state: &LoadState, period: Option<f64>, distance: f64) -> Variables {
+        let speed = self.speed(state);
+        let [way, delay] = [tolerance(state.coordinate, period), tolerance(state.time, None)];
+        // Neither coordinate nor time goes further than its own least distance.
+        let after = self.ahead * distance * (way / speed.abs()).min(delay);
+        let gained = state.acceleration * after;
+        let turns = speed != 0.0 && (speed > 0.0) != (speed + gained > 0.0);
+        let gained = if turns { 0.0 } else { gained };
+        Variables {
+            coordinate: state.coordinate + after * (speed + 0.5 * gained),
+            speed: speed + gained,
+            time: state.time + after,
+            place: f64::NAN,
+        }
+    }
+
     /// The speed at which the coordinate changes with time: the speed of a state may be that of all positions, whose times
     /// follow from speed and acceleration at the first of them.
     fn rate(&self, state: &LoadState) -> f64 {

@@ -53,7 +53,7 @@ const VARIABLES: [Variable; 4] = [Variable::Coordinate, Variable::Speed, Variabl
 
 /// Rounding of variables that follow from each other along a motion, relative to their sizes: some operations lead from
 /// the coordinate to the time. A variable alone is what it is.
-const OF_MOTION: f64 = 4.0 * f64::EPSILON;
+pub(crate) const OF_MOTION: f64 = 4.0 * f64::EPSILON;
 
 impl Formula {
     /// The sign of the argument of a switch just ahead of a place, and the distance at which it shows; zero where the argument

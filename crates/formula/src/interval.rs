@@ -8,6 +8,7 @@ use assur_number::elementary;
 
 use crate::number::{Number, Sign};
 use crate::program::{Function, Kind};
+use crate::slope::Signed;
 
 /// All numbers between two bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,11 +27,6 @@ impl Interval {
     /// Whether it contains zero, or nothing is known of it.
     pub(crate) fn may_be_zero(self) -> bool {
         !(self.low > 0.0 || self.high < 0.0)
-    }
-
-    /// Whether it is zero and nothing else.
-    pub(crate) fn is_zero(self) -> bool {
-        self.low == 0.0 && self.high == 0.0
     }
 
     fn hull(values: impl IntoIterator<Item = f64>) -> Self {
@@ -75,6 +71,13 @@ impl Interval {
             low: if self.meets(PI, TAU) { -1.0 } else { ends.low },
             high: if self.meets(0.0, TAU) { 1.0 } else { ends.high },
         }
+    }
+}
+
+impl Signed for Interval {
+    /// The sign that all its numbers have.
+    fn sign(self) -> Option<Sign> {
+        Sign::of(self.low).filter(|sign| Sign::of(self.high) == Some(*sign))
     }
 }
 

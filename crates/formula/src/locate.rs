@@ -1,12 +1,15 @@
 //! Where a formula leaves its smooth branch.
 
+use std::ops::Range;
+
 use assur_number::search::bisect;
 
-use crate::branches::Branches;
+use crate::branches::{Branches, OF_MOTION};
 use crate::formula::{Formula, Variable, Variables};
 use crate::interval::Interval;
 use crate::number::Sign;
 use crate::rounded::Rounded;
+use crate::slope::{Dual, Signed};
 
 /// Steps of the search: more only where intervals overestimate much; the branch is then said to end early, which costs
 /// another search and changes no value.
@@ -65,6 +68,44 @@ impl Formula {
             }
         }
         here
+    }
+
+    /// Whether the argument of a switch, which has the sign `side` at the beginning of a stretch of a motion, has it
+    /// throughout: `Some(false)` where it changes its sign at one place in the stretch, `None` where the stretch is too long
+    /// to tell. `along` gives bounds of a variable in the stretch and of its derivative by time, `end` its end.
+    ///
+    /// Bounds of the argument tell, or bounds of its derivative: a monotone argument has at its end the sign that tells. It
+    /// counts as changed beyond its rounding only.
+    pub fn stays(
+        &self,
+        switch: usize,
+        side: Sign,
+        along: impl Fn(Variable) -> [[f64; 2]; 2],
+        end: &Variables,
+    ) -> Option<bool> {
+        let last = self.argument_of(switch, |name| Rounded::variable(end.get(name), OF_MOTION)).sign();
+        let stays = last.is_none_or(|last| last == side || last == Sign::Zero);
+        let of = |[low, high]: [f64; 2]| Interval::between(low, high);
+        let bounds = |switch| self.argument_of(switch, |name| of(along(name)[0]));
+        let argument = bounds(switch);
+        if !argument.may_be_zero() || argument.is_zero() || side == Sign::Zero {
+            return Some(stays);
+        }
+        let range = &self.switches()[switch].operations;
+        let within = |inner: &Range<usize>| range.start <= inner.start && inner.end <= range.end;
+        let inner = |index: usize| index != switch && within(&self.switches()[index].operations);
+        // At a switch within the argument its derivative jumps, perhaps the argument itself.
+        let smooth = (0..self.switches().len())
+            .filter(|index| inner(*index))
+            .all(|index| !bounds(index).may_be_zero());
+        let slope = || {
+            let dual = |name| {
+                let [value, slope] = along(name).map(of);
+                Dual { value, slope }
+            };
+            self.argument_of(switch, dual).slope
+        };
+        (smooth && !slope().may_be_zero()).then_some(stays)
     }
 
     /// The number of changes of the sign of the argument of a switch along a path, between two parameters; of more than `most`

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;
 
-use crate::{Branches, Formula, Sign, Variables};
+use crate::{Branches, Formula, Sign, Variable, Variables};
 
 fn read(text: &str) -> Formula {
     Formula::read(text).unwrap_or_else(|error| panic!("{text}: {error:?}"))
@@ -323,4 +323,32 @@ fn the_jump_of_an_angle_is_a_switch() {
         let on = |q: f64| formula.value_on(&at(q, 0.0, 0.0, 0.0), branches);
         assert!((on(PI + 0.1) - on(PI - 0.1) - 0.2).abs() < 1e-15);
     }
+}
+
+/// Along q = t, w = cos t, in stretches of a motion: what bounds show, and what the derivative shows where they don't.
+#[test]
+fn a_stretch_keeps_a_side_or_changes_it_once() {
+    use Sign::{Negative, Positive};
+    let stays = |text: &str, side: Sign, [from, to]: [f64; 2]| {
+        let along = |name| match name {
+            Variable::Time | Variable::Coordinate => [[from, to], [1.0; 2]],
+            // Cosine falls up to a half turn.
+            _ => [[to.cos(), from.cos()], [-1.0, -from.sin().min(to.sin())]],
+        };
+        let formula = read(text);
+        // The outermost is read last.
+        formula.stays(formula.switches().len() - 1, side, along, &at(to, to.cos(), to, f64::NAN))
+    };
+    assert_eq!(stays("sign(w + t)", Positive, [0.0, 1.0]), Some(true));
+    assert_eq!(stays("sign(w - q)", Positive, [0.0, 0.7]), Some(true));
+    // cos t = t at 0.739.
+    assert_eq!(stays("sign(w - q)", Positive, [0.7, 0.8]), Some(false));
+    assert_eq!(stays("max(w, t)", Positive, [0.7, 0.8]), Some(false));
+    // It begins at zero.
+    assert_eq!(stays("step(w - q - 1)", Negative, [0.0, 0.5]), Some(true));
+    // Two changes, or a bend of the argument inside.
+    assert_eq!(stays("sign(q*(1 - t) - 0.1)", Negative, [0.0, 1.5]), None);
+    assert_eq!(stays("sign(abs(q - 0.5) - w + 0.6)", Positive, [0.3, 0.7]), None);
+    // Identically zero but for rounding.
+    assert_eq!(stays("sign(3*q - 2*t - t)", Sign::Zero, [0.2, 0.7]), Some(true));
 }

@@ -128,7 +128,8 @@ impl Moduli {
             let part = |j: usize| (f64::from(trial) * elementary::sin(1.0 + j as f64)).rem_euclid(1.0);
             let start: Vec<f64> =
                 (0..self.count()).map(|j| size * elementary::powf(10.0, 4.0 * part(j) - 2.0)).collect();
-            if let Some(z) = steps.newton_within(STEPS, &start) {
+            let is_new = |z: &[f64]| !found.points.iter().any(|known| is_same(known, z));
+            if let Some(z) = steps.newton_within(STEPS, &start, is_new) {
                 add(z, steps, found);
             }
         }

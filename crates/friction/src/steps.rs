@@ -96,20 +96,28 @@ impl<'a> Steps<'a> {
 
     /// As [`Moduli::newton`].
     pub(crate) fn newton(&mut self, start: &[f64]) -> Option<Vec<f64>> {
-        self.newton_within(MOST_NEWTON, start)
+        self.newton_within(MOST_NEWTON, start, |_| true)
     }
 
-    /// Newton's method with at most so many steps.
-    pub(crate) fn newton_within(&mut self, most: usize, start: &[f64]) -> Option<Vec<f64>> {
+    /// Newton's method with at most so many steps, as long as it leads on: not where it comes to what is known.
+    pub(crate) fn newton_within(
+        &mut self,
+        most: usize,
+        start: &[f64],
+        leads_on: impl Fn(&[f64]) -> bool,
+    ) -> Option<Vec<f64>> {
         let mut z = start.to_vec();
         let (mut least, mut best) = (f64::INFINITY, z.clone());
+        // Whether a step would hardly change the best.
+        let mut is_still = true;
         for _ in 0..most {
             let residual = self.residual(&z);
             if !residual.is_finite() {
                 break;
             }
-            if residual < least {
-                least = residual;
+            let is_best = residual < least;
+            if is_best {
+                (least, is_still) = (residual, true);
                 best.copy_from_slice(&z);
             } else if least <= SOLVED {
                 break;
@@ -117,19 +125,29 @@ impl<'a> Steps<'a> {
             if residual == 0.0 || self.change(&z).is_none() {
                 break;
             }
+            if is_best {
+                is_still = self.is_still(&z);
+            }
             z.iter_mut().zip(&self.change).for_each(|(z, change)| *z -= change);
+            if !leads_on(&z) {
+                return None;
+            }
         }
         let size = self.size(&best);
-        let solved = least <= SOLVED && self.is_solved(&best) && best.iter().all(|z| *z >= -SOLVED * size);
+        let solved = least <= SOLVED && is_still && best.iter().all(|z| *z >= -SOLVED * size);
         solved.then(|| best.into_iter().map(|z| z.max(0.0)).collect())
     }
 
     /// Whether magnitudes solve the equations. Towards a solution at infinity the residual vanishes beside them, but Newton's method
     /// would change them as much as ever.
     pub(crate) fn is_solved(&mut self, z: &[f64]) -> bool {
+        self.residual(z) <= SOLVED && (self.change(z).is_none() || self.is_still(z))
+    }
+
+    /// Whether the correction that was found last hardly changes moduli.
+    fn is_still(&self, z: &[f64]) -> bool {
         let most = STILL * self.size(z);
-        self.residual(z) <= SOLVED
-            && (self.change(z).is_none() || self.change.iter().all(|change| change.abs() <= most))
+        self.change.iter().all(|change| change.abs() <= most)
     }
 
     /// Whether the determinant of the derivative of some equations by their unknowns is positive, as it is without friction.

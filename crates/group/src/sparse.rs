@@ -29,25 +29,15 @@ pub(crate) struct SparseLu<T> {
 
 impl<T: Real> SparseLu<T> {
     /// Factors a matrix given by the entries of its rows.
-    pub(crate) fn new(mut rows: Vec<Vec<(usize, T)>>) -> Self {
+    pub(crate) fn new(rows: Vec<Vec<(usize, T)>>) -> Self {
         let count = rows.len();
-        let mut left: Vec<usize> = (0..count).collect();
+        let mut left = Left::of(rows);
         let mut steps = Vec::with_capacity(count);
         let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
-        while let Some((place, column)) = choose(&rows, &left) {
-            let row = left.swap_remove(place);
-            let mut own = std::mem::take(&mut rows[row]);
-            let Some(at) = own.iter().position(|(c, _)| *c == column) else { break };
-            let (_, pivot) = own.swap_remove(at);
-            (least, greatest) = (least.min(pivot.abs().least()), greatest.max(pivot.abs().greatest()));
-            let mut lower = Vec::new();
-            for &other in &left {
-                let Some(at) = rows[other].iter().position(|(c, _)| *c == column) else { continue };
-                let factor = rows[other].swap_remove(at).1 / pivot;
-                subtract(&mut rows[other], factor, &own);
-                lower.push((other, factor));
-            }
-            steps.push(Step { row, column, pivot, upper: own, lower });
+        while let Some(step) = left.eliminate() {
+            least = least.min(step.pivot.abs().least());
+            greatest = greatest.max(step.pivot.abs().greatest());
+            steps.push(step);
         }
         let is_whole = steps.len() == count && greatest > 0.0 && greatest.is_finite();
         let health = if is_whole { least / greatest } else { 0.0 };
@@ -70,35 +60,119 @@ impl<T: Real> SparseLu<T> {
     }
 }
 
-/// The place in the list of rows, and the column, of the next pivot.
-fn choose<T: Real>(rows: &[Vec<(usize, T)>], left: &[usize]) -> Option<(usize, usize)> {
-    let mut in_column = vec![0_usize; rows.len()];
-    left.iter().flat_map(|&row| &rows[row]).for_each(|(column, _)| in_column[*column] += 1);
-    let mut best: Option<((usize, f64), (usize, usize))> = None;
-    for (place, &row) in left.iter().enumerate() {
-        let size = |entry: &T| entry.abs().least();
-        let most = rows[row].iter().map(|(_, entry)| size(entry)).fold(0.0, f64::max);
-        for (column, entry) in
-            rows[row].iter().filter(|(_, entry)| size(entry) > 0.0 && size(entry) >= THRESHOLD * most)
-        {
-            let fill = (rows[row].len() - 1) * (in_column[*column] - 1);
-            let is_better =
-                best.is_none_or(|((least, great), _)| fill < least || fill == least && size(entry) > great);
-            if is_better {
-                best = Some(((fill, size(entry)), (place, *column)));
-            }
-        }
-    }
-    best.map(|(_, found)| found)
+/// An entry that may be a pivot.
+#[derive(Debug, Clone, Copy)]
+struct Candidate {
+    column: usize,
+    /// Most entries that it adds.
+    fill: usize,
+    size: f64,
 }
 
-/// Subtracts a multiple of a row from another.
-fn subtract<T: Real>(row: &mut Vec<(usize, T)>, factor: T, other: &[(usize, T)]) {
+impl Candidate {
+    fn is_better(&self, than: Option<&Self>) -> bool {
+        than.is_none_or(|best| self.fill < best.fill || self.fill == best.fill && self.size > best.size)
+    }
+}
+
+/// What is left of the matrix. A step changes few rows: what the choice of a pivot asks of the others is kept.
+struct Left<T> {
+    rows: Vec<Vec<(usize, T)>>,
+    /// The rows that are left.
+    order: Vec<usize>,
+    /// By column, the rows left that have an entry there.
+    columns: Vec<Vec<usize>>,
+    /// By row, its best pivot.
+    best: Vec<Option<Candidate>>,
+}
+
+impl<T: Real> Left<T> {
+    fn of(rows: Vec<Vec<(usize, T)>>) -> Self {
+        let count = rows.len();
+        let mut columns = vec![Vec::new(); count];
+        for (row, entries) in rows.iter().enumerate() {
+            for (column, _) in entries {
+                columns[*column].push(row);
+            }
+        }
+        let mut left = Self { rows, order: (0..count).collect(), columns, best: vec![None; count] };
+        for row in 0..count {
+            left.best[row] = left.best_of(row);
+        }
+        left
+    }
+
+    /// The best pivot of a row.
+    fn best_of(&self, row: usize) -> Option<Candidate> {
+        let row = &self.rows[row];
+        let size = |entry: &T| entry.abs().least();
+        let most = row.iter().map(|(_, entry)| size(entry)).fold(0.0, f64::max);
+        let mut best = None;
+        for (column, size) in row.iter().map(|(column, entry)| (*column, size(entry))) {
+            let fill = (row.len() - 1) * (self.columns[column].len() - 1);
+            let candidate = Candidate { column, fill, size };
+            if size > 0.0 && size >= THRESHOLD * most && candidate.is_better(best.as_ref()) {
+                best = Some(candidate);
+            }
+        }
+        best
+    }
+
+    /// The place in the order, and the column, of the next pivot.
+    fn choose(&self) -> Option<(usize, usize)> {
+        let mut found: Option<(usize, &Candidate)> = None;
+        for (place, &row) in self.order.iter().enumerate() {
+            if let Some(candidate) = &self.best[row]
+                && candidate.is_better(found.map(|(_, best)| best))
+            {
+                found = Some((place, candidate));
+            }
+        }
+        found.map(|(place, candidate)| (place, candidate.column))
+    }
+
+    /// Takes the row of the next pivot, and subtracts it from the others.
+    fn eliminate(&mut self) -> Option<Step<T>> {
+        let (place, column) = self.choose()?;
+        let row = self.order.swap_remove(place);
+        let mut upper = std::mem::take(&mut self.rows[row]);
+        for (column, _) in &upper {
+            self.columns[*column].retain(|other| *other != row);
+        }
+        let (_, pivot) = upper.swap_remove(upper.iter().position(|(c, _)| *c == column)?);
+        let mut changed = std::mem::take(&mut self.columns[column]);
+        let mut lower = Vec::with_capacity(changed.len());
+        for &other in &changed {
+            let entries = &mut self.rows[other];
+            let Some(at) = entries.iter().position(|(c, _)| *c == column) else { continue };
+            let factor = entries.swap_remove(at).1 / pivot;
+            subtract(entries, factor, &upper, |column| self.columns[column].push(other));
+            lower.push((other, factor));
+        }
+        changed.extend(upper.iter().flat_map(|(column, _)| &self.columns[*column]));
+        changed.sort_unstable();
+        changed.dedup();
+        for row in changed {
+            self.best[row] = self.best_of(row);
+        }
+        Some(Step { row, column, pivot, upper, lower })
+    }
+}
+
+/// Subtracts a multiple of a row from another; tells in which columns entries are new.
+fn subtract<T: Real>(
+    row: &mut Vec<(usize, T)>,
+    factor: T,
+    other: &[(usize, T)],
+    mut adds: impl FnMut(usize),
+) {
     for &(column, entry) in other {
         let change = factor * entry;
-        match row.iter_mut().find(|(c, _)| *c == column) {
-            Some((_, own)) => *own -= change,
-            None => row.push((column, -change)),
+        if let Some((_, own)) = row.iter_mut().find(|(c, _)| *c == column) {
+            *own -= change;
+        } else {
+            row.push((column, -change));
+            adds(column);
         }
     }
 }

@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use assur_words::text;
 
+use crate::change::first_change;
 use crate::event_location::{Bounds, SIDES, Side, turning};
 use crate::{
     Dense, EquationOfMotion, EventKind, FixedStep, IntegrationError, Integrator, MotionError, Node, Pace,
@@ -60,8 +61,8 @@ struct Drive<'a, S> {
     scale: Scale,
     /// Proposed step, s.
     step: f64,
-    /// A step to repeat, and the bound that it is to meet; without one it ends where the equation has a kink.
-    redo: Option<(f64, Option<Side>)>,
+    /// A step to repeat, s, and where it is to end.
+    redo: Option<(f64, Aim)>,
     /// The [bends](crate::EquationOfMotion::bends) at the present state, and at the end of the step that is judged.
     bends: [Vec<f64>; 2],
     error_before: f64,
@@ -76,12 +77,21 @@ struct Drive<'a, S> {
 #[derive(Debug, Clone, Copy)]
 struct Plan {
     h: f64,
-    /// Ends exactly at this time.
-    time: Option<f64>,
-    /// Meant to meet this bound.
-    bound: Option<Side>,
-    /// Meant to end where the equation has a kink.
-    to_bend: bool,
+    /// Where it is to end, if it is shortened for that.
+    aim: Option<Aim>,
+}
+
+/// Where a step is meant to end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Aim {
+    /// Exactly at this time.
+    Time(f64),
+    /// On a bound of the piece.
+    Bound(Side),
+    /// Where the equation has a kink.
+    Bend,
+    /// Just beyond a change that is no bound.
+    Switch,
 }
 
 impl<'a, S: Stepper> Drive<'a, S> {
@@ -152,7 +162,9 @@ impl<'a, S: Stepper> Drive<'a, S> {
             Err(source) => return self.reject(plan, f64::INFINITY, Some(source)),
         };
         let mut to = Node { state: attempt.end, acceleration };
-        to.state.time = plan.time.unwrap_or(to.state.time);
+        if let Some(Aim::Time(time)) = plan.aim {
+            to.state.time = time;
+        }
         self.judge(plan, attempt.error, to)
     }
 
@@ -169,24 +181,24 @@ impl<'a, S: Stepper> Drive<'a, S> {
     }
 
     fn plan(&mut self) -> Result<Plan, IntegrationError> {
-        if let Some((h, side)) = self.redo.take() {
-            return Ok(Plan { h, time: None, bound: side, to_bend: side.is_none() });
+        if let Some((h, aim)) = self.redo.take() {
+            return Ok(Plan { h, aim: Some(aim) });
         }
         if let (Pace::Fixed, Some(FixedStep::Coordinate(_))) = (S::PACE, self.run.request.fixed_step) {
             self.step = control::fixed_step(self.run.request, &self.run.node);
         }
-        let mut plan = Plan { h: self.step, time: None, bound: None, to_bend: false };
+        let mut plan = Plan { h: self.step, aim: None };
         let margin = if S::PARABOLIC { 1.0 } else { OVERSHOOT };
         for side in SIDES {
             let time = self.bounds.time_to(side, &self.run.node);
             if let Some(time) = time.filter(|time| time * margin < plan.h) {
-                (plan.h, plan.bound) = (time * margin, Some(side));
+                plan = Plan { h: time * margin, aim: Some(Aim::Bound(side)) };
             }
         }
         let stop = self.run.piece.time[1].min(self.run.request.latest());
         let left = stop - self.run.node.state.time;
         if plan.h * 1.01 >= left && left.is_finite() {
-            plan = Plan { h: left, time: Some(stop), bound: None, to_bend: false };
+            plan = Plan { h: left, aim: Some(Aim::Time(stop)) };
         }
         if plan.h.is_finite() {
             Ok(plan)
@@ -220,21 +232,28 @@ impl<'a, S: Stepper> Drive<'a, S> {
         if self.bends_within(&plan, &to)? {
             return Ok(());
         }
-        if self.bounds.may_leave(&self.run.node, &to) {
+        let may_leave = self.bounds.may_leave(&self.run.node, &to);
+        if may_leave || self.run.equation.has_switches() {
             let dense = self.dense(&to)?;
-            if let Some((theta, side)) = self.bounds.first_exit(&dense) {
+            let exit = if may_leave { self.bounds.first_exit(&dense) } else { None };
+            let change = first_change(&self.run.equation, &dense);
+            if let Some(change) = change.filter(|[_, after]| exit.is_none_or(|(theta, _)| *after < theta)) {
+                return self.meet_change(plan, error, &dense, change);
+            }
+            if let Some((theta, side)) = exit {
                 if theta < NEAR_END && !S::PARABOLIC {
                     self.run.equation.cost.rejected += 1;
-                    self.redo = Some((theta * plan.h, Some(side)));
+                    self.redo = Some((theta * plan.h, Aim::Bound(side)));
                     return Ok(());
                 }
-                self.propose(&Plan { bound: Some(side), ..plan }, error);
+                self.propose(&Plan { aim: Some(Aim::Bound(side)), ..plan }, error);
                 let state = self.bounds.snap(side, dense.at(theta));
                 self.run.record(dense, state.time);
                 return self.meet(side, state);
             }
-            if let Some(side) = self.bounds.passed_by_rounding(&self.run.node.state, &to.state) {
-                self.propose(&Plan { bound: Some(side), ..plan }, error);
+            let rounding = self.bounds.passed_by_rounding(&self.run.node.state, &to.state);
+            if let Some(side) = rounding.filter(|_| may_leave) {
+                self.propose(&Plan { aim: Some(Aim::Bound(side)), ..plan }, error);
                 self.run.record(dense, to.state.time);
                 return self.meet(side, to.state);
             }
@@ -269,14 +288,14 @@ impl<'a, S: Stepper> Drive<'a, S> {
         }
         self.check_creeping()?;
         self.run.check_way(self.run.node.state.coordinate)?;
-        match (plan.time, plan.bound) {
-            (Some(_), _) => self.meet_time(),
-            (None, Some(side)) => self.meet_if_at(side, plan.h),
-            (None, None) if plan.to_bend => {
+        match plan.aim {
+            Some(Aim::Time(_)) => self.meet_time(),
+            Some(Aim::Bound(side)) => self.meet_if_at(side, plan.h),
+            Some(Aim::Bend) => {
                 self.run.event(EventKind::Face);
                 Ok(())
             }
-            (None, None) => Ok(()),
+            Some(Aim::Switch) | None => Ok(()),
         }
     }
 
@@ -287,9 +306,8 @@ impl<'a, S: Stepper> Drive<'a, S> {
         let factor = control.after_accepted(error, self.error_before);
         let factor = if self.after_rejection { factor.min(1.0) } else { factor };
         let next = plan.h * factor;
-        let shortened = plan.time.is_some() || plan.bound.is_some() || plan.to_bend;
-        self.step = if shortened { next.max(self.step) } else { next };
-        if !shortened {
+        self.step = if plan.aim.is_some() { next.max(self.step) } else { next };
+        if plan.aim.is_none() {
             self.error_before = error.max(1e-4);
         }
         self.after_rejection = false;

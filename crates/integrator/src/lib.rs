@@ -26,6 +26,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+mod change;
 mod choose;
 mod control;
 mod dense;
@@ -48,7 +49,7 @@ pub use dense::{COEFFICIENTS, Dense};
 pub use driver::Steps;
 pub use error::IntegrationError;
 pub use inventory;
-pub use motion::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State};
+pub use motion::{Dependence, EquationOfMotion, MotionError, Partials, Piece, Reduced, State, Stretch};
 pub use piece_ahead::enter;
 pub use plugin::{Cost, Integrator, IntegratorPlugin, Knob, Suitability, find, integrators};
 pub use request::{Event, EventKind, FixedStep, Request, Sample, SolutionCost, Trajectory, Until};

@@ -7,7 +7,7 @@ use assur_words::{Describe, Text, list, name, number, text};
 /// A dependence on the *sign* of the speed alone (dry friction, loads against the motion) does not count as a
 /// dependence on the speed: inside a [`Piece`] bounded by w = 0 it is none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "five independent questions that D asks of the equation")]
+#[expect(clippy::struct_excessive_bools, reason = "independent questions about the equation")]
 pub struct Dependence {
     /// J does not depend on the coordinate.
     pub inertia_constant: bool,
@@ -19,6 +19,8 @@ pub struct Dependence {
     pub moment_on_time: bool,
     /// Q depends on the acceleration, through the inertia loads on which dry friction depends; with it on coordinate and speed.
     pub moment_on_acceleration: bool,
+    /// Q changes where several variables together make it, so that [`EquationOfMotion::holds`] is asked for the end of a piece.
+    pub moment_switches: bool,
 }
 
 impl Dependence {
@@ -157,6 +159,25 @@ impl Piece {
     };
 }
 
+/// A stretch of a motion, in bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Bounds of the states in it.
+    pub states: Piece,
+    /// Bounds of the acceleration, rad/s² (m/s²).
+    pub acceleration: [f64; 2],
+    /// The state at its end.
+    pub end: State,
+}
+
+impl Stretch {
+    /// A single state.
+    pub fn at(end: State) -> Self {
+        let [time, coordinate, speed] = [end.time, end.coordinate, end.speed].map(|value| [value; 2]);
+        Self { states: Piece { coordinate, speed, time }, acceleration: [0.0; 2], end }
+    }
+}
+
 /// The equation of motion of a mechanism with one degree of freedom.
 ///
 /// Required: what it depends on, its pieces, its coefficients.
@@ -173,6 +194,13 @@ pub trait EquationOfMotion {
     /// to that side; if neither does, the mechanism stays at rest (dry friction). A bound of the speed is treated
     /// alike. A bound at which the formula jumps must be given as a bound of the piece; a mere kink should be.
     fn enter(&mut self, state: &State) -> Result<Piece, MotionError>;
+
+    /// Whether the formulas entered last hold throughout a stretch of a motion, at the beginning of which they do, apart from
+    /// the bounds of the piece: `Some(false)` where they end at one place in it, `None` where the stretch is too long to tell.
+    fn holds(&self, stretch: &Stretch) -> Option<bool> {
+        let _ = stretch;
+        Some(true)
+    }
 
     /// J, dJ/dq and Q at `state`.
     fn reduced(&mut self, state: &State) -> Result<Reduced, MotionError>;

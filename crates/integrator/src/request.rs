@@ -159,6 +159,8 @@ pub enum EventKind {
     Speed,
     /// A bound of a piece in time was reached.
     Time,
+    /// The formula of a load changed where several variables together make it: the argument of a `sign` passed zero.
+    Switch,
     /// The speed passed through zero and changed its sign.
     Reversal,
     /// The speed became zero and stays zero: nothing can restart the motion, or not yet.

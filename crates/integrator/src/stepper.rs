@@ -1,7 +1,9 @@
 //! What a one-step method must provide to the driver; and the equation with a counter: every evaluation of every method is counted
 //! here.
 
-use crate::{Control, Dense, EquationOfMotion, MotionError, Partials, Piece, Scale, SolutionCost, State};
+use crate::{
+    Control, Dense, EquationOfMotion, MotionError, Partials, Piece, Scale, SolutionCost, State, Stretch,
+};
 
 /// A state and its acceleration.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -126,6 +128,16 @@ impl<'a> CountedEquation<'a> {
     pub fn enter(&mut self, state: &State) -> Result<Piece, MotionError> {
         self.cost.pieces += 1;
         self.motion.enter(state)
+    }
+
+    /// Whether steps have to ask [`holds`](Self::holds).
+    pub(crate) fn has_switches(&self) -> bool {
+        self.motion.dependence().moment_switches
+    }
+
+    /// Whether the formulas of the present piece hold throughout a stretch, see [`EquationOfMotion::holds`].
+    pub(crate) fn holds(&self, stretch: &Stretch) -> Option<bool> {
+        self.motion.holds(stretch)
     }
 
     /// Acceleration at a state, by the formulas of the present piece.

@@ -464,6 +464,7 @@ drive-kloss = Kloss's formula
 drive-linear = straight line
 event-coordinate = bound of a load along the coordinate
 event-speed = bound of a load in speed
+event-switch = change of a load over several variables
 event-time = bound of a load in time
 event-reversal = reversal
 event-rest = rest

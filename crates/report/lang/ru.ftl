@@ -467,6 +467,7 @@ drive-kloss = формула Клосса
 drive-linear = прямая линия
 event-coordinate = граница нагрузки по координате
 event-speed = граница нагрузки по скорости
+event-switch = изменение нагрузки по нескольким переменным
 event-time = граница нагрузки по времени
 event-reversal = реверс
 event-rest = остановка

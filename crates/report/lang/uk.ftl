@@ -467,6 +467,7 @@ drive-kloss = формула Клосса
 drive-linear = пряма лінія
 event-coordinate = межа навантаження за координатою
 event-speed = межа навантаження за швидкістю
+event-switch = зміна навантаження за кількома змінними
 event-time = межа навантаження за часом
 event-reversal = реверс
 event-rest = зупинка

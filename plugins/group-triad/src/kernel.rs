@@ -104,6 +104,12 @@ impl<T: Real> Legged<T> {
         Lines { each: lines, plate, base, matrix }
     }
 
+    /// [`Self::lines`] where one position is solved alone, compiled once for all its callers.
+    #[inline(never)]
+    pub(crate) fn lone_lines(&self, bodies: &[Body<T>]) -> Lines<T> {
+        self.lines(bodies)
+    }
+
     /// What a line of action does on all freedoms: on the plate, with the opposite on the base.
     #[inline(always)]
     pub(crate) fn row(&self, plate: &Hub<T>, base: Option<&Hub<T>>, line: &Line<T>) -> [T; 3] {

@@ -108,7 +108,7 @@ impl<T: Real> Legged<T> {
         let start = self.core(bodies);
         let polished = self.polish(bodies);
         if polished.converged && polished.is_near {
-            let lines = self.lines(bodies);
+            let lines = self.lone_lines(bodies);
             let health = self.measure(&lines);
             if (health.to_f64() > 0.0) == (way == 0) && lines.open() <= self.rounding_at(bodies) {
                 return self.complete(bodies, (&lines, health), order);
@@ -116,7 +116,7 @@ impl<T: Real> Legged<T> {
         }
         self.put_core(&start, bodies);
         self.place_far(bodies, &start, way)?;
-        let lines = self.lines(bodies);
+        let lines = self.lone_lines(bodies);
         let health = self.measure(&lines);
         if health.to_f64().is_nan() {
             return Err(GroupError::Singular { health: f64::NAN });
@@ -137,6 +137,12 @@ impl<T: Real> Legged<T> {
         base.size_of(own) + size
     }
 
+    /// [`Self::step`] where one position is solved alone, compiled once for all its callers.
+    #[inline(never)]
+    pub(crate) fn lone_step(&self, bodies: &mut [Body<T>]) -> T {
+        self.step(bodies)
+    }
+
     /// Satisfies the outer pairs of base and plate.
     #[inline(always)]
     pub(crate) fn settle(&self, bodies: &mut [Body<T>]) {
@@ -149,10 +155,10 @@ impl<T: Real> Legged<T> {
     /// Newton's method from the pose of the bodies, of one position.
     pub(crate) fn polish(&self, bodies: &mut [Body<T>]) -> Polished {
         self.settle(bodies);
-        let mut before = self.step(bodies);
+        let mut before = self.lone_step(bodies);
         let mut found = Polished { converged: false, is_near: false, way: before.to_f64() };
         for step in 1..MOST_STEPS {
-            let size = self.step(bodies);
+            let size = self.lone_step(bodies);
             found.way += size.to_f64();
             if found.way.is_nan() || found.way > 1e3 {
                 return Polished { converged: false, is_near: false, way: f64::INFINITY };

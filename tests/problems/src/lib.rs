@@ -96,6 +96,7 @@ pub const CONSTANT: Dependence = Dependence {
     moment_on_speed: false,
     moment_on_time: false,
     moment_on_acceleration: false,
+    moment_switches: false,
 };
 
 /// J constant and M(q).

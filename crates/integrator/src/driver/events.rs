@@ -3,7 +3,7 @@
 
 use assur_number::search::try_bisect;
 
-use super::{Drive, Plan};
+use super::{Aim, Drive, NEAR_END, OVERSHOOT, Plan};
 use crate::event_location::Side;
 use crate::run::CREEPS;
 use crate::{Dense, EventKind, IntegrationError, MotionError, Node, State, Stepper, Until};
@@ -38,14 +38,7 @@ impl<S: Stepper> Drive<'_, S> {
     pub(super) fn meet(&mut self, side: Side, state: State) -> Result<(), IntegrationError> {
         let state = self.bounds.snap(side, state);
         let before = self.run.node.state;
-        let stalled = state.time <= before.time;
-        self.stalls = if stalled { self.stalls + 1 } else { 0 };
-        if self.stalls > MAX_STALLS {
-            return Err(IntegrationError::EmptyPiece { at: state });
-        }
-        self.run.equation.cost.steps += usize::from(!stalled);
-        self.scale.extend(&state);
-        self.run.node.state = state;
+        self.arrive(state, state.time <= before.time)?;
         let in_speed = matches!(side, Side::SpeedLow | Side::SpeedHigh);
         if self.bounds.is_goal(side) {
             self.run.finish()?;
@@ -56,9 +49,56 @@ impl<S: Stepper> Drive<'_, S> {
         } else if state.speed != 0.0 {
             self.run.event(EventKind::Speed);
         }
-        self.enter_next(in_speed)?;
-        if in_speed && state.speed == 0.0 && self.run.node.acceleration * before.speed < 0.0 {
-            self.run.reversal(state, before.speed)?;
+        self.go_on(in_speed, before.speed)
+    }
+
+    /// At a change that no bound describes, between two places of a step: beyond it, in the next piece.
+    pub(super) fn meet_change(
+        &mut self,
+        plan: Plan,
+        error: f64,
+        dense: &Dense,
+        [before, after]: [f64; 2],
+    ) -> Result<(), IntegrationError> {
+        /// Part of a step below which a cut makes no progress.
+        const NO_PROGRESS: f64 = 1e-9;
+        let stalled = after <= NO_PROGRESS;
+        if !stalled && after < NEAR_END && !S::PARABOLIC {
+            self.run.equation.cost.rejected += 1;
+            self.redo = Some((after * OVERSHOOT * plan.h, Aim::Switch));
+            return Ok(());
+        }
+        self.propose(&Plan { aim: Some(Aim::Switch), ..plan }, error);
+        let (mut state, last) = (dense.at(after), dense.at(before).speed);
+        // Friction by formula changes where the motion stops.
+        let stops = last * state.speed <= 0.0;
+        if stops {
+            state.speed = 0.0;
+        }
+        self.run.record(*dense, state.time);
+        self.arrive(state, stalled)?;
+        self.run.event(EventKind::Switch);
+        self.go_on(stops, last)
+    }
+
+    /// Takes the state at the end of a piece.
+    fn arrive(&mut self, state: State, stalled: bool) -> Result<(), IntegrationError> {
+        self.stalls = if stalled { self.stalls + 1 } else { 0 };
+        if self.stalls > MAX_STALLS {
+            return Err(IntegrationError::EmptyPiece { at: state });
+        }
+        self.run.equation.cost.steps += usize::from(!stalled);
+        self.scale.extend(&state);
+        self.run.node.state = state;
+        Ok(())
+    }
+
+    /// In the next piece, after a speed with the sign of `before`.
+    fn go_on(&mut self, at_speed_bound: bool, before: f64) -> Result<(), IntegrationError> {
+        let state = self.run.node.state;
+        self.enter_next(at_speed_bound)?;
+        if at_speed_bound && state.speed == 0.0 && self.run.node.acceleration * before < 0.0 {
+            self.run.reversal(state, before)?;
         }
         Ok(())
     }
@@ -136,7 +176,7 @@ impl<S: Stepper> Drive<'_, S> {
         let size = after.iter().chain(&self.bends[0]).fold(0.0_f64, |most, bend| most.max(bend.abs()));
         let turns = |(before, after): (&f64, &f64)| before * after < 0.0 && before.abs() > LANDED * size;
         let changed = self.bends[0].iter().zip(&after).position(turns);
-        let Some(which) = changed.filter(|_| !plan.to_bend) else {
+        let Some(which) = changed.filter(|_| plan.aim != Some(Aim::Bend)) else {
             self.bends[1] = after;
             return Ok(false);
         };
@@ -144,7 +184,7 @@ impl<S: Stepper> Drive<'_, S> {
         let found = self.bend_in(&dense, which);
         let theta = found.map_err(|source| self.run.failed(source))?;
         self.run.equation.cost.rejected += 1;
-        self.redo = Some((theta * plan.h, None));
+        self.redo = Some((theta * plan.h, Aim::Bend));
         Ok(true)
     }
 

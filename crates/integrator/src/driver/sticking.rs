@@ -3,8 +3,9 @@
 use assur_number::search::try_bisect;
 
 use super::Drive;
+use crate::change::first_change;
 use crate::piece_ahead::piece_ahead;
-use crate::{EventKind, IntegrationError, Piece, State, Stepper, Until, enter};
+use crate::{Dense, EventKind, IntegrationError, Node, Piece, State, Stepper, Until, enter};
 
 /// Number of parts of the remaining time that are searched for a release.
 const STRIDES: f64 = 256.0;
@@ -49,6 +50,17 @@ impl<S: Stepper> Drive<'_, S> {
         Ok(end - self.run.node.state.time)
     }
 
+    /// The first change, other than one in time, between two instants in seconds from now.
+    fn change_before(&self, held: f64, next: f64) -> Option<f64> {
+        let step = next - held;
+        if !(self.run.equation.has_switches() && step.is_finite()) {
+            return None;
+        }
+        let coasting = Dense::parabola(&Node { state: self.after(held), acceleration: 0.0 }, step);
+        let [_, after] = first_change(&self.run.equation, &coasting)?;
+        Some(held + after * step).filter(|change| *change > held)
+    }
+
     /// Looks ahead in strides, none of which passes a jump in time; if the motion is released within a stride, finds the
     /// instant.
     fn wait(&mut self) -> Result<(), IntegrationError> {
@@ -64,6 +76,7 @@ impl<S: Stepper> Drive<'_, S> {
                 return Err(self.too_many_steps());
             }
             let next = (held + stride).min(left).min(goal).min(self.piece_after(held)?);
+            let next = self.change_before(held, next).unwrap_or(next);
             if (start + next).is_infinite() {
                 // Nothing releases it within any representable time.
                 return self.run.coast_to_end();

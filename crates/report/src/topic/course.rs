@@ -174,6 +174,7 @@ fn words_of(kind: EventKind) -> Text {
         EventKind::Coordinate => text!("event-coordinate"),
         EventKind::Speed => text!("event-speed"),
         EventKind::Time => text!("event-time"),
+        EventKind::Switch => text!("event-switch"),
         EventKind::Reversal => text!("event-reversal"),
         EventKind::Rest => text!("event-rest"),
         EventKind::Held => text!("event-held"),

@@ -1,0 +1,175 @@
+//! Loads whose formula changes where several of coordinate, speed and time together make it.
+
+use approx::assert_relative_eq;
+use assur_integrator::{EventKind, State};
+use assur_number::search::bisect;
+use assur_words::Describe;
+
+use super::compiled;
+use crate::{Method, Transient, transient};
+
+const INTEGRATORS: [&str; 6] = ["auto", "dopri5", "dop853", "radau5", "rk4", "uniform"];
+
+/// A disc of 0.5 kg m² from 1 rad/s, with a moment by formula.
+fn disc(moment: &str, until: f64) -> String {
+    format!(
+        "[ground]\npoints = {{ O = 0 }}\n[link.disc]\npoints = {{ O = 0 }}\nmass = 2\ninertia = 0.5\n\
+         [[moment]]\nlink = 'disc'\nvalue = {{ formula = '{moment}' }}\n\
+         [input]\nlink = 'disc'\n[motion]\nkind = 'transient'\nspeed = 1\nuntil = '{until} s'\n"
+    )
+}
+
+fn solved(scene: &str, integrator: &str) -> Transient {
+    let (linkage, loads) = compiled(scene);
+    let method = Method { integrator: Some(integrator), ..Method::default() };
+    transient(&linkage, &loads, &method, None)
+        .unwrap_or_else(|error| panic!("{integrator}: {}", error.describe()))
+}
+
+/// Coordinate and speed at the end, and the times of the changes.
+fn ends(moment: &str, until: f64, integrator: &str) -> ([f64; 2], Vec<f64>) {
+    let found = solved(&disc(moment, until), integrator).trajectory;
+    let changes = found.events.iter().filter(|event| event.kind == EventKind::Switch);
+    ([found.end.coordinate, found.end.speed], changes.map(|event| event.state.time).collect())
+}
+
+fn near(found: &[f64], wanted: &[f64], accuracy: f64) {
+    assert_eq!(found.len(), wanted.len(), "{found:?} {wanted:?}");
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert!((found - wanted).abs() <= accuracy, "{found} for {wanted}");
+    }
+}
+
+/// Accelerations of 24 and 16 rad/s², changing where q = 2 t: z = q - 2 t = 12 t² - t before.
+#[test]
+fn a_jump_over_coordinate_and_time() {
+    let (at, rest) = (1.0 / 12.0, 11.0 / 12.0);
+    for integrator in INTEGRATORS {
+        let (end, changes) = ends("10 - 2*sign(q - 2*t)", 1.0, integrator);
+        near(&changes, &[at], 1e-9);
+        near(&end, &[1.0 / 6.0 + 3.0 * rest + 8.0 * rest * rest, 3.0 + 16.0 * rest], 1e-8);
+    }
+    // Backward, as in a mirror.
+    let scene = disc("2*sign(-q - 2*t) - 10", 1.0).replace("speed = 1", "speed = -1");
+    assert_relative_eq!(solved(&scene, "auto").trajectory.end.speed, -3.0 - 16.0 * rest, max_relative = 1e-9);
+}
+
+/// 8 and -8 rad/s² by turns: z = q - 2 t is ± (τ - 4 τ²) in each quarter of a second.
+#[test]
+fn a_motion_that_comes_back_to_its_change() {
+    for integrator in INTEGRATORS {
+        let (end, changes) = ends("4 - 8*step(q - 2*t)", 0.9, integrator);
+        near(&changes, &[0.25, 0.5, 0.75], 1e-8);
+        near(&end, &[1.86, 1.8], 1e-8);
+    }
+}
+
+/// 18 rad/s² until w = q, 6 rad/s² after it: w - q = 1 + 17 t - 9 t².
+#[test]
+fn a_jump_over_speed_and_coordinate() {
+    let at = (17.0 + 325.0_f64.sqrt()) / 18.0;
+    let [w, rest] = [1.0 + 18.0 * at, 2.5 - at];
+    for integrator in INTEGRATORS {
+        let (end, changes) = ends("6 + 3*sign(w - q)", 2.5, integrator);
+        near(&changes, &[at], 1e-8);
+        near(&end, &[w + w * rest + 3.0 * rest * rest, w + 6.0 * rest], 1e-6);
+    }
+}
+
+/// q'' = 6 q - 2 while q < w, w' = 6 w - 2 after it.
+#[test]
+fn a_bend_over_speed_and_coordinate() {
+    let root = 6.0_f64.sqrt();
+    let before = |t: f64| {
+        let [fall, rise] = [-1.0 / 6.0 - 0.5 / root, -1.0 / 6.0 + 0.5 / root];
+        let [down, up] = [(-root * t).exp(), (root * t).exp()];
+        [1.0 / 3.0 + fall * down + rise * up, root * (rise * up - fall * down)]
+    };
+    let slower = |t: f64| before(t)[0] < before(t)[1];
+    // The motion has q < w from the start; then w never falls below q again before the end.
+    let later = |t: f64, [q, w]: [f64; 2]| {
+        let grown = (w - 1.0 / 3.0) * (6.0 * t).exp();
+        [q + t / 3.0 + (grown - w + 1.0 / 3.0) / 6.0, grown + 1.0 / 3.0]
+    };
+    let until = 1.0;
+    let wanted = if slower(until) {
+        before(until)
+    } else {
+        let at = bisect(0.0, until, 0.0, slower)[0];
+        later(until - at, before(at))
+    };
+    for integrator in &INTEGRATORS[..5] {
+        let (end, _) = ends("3*min(w, q) - 1", until, integrator);
+        near(&end, &wanted, 1e-7);
+    }
+}
+
+/// A fine integration of q'' = 10 max(t, sin q), split where the greater one changes.
+#[test]
+fn a_bend_over_time_and_coordinate() {
+    let step = |[t, q, w]: [f64; 3], h: f64, by_time: bool| {
+        let slope = |[t, q, w]: [f64; 3]| [1.0, w, 10.0 * if by_time { t } else { q.sin() }];
+        let ahead = |k: [f64; 3], part: f64| [t + part * h * k[0], q + part * h * k[1], w + part * h * k[2]];
+        let a = slope([t, q, w]);
+        let b = slope(ahead(a, 0.5));
+        let c = slope(ahead(b, 0.5));
+        let d = slope(ahead(c, 1.0));
+        ahead(std::array::from_fn(|i| (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0), 1.0)
+    };
+    let (mut state, h) = ([0.0, 0.0, 1.0], 1e-4);
+    let (mut by_time, mut changes) = (false, Vec::new());
+    let greater = |[t, q, _]: [f64; 3]| t > q.sin();
+    for _ in 0..15_000 {
+        let next = step(state, h, by_time);
+        // At the start both are zero.
+        if state[0] > 0.0 && greater(next) != by_time {
+            let part = bisect(0.0, h, 0.0, |part| greater(step(state, part, by_time)) == by_time)[1];
+            state = step(state, part, by_time);
+            changes.push(state[0]);
+            by_time = !by_time;
+            state = step(state, h - part, by_time);
+        } else {
+            state = next;
+        }
+    }
+    assert!(!changes.is_empty());
+    for integrator in &INTEGRATORS[..5] {
+        let (end, mut found) = ends("5*max(t, sin(q))", 1.5, integrator);
+        // At the start t and sin q touch in the third order: which is greater shows only later.
+        found.retain(|change| *change > 1e-6);
+        near(&found, &changes, 1e-7);
+        near(&end, &state[1..], 1e-6);
+    }
+}
+
+/// Friction by formula, with a sense that the coordinate has a part in: 8 rad/s² to rest, and released by time and coordinate.
+#[test]
+fn friction_by_formula_holds_and_releases() {
+    for integrator in INTEGRATORS {
+        let found = solved(&disc("1 - 5*sign(w*cos(q)) + 20*step(t + q - 1)", 1.0), integrator);
+        let kinds: Vec<_> = found.trajectory.events.iter().map(|event| (event.kind, event.state)).collect();
+        let [(EventKind::Switch, stop), (EventKind::Rest, _), (EventKind::Release, free)] = kinds[..] else {
+            panic!("{integrator}: {kinds:?}")
+        };
+        near(&[stop.time, stop.coordinate, free.time], &[0.125, 0.0625, 0.9375], 1e-9);
+        // It begins with an acceleration of 32 rad/s².
+        let State { coordinate, speed, .. } = found.trajectory.end;
+        near(&[coordinate, speed], &[0.125, 2.0], 1e-8);
+        let held = found.instants.iter().find(|instant| instant.state.speed == 0.0).unwrap();
+        // The friction is held below its bound.
+        near(&[held.holding.unwrap().moment, held.holding.unwrap().bound], &[-1.0, 5.0], 1e-9);
+    }
+}
+
+/// Behind w = q both values drive the motion back to it.
+#[test]
+fn a_motion_along_a_change_is_refused() {
+    for integrator in INTEGRATORS {
+        let (linkage, loads) = compiled(&disc("6 - 3*sign(w - q)", 3.0));
+        let method = Method { integrator: Some(integrator), ..Method::default() };
+        let why = transient(&linkage, &loads, &method, None).unwrap_err().describe().to_string();
+        assert!(why.contains("`sign` (character 7") && why.contains("driven back"), "{why}");
+        // w = 12.08 where q is.
+        assert!(why.contains("12.08"), "{why}");
+    }
+}
