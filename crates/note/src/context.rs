@@ -26,7 +26,9 @@ impl Context<'_> {
     /// Adds topics.
     pub(super) fn tell(&self, page: &mut Document, topics: &[Topic]) {
         let source = self.source();
-        topics.iter().for_each(|topic| topic(&source, page));
+        for topic in topics {
+            topic(&source, page);
+        }
     }
 
     /// What is drawn of the first of the chosen positions.
