@@ -4,11 +4,12 @@ use std::f64::consts::TAU;
 
 use assur_dynamics::{Advice, DynamicsError, Regime, Steady, SteadyMotor, Transient, advise};
 use assur_mechanism::{Motion, ReductionPoint, Solve};
+use assur_motor::Motor;
 use assur_words::Describe;
 
 use crate::results::{
     AdvisedRegime, Dynamics, Energy, EnergyMass, EnergyMassTangent, Integration, MotorAdvice, MotorReport,
-    MotorWork, PointReport, RegimePoint, RegimeReport, RunnerUp,
+    MotorWork, PointReport, RegimePoint, RegimeReport,
 };
 use crate::{AnalysisError, Calculation, InputMotion};
 
@@ -143,6 +144,18 @@ fn regime_point(regime: &Regime, coordinate: f64) -> RegimePoint {
     }
 }
 
+fn offered(motor: &Motor, ratio: Option<f64>, regime: Option<AdvisedRegime>) -> MotorAdvice {
+    MotorAdvice {
+        designation: motor.designation.clone(),
+        catalogue: motor.catalogue.clone(),
+        power: motor.rated_power,
+        rated_speed: motor.rated_speed,
+        ratio,
+        mass: motor.mass,
+        regime,
+    }
+}
+
 fn advised(Advice { motor, found }: &Advice) -> MotorAdvice {
     let regime = found.as_ref().ok().and_then(|found| {
         let greatest_torque = found.motor.as_ref()?.torque[1];
@@ -157,26 +170,12 @@ fn advised(Advice { motor, found }: &Advice) -> MotorAdvice {
                 .filter(|ratio| ratio.is_finite()),
         })
     });
-    MotorAdvice {
-        designation: motor.designation.clone(),
-        catalogue: motor.catalogue.clone(),
-        power: motor.rated_power,
-        rated_speed: motor.rated_speed,
-        mass: motor.mass,
-        regime,
-    }
+    offered(motor, None, regime)
 }
 
 fn motor(found: &SteadyMotor) -> MotorReport {
     let row = found.motor.row;
-    let runners_up = found.motor.runners_up.iter().map(|other| RunnerUp {
-        designation: other.motor.designation.clone(),
-        catalogue: other.motor.catalogue.clone(),
-        power: other.motor.rated_power,
-        rated_speed: other.motor.rated_speed,
-        ratio: other.ratio,
-        mass: other.motor.mass,
-    });
+    let runners_up = found.motor.runners_up.iter().map(|other| offered(other.motor, Some(other.ratio), None));
     MotorReport {
         designation: found.motor.designation.clone().unwrap_or_default(),
         catalogue: row.map(|row| row.catalogue.clone()),

@@ -154,7 +154,7 @@ pub struct MotorReport {
     pub work: MotorWork,
     /// Other suitable motors, the best first; only if the motor was chosen.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub runners_up: Vec<RunnerUp>,
+    pub runners_up: Vec<MotorAdvice>,
     /// Warnings: values that the source does not give, limits that are near.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<Text>,
@@ -195,6 +195,9 @@ pub struct MotorAdvice {
     pub power: f64,
     /// Rated speed, rad/s.
     pub rated_speed: f64,
+    /// The ratio that it needs, where that is given by the speeds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ratio: Option<f64>,
     /// Mass, kg.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mass: Option<f64>,
@@ -217,22 +220,4 @@ pub struct AdvisedRegime {
     /// Breakdown torque over this greatest torque, where it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_reserve: Option<f64>,
-}
-
-/// Another suitable motor.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct RunnerUp {
-    /// Designation.
-    pub designation: String,
-    /// Catalogue.
-    pub catalogue: String,
-    /// Rated power, W.
-    pub power: f64,
-    /// Rated speed, rad/s.
-    pub rated_speed: f64,
-    /// The ratio that it needs.
-    pub ratio: f64,
-    /// Mass, kg.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mass: Option<f64>,
 }

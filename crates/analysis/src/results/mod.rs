@@ -43,7 +43,7 @@ pub use assur_number::{Extreme, Statistic};
 pub use column::{Column, Owner, Part, Quantity};
 pub use dynamics::{
     AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,
-    RegimePoint, RegimeReport, RunnerUp,
+    RegimePoint, RegimeReport,
 };
 pub use schema::{Schema, Section};
 pub use structure::{

@@ -1,7 +1,7 @@
 //! Motor and flywheel.
 
 use assur_analysis::results::{AdvisedRegime, Dynamics, MotorAdvice, MotorReport};
-use assur_book::{Document, Fact, Table, Unit};
+use assur_book::{Document, Fact, Listing, Table, Unit};
 use assur_motor::{USUAL_SOURCE, USUAL_UNEVENNESS, rpm};
 use assur_words::{Text, joined, name, text};
 
@@ -96,16 +96,23 @@ pub fn flywheel_shaft(key: &'static str) -> Text {
     if key == "input" { text!("drive-input-shaft") } else { text!("drive-motor-shaft") }
 }
 
+/// The table of some motors with their rated data.
+fn motors(caption: Text, motors: &[MotorAdvice]) -> Listing<&MotorAdvice> {
+    Table::each(caption, motors)
+        .column(text!("head-motor"), |motor| &motor.designation)
+        .column(text!("head-catalogue"), |motor| &motor.catalogue)
+        .measured(text!("head-power"), KILOWATT, |motor| motor.power)
+        .measured(text!("head-rated-speed"), RPM, |motor| motor.rated_speed)
+}
+
 fn runners_up(motor: &MotorReport, page: &mut Document) {
-    let others = motor.runners_up.iter().take(MOST);
+    let others = &motor.runners_up[..motor.runners_up.len().min(MOST)];
     let caption = text!("report-runners-up", shown = others.len(), all = motor.runners_up.len());
-    let table = Table::each(caption, others)
-        .column(text!("head-motor"), |other| &other.designation)
-        .column(text!("head-catalogue"), |other| &other.catalogue)
-        .measured(text!("head-power"), KILOWATT, |other| other.power)
-        .measured(text!("head-rated-speed"), RPM, |other| other.rated_speed)
-        .column(text!("head-ratio"), |other| other.ratio)
-        .measured(text!("head-mass"), Unit::KILOGRAM, |other| other.mass);
+    let table = motors(caption, others).column(text!("head-ratio"), |other| other.ratio).measured(
+        text!("head-mass"),
+        Unit::KILOGRAM,
+        |other| other.mass,
+    );
     page.table(table.table());
 }
 
@@ -143,11 +150,7 @@ pub fn advice(motors: &[MotorAdvice], count: usize, page: &mut Document) {
 /// The table of the motors, and the usual values.
 fn compared(motors: &[MotorAdvice], page: &mut Document) {
     let of = |motor: &MotorAdvice, value: fn(&AdvisedRegime) -> f64| motor.regime.as_ref().map(value);
-    let table = Table::each(text!("report-motors"), motors)
-        .column(text!("head-motor"), |motor| &motor.designation)
-        .column(text!("head-catalogue"), |motor| &motor.catalogue)
-        .measured(text!("head-power"), KILOWATT, |motor| motor.power)
-        .measured(text!("head-rated-speed"), RPM, |motor| motor.rated_speed)
+    let table = self::motors(text!("report-motors"), motors)
         .column(text!("head-unevenness"), |motor| of(motor, |regime| regime.unevenness))
         .column(text!("head-ratio"), |motor| of(motor, |regime| regime.ratio))
         .measured(text!("head-flywheel"), Unit::INERTIA, |motor| of(motor, |regime| regime.flywheel))
