@@ -46,7 +46,11 @@ fn between(calculation: &Calculation, table: &Table, edges: &Edges, of: &Gathere
     let read = |table: &Table, row: usize| {
         let most = |columns: &[Column]| columns.iter().filter_map(|of| table.get(row, *of)).reduce(f64::max);
         match of {
-            Gathered::Health => most(&conditions).map(|condition| 1.0 / condition),
+            // A group without a condition number is singular.
+            Gathered::Health => {
+                let each = conditions.iter().map(|of| table.get(row, *of).map_or(0.0, |of| 1.0 / of));
+                each.reduce(f64::min)
+            }
             Gathered::Size(column) => table.get(row, *column).map(f64::abs),
             Gathered::Force(moduli) => most(moduli),
             Gathered::Column(_) | Gathered::Transmission => None,
