@@ -8,11 +8,9 @@ pub mod screen;
 
 mod files;
 mod locale;
-mod note;
 mod progress;
 mod session;
 mod verdict;
-mod working;
 
 use assur_figure::number;
 

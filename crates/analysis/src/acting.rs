@@ -5,6 +5,7 @@ use std::ops::AddAssign;
 use assur_force::{Cause, LoadState, Loads};
 use assur_group::Body;
 use assur_mechanism::Mechanism;
+use assur_number::quadrature::simpson;
 
 /// What acts at an instant of a motion: moments on the input (forces), N m (N).
 #[derive(Debug, Clone)]
@@ -141,18 +142,6 @@ pub(crate) fn over_time(nodes: &[Acting], jumps: &[[Acting; 2]]) -> [Works; 2] {
         }
     }
     [works, Works::over(&powers, change)]
-}
-
-/// The integral over equally spaced values, an odd number of them.
-pub(crate) fn simpson(step: f64, values: &[f64]) -> f64 {
-    let last = values.len() - 1;
-    let weight = |index: usize| match index {
-        0 => 1.0,
-        _ if index == last => 1.0,
-        _ if index % 2 == 1 => 4.0,
-        _ => 2.0,
-    };
-    step / 3.0 * values.iter().enumerate().map(|(index, value)| weight(index) * value).sum::<f64>()
 }
 
 /// The sum of the sizes of all changes from value to value.

@@ -10,8 +10,9 @@ use assur_group::{Body, Order};
 use assur_integrator::{EquationOfMotion as _, Request, Sample, State, Trajectory, Until, solve};
 use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LinkId, Mechanism};
+use assur_number::quadrature::simpson;
 
-use crate::acting::{Acting, Works, change, over_time, simpson};
+use crate::acting::{Acting, Works, change, over_time};
 use crate::motion::CYCLE_INTERVALS;
 use crate::results::{Column, Owner, Quantity, Schema, Table};
 use crate::{Calculation, InputMotion};
@@ -179,8 +180,8 @@ impl Calculation {
         };
         frictional.solve(&LoadState { acceleration, ..*state }, position).ok()?;
         let friction = frictional.reactions.friction.as_ref()?;
-        let each = friction.frictions.bearings.iter().zip(&friction.forces);
-        Some([torque, each.map(|(bearing, force)| force * bearing.relative(&position.bodies)).sum()])
+        let powers = friction.frictions.powers(&friction.forces, &position.bodies);
+        Some([torque, powers.map(|(_, power)| power).sum()])
     }
 
     /// The works in a regime between two coordinates, by Simpson's rule between the jumps of the loads.

@@ -158,9 +158,10 @@ impl Cycle<'_> {
         let mut powers = vec![self.forces.reactions.balancing * lever * way];
         if let Some(friction) = &self.forces.reactions.friction {
             let of = |pair: PairId| {
-                let all = friction.frictions.bearings.iter().zip(&friction.forces);
-                let own = all.filter(|(bearing, _)| bearing.pair == pair);
-                own.map(|(bearing, force)| (force * bearing.relative(bodies) * way).min(0.0)).sum::<f64>()
+                let all = friction.frictions.powers(&friction.forces, bodies);
+                all.filter(|(bearing, _)| bearing.pair == pair)
+                    .map(|(_, power)| (power * way).min(0.0))
+                    .sum::<f64>()
             };
             powers.extend(linkage.mechanism.frictions.iter().map(|friction| of(friction.pair)));
         }

@@ -1,6 +1,7 @@
 //! Calculation of all positions.
 
 use std::convert::Infallible;
+use std::sync::Arc;
 
 use assur_check::Notable;
 use assur_group::Order;
@@ -11,7 +12,7 @@ use crate::angles::{Angles, Starts};
 use crate::blocks::{Block, Blocks};
 use crate::notes::Listed;
 use crate::progress::{Stopped, Watch};
-use crate::results::{Analysis, Failure, InputReport, Peaks, Survey, Table};
+use crate::results::{Analysis, Failure, InputReport, Peaks, Schema, Survey, Table};
 use crate::several::Several;
 use crate::{Calculation, Progress};
 
@@ -96,6 +97,20 @@ impl Calculation {
             self.notable.get_or_init(|| [positions.numbers(), samples.numbers()]);
         }
         Ok(self.notable.get_or_init(Default::default))
+    }
+
+    /// The columns of the positions.
+    pub fn columns(&self) -> Arc<Schema> {
+        self.columns_of_positions().schema
+    }
+
+    /// The rows of all positions, and nothing else.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] where `watch` breaks.
+    pub fn rows(&self, watch: &mut Watch<'_>) -> Result<Table, Stopped> {
+        Ok(self.positions(1, watch)?.kept)
     }
 
     /// All positions, of which every `stride`-th is kept.

@@ -6,6 +6,7 @@ use assur_integrator::{
     AUTO, EquationOfMotion, Event, EventKind, Piece, Request, Sample, Solution, State, Trajectory, Until,
     solve,
 };
+use assur_number::quadrature::simpson;
 use assur_words::{Text, name, text};
 
 use crate::Calculation;
@@ -227,8 +228,7 @@ impl Balance {
     /// The work over four steps by Simpson's rule, and its greatest error.
     fn panel(&self, start: usize) -> (f64, f64) {
         let p = &self.power[start..=start + 4];
-        let fine = self.step / 3.0 * (p[0] + 4.0 * p[1] + 2.0 * p[2] + 4.0 * p[3] + p[4]);
-        let coarse = 2.0 * self.step / 3.0 * (p[0] + 4.0 * p[2] + p[4]);
+        let (fine, coarse) = (simpson(self.step, p), simpson(2.0 * self.step, &[p[0], p[2], p[4]]));
         let trapezoids = self.step * (0.5 * p[0] + p[1] + p[2] + p[3] + 0.5 * p[4]);
         let between = &self.between[start..start + 4];
         let mut error = 2.0 * (fine - coarse).abs();

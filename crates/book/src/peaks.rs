@@ -92,9 +92,18 @@ pub fn range(calculation: &Calculation, course: &Course, column: Column) -> Opti
         }
         Some(continuous_angle(value, course.between(table.get(row, Column::COORDINATE)?)?))
     };
-    let greatest = most(calculation, course, &read, Statistic::greatest)?;
-    let least = most(calculation, course, &read, Statistic::least)?;
-    Some(Range { greatest, least, means: means(calculation, course, &read) })
+    range_of(calculation, course, &read)
+}
+
+/// What a number that is made of each row reaches, with its `course` over the positions; `None` where no position has a value.
+pub fn range_of(
+    calculation: &Calculation,
+    course: &Course,
+    read: &dyn Fn(&Table, usize) -> Option<f64>,
+) -> Option<Range> {
+    let greatest = most(calculation, course, read, Statistic::greatest)?;
+    let least = most(calculation, course, read, Statistic::least)?;
+    Some(Range { greatest, least, means: means(calculation, course, read) })
 }
 
 /// Means over the cycle or the part of it that is calculated.

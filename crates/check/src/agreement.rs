@@ -29,9 +29,11 @@ fn compare_with(case: &Case<'_>, other: &Reactions, method: &AnalyzerPlugin, col
     let [mine, theirs] = [case.reactions, other].map(numbers);
     let difference: Numbers = mine.iter().zip(&theirs).map(|(a, b)| a - b).collect();
     let off = sizes(&difference, scale, units);
-    let usual = ROUNDINGS * f64::EPSILON * case.one.condition;
+    let own = |method: &AnalyzerPlugin| method.instance.condition(case.subject.linkage, &case.one.position);
+    let own = own(&case.subject.methods[case.full]).max(own(method));
+    let usual = ROUNDINGS * f64::EPSILON * case.one.condition * own;
     let shown = if method.gives_reactions { off.len() } else { 1 };
-    // A method may be more ill-conditioned than the mechanism (a pole near infinity); then its rounding is measured.
+    // Loads may be such that more is lost than the conditions tell; then the rounding is measured.
     let measured = off[..shown].iter().any(|off| *off > usual).then(|| {
         let both = [&case.subject.methods[case.full], method].map(|method| rounding(case, method));
         both.map(|rounding| rounding.map(|numbers| sizes(&numbers, scale, units)))

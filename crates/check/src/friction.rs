@@ -41,7 +41,9 @@ pub(crate) fn compare(case: &Case<'_>, collector: &mut Collector) {
         .iter()
         .filter(|radius| radius.is_finite())
         .fold(0.0, |most: f64, r| most.max(*r));
-    let gain = if radius < 1.0 { 1.0 / (1.0 - radius) } else { 1e4 };
+    // Both sides follow from the same moduli z; what tells them apart is the rounding of the terms of a + W z. Their magnitudes
+    // add up to z + 2 L z at most, L the lengths of W: in the norm of the eigenvector of L, 1 + 2 `radius` times z.
+    let gain = 1.0 + 2.0 * radius;
     let limit = ROUNDINGS * f64::EPSILON * case.one.condition * gain;
     let mut forces = friction.forces.iter().zip(&friction.senses);
     for friction in &mechanism.frictions {

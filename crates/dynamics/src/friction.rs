@@ -4,10 +4,9 @@
 use std::sync::Arc;
 
 use assur_force::{
-    Bearing, ForceAnalyzer, FreeMotion, FrictionSolution, LoadState, Loads, Phase, Piece, Reactions,
-    tolerance,
+    ForceAnalyzer, FreeMotion, FrictionSolution, LoadState, Loads, Phase, Piece, Reactions, tolerance,
 };
-use assur_group::{Body, Wrench};
+use assur_group::Wrench;
 use assur_integrator::{EquationOfMotion as _, MotionError, Reduced, State};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::Mechanism;
@@ -162,7 +161,7 @@ impl Friction {
         solved.map_err(|error| MotionError::mechanism(&error))?;
         let Some(friction) = &self.out.friction else { return Ok(0.0) };
         self.pressing = friction.pressing(&position.bodies, &self.out.pairs);
-        Ok(power(&friction.frictions.bearings, &friction.forces, &position.bodies))
+        Ok(friction.frictions.powers(&friction.forces, &position.bodies).map(|(_, power)| power).sum())
     }
 
     /// The accelerations that are possible under the loads evaluated last.
@@ -212,11 +211,9 @@ impl Friction {
                 if let Some(friction) = &self.out.friction {
                     self.pressing = friction.pressing(&place.position.bodies, &only.pairs);
                 }
-                let bearings = place.loads.frictions().map_or(&[][..], |frictions| &frictions.bearings[..]);
-                Ok(FrictionMoment {
-                    moment: power(bearings, &only.forces, &place.position.bodies),
-                    jams: false,
-                })
+                let frictions = place.loads.frictions().into_iter();
+                let powers = frictions.flat_map(|all| all.powers(&only.forces, &place.position.bodies));
+                Ok(FrictionMoment { moment: powers.map(|(_, power)| power).sum(), jams: false })
             }
             [] => Err(MotionError::Undetermined(text!("dynamics-friction-none"))),
             [first, .., last] => Err(MotionError::Undetermined(text!(
@@ -242,11 +239,6 @@ impl Friction {
 
 fn no_method() -> MotionError {
     MotionError::Mechanism(text!("dynamics-friction-no-method"))
-}
-
-/// Virtual power of the friction of all bearings for dq = 1.
-fn power(bearings: &[Bearing], forces: &[f64], bodies: &[Body<f64>]) -> f64 {
-    bearings.iter().zip(forces).map(|(bearing, force)| force * bearing.relative(bodies)).sum()
 }
 
 /// The steady regime of a machine with dry friction: friction is that of the speeds and accelerations of the regime before, until

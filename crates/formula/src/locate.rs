@@ -25,6 +25,9 @@ const WIDTH: f64 = 1e-15;
 /// thousand changes.
 const HALVINGS: u32 = 15;
 
+/// An error of the argument over such a part, as part of all that it may be there, from which on its sign is a matter of rounding.
+const LOST: f64 = 0.01;
+
 /// Places in such a part, as parts of its length, at which the argument is looked at: not in the ratio of whole numbers, so that no
 /// oscillation shows the same at all of them.
 const PLACES: [f64; 4] = [0.0, 0.381_966_011_250_105, 0.763_932_022_500_21, 1.0];
@@ -106,7 +109,8 @@ impl Formula {
     }
 
     /// The number of changes of the sign of the argument of a switch along a path, between two parameters; of more than `most`
-    /// not all are counted. Takes a bounded time; changes that are closer than a part in 30,000 of the range may count as one.
+    /// not all are counted. Takes a bounded time; changes that are closer than a part in 30,000 of the range may count as one. Such a
+    /// part in which the argument is lost in rounding, as that of `sin(1e30*q)`, counts as one too.
     pub fn changes_between(
         &self,
         switch: usize,
@@ -127,9 +131,13 @@ impl Formula {
                 parts.extend([([middle, high], halvings + 1), ([low, middle], halvings + 1)]);
                 continue;
             }
+            let arguments = PLACES.map(|part| {
+                let at = path(low + part * (high - low));
+                self.argument_of(switch, |name| Rounded::variable(at.get(name), f64::EPSILON))
+            });
             // Neighbors have one change at their common end.
             let counted = low.total_cmp(&end).is_eq();
-            if self.may_change(switch, PLACES.map(|part| path(low + part * (high - low))), counted) {
+            if is_lost(&arguments, between) || may_change(&arguments, counted) {
                 (found, end) = (found + 1, high);
             }
             if found > most {
@@ -139,29 +147,38 @@ impl Formula {
         found
     }
 
-    /// Whether the argument of a switch may change its sign between the first and the last of some places; `counted`: a change
-    /// at the first one counts elsewhere. Intervals that are too wide leave this to the values: those of one sign that lie
-    /// close to a straight line don't change it.
-    fn may_change(&self, switch: usize, places: [Variables; 4], counted: bool) -> bool {
-        let arguments =
-            places.map(|at| self.argument_of(switch, |name| Rounded::variable(at.get(name), f64::EPSILON)));
-        let signs = arguments.map(|argument| argument.sign().filter(|sign| *sign != Sign::Zero));
-        let same = |signs: &[Option<Sign>]| signs.windows(2).all(|pair| pair[0] == pair[1]);
-        if counted && signs[0].is_none() && same(&signs[1..]) {
-            return false;
-        }
-        let values = arguments.map(|argument| argument.value);
-        let [first, .., last] = values;
-        let least = values.into_iter().map(f64::abs).fold(f64::INFINITY, f64::min);
-        let bent = |(value, part): (f64, f64)| (value - first - part * (last - first)).abs() > 0.5 * least;
-        let certain = signs.iter().all(Option::is_some);
-        !same(&signs) || (certain && values.into_iter().zip(PLACES).any(bent))
-    }
-
     /// Bounds of the argument of a switch while each variable goes from one value to another.
     fn argument_between(&self, switch: usize, [from, to]: [Variables; 2]) -> Interval {
         self.argument_of(switch, |name| Interval::between(from.get(name), to.get(name)))
     }
+}
+
+/// Whether the argument of a switch may change its sign between the first and the last of some [`PLACES`]; `counted`: a change
+/// at the first one counts elsewhere. Intervals that are too wide leave this to the values: those of one sign that lie
+/// close to a straight line don't change it.
+fn may_change(arguments: &[Rounded; 4], counted: bool) -> bool {
+    let signs = arguments.map(|argument| argument.sign().filter(|sign| *sign != Sign::Zero));
+    let same = |signs: &[Option<Sign>]| signs.windows(2).all(|pair| pair[0] == pair[1]);
+    if counted && signs[0].is_none() && same(&signs[1..]) {
+        return false;
+    }
+    let values = arguments.map(|argument| argument.value);
+    let [first, .., last] = values;
+    let least = values.into_iter().map(f64::abs).fold(f64::INFINITY, f64::min);
+    let bent = |(value, part): (f64, f64)| (value - first - part * (last - first)).abs() > 0.5 * least;
+    let certain = signs.iter().all(Option::is_some);
+    !same(&signs) || (certain && values.into_iter().zip(PLACES).any(bent))
+}
+
+/// Whether the argument of a switch is lost in rounding at each of some places: its error leaves the sign open, and is comparable
+/// with the bounds of the argument `between` them. An argument that is zero up to rounding (`sin(q)^2 + cos(q)^2 - 1`) has much
+/// wider bounds, or the same value everywhere.
+fn is_lost(arguments: &[Rounded; 4], between: Interval) -> bool {
+    let is_open = |argument: &Rounded| {
+        argument.sign().is_none() && argument.error >= LOST * (between.high - between.low)
+    };
+    let differ = arguments.iter().any(|argument| argument.value.total_cmp(&arguments[0].value).is_ne());
+    differ && arguments.iter().all(is_open)
 }
 
 /// Parts of the range that are looked at. A formula that intervals bound badly takes more: of the rest its values decide.

@@ -2,8 +2,9 @@
 
 use assur_number::elementary;
 
+use assur_number::components;
+
 use crate::matrix::spectral_radius;
-use crate::steps::Steps;
 
 /// How many components a vector has whose magnitude is an unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,72 +61,15 @@ impl Moduli {
         spectral_radius(&self.lengths())
     }
 
-    /// The solution where the [certificate](Self::certificate) is below 1, which is often known before it is.
-    pub fn only(&self) -> Option<Vec<f64>> {
-        let mut steps = Steps::new(self);
-        if steps.is_contraction() { steps.follow(&vec![0.0; self.count()]) } else { None }
-    }
-
-    /// Greatest residual |z - |a + W z|| as part of the greatest term.
-    pub fn residual(&self, z: &[f64]) -> f64 {
-        Steps::new(self).residual(z)
-    }
-
-    /// The solution to which the textbook iteration and then Newton's method lead, from some magnitudes; `None` where they lead
-    /// to none. Where the [certificate](Self::certificate) is below 1 this is the only one.
-    pub fn follow(&self, start: &[f64]) -> Option<Vec<f64>> {
-        Steps::new(self).follow(start)
-    }
-
-    /// Newton's method from some magnitudes; `None` where it leads to no solution. Magnitudes of a solution are not negative.
-    pub fn newton(&self, start: &[f64]) -> Option<Vec<f64>> {
-        Steps::new(self).newton(start)
-    }
-
-    /// The solution near expected magnitudes; `None` where there is none so near that a path goes on there.
-    ///
-    /// A path from no friction, where the derivative is the unit matrix, keeps the sign of its determinant: it changes where two
-    /// solutions meet and the path ends. So of two solutions side by side only one is on the path, however near they are. Each of
-    /// the [parts](Self::parts) is judged by itself: a method that solves a whole mechanism at once has the path of one that solves
-    /// group by group.
-    pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
-        let mut steps = Steps::new(self);
-        let found = steps.newton(expected)?;
-        let goes_on = |part: &Vec<usize>| {
-            let size = part.iter().fold(0.0_f64, |most, j| most.max(found[*j]));
-            let is_near = |j: &usize| (found[*j] - expected[*j]).abs() <= NEAR * size;
-            part.iter().all(is_near) && steps.is_ahead(&found, part)
-        };
-        self.parts().iter().all(goes_on).then_some(found)
-    }
-
     /// The unknowns in parts that depend on themselves and on parts before them alone; in each, any depends on any other.
     pub fn parts(&self) -> Vec<Vec<usize>> {
         let n = self.count();
         let lengths = self.lengths();
         let most = |k: usize| lengths.iter().fold(1.0, |most: f64, row| most.max(row[k]));
         let limits: Vec<f64> = (0..n).map(|k| NOTHING * most(k)).collect();
-        let mut reaches: Vec<Vec<bool>> = lengths
-            .iter()
-            .map(|row| row.iter().zip(&limits).map(|(length, limit)| length > limit).collect())
-            .collect();
-        for through in 0..n {
-            let row = reaches[through].clone();
-            for from in reaches.iter_mut().filter(|from| from[through]) {
-                from.iter_mut().zip(&row).for_each(|(own, other)| *own |= other);
-            }
-        }
-        let mut left: Vec<usize> = (0..n).collect();
-        let mut parts = Vec::new();
-        let is_next =
-            |j: usize, left: &[usize]| left.iter().all(|&k| !reaches[j][k] || reaches[k][j] || k == j);
-        while let Some(&first) = left.iter().find(|j| is_next(**j, &left)) {
-            let (part, rest) =
-                left.iter().partition(|&&k| k == first || reaches[first][k] && reaches[k][first]);
-            parts.push(part);
-            left = rest;
-        }
-        parts
+        let needs: Vec<Vec<usize>> =
+            lengths.iter().map(|row| (0..n).filter(|k| row[*k] > limits[*k]).collect()).collect();
+        components(&needs, |_| 0)
     }
 
     /// The equations of some unknowns, where the others are known; those that depend on these are of no account.
@@ -147,9 +91,6 @@ pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
 
 /// A slope below this part of the greatest that its unknown has, and of 1, is rounding of the linear equations that gave it.
 const NOTHING: f64 = 1e-12;
-
-/// A solution goes on a path where its magnitudes are as expected but for this part of them.
-const NEAR: f64 = 0.02;
 
 /// Shortest step along a path, as part of all friction: where it does not suffice the path ends.
 const SHORTEST: f64 = 1e-9;

@@ -16,6 +16,50 @@ const SOLVED: f64 = 1e-11;
 /// Greatest part of magnitudes by which Newton's method would change those of a solution.
 const STILL: f64 = 1e-3;
 
+/// A solution goes on a path where its magnitudes are as expected but for this part of them.
+const NEAR: f64 = 0.02;
+
+impl Moduli {
+    /// The solution where the [certificate](Self::certificate) is below 1, which is often known before it is.
+    pub fn only(&self) -> Option<Vec<f64>> {
+        let mut steps = Steps::new(self);
+        if steps.is_contraction() { steps.follow(&vec![0.0; self.count()]) } else { None }
+    }
+
+    /// Greatest residual |z - |a + W z|| as part of the greatest term.
+    pub fn residual(&self, z: &[f64]) -> f64 {
+        Steps::new(self).residual(z)
+    }
+
+    /// The solution to which the textbook iteration and then Newton's method lead, from some magnitudes; `None` where they lead
+    /// to none. Where the [certificate](Self::certificate) is below 1 this is the only one.
+    pub fn follow(&self, start: &[f64]) -> Option<Vec<f64>> {
+        Steps::new(self).follow(start)
+    }
+
+    /// Newton's method from some magnitudes; `None` where it leads to no solution. Magnitudes of a solution are not negative.
+    pub fn newton(&self, start: &[f64]) -> Option<Vec<f64>> {
+        Steps::new(self).newton(start)
+    }
+
+    /// The solution near expected magnitudes; `None` where there is none so near that a path goes on there.
+    ///
+    /// A path from no friction, where the derivative is the unit matrix, keeps the sign of its determinant: it changes where two
+    /// solutions meet and the path ends. So of two solutions side by side only one is on the path, however near they are. Each of
+    /// the [parts](Self::parts) is judged by itself: a method that solves a whole mechanism at once has the path of one that solves
+    /// group by group.
+    pub fn near(&self, expected: &[f64]) -> Option<Vec<f64>> {
+        let mut steps = Steps::new(self);
+        let found = steps.newton(expected)?;
+        let goes_on = |part: &Vec<usize>| {
+            let size = part.iter().fold(0.0_f64, |most, j| most.max(found[*j]));
+            let is_near = |j: &usize| (found[*j] - expected[*j]).abs() <= NEAR * size;
+            part.iter().all(is_near) && steps.is_ahead(&found, part)
+        };
+        self.parts().iter().all(goes_on).then_some(found)
+    }
+}
+
 /// Equations in magnitudes, with memory for a step.
 pub(crate) struct Steps<'a> {
     system: &'a Moduli,

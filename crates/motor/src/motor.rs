@@ -1,5 +1,6 @@
 //! One row of a catalogue.
 
+use std::cmp::Ordering;
 use std::f64::consts::PI;
 
 use assur_words::{Text, text};
@@ -65,6 +66,15 @@ impl Motor {
     pub fn latin_designation(&self) -> String {
         latin_designation(&self.designation)
     }
+}
+
+/// The order of preference of [`select`](crate::select).
+pub(crate) fn better(a: &Motor, b: &Motor) -> Ordering {
+    (a.rated_power.total_cmp(&b.rated_power))
+        .then(b.synchronous_speed.total_cmp(&a.synchronous_speed))
+        .then(b.rated_speed.total_cmp(&a.rated_speed))
+        .then_with(|| a.designation.cmp(&b.designation))
+        .then_with(|| a.catalogue.cmp(&b.catalogue))
 }
 
 /// Speed in rad/s of a speed in 1/min.

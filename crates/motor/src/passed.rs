@@ -4,8 +4,7 @@ use std::mem::discriminant;
 
 use assur_words::{Describe, Text, name, number, text};
 
-use crate::motor::rpm;
-use crate::selection::better;
+use crate::motor::{better, rpm};
 use crate::{Motor, MotorWarning};
 
 /// A motor that was not taken.

@@ -1,10 +1,8 @@
 //! Choosing a motor: the smallest that gives the power and keeps the speed limit.
 
-use std::cmp::Ordering;
-
 use assur_words::{name, number, text};
 
-use crate::motor::rpm;
+use crate::motor::{better, rpm};
 use crate::{CharacteristicKind, Motor, MotorError, PassedOver, Refusal};
 
 /// Relative slack of comparisons with a rated value, so that the rounding of a unit conversion doesn't decide.
@@ -69,15 +67,6 @@ where
     let mut candidates = fits.into_iter().map(|motor| request.candidate(motor));
     let chosen = candidates.next().ok_or_else(|| request.why_none(&motors))?;
     Ok(Selection { chosen, runners_up: candidates.collect(), passed_over })
-}
-
-/// The order of preference of [`select`].
-pub(crate) fn better(a: &Motor, b: &Motor) -> Ordering {
-    (a.rated_power.total_cmp(&b.rated_power))
-        .then(b.synchronous_speed.total_cmp(&a.synchronous_speed))
-        .then(b.rated_speed.total_cmp(&a.rated_speed))
-        .then_with(|| a.designation.cmp(&b.designation))
-        .then_with(|| a.catalogue.cmp(&b.catalogue))
 }
 
 /// Whether the synchronous speed of a motor is within a limit, rad/s.

@@ -4,10 +4,12 @@
 //! [`Dd`] (about 32 digits) gives references for the accuracy charts, [`Lanes`] computes several positions of the
 //! mechanism at once, and [`Intervals`] enclose a quantity between positions. [`search`] has bisection, bracketed roots and golden
 //! sections along one variable, [`panel`] what a function on an interval is approximated by, and [`quadrature`] integrals with their
-//! errors. A [`Statistic`] gathers extremes and means.
+//! errors. A [`Statistic`] gathers extremes and means, and [`components`]
+//! puts what depends on each other in order.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+mod components;
 mod dd;
 pub mod elementary;
 mod intervals;
@@ -19,6 +21,7 @@ pub mod search;
 mod sine;
 mod statistic;
 
+pub use components::components;
 pub use dd::Dd;
 pub use intervals::Intervals;
 pub use lanes::Lanes;

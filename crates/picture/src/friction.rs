@@ -21,7 +21,7 @@ const ROOM: f64 = 3.0;
 const GUIDE: f64 = 0.5;
 
 /// The force of a pair on a link in a position, under the name of the reaction; `None` where the pair has no friction, or no force.
-pub fn panel(
+pub(crate) fn panel(
     found: &Found,
     position: usize,
     (pair, link): (PairId, LinkId),

@@ -1,24 +1,32 @@
 //! Pictures of results: each is a function from what was calculated, and from what of it is shown, to panels of a
 //! [`Figure`](assur_figure::Figure).
 //!
-//! * [`plots`]: curves over the positions or over time, and vectors in a plane of their own.
-//! * [`regime`]: the steady regime with its motor, the energy-mass diagram, the reduced inertia.
-//! * [`motion`]: a motion over time.
-//! * [`places`]: the drive with its flywheel in its two places.
-//! * [`friction`]: a reaction beside the friction of its pair.
+//! * [`mechanism`]: the mechanism to scale, with paths and [`arrows`], and its structure.
+//! * [`curves`]: quantities over the positions.
+//! * [`plans`]: force polygons, plans of velocities and accelerations, constructions.
+//! * [`forces`]: reactions over the cycle, beside the friction of their pairs, and by [`causes`].
+//! * [`motion`], [`drive`]: the motion over the positions or over time, the steady regime with its motor and flywheel.
 //!
 //! Knows no terminal, no file and no state of a screen.
 
+pub mod arrows;
+pub mod causes;
+pub mod curves;
+pub mod drive;
+pub mod forces;
 mod found;
-pub mod friction;
+mod friction;
 mod gather;
+pub mod mechanism;
 pub mod motion;
 mod outline;
-pub mod places;
+mod places;
 mod planner;
+pub mod plans;
 pub mod plots;
 mod probe;
-pub mod regime;
+mod reduction;
+mod regime;
 mod results;
 mod series;
 mod transfer;
@@ -31,23 +39,55 @@ pub use probe::Probe;
 pub use results::{Broken, Compared, Results};
 pub use series::{Series, Transfer};
 
-use assur_book::Unit;
+use assur_book::{Fact, Unit};
 use assur_kinematics::Linkage;
+use assur_words::{Text, joined};
+use strum::{IntoStaticStr, VariantArray};
 
 assur_words::resources!();
 
 /// What of the results is shown.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Look {
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Look<'a> {
     /// Number of the position, from 0.
     pub position: usize,
     /// Part of the way to the next position that the motion has gone, 0 to 1.
     pub part: f64,
+    /// Index in the transfer functions of the results.
+    pub transfer: usize,
+    /// A group of the structure.
+    pub group: usize,
+    /// Index of a mode of that group in the first position that is looked at.
+    pub mode: Option<usize>,
+    /// Index in the reactions found.
+    pub reaction: usize,
+    /// Group whose force polygon is drawn; the last is the input link.
+    pub polygon: usize,
+    /// Last step of the constructions that is drawn.
+    pub step: usize,
+    /// First quantity of the motion.
+    pub motion: usize,
+    /// Short names of the quantities that lie over each other; none: PF0, PF1, PF2 of the chosen one.
+    pub picked: &'a [String],
+    /// Arrows of the points.
+    pub arrows: Arrows,
+    /// Paths of the points.
+    pub traces: Traces,
+    /// How many groups are joined to the input link; `None`: all.
+    pub joined: Option<usize>,
+    /// The position whose plan stays beside that of the present one.
+    pub held: Option<usize>,
+    /// A point that is moved over the drawing.
+    pub probe: Option<&'a Probe>,
+    /// A second scene for comparison.
+    pub compared: Option<&'a Compared>,
+    /// Whether the results by another force analyzer are being calculated.
+    pub calculating: bool,
 }
 
-impl Look {
+impl Look<'_> {
     /// The place in the motion as a number of a position, with a fraction between two of them.
-    pub fn at(self) -> f64 {
+    pub fn at(&self) -> f64 {
         self.position as f64 + self.part
     }
 }
@@ -62,4 +102,72 @@ pub fn coordinate_unit(linkage: &Linkage) -> (&'static str, f64) {
 pub fn coordinate_at(linkage: &Linkage, at: f64) -> f64 {
     let [first, next] = [0, 1].map(|index| linkage.mechanism.input.coordinate(index));
     coordinate_unit(linkage).1 * (first + at * (next - first))
+}
+
+/// A part of a view that has several; its names are those of `--part`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ViewPart {
+    /// The numbers of the position, with a chart.
+    Overview,
+    /// The shares of the causes in a reaction.
+    Causes,
+    /// Curves over the positions.
+    Curves,
+    /// The path of the tip of a reaction.
+    Hodograph,
+    /// The course of the motion over time, or of the regime over the cycle.
+    Course,
+    /// How the regime was found.
+    Iteration,
+    /// The flywheel in its two places, and other motors.
+    Places,
+    /// Work over reduced inertia.
+    EnergyMass,
+    /// The shares of the reduced inertia.
+    Inertia,
+    /// The link of reduction with its force.
+    Reduction,
+    /// Force polygons.
+    Forces,
+    /// The plan of velocities.
+    Velocities,
+    /// The plan of accelerations.
+    Accelerations,
+    /// A construction on paper.
+    Construction,
+}
+
+/// Which derivatives of the points are drawn as arrows.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, VariantArray)]
+pub enum Arrows {
+    /// None of them.
+    None,
+    /// First derivatives.
+    #[default]
+    Velocity,
+    /// Second derivatives.
+    Acceleration,
+    /// Both.
+    Both,
+}
+
+/// Which paths of the points are drawn.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, VariantArray)]
+pub enum Traces {
+    /// Those of all points.
+    #[default]
+    All,
+    /// That of the chosen point.
+    Chosen,
+    /// The last part of the path of every point, up to the present position.
+    Trail,
+    /// None of them.
+    None,
+}
+
+/// The facts of these identities in one line: `unevenness 0.05, mean speed 6.28319 rad/s`.
+pub fn in_a_line(facts: &[Fact], ids: &[&str]) -> Text {
+    let shown = ids.iter().filter_map(|id| facts.iter().find(|fact| fact.id == *id));
+    joined(", ", shown.map(|fact| joined(" ", [fact.what().short(), fact.with_unit()])))
 }

@@ -1,15 +1,54 @@
-//! A motion over its samples: coordinate, speed, acceleration, energies over time, moments of the loads over its way.
+//! The motion over the positions, or over its samples: coordinate, speed, acceleration, energies over time, moments of the loads over its way.
 
 use assur_analysis::results::{Column, Owner, Quantity, Table};
 use assur_book::{Course, catalogue};
 use assur_figure::number::number;
-use assur_figure::{Axis, Cursor, Panel};
+use assur_figure::{Axis, Cursor, Figure, Panel};
+use assur_report::topic;
 use assur_words::{self as words, Text, joined, list, quantity, text};
 
-use crate::{Found, Look, plots};
+use crate::{Found, Look, Results, ViewPart, curves, in_a_line, plots, reduction, regime};
+
+/// Speed, acceleration, J, J', Q over the positions (at most `most`), or the motion over time.
+pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart, most: usize) -> Figure {
+    let Some(found) = &results.found else { return Figure::default() };
+    let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
+    let panels = match (regime, part) {
+        (_, ViewPart::Reduction) => reduction::panels(results, look, found),
+        (Some(regime), ViewPart::Iteration) => regime::iteration(regime),
+        (Some(regime), ViewPart::Course) => regime::course(found, regime, look),
+        (_, part) if part != ViewPart::Overview || found.motion.is_empty() => over_time(found, look),
+        _ => {
+            let shown = most.clamp(1, found.motion.len());
+            let from_chosen = found.motion.iter().cycle().skip(look.motion % found.motion.len());
+            let wanted: Vec<usize> = from_chosen.take(shown).copied().collect();
+            curves::stack(results, look, found, None, &wanted)
+        }
+    };
+    let columns = if part == ViewPart::Reduction { 2 } else { 1 };
+    Figure { title: heading(found), panels, columns, legend: Vec::new() }
+}
+
+/// The most important line: the unevenness of a regime, or why there is no speed.
+pub fn heading(found: &Found) -> Text {
+    if found.analysis.dynamics.is_some() {
+        let facts = topic::regime_facts(&found.analysis);
+        return in_a_line(&facts, &["fact-unevenness", "fact-mean-speed"]);
+    }
+    match (&found.analysis.no_motion, &found.linkage.mechanism.motion) {
+        (Some(reason), _) => not_found(reason, " "),
+        (None, None) => text!("motion-none"),
+        (None, Some(_)) => Text::default(),
+    }
+}
+
+/// Why there is no motion.
+pub fn not_found(reason: &Text, between: &'static str) -> Text {
+    joined(between, [text!("no-motion-found"), reason.clone()])
+}
 
 /// Coordinate, speed, acceleration and energies over time.
-pub fn over_time(found: &Found, look: Look) -> Vec<Panel> {
+fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
     let analysis = &found.analysis;
     let q = if analysis.input.angular { "rad" } else { "m" };
     let all = [

@@ -24,7 +24,7 @@ const UNKNOWN: f64 = 0.2;
 const GEAR: [f64; 2] = [1.2, 2.0];
 
 /// A panel for each place of the flywheel, all to one scale.
-pub fn panels(mechanism: &Mechanism, dynamics: &Dynamics) -> Vec<Panel> {
+pub(crate) fn panels(mechanism: &Mechanism, dynamics: &Dynamics) -> Vec<Panel> {
     let panel = |wheel: &FlywheelSize| {
         let (title, items) = drive(mechanism, dynamics, wheel);
         let bounds = Bounds::around(items.iter().flat_map(Item::points));
@@ -94,7 +94,7 @@ fn kilograms(mass: f64) -> Text {
 }
 
 /// What the parts are, with the ratio of the gear; those without a known size of their own are dashed.
-pub fn legend(dynamics: &Dynamics) -> Vec<Key> {
+pub(crate) fn legend(dynamics: &Dynamics) -> Vec<Key> {
     let motor = Drawn::of(dynamics);
     let stroke = if motor.own { Stroke::Thick } else { Stroke::Dashed };
     let ratio = dynamics.figures.ratio.map(|ratio| joined("", [name("u = "), number(digits(ratio, 4))]));

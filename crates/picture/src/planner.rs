@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use assur_analysis::Calculation;
-use assur_diagram::{DiagramError, PlanSheet};
+use assur_diagram::{DiagramError, PlanSheet, Split};
 use assur_force::Construction;
 
 /// Positions whose plans are remembered: two beside each other are drawn together.
@@ -25,6 +25,11 @@ impl Plans {
     /// Number of steps of all constructions.
     pub fn step_count(&self) -> usize {
         self.constructions.iter().map(|(_, construction)| construction.steps.len()).sum()
+    }
+
+    /// The reactions by cause; `None` where there are none.
+    pub fn by_cause(&self) -> Option<&Split> {
+        self.sheet.as_ref().ok()?.by_cause.as_ref()
     }
 
     /// The numbers of the steps of a construction among the steps of all.

@@ -33,7 +33,7 @@ pub fn coordinate_axis(linkage: &Linkage) -> Axis {
 /// The curve of a quantity over the positions, with the cursor at the present one, at which it has a value.
 pub fn over_positions(
     linkage: &Linkage,
-    look: Look,
+    look: &Look<'_>,
     [title, value]: [Text; 2],
     curves: &[(&Series, Stroke, Ink)],
     signs: Vec<Item>,

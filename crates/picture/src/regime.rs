@@ -19,12 +19,12 @@ fn over(regime: &RegimeReport, read: impl Fn(&RegimePoint) -> Option<f64>) -> Co
 }
 
 /// The present coordinate in the unit that is shown.
-fn cursor(linkage: &Linkage, look: Look) -> f64 {
+fn cursor(linkage: &Linkage, look: &Look<'_>) -> f64 {
     coordinate_at(linkage, look.at())
 }
 
 /// Speed in the regime and in the first turn, then the moments and the energies.
-pub fn course(found: &Found, regime: &RegimeReport, look: Look) -> Vec<Panel> {
+pub(crate) fn course(found: &Found, regime: &RegimeReport, look: &Look<'_>) -> Vec<Panel> {
     let mut lines = vec![(text!("regime-course"), over(regime, |row| Some(row.speed)))];
     let first_turn = over(regime, |row| row.first_turn);
     if !first_turn.is_empty() {
@@ -46,7 +46,7 @@ fn axis(linkage: &Linkage) -> (Axis, f64) {
 }
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
-pub fn moments(found: &Found, regime: &RegimeReport, look: Look) -> Panel {
+pub(crate) fn moments(found: &Found, regime: &RegimeReport, look: &Look<'_>) -> Panel {
     // What drives is shown along the motion, and the resistance against it, as its mean is. Driving is what does work over the cycle.
     let sense = found.linkage.mechanism.input.sign();
     let of_loads = Column::of(Quantity::ReducedMoment, Owner::Input);
@@ -111,7 +111,7 @@ fn excess(found: &Dynamics, [driving, resisting]: [&Course; 2]) -> Option<(Vec<P
 }
 
 /// The motor's characteristic, with its working section; `None` without a motor of a catalogue.
-pub fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
+pub(crate) fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
     let work = &dynamics.motor.as_ref()?.work;
     let course = |points: &[[f64; 2]]| Course::from_points(points.iter().copied());
     let lines = vec![
@@ -125,7 +125,7 @@ pub fn characteristic(dynamics: &Dynamics) -> Option<Panel> {
 }
 
 /// The working section of the characteristic by itself; `None` without a motor of a catalogue.
-pub fn working_section(dynamics: &Dynamics) -> Option<Panel> {
+pub(crate) fn working_section(dynamics: &Dynamics) -> Option<Panel> {
     let work = &dynamics.motor.as_ref()?.work;
     let section = Course::from_points(work.working_section.iter().copied());
     let x = Axis::around(text!("regime-motor-speed"), work.speed, 0.0);
@@ -150,7 +150,7 @@ fn mark_section(panel: &mut Panel, dynamics: &Dynamics, section: &[[f64; 2]]) {
 }
 
 /// Work of all loads over the reduced inertia of the links, with the tangents that belong to the least and the greatest speed.
-pub fn energy_mass(diagram: &EnergyMass) -> Panel {
+pub(crate) fn energy_mass(diagram: &EnergyMass) -> Panel {
     let inertias = || diagram.curve.iter().map(|at| at[0]);
     let x = Axis::around(text!("regime-links-inertia"), inertias(), 0.0);
     let [x0, y0] = diagram.origin;
@@ -169,7 +169,7 @@ pub fn energy_mass(diagram: &EnergyMass) -> Panel {
 }
 
 /// The reduced inertia over the positions, the shares of flywheel with rotor and of each link above each other.
-pub fn shares(found: &Found, dynamics: &Dynamics, look: Look) -> (Panel, Vec<Key>) {
+pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Panel, Vec<Key>) {
     let positions = &found.analysis.positions;
     let owners = positions.schema().owners(Quantity::ReducedInertia).into_iter();
     let links: Vec<Owner> = owners.filter(|owner| matches!(owner, Owner::Link(_))).collect();
@@ -214,7 +214,7 @@ pub fn shares(found: &Found, dynamics: &Dynamics, look: Look) -> (Panel, Vec<Key
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
-pub fn iteration(regime: &RegimeReport) -> Vec<Panel> {
+pub(crate) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
     let curve = |told: &'static str, values: Vec<f64>| {
         let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
         (text!(told), Course::from_points(points))

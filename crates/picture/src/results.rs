@@ -203,6 +203,8 @@ fn failure(linkage: &Linkage, index: usize, error: &PositionError) -> Text {
 pub struct Compared {
     /// Its name.
     pub name: Text,
+    /// The name of the first scene beside it.
+    pub own: Text,
     /// Its results.
     pub results: Box<Results>,
     /// Whether it is the open scene as it was before its numbers were changed.

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crate::components::components;
+use assur_number::components;
 
 /// Unknowns: moving links with 3 degrees of freedom, pins with 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,7 +7,6 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-mod components;
 mod compose;
 mod error;
 mod excess;
@@ -17,7 +16,6 @@ mod taken_apart;
 
 assur_words::resources!();
 
-pub use components::components;
 pub use error::{Counted, StructureError, SurplusCause};
 pub use excess::Excess;
 pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, name_of, roman};

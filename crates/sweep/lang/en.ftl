@@ -49,3 +49,4 @@ sweep-no-point = there is no such point in the results; points: { $points }
 sweep-other-scene = the scene was a different one
 sweep-other-origin = `{ $key }` was { $was } and is { $is }
 sweep-nothing = nothing
+sweep-measure-plain = least and greatest value, mean and root mean square of what a position has under this key in the JSON

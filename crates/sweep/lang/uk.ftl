@@ -49,3 +49,4 @@ sweep-no-point = такої точки в результатах немає; т�
 sweep-other-scene = сцена була інша
 sweep-other-origin = `{ $key }`: було { $was }, тепер { $is }
 sweep-nothing = нічого
+sweep-measure-plain = найменше й найбільше значення, середнє та середньоквадратичне всього, що положення має під цим ключем у JSON

@@ -1,9 +1,74 @@
-//! Measures of the motion between positions: strokes, transfer functions, speeds, the shaking force.
+//! What is found between positions: strokes, transfer functions, speeds, the shaking force; where a sweep asks for it, extremes
+//! and means of everything.
 
-use assur_geometry::{Extremes, Stroke};
+use assur_analysis::results::{Column, Edges, Owner, Quantity, Table, Turn};
+use assur_analysis::{Calculation, unwatched};
+use assur_book::{Course, Range, range, range_of};
+use assur_geometry::{Extremes, Stroke, overview};
 
-use crate::layout::{Layout, Named};
+use crate::Sweep;
+use crate::layout::{Gathered, Layout, Named};
 use crate::measure::{Measured, Sink};
+
+impl Measured {
+    /// Adds what is found from the rows of the results: between the positions too, where the sweep asks for that, or of the columns
+    /// that are measured as they are.
+    pub(crate) fn add_rows(&mut self, calculation: &Calculation, sweep: &Sweep) {
+        let layout = &sweep.layout;
+        if !sweep.between && layout.plain.is_empty() {
+            return;
+        }
+        let Ok(table) = calculation.rows(&mut unwatched) else { return };
+        if sweep.between {
+            let edges = calculation.edges(&table);
+            let asked = layout.gathered.iter().zip(&sweep.asked);
+            let ranges =
+                asked.map(|(of, asked)| asked.then(|| between(calculation, &table, &edges, of)).flatten());
+            self.ranges = ranges.collect();
+            return;
+        }
+        for plain in &layout.plain {
+            let Gathered::Column(column) = layout.gathered[plain.first] else { continue };
+            let values = table.schema().find(column).into_iter().flat_map(|column| table.each(column));
+            let numbered = table.numbers().iter().zip(values);
+            self.statistics[plain.first] =
+                numbered.filter_map(|(number, value)| Some((*number, value?))).collect();
+        }
+    }
+}
+
+/// Extremes and means over the positions and between them, as a report has them.
+fn between(calculation: &Calculation, table: &Table, edges: &Edges, of: &Gathered) -> Option<Range> {
+    let conditions: Vec<Column> = {
+        let groups = table.schema().owners(Quantity::Condition).into_iter();
+        groups.map(|group: Owner| Column::of(Quantity::Condition, group)).collect()
+    };
+    let read = |table: &Table, row: usize| {
+        let most = |columns: &[Column]| columns.iter().filter_map(|of| table.get(row, *of)).reduce(f64::max);
+        match of {
+            // A group without a condition number is singular.
+            Gathered::Health => {
+                let each = conditions.iter().map(|of| table.get(row, *of).map_or(0.0, |of| 1.0 / of));
+                each.reduce(f64::min)
+            }
+            Gathered::Size(column) => table.get(row, *column).map(f64::abs),
+            Gathered::Force(moduli) => most(moduli),
+            Gathered::Column(_) | Gathered::Transmission => None,
+        }
+    };
+    match of {
+        Gathered::Column(column) => {
+            let course = Course::of(table, Some(edges), Column::COORDINATE, *column);
+            range(calculation, &course, *column)
+        }
+        Gathered::Transmission => {
+            let (_, angle, at) = overview(&calculation.linkage).ok()?.transmission?;
+            let least = Turn::at(at, angle);
+            Some(Range { greatest: least, least, means: None })
+        }
+        _ => range_of(calculation, &Course::read(table, Some(edges), Column::COORDINATE, read), &read),
+    }
+}
 
 /// A part of what is measured with what is known of it between positions.
 fn each<'a, T, C>(

@@ -1,9 +1,13 @@
 //! What of a mechanism is measured, by name and by place.
 
-use assur_analysis::{Options, plan};
+use std::iter::once;
+
+use assur_analysis::results::{Column, Owner, Part, Quantity};
+use assur_analysis::{Calculation, Options, plan};
+use assur_book::catalogue::{self, PathStep};
 use assur_force::{Joint, joints};
 use assur_kinematics::decompose;
-use assur_mechanism::{LinkId, Mechanism, Motion, PointId, SlideId, Torque};
+use assur_mechanism::{LinkId, Mechanism, Motion, PairId, PointId, SlideId, Torque};
 use assur_structure::name_of;
 
 use assur_words::{list, name, text};
@@ -36,6 +40,38 @@ pub(crate) struct Layout {
     pub(crate) motion: Option<Sought>,
     /// Units of coordinate, speed and balancing load, as ends of column names.
     pub(crate) units: Units,
+    /// Columns of the positions that are measured as they are.
+    pub(crate) plain: Vec<Plain>,
+    /// What has a statistic: first what belongs to the places, then what belongs to loads and motion, then the plain columns.
+    pub(crate) gathered: Vec<Gathered>,
+    /// How many of them belong to the places.
+    pub(crate) places: usize,
+}
+
+/// A number of a position of which there is a statistic.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Gathered {
+    /// Least determinant of all groups.
+    Health,
+    /// Least transmission angle of all groups.
+    Transmission,
+    /// A column of the results.
+    Column(Column),
+    /// The modulus of a column.
+    Size(Column),
+    /// The greatest force of a pin or slide on one of its links: their moduli. The statistic at the positions is of its square.
+    Force(Vec<Column>),
+}
+
+/// A column of the positions that is measured as it is.
+#[derive(Debug, Clone)]
+pub(crate) struct Plain {
+    /// Its key in the JSON of a position.
+    pub(crate) key: &'static str,
+    /// The names of its least and greatest value, its mean and its root mean square.
+    pub(crate) names: [String; 4],
+    /// The number of its statistic.
+    pub(crate) first: usize,
 }
 
 /// Something with its name in the scene.
@@ -43,6 +79,8 @@ pub(crate) struct Layout {
 pub(crate) struct Named<T> {
     pub(crate) name: String,
     pub(crate) id: T,
+    /// The number of its first statistic.
+    pub(crate) first: usize,
     /// Whether a parameter can change it.
     pub(crate) reached: bool,
 }
@@ -82,6 +120,9 @@ impl Layout {
             analyzer: None,
             motion: sought(mechanism),
             units: Units { coordinate, speed, balancing },
+            plain: Vec::new(),
+            gathered: Vec::new(),
+            places: 0,
         };
         let Ok(structure) = decompose(mechanism) else { return layout };
         let plan = plan(mechanism, &structure, options);
@@ -104,7 +145,59 @@ impl Layout {
         layout.points = named(points, |(id, _)| &mechanism.points[*id].name);
         layout.slides = named(wanted.slides.into_iter(), |id| &mechanism.slides[*id].name);
         layout.links = named(wanted.links.into_iter(), |id| &mechanism.links[*id].name);
+        layout.number();
         layout
+    }
+
+    /// Numbers the statistics.
+    fn number(&mut self) {
+        let Self { gathered, points, slides, links, joints, places, .. } = self;
+        gathered.extend([Gathered::Health, Gathered::Transmission]);
+        let mut place = |owner, first: &mut usize| {
+            *first = gathered.len();
+            let column = Column::of(Quantity::Transfer(0), owner);
+            let is_vector = matches!(owner, Owner::Point(_));
+            let parts = if is_vector { &[Part::X, Part::Y][..] } else { &[Part::Whole] };
+            gathered.extend(parts.iter().map(|part| Gathered::Column(column.part(*part))));
+        };
+        for point in points {
+            place(Owner::Point(point.id.0), &mut point.first);
+        }
+        for slide in slides {
+            place(Owner::Slide(slide.id), &mut slide.first);
+        }
+        for link in links {
+            place(Owner::Link(link.id), &mut link.first);
+        }
+        *places = gathered.len();
+        gathered.extend([Gathered::Column(Column::BALANCING), Gathered::Size(Column::BALANCING)]);
+        for joint in joints {
+            joint.first = gathered.len();
+            // The forces on two links are opposite.
+            let ends = if joint.id.links.len() == 2 { 1 } else { joint.id.links.len() };
+            let force = |link: &LinkId| Column::of(Quantity::Force, Owner::PairOn(joint.id.id, *link));
+            let forces = joint.id.links[..ends].iter().map(|link| force(link).part(Part::Modulus));
+            let moment = Gathered::Size(Column::of(Quantity::Moment, Owner::Pair(joint.id.id)));
+            gathered
+                .extend(once(Gathered::Force(forces.collect())).chain(joint.is_slide().then_some(moment)));
+        }
+    }
+
+    /// Adds the columns of the positions under some keys of the JSON.
+    pub(crate) fn add_plain(&mut self, calculation: &Calculation, keys: &[&'static str]) {
+        let schema = calculation.columns();
+        for column in schema.columns() {
+            let path = catalogue::path(&schema, *column).unwrap_or_default();
+            let is_at = |key: &&&str| path.first().is_some_and(|step| *step == PathStep::Key((**key).into()));
+            let Some(key) = keys.iter().find(is_at) else { continue };
+            let name = |word| catalogue::csv_of(&schema, *column, word).unwrap_or_default();
+            let names = ["min", "max", "mean", "rms"].map(name);
+            if names[0].is_empty() {
+                continue;
+            }
+            self.plain.push(Plain { key, names, first: self.gathered.len() });
+            self.gathered.push(Gathered::Column(*column));
+        }
     }
 
     /// Adds places from which the distance of a point is measured.
@@ -136,8 +229,14 @@ impl Layout {
     }
 }
 
+impl Named<Joint> {
+    pub(crate) fn is_slide(&self) -> bool {
+        matches!(self.id.id, PairId::Slide(_))
+    }
+}
+
 fn named<'m, T>(ids: impl Iterator<Item = T>, name: impl Fn(&T) -> &'m str) -> Vec<Named<T>> {
-    ids.map(|id| Named { name: name(&id).to_owned(), id, reached: true }).collect()
+    ids.map(|id| Named { name: name(&id).to_owned(), id, first: 0, reached: true }).collect()
 }
 
 fn sought(mechanism: &Mechanism) -> Option<Sought> {

@@ -14,8 +14,9 @@
 //! They follow from the scene and the [`Measure`]s before the first point is calculated: the parameters; `status`, `message`
 //! (the first failure in words), `failed_positions`; the columns of the measures; `motor`. They are in SI, angles in rad, and
 //! the unit is part of the name. A cell is empty where something does not apply, and all values are where a
-//! position fails: extremes over a part are none. Extremes are over the positions of the scene; of equal ones the first
-//! counts. Strokes, time ratios, transfer functions, speeds and the shaking force, where asked for, are those between positions.
+//! position fails: extremes over a part are none. Extremes and means are over the positions of the scene, of equal ones the first
+//! counts, or, with [`SweepRequest::between`], between them too, as a report has them. Strokes, time ratios, transfer functions,
+//! speeds and the shaking force, where asked for, are always those between positions.
 //!
 //! # How a point is calculated
 //!

@@ -1,24 +1,24 @@
 //! The families of columns, from what was found at a point.
 
-use assur_analysis::results::FrictionCycle;
+use std::cell::Cell;
+
+use assur_analysis::results::{FrictionCycle, Turn};
+use assur_book::Range;
+use assur_book::catalogue::KEYS;
 use assur_dynamics::{Instant, Steady};
 use assur_geometry::{Extremes, PartCourses};
-use assur_mechanism::{Input, PairId};
+use assur_mechanism::Input;
 use assur_number::{Extreme, Statistic};
 use assur_shaking::Size;
 use assur_words::{Describe, Text, list, name as words, text};
 
 use crate::SweepError;
 use crate::between::{acceleration, shaking, speed, stroke, time_ratio, transfer};
-use crate::layout::{Layout, Sought};
+use crate::layout::{Gathered, Layout, Sought};
 
 /// What is found only where a measure needs it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Need {
-    /// The angles of the links.
-    Angles,
-    /// The transmission angles of the groups.
-    Transmission,
     /// The motion between positions.
     Courses,
     /// The distances of points from places between positions.
@@ -32,7 +32,7 @@ pub(crate) enum Need {
 /// A family of columns.
 #[derive(Debug, Clone, Copy)]
 pub struct Measure {
-    /// Its name on the command line.
+    /// Its name on the command line; of columns of the positions their key in the JSON.
     pub name: &'static str,
     /// The identity of what its columns hold.
     summary: &'static str,
@@ -43,17 +43,22 @@ pub struct Measure {
     /// What must be found for it beside the positions, their loads and their motion.
     pub(crate) need: Option<Need>,
     put: fn(&Layout, &Measured, &mut Sink<'_>),
+    /// Whether it has all columns of the positions under this key of the JSON as they are.
+    pub(crate) is_plain: bool,
 }
 
-/// All measures, in the order of their columns.
+/// What stands before a key of the JSON in the name of the measure of its columns.
+const PLAIN: &str = "positions.";
+
+/// All measures but those of the columns of the positions, in the order of their columns.
 pub const MEASURES: &[Measure] = &[
     Measure::new("health", "sweep-measure-health", health),
-    Measure::new("transmission", "sweep-measure-transmission", transmission).asked(Some(Need::Transmission)),
+    Measure::new("transmission", "sweep-measure-transmission", transmission).asked(None),
     Measure::new("balancing", "sweep-measure-balancing", balancing),
     Measure::new("balancing-rms", "sweep-measure-balancing-rms", balancing_rms).asked(None),
     Measure::new("reactions", "sweep-measure-reactions", reactions),
     Measure::new("reaction-rms", "sweep-measure-reaction-rms", reaction_rms).asked(None),
-    Measure { need: Some(Need::Angles), ..Measure::new("extremes", "sweep-measure-extremes", extremes) },
+    Measure::new("extremes", "sweep-measure-extremes", extremes),
     Measure { need: Some(Need::Distances), ..Measure::new("distance", "sweep-measure-distance", distance) },
     Measure::new("stroke", "sweep-measure-stroke", stroke).asked(Some(Need::Courses)),
     Measure::new("time-ratio", "sweep-measure-time-ratio", time_ratio).asked(Some(Need::Courses)),
@@ -67,25 +72,16 @@ pub const MEASURES: &[Measure] = &[
 ];
 
 /// What was found at a point of a sweep.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Measured {
-    /// Least determinant of all groups.
-    pub(crate) health: Statistic,
-    /// Least transmission angle of all groups.
-    pub(crate) transmission: Statistic,
-    pub(crate) balancing: Statistic,
-    /// Modulus of the balancing load.
-    pub(crate) load: Statistic,
-    /// Of each joint: square of the greatest force on one of its links.
-    pub(crate) forces: Vec<Statistic>,
-    /// Of each joint: modulus of its moment.
-    pub(crate) moments: Vec<Statistic>,
-    pub(crate) points: Vec<[Statistic; 2]>,
+    /// Of what the layout gathers, over the positions.
+    pub(crate) statistics: Vec<Statistic>,
+    /// The same between the positions too; none where it was not asked for.
+    pub(crate) ranges: Vec<Option<Range>>,
+    /// Which of them a measure has asked for.
+    pub(crate) asked: Vec<Cell<bool>>,
     /// The distances of points from places between positions; empty where the cycle has a part without a solution.
     pub(crate) distances: Vec<Extremes>,
-    pub(crate) slides: Vec<Statistic>,
-    /// Angles of links.
-    pub(crate) links: Vec<Statistic>,
     /// The input, which gives the coordinates of the positions.
     pub(crate) input: Option<Input>,
     /// The last state of a transient motion.
@@ -101,53 +97,70 @@ pub(crate) struct Measured {
     pub(crate) shaking: Option<Size>,
 }
 
-impl Measured {
-    /// Coordinate of an extreme, rad or m.
-    fn coordinate(&self, extreme: Option<Extreme>) -> Option<f64> {
-        Some(self.input.as_ref()?.coordinate(extreme?.number))
-    }
+/// The number of the statistic of the least determinant, and of that of the least transmission angle.
+pub(crate) const HEALTH: usize = 0;
+pub(crate) const TRANSMISSION: usize = 1;
 
+impl Measured {
     /// Memory for what is measured.
     pub(crate) fn new(layout: &Layout) -> Self {
-        let many = |count: usize| vec![Statistic::default(); count];
-        Self {
-            health: Statistic::default(),
-            transmission: Statistic::default(),
-            balancing: Statistic::default(),
-            load: Statistic::default(),
-            forces: many(layout.joints.len()),
-            moments: many(layout.joints.len()),
-            points: vec![[Statistic::default(); 2]; layout.points.len()],
-            distances: Vec::new(),
-            slides: many(layout.slides.len()),
-            links: many(layout.links.len()),
-            input: None,
-            last: None,
-            steady: None,
-            friction: None,
-            courses: None,
-            speed: None,
-            shaking: None,
-        }
+        let count = layout.gathered.len();
+        let (statistics, asked) = (vec![Statistic::default(); count], vec![Cell::new(false); count]);
+        Self { statistics, asked, ..Self::default() }
     }
 
     /// Forgets what belongs to the positions whatever the loads.
-    pub(crate) fn clear_positions(&mut self) {
-        let Self { health, transmission, points, distances, slides, links, input, courses, .. } = self;
-        (*health, *transmission, *input, *courses) = (Statistic::default(), Statistic::default(), None, None);
-        points.fill([Statistic::default(); 2]);
-        distances.clear();
-        slides.fill(Statistic::default());
-        links.fill(Statistic::default());
+    pub(crate) fn clear_positions(&mut self, layout: &Layout) {
+        self.statistics[..layout.places].fill(Statistic::default());
+        self.distances.clear();
+        (self.input, self.courses) = (None, None);
     }
 
     /// Forgets what belongs to loads and motion.
-    pub(crate) fn clear_forces(&mut self) {
-        let Self { balancing, load, forces, moments, last, steady, shaking, friction, .. } = self;
-        (*balancing, *load) = (Statistic::default(), Statistic::default());
-        forces.fill(Statistic::default());
-        moments.fill(Statistic::default());
-        (*last, *steady, *shaking, *friction) = (None, None, None, None);
+    pub(crate) fn clear_forces(&mut self, layout: &Layout) {
+        self.statistics[layout.places..].fill(Statistic::default());
+        self.ranges.clear();
+        (self.last, self.steady, self.shaking, self.friction) = (None, None, None, None);
+    }
+
+    /// An extreme with its coordinate, rad or m; none where it grows without limit.
+    fn extreme(
+        &self,
+        (layout, number): (&Layout, usize),
+        at_positions: fn(&Statistic) -> Option<Extreme>,
+        between: fn(&Range) -> Turn,
+    ) -> Option<[f64; 2]> {
+        self.asked[number].set(true);
+        if let Some(range) = self.ranges.get(number) {
+            let Turn { value, at, .. } = between(range.as_ref()?);
+            return value.is_finite().then_some([value, at]);
+        }
+        let found = at_positions(&self.statistics[number])?;
+        let is_square = matches!(layout.gathered[number], Gathered::Force(_));
+        let value = if is_square { found.value.sqrt() } else { found.value };
+        Some([value, self.input.as_ref()?.coordinate(found.number)])
+    }
+
+    fn greatest(&self, layout: &Layout, number: usize) -> Option<[f64; 2]> {
+        self.extreme((layout, number), Statistic::greatest, |range| range.greatest)
+    }
+
+    fn least(&self, layout: &Layout, number: usize) -> Option<[f64; 2]> {
+        self.extreme((layout, number), Statistic::least, |range| range.least)
+    }
+
+    /// Mean and root of the mean square.
+    fn means(&self, layout: &Layout, number: usize) -> [Option<f64>; 2] {
+        self.asked[number].set(true);
+        if let Some(range) = self.ranges.get(number) {
+            let means = range.as_ref().and_then(|range| range.means);
+            return [means.map(|means| means.mean), means.map(|means| means.rms)];
+        }
+        let found = &self.statistics[number];
+        match layout.gathered[number] {
+            Gathered::Force(_) => [None, found.mean().map(f64::sqrt)],
+            _ => [found.mean(), found.rms()],
+        }
     }
 }
 
@@ -164,7 +177,7 @@ impl Measure {
         summary: &'static str,
         put: fn(&Layout, &Measured, &mut Sink<'_>),
     ) -> Self {
-        Self { name, summary, by_default: true, whole: false, need: None, put }
+        Self { name, summary, by_default: true, whole: false, need: None, put, is_plain: false }
     }
 
     /// Written only where it is named, with what must be found for it.
@@ -183,8 +196,10 @@ impl Measure {
     ///
     /// [`SweepError::Request`] for an unknown name.
     pub fn named(names: &[impl AsRef<str>]) -> Result<Vec<Self>, SweepError> {
+        let plain = |name: &str| KEYS.split(' ').find(|key| name.strip_prefix(PLAIN) == Some(*key));
+        let is_known = |name: &str| MEASURES.iter().any(|measure| measure.name == name);
         let known =
-            |name: &str| name == "all" || name == "default" || MEASURES.iter().any(|m| m.name == name);
+            |name: &str| name == "all" || name == "default" || is_known(name) || plain(name).is_some();
         if let Some(name) = names.iter().map(AsRef::as_ref).find(|name| !known(name)) {
             let measures = list(MEASURES.iter().map(|measure| words(measure.name)));
             let unknown = text!("sweep-no-measure", name = words(name.to_owned()), measures);
@@ -198,12 +213,33 @@ impl Measure {
             names.iter().map(AsRef::as_ref).any(|name| name == "all" || name == measure.name)
         };
         let each = MEASURES.iter().filter(wanted);
-        Ok(each.map(|measure| Self { whole: is_asked(measure), ..*measure }).collect())
+        let own = each.map(|measure| Self { whole: is_asked(measure), ..*measure });
+        let columns = |key| {
+            let nothing = |_: &Layout, _: &Measured, _: &mut Sink<'_>| {};
+            Self { whole: true, is_plain: true, ..Self::new(key, "sweep-measure-plain", nothing) }
+        };
+        let mut keys: Vec<&'static str> = names.iter().filter_map(|name| plain(name.as_ref())).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        Ok(own.chain(keys.into_iter().map(columns)).collect())
+    }
+
+    /// Its name on the command line.
+    pub(crate) fn full_name(&self) -> String {
+        format!("{}{}", if self.is_plain { PLAIN } else { "" }, self.name)
     }
 
     /// Puts its columns into a sink.
     pub(crate) fn put(&self, layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
         (self.put)(layout, found, sink);
+        let plain = layout.plain.iter().filter(|column| self.is_plain && column.key == self.name);
+        for column in plain {
+            let [mean, rms] = found.means(layout, column.first);
+            let ends = [found.least(layout, column.first), found.greatest(layout, column.first)].map(value);
+            for (name, value) in column.names.iter().zip(ends.into_iter().chain([mean, rms])) {
+                sink.put(value, || name.clone());
+            }
+        }
     }
 }
 
@@ -229,83 +265,86 @@ impl Sink<'_> {
     }
 }
 
-fn value(extreme: Option<Extreme>) -> Option<f64> {
-    extreme.map(|extreme| extreme.value)
+fn value(extreme: Option<[f64; 2]>) -> Option<f64> {
+    extreme.map(|[value, _]| value)
+}
+
+/// Puts an extreme and its coordinate.
+fn put_at(extreme: Option<[f64; 2]>, layout: &Layout, [name, unit]: [&str; 2], sink: &mut Sink<'_>) {
+    sink.put(value(extreme), || format!("{name}{unit}"));
+    sink.put(extreme.map(|[_, at]| at), || format!("{name}_at_{}", layout.units.coordinate));
 }
 
 fn health(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.groups {
-        sink.put(value(found.health.least()), || "smallest_health".to_owned());
-        let name = || format!("smallest_health_at_{}", layout.units.coordinate);
-        sink.put(found.coordinate(found.health.least()), name);
+        put_at(found.least(layout, HEALTH), layout, ["smallest_health", ""], sink);
     }
 }
 
 fn transmission(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.groups {
-        let name = || "least_transmission_angle_rad".to_owned();
-        sink.put(value(found.transmission.least()), name);
-        let name = || format!("least_transmission_angle_at_{}", layout.units.coordinate);
-        sink.put(found.coordinate(found.transmission.least()), name);
+        put_at(found.least(layout, TRANSMISSION), layout, ["least_transmission_angle", "_rad"], sink);
     }
 }
 
 fn balancing(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.balancing {
-        let unit = layout.units.balancing;
-        sink.put(value(found.load.greatest()), || format!("balancing_greatest_{unit}"));
-        let name = || format!("balancing_greatest_at_{}", layout.units.coordinate);
-        sink.put(found.coordinate(found.load.greatest()), name);
-        sink.put(found.balancing.mean(), || format!("balancing_mean_{unit}"));
-        sink.put(found.load.mean(), || format!("balancing_mean_modulus_{unit}"));
+        let (unit, load, size) = (layout.units.balancing, layout.places, layout.places + 1);
+        put_at(found.greatest(layout, size), layout, ["balancing_greatest", &format!("_{unit}")], sink);
+        sink.put(found.means(layout, load)[0], || format!("balancing_mean_{unit}"));
+        sink.put(found.means(layout, size)[0], || format!("balancing_mean_modulus_{unit}"));
     }
 }
 
 fn balancing_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
     if layout.balancing {
-        sink.put(found.balancing.rms(), || format!("balancing_rms_{}", layout.units.balancing));
+        let rms = found.means(layout, layout.places)[1];
+        sink.put(rms, || format!("balancing_rms_{}", layout.units.balancing));
     }
 }
 
 fn reactions(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
-    for ((joint, force), moment) in each.filter(|((joint, _), _)| joint.reached) {
+    for joint in layout.joints.iter().filter(|joint| joint.reached) {
         let name = &joint.name;
-        sink.put(value(force.greatest()).map(f64::sqrt), || format!("reaction_{name}_greatest_N"));
-        if matches!(joint.id.id, PairId::Slide(_)) {
-            sink.put(value(moment.greatest()), || format!("reaction_{name}_moment_greatest_Nm"));
+        sink.put(value(found.greatest(layout, joint.first)), || format!("reaction_{name}_greatest_N"));
+        if joint.is_slide() {
+            let moment = value(found.greatest(layout, joint.first + 1));
+            sink.put(moment, || format!("reaction_{name}_moment_greatest_Nm"));
         }
     }
 }
 
 fn reaction_rms(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    let each = layout.joints.iter().zip(&found.forces).zip(&found.moments);
-    for ((joint, force), moment) in each {
+    for joint in &layout.joints {
         let name = &joint.name;
-        sink.put(force.mean().map(f64::sqrt), || format!("reaction_{name}_rms_N"));
-        if matches!(joint.id.id, PairId::Slide(_)) {
-            sink.put(moment.rms(), || format!("reaction_{name}_moment_rms_Nm"));
+        sink.put(found.means(layout, joint.first)[1], || format!("reaction_{name}_rms_N"));
+        if joint.is_slide() {
+            let moment = found.means(layout, joint.first + 1)[1];
+            sink.put(moment, || format!("reaction_{name}_moment_rms_Nm"));
         }
     }
 }
 
 fn extremes(layout: &Layout, found: &Measured, sink: &mut Sink<'_>) {
-    for (point, place) in layout.points.iter().zip(&found.points).filter(|(point, _)| point.reached) {
-        for (axis, of) in ["x", "y"].into_iter().zip(place) {
-            sink.put(value(of.least()), || format!("{}_{axis}_min_m", point.name));
-            sink.put(value(of.greatest()), || format!("{}_{axis}_max_m", point.name));
+    let ends = |number| [value(found.least(layout, number)), value(found.greatest(layout, number))];
+    for point in layout.points.iter().filter(|point| point.reached) {
+        for (nth, axis) in ["x", "y"].into_iter().enumerate() {
+            let [least, greatest] = ends(point.first + nth);
+            sink.put(least, || format!("{}_{axis}_min_m", point.name));
+            sink.put(greatest, || format!("{}_{axis}_max_m", point.name));
         }
     }
-    for (slide, displacement) in layout.slides.iter().zip(&found.slides).filter(|(slide, _)| slide.reached) {
-        sink.put(value(displacement.least()), || format!("{}_min_m", slide.name));
-        sink.put(value(displacement.greatest()), || format!("{}_max_m", slide.name));
-        let range =
-            displacement.greatest().zip(displacement.least()).map(|(most, least)| most.value - least.value);
-        sink.put(range, || format!("{}_travel_m", slide.name));
+    for slide in layout.slides.iter().filter(|slide| slide.reached) {
+        let [least, greatest] = ends(slide.first);
+        sink.put(least, || format!("{}_min_m", slide.name));
+        sink.put(greatest, || format!("{}_max_m", slide.name));
+        let travel = greatest.zip(least).map(|(most, least)| most - least);
+        sink.put(travel, || format!("{}_travel_m", slide.name));
     }
-    for (link, angle) in layout.links.iter().zip(&found.links).filter(|(link, _)| link.reached) {
-        sink.put(value(angle.least()), || format!("{}_angle_min_rad", link.name));
-        sink.put(value(angle.greatest()), || format!("{}_angle_max_rad", link.name));
+    for link in layout.links.iter().filter(|link| link.reached) {
+        let [least, greatest] = ends(link.first);
+        sink.put(least, || format!("{}_angle_min_rad", link.name));
+        sink.put(greatest, || format!("{}_angle_max_rad", link.name));
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use assur_words::{Text, name, text};
 
-use crate::{Points, Sweep};
+use crate::{Measure, Points, Sweep};
 
 /// Key of the text of the scene.
 const SCENE: &str = "scene";
@@ -27,7 +27,7 @@ impl Sweep {
             Points::Grid => Default::default(),
         };
         let [sample, seed] = sample;
-        let lines = |all: Vec<&str>| all.join("\n");
+        let lines = |all: Vec<String>| all.join("\n");
         let all = [
             ("version", env!("CARGO_PKG_VERSION").to_owned()),
             (SCENE, self.scene().to_owned()),
@@ -35,7 +35,8 @@ impl Sweep {
             ("tie", ranges(true)),
             ("sample", sample),
             ("seed", seed),
-            ("measure", lines(self.measures.iter().map(|measure| measure.name).collect())),
+            ("measure", lines(self.measures.iter().map(Measure::full_name).collect())),
+            ("between", if self.between { "yes".to_owned() } else { String::new() }),
             ("target", self.layout.targets.iter().map(place).collect::<Vec<_>>().join("\n")),
             ("analyzer", self.layout.analyzer.unwrap_or_default().to_owned()),
             ("integrator", self.options.integrator.clone().unwrap_or_default()),

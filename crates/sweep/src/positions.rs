@@ -3,16 +3,16 @@
 use assur_analysis::Calculation;
 use assur_force::{ForceError, Joint, Kinetostatics, LaneKinetostatics};
 use assur_geometry::{courses, distances};
-use assur_group::plane::{dot, minus, vector};
+use assur_group::plane::{dot, vector};
 use assur_group::{Body, GroupError, Wrench};
-use assur_kinematics::{LanePosition, Position, PositionError};
-use assur_mechanism::{Motion, Slide};
-use assur_number::{Lanes, Real, elementary};
+use assur_kinematics::{LanePosition, Position, PositionError, ScalarMotion};
+use assur_mechanism::Motion;
+use assur_number::{Lanes, Real};
 use assur_shaking::shaking_size;
 use assur_words::{Describe, Text, number, quantity, text};
 
 use crate::Status;
-use crate::measure::Need;
+use crate::measure::{HEALTH, Need, TRANSMISSION};
 use crate::point::Worker;
 use crate::rows::Failure;
 
@@ -68,13 +68,14 @@ impl<'a, 'w> Positions<'a, 'w> {
     pub(crate) fn calculate(mut self) -> Result<(), Failure> {
         let Calculation { linkage, no_motion, .. } = self.calculation;
         let positions = linkage.mechanism.input.positions;
+        let layout = &self.worker.sweep.layout;
         let Memory { mut blocks, holds_all, .. } = std::mem::take(&mut self.worker.memory);
         if !holds_all {
             self.worker.angles.clear();
-            self.worker.found.clear_positions();
+            self.worker.found.clear_positions(layout);
             self.worker.found.input = Some(linkage.mechanism.input.clone());
         }
-        self.worker.found.clear_forces();
+        self.worker.found.clear_forces(layout);
         self.between(!holds_all);
         let count = positions.div_ceil(Lanes::WIDTH);
         let kept = if count <= MOST_KEPT { count } else { 1 };
@@ -115,7 +116,10 @@ impl<'a, 'w> Positions<'a, 'w> {
                 let message = text!("sweep-misfit", misfit = misfit);
                 Err(Failure { status: Status::NoAssembly, message, failed: Some(0) })
             }
-            (None, None) => Ok(()),
+            (None, None) => {
+                self.worker.found.add_rows(self.calculation, self.worker.sweep);
+                Ok(())
+            }
         }
     }
 
@@ -179,8 +183,8 @@ impl<'a, 'w> Positions<'a, 'w> {
         }
         let healths = needed().map(|(group, _)| position.health[group].abs());
         let least = healths.fold(Lanes::from_f64(f64::INFINITY), lesser);
-        self.worker.found.health.add(block.valid, block.first, least);
-        if self.wants(Need::Transmission) {
+        self.worker.found.statistics[HEALTH].add(block.valid, block.first, least);
+        if self.worker.sweep.asked[TRANSMISSION] {
             let least = Lanes::of(|lane| {
                 position.copy_lane(lane, &mut self.single);
                 let of_group = |group: usize| {
@@ -190,29 +194,30 @@ impl<'a, 'w> Positions<'a, 'w> {
                 };
                 needed().map(|(group, _)| of_group(group)).fold(f64::INFINITY, f64::min)
             });
-            self.worker.found.transmission.add(block.valid, block.first, least);
+            self.worker.found.statistics[TRANSMISSION].add(block.valid, block.first, least);
         }
     }
 
     fn places(&mut self, block: &Block, position: &LanePosition) {
         let Calculation { linkage, plan, .. } = self.calculation;
-        let angles = self.wants(Need::Angles);
         let (found, layout) = (&mut self.worker.found, &self.worker.sweep.layout);
         let bodies = &position.bodies;
-        for ((_, place), extent) in plan.wanted.points.iter().zip(&mut found.points) {
-            let at = bodies[place.link].point(vector(place.at));
-            (0..2).for_each(|axis| extent[axis].add(block.valid, block.first, at[axis]));
+        let mut add = |number: usize, values| found.statistics[number].add(block.valid, block.first, values);
+        for ((_, place), point) in plan.wanted.points.iter().zip(&layout.points) {
+            let [x, y] = bodies[place.link].point(vector(place.at));
+            add(point.first, x);
+            add(point.first + 1, y);
         }
-        for (slide, displacement) in layout.slides.iter().zip(&mut found.slides) {
-            let along = along(&linkage.mechanism.slides[slide.id], bodies);
-            displacement.add(block.valid, block.first, along);
+        for slide in &layout.slides {
+            add(slide.first, ScalarMotion::of_slide(&linkage.mechanism.slides[slide.id], bodies).pf0);
         }
+        let angles = layout.links.iter().any(|link| self.worker.sweep.asked[link.first]);
         for lane in (0..Lanes::WIDTH).filter(|&lane| angles && block.valid[lane]) {
             let pose = |body: &Body<Lanes>| [body.c, body.s, body.w1].map(|number| number.0[lane]);
             let poses = layout.links.iter().map(|link| (link.id, pose(&bodies[link.id])));
             let angles = self.worker.angles.follow(linkage, position.coordinates.0[lane], poses);
-            for ([angle, _], extent) in angles.iter().zip(&mut found.links) {
-                extent.push(block.first + lane, *angle);
+            for ([angle, _], link) in angles.iter().zip(&layout.links) {
+                found.statistics[link.first].push(block.first + lane, *angle);
             }
         }
     }
@@ -227,18 +232,18 @@ impl<'a, 'w> Positions<'a, 'w> {
         for (lane, _) in &failures {
             valid[*lane] = false;
         }
-        let found = &mut self.worker.found;
-        let (reactions, first) = (&forces.reactions, block.first);
-        found.balancing.add(valid, first, reactions.balancing);
-        found.load.add(valid, first, reactions.balancing.abs());
-        let joints = self.worker.sweep.layout.joints.iter().map(|joint| &joint.id);
-        for ((joint, force), moment) in joints.zip(&mut found.forces).zip(&mut found.moments) {
+        let (statistics, layout) = (&mut self.worker.found.statistics, &self.worker.sweep.layout);
+        let (reactions, first, load) = (&forces.reactions, block.first, layout.places);
+        statistics[load].add(valid, first, reactions.balancing);
+        statistics[load + 1].add(valid, first, reactions.balancing.abs());
+        for named in &layout.joints {
+            let joint = &named.id;
             // Beside passive parts what is not determined has no greatest value.
             let open = joint.open(&reactions.open).iter().fold(Lanes::ZERO, |all, open| all + *open);
             let valid = std::array::from_fn(|lane| valid[lane] && open.0[lane] == 0.0);
-            force.add(valid, first, greatest_square(joint, &reactions.pairs));
+            statistics[named.first].add(valid, first, greatest_square(joint, &reactions.pairs));
             if let Some(size) = joint.moment(&reactions.pairs) {
-                moment.add(valid, first, size.abs());
+                statistics[named.first + 1].add(valid, first, size.abs());
             }
         }
         failures.retain(|(lane, error)| {
@@ -246,8 +251,8 @@ impl<'a, 'w> Positions<'a, 'w> {
             let state = &states[*lane];
             let alone = change_point.then(|| forces.balancing_alone(*lane, state, position)).flatten();
             if let Some(balancing) = alone {
-                found.balancing.push(first + lane, balancing);
-                found.load.push(first + lane, balancing.abs());
+                statistics[load].push(first + lane, balancing);
+                statistics[load + 1].push(first + lane, balancing.abs());
             }
             !change_point
         });
@@ -276,14 +281,6 @@ impl Block {
 
 fn lesser(a: Lanes, b: Lanes) -> Lanes {
     Lanes::of(|lane| if b.0[lane] < a.0[lane] { b.0[lane] } else { a.0[lane] })
-}
-
-/// Displacement of a slide, m.
-fn along(slide: &Slide, bodies: &[Body<Lanes>]) -> Lanes {
-    let (slider, carrier) = (&bodies[slide.link], &bodies[slide.on]);
-    let (s, c) = elementary::sin_cos(slide.angle);
-    let way = minus(slider.point(vector(slide.point)), carrier.point(vector(slide.through)));
-    dot(carrier.turned(vector([c, s])), way)
 }
 
 /// Square of the greatest force of a joint on one of its links, N². The forces on two links are opposite.

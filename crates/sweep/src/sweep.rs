@@ -1,11 +1,12 @@
 //! A scene with its parameters, and the calculation of its points in threads.
 
+use std::cell::Cell;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::mpsc::{Receiver, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use assur_analysis::Options;
+use assur_analysis::{Calculation, Options, unwatched};
 use assur_number::elementary;
 use assur_scene::edit::ParsedText;
 use assur_words::{Describe, Text, list, name, number, text};
@@ -53,6 +54,8 @@ pub struct SweepRequest {
     pub targets: Vec<Target>,
     /// The families of columns.
     pub measures: Vec<Measure>,
+    /// Whether extremes, means and root mean squares are found between the positions too, as a report has them.
+    pub between: bool,
     /// The methods.
     pub options: Options,
 }
@@ -64,6 +67,7 @@ impl Default for SweepRequest {
             ties: Vec::new(),
             targets: Vec::new(),
             measures: Measure::defaults(),
+            between: false,
             options: Options::default(),
         }
     }
@@ -79,6 +83,9 @@ pub struct Sweep {
     /// The same with what no parameter can change marked.
     reached: Layout,
     pub(crate) measures: Vec<Measure>,
+    /// Whether extremes and means are found between the positions too, and of what the measures ask for it.
+    pub(crate) between: bool,
+    pub(crate) asked: Vec<bool>,
     pub(crate) options: Options,
     pub(crate) columns: Arc<Columns>,
     count: usize,
@@ -102,7 +109,7 @@ impl Sweep {
         if vary.is_empty() {
             return Err(SweepError::Request(text!("sweep-nothing-varied")));
         }
-        let SweepRequest { points, ties, targets, measures, options } = request;
+        let SweepRequest { points, ties, targets, measures, between, options } = request;
         let count = count(points, vary)?;
         let document = ParsedText::of(scene);
         let axis = |vary| Axis::of(vary, &document, &reading);
@@ -120,20 +127,39 @@ impl Sweep {
         let richest = variants.richest(&axes).unwrap_or_else(|| variants.base().clone());
         let mut layout = Layout::of(&richest, &options);
         layout.aim(&targets)?;
+        let plain: Vec<_> = measures.iter().filter(|measure| measure.is_plain).map(|of| of.name).collect();
+        if !plain.is_empty()
+            && let Ok(found) = Calculation::of(richest.clone(), &options, &mut unwatched)
+        {
+            layout.add_plain(&found, &plain);
+        }
         let places = richest.points.iter().flat_map(|point| &point.places);
         let size = places.map(|place| elementary::hypot(place.at[0], place.at[1])).fold(0.0, f64::max);
         let of_units = axes.iter().filter_map(|axis| Some((axis.told(axis.from), axis.doubt()?)));
         let doubts = of_units.chain(targets.iter().filter_map(|target| target.doubt(size))).collect();
         let reached = layout.reached(&Reach::of(&richest, &variants, &axes), &richest);
         let mut names = Vec::new();
-        let mut sink = Sink::Names(&mut names);
+        let (mut sink, nothing) = (Sink::Names(&mut names), Measured::new(&layout));
         for measure in &measures {
-            let layout = if measure.whole { &layout } else { &reached };
-            measure.put(layout, &Measured::new(layout), &mut sink);
+            measure.put(if measure.whole { &layout } else { &reached }, &nothing, &mut sink);
         }
+        let asked = nothing.asked.into_iter().map(Cell::into_inner).collect();
         let parameters = axes.iter().map(|axis| axis.column.clone()).collect();
         let columns = Arc::new(Columns::new(parameters, names, layout.has_motor()));
-        Ok(Self { axes, points, variants, layout, reached, measures, options, columns, count, doubts })
+        Ok(Self {
+            axes,
+            points,
+            variants,
+            layout,
+            reached,
+            measures,
+            between,
+            asked,
+            options,
+            columns,
+            count,
+            doubts,
+        })
     }
 
     /// The columns of its rows.

@@ -1,5 +1,6 @@
 //! Tests of the grid, the keys, the columns and the forms.
 
+mod between;
 mod columns;
 mod grid;
 mod keys;

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use assur_analysis::Options;
+use assur_note::{Form, NoteError, Written};
+use assur_scene::Note;
 use assur_words::{Describe, Language, Text, name, text};
 use clap::Args;
 
@@ -13,7 +15,7 @@ use super::options::SceneArgs;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::note::{self, Form};
+use crate::screen::state::State;
 use crate::screen::still::{self, PictureArgs, StillError};
 use crate::session::Session;
 use crate::verdict::Verdict;
@@ -73,15 +75,14 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
         note.language = language.code;
     }
     let language = Language::find(note.language).unwrap_or_else(Language::english);
-    let mut state = still::analyzed(&session, options, true, language).map_err(Fault::Scene)?;
+    let state = still::analyzed(&session, options, true, language).map_err(Fault::Scene)?;
     scene::doubt_of_state(&state, &session, style)?;
     let verdict = Verdict::of_state(&state, &session);
     verdict.tell(style);
     let status = verdict.proved();
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
     let figures = format!("{stem}-figures");
-    let written =
-        note::write(&mut state, &note, form, &figures).map_err(|error| Fault::Other(error.describe()))?;
+    let written = note_of(&state, &note, form, &figures).map_err(Fault::Other)?;
     if !written.figures.is_empty() {
         let folder = args.output.with_file_name(&figures);
         let names: Vec<&str> = written.figures.iter().map(|(name, _)| name.as_str()).collect();
@@ -102,8 +103,11 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
 /// Why there is no note; in words.
 pub(crate) fn of_session(session: &Arc<Session>, options: Options) -> Result<String, Text> {
     let language = Language::find(session.note.language).unwrap_or_else(Language::english);
-    let mut state = still::analyzed(session, options, true, language)?;
-    note::write(&mut state, &session.note, Form::Html, "")
-        .map(|written| written.text)
-        .map_err(|error| error.describe())
+    let state = still::analyzed(session, options, true, language)?;
+    note_of(&state, &session.note, Form::Html, "").map(|written| written.text)
+}
+
+fn note_of(state: &State, note: &Note, form: Form, folder: &str) -> Result<Written, Text> {
+    let written = state.scene.as_ref().map(|scene| assur_note::write(scene, note, form, folder));
+    written.unwrap_or(Err(NoteError::NoResults)).map_err(|error| error.describe())
 }

@@ -1,6 +1,7 @@
 //! `assur explain`.
 
 use assur_analysis::{Options, method_of_motion, methods, plan};
+use assur_note::working;
 use assur_words::{Describe, number, text};
 use assur_working::WorkingError;
 
@@ -11,7 +12,6 @@ use super::{output, scene};
 use crate::progress::ProgressLine;
 use crate::session::Session;
 use crate::verdict::Verdict;
-use crate::working;
 
 pub(crate) fn run(args: &ExplainArgs, style: Style) -> Result<Status, Fault> {
     let options = scene::options(&args.scene.methods, args.position.is_some() || args.energy)?;

@@ -39,7 +39,10 @@ fn columns() -> String {
         let name = format!("{}{mark}", measure.name);
         let _ = writeln!(help, "  {name:<23}{}", measure.describe());
     }
-    help + "\nColumns are in SI, the unit in the name, and empty where something does not apply. The first ones are each \
+    help + "  positions.KEY          least and greatest value, mean and root mean square of what a position has under KEY in the \
+            JSON: positions.loads\n\n\
+            Extremes, means and root mean squares are those over the positions of the scene; with --between those between them \
+            too,\nas `assur analyze` reports them.\n\nColumns are in SI, the unit in the name, and empty where something does not apply. The first ones are each \
             parameter,\nstatus (ok, no assembly, no solution, error, refused), message (the first failure) and \
             failed_positions."
 }
@@ -69,6 +72,10 @@ pub(crate) struct SweepArgs {
     /// What is written of each point (below)
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', default_value = "default")]
     measure: Vec<String>,
+    /// Find extremes, means and root mean squares between the positions too, as `assur analyze` reports them, instead of over the
+    /// positions only, which is far faster
+    #[arg(long)]
+    between: bool,
     /// Write to this file (*.csv or *.parquet) instead of CSV to standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -119,8 +126,14 @@ fn sweep(args: &SweepArgs, style: Style) -> Result<Sweep, Fault> {
     let ties = args.tie.iter().map(|tie| Tie::parse(tie)).collect::<Result<_, _>>().map_err(fault)?;
     let targets = args.target.iter().map(|target| Target::parse(target)).collect::<Result<_, _>>();
     let targets = targets.map_err(fault)?;
-    let request =
-        SweepRequest { points, ties, targets, measures, options: scene::options(&args.methods, false)? };
+    let request = SweepRequest {
+        points,
+        ties,
+        targets,
+        measures,
+        between: args.between,
+        options: scene::options(&args.methods, false)?,
+    };
     let text = scene::open(&args.scene, style)?.text;
     let vary = args.vary.iter().map(|vary| Vary::parse(vary, points)).collect::<Result<Vec<_>, _>>();
     let file = args.scene.display().to_string();

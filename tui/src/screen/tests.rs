@@ -10,6 +10,7 @@ mod keys;
 mod labels;
 mod language;
 mod lists;
+mod note;
 mod pictures;
 mod random;
 mod reading;

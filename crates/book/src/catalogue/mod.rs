@@ -8,7 +8,7 @@ mod words;
 use assur_analysis::results::{Column, Owner, Part, Quantity, Residual, Schema};
 use assur_mechanism::{GROUND, LinkId, PairId};
 
-pub use path::{KEYS, PathStep, csv, path};
+pub use path::{KEYS, PathStep, csv, csv_of, path};
 pub use unit::{Unit, unit};
 pub use words::{further, head, kind, owner, short, subject};
 

@@ -58,6 +58,11 @@ pub fn path(schema: &Schema, column: Column) -> Option<Vec<PathStep<'_>>> {
 
 /// The name of a column in CSV and Parquet, with its unit; `None` where these don't have it.
 pub fn csv(schema: &Schema, column: Column) -> Option<String> {
+    csv_of(schema, column, "")
+}
+
+/// The same of a statistic of the column, whose word stands before the unit: `A_x_min_m`.
+pub fn csv_of(schema: &Schema, column: Column, statistic: &str) -> Option<String> {
     let pattern = Some(of(column).csv).filter(|pattern| !pattern.is_empty() && column.cause.is_none())?;
     let mut name = String::new();
     for c in pattern.chars() {
@@ -70,6 +75,9 @@ pub fn csv(schema: &Schema, column: Column) -> Option<String> {
     }
     if matches!(column.quantity, Quantity::Residual(_)) {
         name = name.replace(' ', "_");
+    }
+    if !statistic.is_empty() {
+        name = name + "_" + statistic;
     }
     let suffix = unit(schema, column).suffix();
     Some(if suffix.is_empty() { name } else { name + "_" + &suffix })

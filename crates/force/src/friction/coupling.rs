@@ -6,7 +6,8 @@
 use std::cmp::Reverse;
 
 use assur_mechanism::LinkId;
-use assur_structure::{Structure, components};
+use assur_number::components;
+use assur_structure::Structure;
 
 use super::{Bearing, Unknown};
 

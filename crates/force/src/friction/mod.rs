@@ -101,6 +101,16 @@ impl Frictions {
         all.dedup();
         all
     }
+
+    /// The virtual power of the friction of each bearing for dq = 1: its moment on the input (N m; force, N).
+    pub fn powers<'a, T: Real>(
+        &'a self,
+        forces: &'a [T],
+        bodies: &'a [Body<T>],
+    ) -> impl Iterator<Item = (&'a Bearing, T)> {
+        let each = self.bearings.iter().zip(forces);
+        each.map(|(bearing, force)| (bearing, *force * bearing.relative(bodies)))
+    }
 }
 
 impl<T: Real> FrictionForces<T> {

@@ -152,8 +152,12 @@ fn take_compared(state: &mut State, other: Box<Scene>) {
         if name == scene.session.source.short_name() {
             name = other.session.source.name();
         }
-        state.compared =
-            Some(Compared { name: words::name(name), results: Box::new(other.results), before: false });
+        state.compared = Some(Compared {
+            name: words::name(name),
+            own: words::name(scene.session.source.short_name()),
+            results: Box::new(other.results),
+            before: false,
+        });
     } else {
         let (other, own) = (other.positions(), scene.positions());
         let (scene, other, own) = (words::name(name), number(other), number(own));

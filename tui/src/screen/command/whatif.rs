@@ -134,8 +134,12 @@ fn show(state: &mut State, scene: Scene) {
     if !same || state.what_if.shown.is_empty() {
         state.compared.take_if(|compared| compared.before || !same);
     } else if state.compared.is_none() {
-        let compared =
-            |old: Scene| Compared { name: text!("say-before"), results: Box::new(old.results), before: true };
+        let compared = |old: Scene| Compared {
+            name: text!("say-before"),
+            own: Text::default(),
+            results: Box::new(old.results),
+            before: true,
+        };
         state.compared = old.map(compared);
     }
     if let Some(other) = state.what_if.compared.clone() {

@@ -1,5 +1,6 @@
 //! What can be shown and chosen.
 
+use assur_picture::ViewPart;
 use assur_words::{Language, Text, text};
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
@@ -94,51 +95,6 @@ impl View {
             _ => &[],
         }
     }
-}
-
-/// A part of a view that has several; its names are those of `--part`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
-pub(crate) enum ViewPart {
-    /// The numbers of the position, with a chart.
-    Overview,
-    Causes,
-    Curves,
-    /// The path of the tip of a reaction.
-    Hodograph,
-    /// The course of the motion over time, or of the regime over the cycle.
-    Course,
-    Iteration,
-    /// The flywheel in its two places, and other motors.
-    Places,
-    EnergyMass,
-    /// The shares of the reduced inertia.
-    Inertia,
-    /// The link of reduction with its force.
-    Reduction,
-    Forces,
-    Velocities,
-    Accelerations,
-    Construction,
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, VariantArray)]
-pub(crate) enum Arrows {
-    None,
-    #[default]
-    Velocity,
-    Acceleration,
-    Both,
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, VariantArray)]
-pub(crate) enum Traces {
-    #[default]
-    All,
-    Chosen,
-    /// The last part of the path of every point, up to the present position.
-    Trail,
-    None,
 }
 
 /// The element of a list after the given one; the first one after the last.

@@ -23,15 +23,15 @@ use ratatui::layout::Rect;
 pub(crate) use crate::session::Source;
 pub(crate) use assur_figure::cells::Marker;
 pub(crate) use assur_figure::{Bounds, Zoom};
-pub(crate) use assur_picture::{Compared, Found, Plans, Probe, Reaction, Series, coordinate_unit};
+pub(crate) use assur_picture::{
+    Arrows, Compared, Found, Probe, Reaction, Series, Traces, ViewPart, coordinate_unit,
+};
 pub(crate) use job::{
     CalculationRequest, Cancel, Effect, Job, Measured, NoteWriter, Outcome, OutputFile, Purpose, Report,
     Running, Wanted,
 };
 pub(crate) use keymap::{Command, Group, Key, Keymap};
-pub(crate) use kinds::{
-    Arrows, Chosen, Prompt, PromptKind, Traces, View, ViewPart, following, next_kind, round,
-};
+pub(crate) use kinds::{Chosen, Prompt, PromptKind, View, following, next_kind, round};
 pub(crate) use look::{Kind, Look, Panels, Pictures, Role, SETTINGS, Theme};
 pub(crate) use picker::{Choice, Entry, Help, LONGEST, Picker, PickerKind};
 pub(crate) use scene::Scene;
@@ -231,13 +231,33 @@ impl State {
     }
 
     /// What of the results is shown.
-    pub(crate) fn pictured(&self) -> assur_picture::Look {
-        assur_picture::Look { position: self.position, part: self.part_way() }
+    pub(crate) fn pictured(&self) -> assur_picture::Look<'_> {
+        let Chosen { transfer, group, reaction, polygon, step, motion, .. } = self.chosen;
+        assur_picture::Look {
+            position: self.position,
+            part: self.part_way(),
+            transfer,
+            group,
+            mode: self.mode_of(group),
+            reaction,
+            polygon,
+            step,
+            motion,
+            picked: &self.picked,
+            arrows: self.arrows,
+            traces: self.traces,
+            // While the structure is put together.
+            joined: self.joined.filter(|_| self.view == View::Structure),
+            held: self.held,
+            probe: self.probe.as_ref(),
+            compared: self.compared.as_ref(),
+            calculating: self.running.iter().any(|running| running.purpose == Purpose::Difference),
+        }
     }
 
     /// The place in the motion as a number of a position, with a fraction between two of them.
     pub(crate) fn at(&self) -> f64 {
-        self.pictured().at()
+        self.position as f64 + self.part_way()
     }
 
     /// Goes to a position; a message if there is none of that number.

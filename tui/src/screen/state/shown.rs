@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use assur_analysis::results::{Column, Owner, Quantity};
 
-use super::kinds::{Chosen, View, ViewPart};
+use super::kinds::{Chosen, View};
 use super::{Source, State};
-use assur_picture::Series;
+use assur_picture::{Series, ViewPart};
 
 impl State {
     /// Whether a view has something to show.

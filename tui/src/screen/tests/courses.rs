@@ -141,7 +141,7 @@ fn drawn(state: &mut State) -> Vec<(String, Points)> {
         }
     }
     let scene = state.scene.as_ref().unwrap();
-    found.extend(lines(&view::checks::figure(state, scene), "checks"));
+    found.extend(lines(&assur_picture::curves::residuals(scene, &state.pictured()), "checks"));
     for series in (0..scene.column_count()).map(|index| scene.column(index).unwrap()) {
         found.extend(lines(&view::picker::figure(state, scene, series), &series.short));
     }

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use assur_analysis::Options;
+use assur_note::Form;
 use assur_testkit::guard::{self, Hash};
 use assur_words::Language;
 
 use super::View;
-use crate::note::{self, Form};
 use crate::screen::state::{Chosen, Source, State};
 use crate::screen::still::{self, PictureArgs, views};
 use crate::session::Session;
@@ -24,7 +24,9 @@ fn pictures((scene, has_note): &(PathBuf, bool)) -> Vec<(String, String)> {
     let own = session.note.clone();
     let mut state = still::analyzed(&session.into(), Options::default(), true, Language::english()).unwrap();
     // As the command writes it: before the screen shows other parts of the views.
-    let written = has_note.then(|| note::write(&mut state, &own, Form::Markdown, "").ok()).flatten();
+    let written = has_note
+        .then(|| assur_note::write(state.scene.as_ref().unwrap(), &own, Form::Markdown, "").ok())
+        .flatten();
     let mut found: Vec<_> = views().into_iter().flat_map(|view| of_view(&mut state, view)).collect();
     found.extend(written.map(|written| {
         let figures = written.figures.iter().map(|(name, figure)| [name.as_str(), figure]);

@@ -225,7 +225,7 @@ fn a_reaction_with_friction_is_drawn_at_the_distance_and_with_the_parts_that_wer
     let mut drawn = 0;
     for position in 0..scene.positions() {
         for reaction in &found.reactions {
-            let Some(panel) = view::forces::beside_friction(found, position, reaction) else {
+            let Some(panel) = assur_picture::forces::beside_friction(found, position, reaction) else {
                 continue;
             };
             let (pair, link) = reaction.of.as_ref().unwrap();

@@ -1,11 +1,11 @@
 //! The text where a view has nothing to show: why, and what to add to the scene.
 
+use assur_picture::{motion, plans};
 use assur_words::{Text, joined, name, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::footer::calculating;
-use super::plans;
 use crate::screen::draw::{put, short, wrapped};
 use crate::screen::state::{Role, Scene, State, View};
 
@@ -35,11 +35,12 @@ pub(crate) fn text(state: &State, scene: &Scene, view: View) -> Text {
     let is_transient = matches!(motion, Some(assur_mechanism::Motion::Transient { .. }));
     let found = state.found();
     let reason = found.and_then(|found| found.analysis.no_motion.as_ref());
-    let of_plans = || found.and_then(|found| plans::missing(state, found));
+    let of_plans =
+        || found.and_then(|found| plans::missing(found, &state.pictured(), state.part(View::Plans)));
     let has_loads = found.is_some_and(|found| found.plans.calculation().plan.forces);
     let key = || name(state.keys.first("reload"));
     match (view, reason) {
-        (View::Motion | View::Drive, Some(reason)) => not_found(reason, "\n"),
+        (View::Motion | View::Drive, Some(reason)) => motion::not_found(reason, "\n"),
         (View::Forces | View::Plans, None) if is_transient => text!("forces-over-time"),
         (View::Forces | View::Plans, Some(reason)) => {
             joined("\n", [text!("no-forces-found"), reason.clone()])
@@ -54,8 +55,4 @@ pub(crate) fn text(state: &State, scene: &Scene, view: View) -> Text {
         (View::Forces | View::Plans, None) => text!("add-loads", key = key()),
         _ => text!("nothing-here"),
     }
-}
-
-pub(super) fn not_found(reason: &Text, between: &'static str) -> Text {
-    joined(between, [text!("no-motion-found"), reason.clone()])
 }

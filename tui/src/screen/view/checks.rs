@@ -1,9 +1,8 @@
 //! Lists of which one row is chosen: the results that are asked for first; the checks as the report tells them, with the residuals
 //! over the positions.
 
-use assur_analysis::results::Quantity;
 use assur_book::{Cell, Column, Table};
-use assur_figure::{Figure, Ink, Stroke};
+use assur_picture::curves::residuals;
 use assur_report::topic;
 use assur_words::{Text, text};
 use ratatui::buffer::Buffer;
@@ -12,7 +11,6 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::page;
 use crate::screen::draw::{paint, short};
 use crate::screen::state::{Role, Scene, State};
-use assur_picture::plots::over_positions;
 
 /// Rows that the curve of a residual needs.
 const CURVE: u16 = 10;
@@ -31,26 +29,9 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         None => Role::Plain,
     };
     page::draw_chosen(state, &lines, (state.chosen.check, 0), &of_row, table, buffer);
-    let mut figure = figure(state, scene);
+    let mut figure = residuals(scene, &state.pictured());
     figure.panels.truncate(usize::from(below.height / CURVE));
     paint(state, &figure, below, buffer);
-}
-
-/// The residuals over the positions.
-pub(crate) fn figure(state: &State, scene: &Scene) -> Figure {
-    let residuals = scene.found.iter().flat_map(|found| &found.series);
-    let residuals = residuals.filter(|series| matches!(series.column.quantity, Quantity::Residual(_)));
-    let panels = residuals.map(|series| {
-        let heading = [series.of.clone(), series.show(state.position)];
-        over_positions(
-            &scene.linkage,
-            state.pictured(),
-            heading,
-            &[(series, Stroke::Solid, Ink::First)],
-            Vec::new(),
-        )
-    });
-    Figure { panels: panels.collect(), columns: 1, ..Figure::default() }
 }
 
 /// Draws the results that are asked for first, of which one is chosen.

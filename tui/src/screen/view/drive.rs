@@ -2,8 +2,8 @@
 //! and other motors.
 
 use assur_analysis::results::Dynamics;
-use assur_figure::Figure;
-use assur_picture::{places, regime};
+use assur_picture::drive::figure;
+use assur_picture::in_a_line;
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
 use assur_words::{Text, name, text};
@@ -12,7 +12,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use unicode_width::UnicodeWidthStr;
 
 use super::motion::numbers;
-use super::{page, reduction};
+use super::page;
 use crate::screen::draw::{cut, paint, put, short};
 use crate::screen::state::{Found, Role, Scene, State, View, ViewPart};
 
@@ -38,11 +38,11 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let Some(dynamics) = &found.analysis.dynamics else { return };
     let [title, area] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area);
     let facts = topic::regime_facts(&found.analysis);
-    let heading = page::in_a_line(&facts, &["fact-unevenness", "fact-mean-speed", "fact-flywheel"]);
+    let heading = in_a_line(&facts, &["fact-unevenness", "fact-mean-speed", "fact-flywheel"]);
     put(buffer, title, 1, 0, &state.told(heading), state.look.theme.style(Role::Header));
     match state.part(View::Drive) {
         ViewPart::Curves | ViewPart::EnergyMass | ViewPart::Inertia | ViewPart::Reduction => {
-            paint(state, &figure(state, scene, 1), area, buffer);
+            paint(state, &figure(scene, &state.pictured(), state.part(View::Drive), 1), area, buffer);
         }
         ViewPart::Places => {
             let lines = whole(state, scene, area.width);
@@ -52,7 +52,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             page::draw(state, &lines[skip..], &|_| Role::Plain, area, buffer);
             if area.height > rows + PLOTS {
                 let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
-                paint(state, &figure(state, scene, 2), below, buffer);
+                paint(state, &figure(scene, &state.pictured(), state.part(View::Drive), 2), below, buffer);
             }
         }
         _ => overview(state, scene, found, dynamics, area, buffer),
@@ -77,7 +77,7 @@ fn overview(
     let rows = short(lines.len().max(numbers.len())) + 1;
     if area.height > rows + PLOTS {
         let below = Rect { y: area.y + rows, height: area.height - rows, ..area };
-        paint(state, &figure(state, scene, 2), below, buffer);
+        paint(state, &figure(scene, &state.pictured(), state.part(View::Drive), 2), below, buffer);
     }
 }
 
@@ -114,31 +114,4 @@ pub(super) fn whole(state: &State, scene: &Scene, width: u16) -> Vec<Line> {
     let Some(found) = &scene.found else { return Vec::new() };
     let source = Source::of(&found.analysis, &scene.linkage, Some(&[]));
     page::told(state, width.saturating_sub(2), |page| topic::drive(&source, page))
-}
-
-/// Characteristic and moments, the energy-mass diagram, or the shares of the reduced inertia, in so many columns.
-pub(super) fn figure(state: &State, scene: &Scene, columns: usize) -> Figure {
-    let Some(found) = &scene.found else { return Figure::default() };
-    let Some(dynamics) = &found.analysis.dynamics else { return Figure::default() };
-    let panels = match state.part(View::Drive) {
-        ViewPart::EnergyMass => vec![regime::energy_mass(&dynamics.energy_mass)],
-        ViewPart::Reduction => reduction::link(state, scene, found).into_iter().collect(),
-        ViewPart::Inertia => {
-            let (panel, legend) = regime::shares(found, dynamics, state.pictured());
-            return Figure { title: text!("drive-title"), panels: vec![panel], columns, legend };
-        }
-        // The two drives stand beside each other.
-        ViewPart::Places => {
-            let (panels, legend) =
-                (places::panels(&scene.linkage.mechanism, dynamics), places::legend(dynamics));
-            return Figure { title: text!("places-heading"), columns: panels.len().max(1), panels, legend };
-        }
-        _ => {
-            let moments = regime::moments(found, &dynamics.regime, state.pictured());
-            let section =
-                regime::working_section(dynamics).filter(|_| state.part(View::Drive) == ViewPart::Curves);
-            regime::characteristic(dynamics).into_iter().chain(section).chain([moments]).collect()
-        }
-    };
-    Figure { title: text!("drive-title"), panels, columns, legend: Vec::new() }
 }

@@ -1,14 +1,13 @@
 //! Views: pure functions from the state to a frame.
 
 mod advice;
-mod arrows;
 mod ascii;
 mod causes;
-pub(crate) mod checks;
+mod checks;
 pub(crate) mod curves;
 mod drive;
 mod footer;
-pub(crate) mod forces;
+mod forces;
 mod header;
 pub(crate) mod help;
 pub(crate) mod mechanism;
@@ -16,14 +15,14 @@ mod motion;
 mod page;
 mod panel;
 pub(crate) mod picker;
-pub(crate) mod plans;
-mod reduction;
+mod plans;
 pub(crate) mod report;
 mod structure;
 mod table;
 pub(crate) mod values;
 
 use assur_figure::Figure;
+use assur_picture as picture;
 use assur_words::{number, text};
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
@@ -37,7 +36,6 @@ use crate::screen::state::{Role, State, View};
 
 /// Smallest terminal that holds the views.
 const LEAST: (u16, u16) = (80, 24);
-
 /// Least width of a terminal in which several views are shown beside each other.
 const SEVERAL: u16 = 120;
 /// Least width of the view that is chosen.
@@ -127,14 +125,15 @@ pub(crate) fn room(state: &State) -> Rect {
 /// The figure of a view; `None` where it has none.
 pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
     let scene = state.scene.as_ref().filter(|_| state.has(view))?;
+    let (look, part) = (&state.pictured(), state.part(view));
     let figure = match view {
-        View::Mechanism => mechanism::figure(state, scene, &[]),
-        View::Curves => curves::figure(state, scene),
-        View::Forces => forces::figure(state, scene),
-        View::Plans => plans::figure(state, scene),
-        View::Motion => motion::figure(state, scene, usize::MAX),
-        View::Drive => drive::figure(state, scene, 1),
-        View::Structure => structure::figure(state, scene),
+        View::Mechanism => picture::mechanism::figure(scene, look, &[]),
+        View::Curves => picture::curves::figure(scene, look),
+        View::Forces => picture::forces::figure(scene, look, part),
+        View::Plans => picture::plans::figure(scene, look, part),
+        View::Motion => picture::motion::figure(scene, look, part, usize::MAX),
+        View::Drive => picture::drive::figure(scene, look, part, 1),
+        View::Structure => picture::mechanism::structure(scene, look),
         View::Accuracy => assur_study::chart::figure(state.measured.as_ref()?.chart.as_ref().ok()?),
         View::Checks | View::Table | View::Working | View::Values | View::Probe | View::Results => {
             return None;

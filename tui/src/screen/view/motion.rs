@@ -3,15 +3,14 @@
 use assur_analysis::results::Analysis;
 use assur_figure::Figure;
 use assur_mechanism::Notice;
-use assur_picture::motion::over_time;
-use assur_picture::regime;
+use assur_picture::motion::{figure, heading};
 use assur_report::text::Line;
 use assur_report::topic::{self, Source};
-use assur_words::{Text, text};
+use assur_words::Text;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{advice, curves, page, reduction};
+use super::page;
 use crate::screen::draw::{paint, put, short};
 use crate::screen::state::{Found, Role, Scene, State, View, ViewPart};
 
@@ -24,7 +23,7 @@ const ITERATION: u16 = 8;
 
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
-    let (role, text) = heading(scene, found);
+    let (role, text) = (role(found), heading(found));
     let [title, area] =
         Layout::vertical([Constraint::Length(u16::from(!text.is_empty())), Constraint::Min(0)]).areas(area);
     put(buffer, title, 1, 0, &state.told(text), state.look.theme.style(role));
@@ -37,7 +36,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
     let [charts, numbers] = Layout::horizontal([Constraint::Min(0), Constraint::Length(width)]).areas(area);
     page::draw(state, &lines, &|_| Role::Plain, numbers, buffer);
     let most = usize::from(charts.height.saturating_sub(2) / LEAST_ROWS);
-    paint(state, &figure(state, scene, most), charts, buffer);
+    paint(state, &figure(scene, &state.pictured(), state.part(View::Motion), most), charts, buffer);
 }
 
 /// How the regime was found, as the report tells it, and below it the same as curves where there is room.
@@ -48,7 +47,12 @@ fn iteration(state: &State, scene: &Scene, found: &Found, area: Rect, buffer: &m
     let [table, below] = Layout::vertical([rows, Constraint::Min(0)]).areas(area);
     page::draw(state, &lines[skip..], &|_| Role::Plain, table, buffer);
     if below.height >= ITERATION {
-        paint(state, &Figure { columns: 2, ..figure(state, scene, usize::MAX) }, below, buffer);
+        paint(
+            state,
+            &Figure { columns: 2, ..figure(scene, &state.pictured(), ViewPart::Iteration, usize::MAX) },
+            below,
+            buffer,
+        );
     }
 }
 
@@ -60,41 +64,6 @@ pub(super) fn told(state: &State, scene: &Scene, found: &Found, width: u16) -> V
         topic::iteration(&source, page);
         found.analysis.notes.iter().filter(of_motor).for_each(|note| page.paragraph(Text::from(note)));
     })
-}
-
-/// Speed, acceleration, J, J', Q over the positions (at most `most`), or the motion over time.
-pub(super) fn figure(state: &State, scene: &Scene, most: usize) -> Figure {
-    let Some(found) = &scene.found else { return Figure::default() };
-    let regime = found.analysis.dynamics.as_ref().map(|dynamics| &dynamics.regime);
-    let panels = match (regime, state.part(View::Motion)) {
-        (_, ViewPart::Reduction) => reduction::panels(state, scene, found),
-        (Some(regime), ViewPart::Iteration) => regime::iteration(regime),
-        (Some(regime), ViewPart::Course) => regime::course(found, regime, state.pictured()),
-        (_, part) if part != ViewPart::Overview || found.motion.is_empty() => {
-            over_time(found, state.pictured())
-        }
-        _ => {
-            let shown = most.clamp(1, found.motion.len());
-            let from_chosen = found.motion.iter().cycle().skip(state.chosen.motion % found.motion.len());
-            let wanted: Vec<usize> = from_chosen.take(shown).copied().collect();
-            curves::stack(state, scene, found, None, &wanted)
-        }
-    };
-    let columns = if state.part(View::Motion) == ViewPart::Reduction { 2 } else { 1 };
-    Figure { title: heading(scene, found).1, panels, columns, legend: Vec::new() }
-}
-
-/// The most important line: the unevenness of a regime, or why there is no speed.
-fn heading(scene: &Scene, found: &Found) -> (Role, Text) {
-    if found.analysis.dynamics.is_some() {
-        let facts = topic::regime_facts(&found.analysis);
-        return (Role::Header, page::in_a_line(&facts, &["fact-unevenness", "fact-mean-speed"]));
-    }
-    match (&found.analysis.no_motion, &scene.linkage.mechanism.motion) {
-        (Some(reason), _) => (Role::Bad, advice::not_found(reason, " ")),
-        (None, None) => (Role::Dim, text!("motion-none")),
-        (None, Some(_)) => (Role::Plain, Text::default()),
-    }
 }
 
 /// The numbers of the regime that have room beside its curves.
@@ -112,4 +81,14 @@ pub(super) fn numbers(state: &State, analysis: &Analysis, width: u16) -> Vec<Lin
         "fact-power-taken",
     ];
     page::some_facts(state, width, topic::regime_facts(analysis), &shown)
+}
+
+/// The role of the heading.
+fn role(found: &Found) -> Role {
+    match (&found.analysis.dynamics, &found.analysis.no_motion, &found.linkage.mechanism.motion) {
+        (Some(_), ..) => Role::Header,
+        (_, Some(_), _) => Role::Bad,
+        (_, _, None) => Role::Dim,
+        _ => Role::Plain,
+    }
 }

@@ -2,7 +2,7 @@
 
 use assur_book::{Block, Document, Fact};
 use assur_report::text::{Line, LineKind, Style, lines};
-use assur_words::{Text, joined};
+use assur_words::Text;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -23,12 +23,6 @@ pub(super) fn told(state: &State, width: u16, topic: impl FnOnce(&mut Document))
 pub(super) fn some_facts(state: &State, width: u16, facts: Vec<Fact>, ids: &[&str]) -> Vec<Line> {
     let shown = facts.into_iter().filter(|fact| ids.contains(&fact.id)).collect();
     told(state, width, |page| page.facts(Text::default(), shown))
-}
-
-/// The facts of these identities in one line: `unevenness 0.05, mean speed 6.28319 rad/s`.
-pub(super) fn in_a_line(facts: &[Fact], ids: &[&str]) -> Text {
-    let shown = ids.iter().filter_map(|id| facts.iter().find(|fact| fact.id == *id));
-    joined(", ", shown.map(|fact| joined(" ", [fact.what().short(), fact.with_unit()])))
 }
 
 /// Draws lines from the first one that is shown; `of_row`: the role of the row of a table.

@@ -6,11 +6,11 @@ use assur_figure::cells::cell_width;
 use assur_figure::{Figure, Ink};
 use assur_geometry::Curvature;
 use assur_mechanism::{Motion, Place};
+use assur_picture::arrows;
 use assur_words::{self as words, Text, joined, quantity, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::arrows;
 use crate::number::digits;
 use crate::screen::draw::{cells, put_lines, wrapped};
 use crate::screen::state::{Bounds, Probe, Role, Scene, State};
@@ -52,7 +52,7 @@ fn legend(state: &State, scene: &Scene, figure: &Figure, drawing: Rect) -> Vec<(
         return Vec::new();
     };
     let mut lines = Vec::new();
-    for (what, size, length, ink) in arrows::scales(state, scene) {
+    for (what, size, length, ink) in arrows::scales(scene, &state.pictured()) {
         let (role, dash) = (Role::Drawn(ink), if ink == Ink::Velocity { '-' } else { '.' });
         let shaft = (0..).take_while(|dash| f64::from(*dash) < (length / width).clamp(1.0, SHAFT));
         let shaft: String = shaft.map(|_| dash).collect();

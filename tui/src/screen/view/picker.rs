@@ -1,13 +1,12 @@
 //! A list to choose from, over the body, with a picture of what is chosen beside it.
 
 use assur_figure::{Figure, Ink, Stroke};
-use assur_picture::plots;
+use assur_picture::{mechanism, plots};
 use assur_words::{Text, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::widgets::{Clear, Widget};
 
-use super::mechanism;
 use crate::screen::draw::{cut, paint, put, put_lines, short};
 use crate::screen::state::{Choice, Picker, PickerKind, Role, Scene, Series, State};
 
@@ -76,5 +75,5 @@ fn curve(state: &State, choice: &Choice, area: Rect, buffer: &mut Buffer) {
 pub(crate) fn figure(state: &State, scene: &Scene, series: &Series) -> Figure {
     let (curves, heading) =
         ([(series, Stroke::Solid, Ink::First)], [Text::default(), series.show(state.position)]);
-    Figure::of(plots::over_positions(&scene.linkage, state.pictured(), heading, &curves, Vec::new()))
+    Figure::of(plots::over_positions(&scene.linkage, &state.pictured(), heading, &curves, Vec::new()))
 }

@@ -1,40 +1,27 @@
-//! Plans of the position: force polygon of a group, velocities, accelerations, the constructions step by step.
+//! Plans of the position beside their vectors, and the constructions step by step.
 
 use assur_book::{Block, Column, Table, row};
-use assur_diagram::{PlanVector, VectorPlan, construction_picture};
-use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Sample, Stroke};
-use assur_force::{Construction, Drawing, VectorKind};
+use assur_diagram::{PlanVector, VectorPlan};
+use assur_force::Construction;
+use assur_picture::plans::{self, Shown, labelled, shown};
 use assur_words::{Describe, Text, joined, name, number, quantity, text, unit};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{advice, mechanism, page};
+use super::{advice, page};
 use crate::number::digits;
 use crate::screen::draw::{paint, put_lines, wrapped};
-use crate::screen::state::{Found, Plans, Role, Scene, State, View, ViewPart};
-use assur_picture::plots::{self, Drawn, Vector};
+use crate::screen::state::{Role, Scene, State, View, ViewPart};
 
 /// Columns of the list beside the drawing.
 const LIST: u16 = 42;
-/// A vector smaller than this part of the greatest counts as zero.
-const LEAST: f64 = 1e-12;
-
-/// How far beyond the mechanism a construction is drawn, as part of its size.
-const FAR: f64 = 1.5;
-
-/// A vector shorter than this part of a construction is not named in it.
-const SHORT: f64 = 0.02;
-/// Space around a construction, as part of its size.
-const AROUND: f64 = 0.06;
-
-/// Name of the pole of a plan of velocities or accelerations.
-const POLE: &str = "p";
 
 pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer) {
     let Some(found) = &scene.found else { return };
     let [list, drawing] = Layout::horizontal([Constraint::Length(LIST), Constraint::Min(0)]).areas(area);
     let plans = found.plans.at(state.position);
-    match shown(state, found, &plans) {
+    let look = state.pictured();
+    match shown(found, &look, state.part(View::Plans), &plans) {
         Shown::Plan(plan) => list_of_plan(state, plan, list, buffer),
         Shown::Construction(construction, last) => list_of_steps(state, construction, last, list, buffer),
         Shown::Nothing(_) => {
@@ -44,119 +31,16 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             return lines_of(state, &rows, list, buffer);
         }
     }
-    let mut figure = figure(state, scene);
+    let mut figure = plans::figure(scene, &look, state.part(View::Plans));
     // Beside each other where that gives larger drawings than one below the other.
     let wide = f64::from(drawing.width) > state.look.ratio * f64::from(drawing.height);
     figure.columns = if wide { figure.panels.len() } else { 1 };
     paint(state, &figure, drawing, buffer);
 }
 
-/// What the view shows.
-enum Shown<'a> {
-    Plan(&'a VectorPlan),
-    /// A construction up to a step.
-    Construction(&'a Construction, usize),
-    /// Why there is nothing; `None`: the advice on the scene.
-    Nothing(Option<Text>),
-}
-
-fn shown<'a>(state: &State, found: &Found, plans: &'a Plans) -> Shown<'a> {
-    let nothing = |text: Text| Shown::Nothing(Some(text));
-    let sheet = match (&plans.sheet, state.part(View::Plans)) {
-        (_, ViewPart::Construction) => {
-            return match chosen_step(plans, state.chosen.step) {
-                Some((construction, last)) => Shown::Construction(construction, last),
-                None => nothing(text!("plans-no-construction")),
-            };
-        }
-        (Err(error), _) => return nothing(error.describe()),
-        (Ok(sheet), _) => sheet,
-    };
-    let plan = match state.part(View::Plans) {
-        ViewPart::Velocities => Some(&sheet.velocities),
-        ViewPart::Accelerations => Some(&sheet.accelerations),
-        _ if !has_forces(state, found) => None,
-        _ => sheet.polygons.get(state.chosen.polygon.min(sheet.polygons.len().saturating_sub(1))),
-    };
-    match plan {
-        Some(plan) => Shown::Plan(plan),
-        None if found.reactions.is_empty() => Shown::Nothing(None),
-        None => nothing(text!("forces-not-determined")),
-    }
-}
-
-/// Why the position has no such plan or construction; `None` where there is one, or where no position has forces.
-pub(super) fn missing(state: &State, found: &Found) -> Option<Text> {
-    match shown(state, found, &found.plans.at(state.position)) {
-        Shown::Nothing(why) => why,
-        Shown::Plan(_) | Shown::Construction(..) => None,
-    }
-}
-
-/// The chosen plan, beside it the same one of the position that is held; or the construction up to the chosen step.
-pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
-    let Some(found) = &scene.found else { return Figure::default() };
-    let plans = found.plans.at(state.position);
-    match shown(state, found, &plans) {
-        Shown::Plan(plan) => {
-            let mut panels = vec![panel_of_plan(state.part(View::Plans), plan)];
-            let held = state.held.map(|position| (position, found.plans.at(position)));
-            if let Some((position, plans)) = &held
-                && let Shown::Plan(plan) = shown(state, found, plans)
-            {
-                panels.insert(0, panel_of_plan(state.part(View::Plans), plan));
-                plots::one_scale(&mut panels);
-                (panels[0].title, panels[1].title) = (scene.place(*position), scene.place(state.position));
-            }
-            let legend = keys(state.part(View::Plans), plan);
-            Figure { title: plan.title.clone(), columns: panels.len(), panels, legend }
-        }
-        Shown::Construction(construction, last) => {
-            let (method, step) = (construction.title.clone(), number(last + 1));
-            let title = text!("plans-step", construction = method, step = step);
-            let panel = panel_of_steps(state, scene, construction, last);
-            Figure { title, columns: 1, panels: panel.into_iter().collect(), legend: Vec::new() }
-        }
-        Shown::Nothing(_) => Figure::default(),
-    }
-}
-
-/// What the labels of a plan stand for, with the sizes; of a plan with very many the first ones.
-fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
-    /// Entries of a legend that leave room for the plan.
-    const MOST: usize = 16;
-    let inner = |item: &PlanVector| item.kind == VectorKind::Inner;
-    let named =
-        labelled(part, plan).into_iter().filter(|(_, item)| inner(item) || ink_of(part, item) != Ink::Trace);
-    let key = |(label, item): (String, &PlanVector)| {
-        let size = quantity(digits(item.size, 5), item.unit.clone());
-        // An absolute vector is called by its point already.
-        let what = match item.kind {
-            VectorKind::Absolute => name(label),
-            VectorKind::Inner => item.name.clone(),
-            _ => joined(" ", [name(label), item.name.clone()]),
-        };
-        let stroke = if inner(item) { Stroke::Dotted } else { Stroke::Solid };
-        Key { sample: Sample::Line(stroke, ink_of(part, item)), text: joined("  ", [what, size]) }
-    };
-    named.take(MOST).map(key).collect()
-}
-
-/// Whether forces are determined in this position.
-pub(crate) fn has_forces(state: &State, found: &Found) -> bool {
-    found.balancing().is_some_and(|series| series.at(state.position).is_finite())
-}
-
 fn lines_of(state: &State, lines: &[(Role, String)], area: Rect, buffer: &mut Buffer) {
     let cut = Rect { width: area.width.saturating_sub(1), ..area };
     put_lines(buffer, cut, 1, state, lines);
-}
-
-/// The vectors of a plan that are not only rounding, each with its label.
-pub(crate) fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)> {
-    let least = LEAST * plan.greatest();
-    let drawn = plan.items.iter().filter(|item| item.size > least).enumerate();
-    drawn.map(|(number, item)| (label(part, item, number), item)).collect()
 }
 
 /// The vectors of a plan, and its closure error.
@@ -184,58 +68,6 @@ fn list_of_plan(state: &State, plan: &VectorPlan, list: Rect, buffer: &mut Buffe
     lines_of(state, &[open], below, buffer);
 }
 
-/// A plan as a panel.
-pub(super) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
-    let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
-        let ink = ink_of(part, item);
-        let name = if ink == Ink::Trace { Text::default() } else { name(label) };
-        Vector::arrow(item.start, item.end, name, ink)
-    });
-    let (unit, symbol, pole) = match part {
-        ViewPart::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
-        ViewPart::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
-        _ => (plan.unit.as_str(), "F", None),
-    };
-    plots::vectors(Text::default(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
-}
-
-/// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
-fn label(part: ViewPart, item: &PlanVector, number: usize) -> String {
-    match (part, item.kind) {
-        (ViewPart::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
-        (ViewPart::Forces, VectorKind::Inner) => "..".to_owned(),
-        (ViewPart::Forces, _) => format!("F{}", number + 1),
-        (_, VectorKind::Absolute) => item.image.clone(),
-        _ => "..".to_owned(),
-    }
-}
-
-fn ink_of(part: ViewPart, item: &PlanVector) -> Ink {
-    let absolute = part == ViewPart::Accelerations && item.kind == VectorKind::Absolute;
-    if absolute { Ink::Acceleration } else { ink(item.kind) }
-}
-
-fn ink(kind: VectorKind) -> Ink {
-    match kind {
-        VectorKind::Load | VectorKind::Weight | VectorKind::Inertia | VectorKind::Part => Ink::Second,
-        VectorKind::Reaction | VectorKind::Balancing | VectorKind::Closing => Ink::First,
-        VectorKind::Absolute => Ink::Velocity,
-        _ => Ink::Trace,
-    }
-}
-
-/// The construction and its step that belong to the number of a step over all constructions.
-fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
-    let mut left = step.min(plans.step_count().saturating_sub(1));
-    for (_, construction) in &plans.constructions {
-        if left < construction.steps.len() {
-            return Some((construction, left));
-        }
-        left -= construction.steps.len();
-    }
-    None
-}
-
 /// The chosen step of a construction, with the sentence that explains it.
 fn list_of_steps(state: &State, construction: &Construction, last: usize, list: Rect, buffer: &mut Buffer) {
     let width = usize::from(list.width.max(12)) - 2;
@@ -253,62 +85,4 @@ fn list_of_steps(state: &State, construction: &Construction, last: usize, list: 
     rows.push((Role::Key, state.told(joined(" ", [step.name.clone(), kind, size]))));
     rows.extend(wrapped(&state.told(step.note.clone()), width).into_iter().map(|line| (Role::Plain, line)));
     lines_of(state, &rows, list, buffer);
-}
-
-/// The drawing of the last step with the steps up to it, on the place that all its steps take: the mechanism under the steps in it
-/// and the polygon laid off from its corner, or the lever.
-fn panel_of_steps(state: &State, scene: &Scene, construction: &Construction, last: usize) -> Option<Panel> {
-    let step = construction.steps.get(last)?;
-    let on_lever = step.drawing == Drawing::Lever;
-    let all = construction_picture(construction, on_lever);
-    let mut place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends));
-    let mut beneath = Vec::new();
-    if !on_lever {
-        // What lies far off, as a pole near infinity, would leave no room for the rest; of the mechanism the part is seen in which
-        // the construction lies.
-        let room = scene.outline.bounds.widened(FAR);
-        place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends).filter(|at| room.holds(*at)))
-            .widened(AROUND);
-        let pose = scene.pose(state.position, 0.0);
-        let items = pose.map_or_else(Vec::new, |pose| mechanism::drawing(scene, &[]).items(&pose));
-        // The radii of an arc lead out of the picture.
-        let is_radius = |item: &Item| matches!(item, Item::Line { ink: Ink::Trace, .. });
-        let items = items.into_iter().filter(|item| !is_radius(item));
-        beneath = items.flat_map(|item| item.within(&place)).collect();
-    }
-    let made = all.into_iter().take_while(|(number, _)| *number <= last);
-    let vectors: Vec<Vector> = made
-        .filter_map(|(number, ends)| {
-            let step = &construction.steps[number];
-            let (ink, kind) = match step.kind {
-                VectorKind::Point => (Ink::Trace, Drawn::Point),
-                VectorKind::Line => (Ink::Trace, Drawn::Line),
-                kind => (ink(kind), Drawn::Arrow),
-            };
-            // A line is named while it is the last step; its ends have names. So is a vector too short to be seen.
-            let short = || length(ends) < SHORT * place.size().into_iter().fold(0.0, f64::max);
-            let hidden = number < last && (kind == Drawn::Line || kind == Drawn::Arrow && short());
-            let name = if hidden { Text::default() } else { step.name.clone() };
-            let [from, to] = if on_lever { ends } else { place.cut(ends)? };
-            Some(Vector { from, to, name, ink, kind })
-        })
-        .collect();
-    let (unit, symbol) = if on_lever { (lever_unit(construction), "v") } else { ("m", "l") };
-    let mut panel = plots::vectors(Text::default(), &vectors, (unit, symbol), on_lever.then_some(POLE));
-    panel.items.splice(0..0, beneath);
-    if let Frame::Plane { bounds, .. } = &mut panel.frame {
-        *bounds = place;
-    }
-    Some(panel)
-}
-
-/// Distance of two points.
-fn length([from, to]: [[f64; 2]; 2]) -> f64 {
-    (to[0] - from[0]).hypot(to[1] - from[1])
-}
-
-/// The unit of the images on a lever.
-fn lever_unit(construction: &Construction) -> &'static str {
-    let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
-    image.map_or("m", |step| step.unit)
 }

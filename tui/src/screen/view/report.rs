@@ -1,5 +1,6 @@
 //! Long texts that are scrolled: the report on the methods, the working of the position, and the pages of motion and drive.
 
+use assur_note::working;
 use assur_report::text::Style;
 use assur_words::{Describe, name, text};
 use ratatui::buffer::Buffer;
@@ -8,7 +9,6 @@ use ratatui::layout::Rect;
 use super::{drive, motion};
 use crate::screen::draw::{folded, put, short};
 use crate::screen::state::{Role, State, View};
-use crate::working;
 
 pub(super) fn draw(state: &State, view: View, area: Rect, buffer: &mut Buffer) {
     let theme = state.look.theme;

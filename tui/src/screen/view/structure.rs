@@ -1,14 +1,12 @@
 //! Formula, groups as a tree, and the chosen group marked in the drawing.
 
 use assur_analysis::results::passive;
-use assur_figure::Figure;
-use assur_kinematics::Position;
+use assur_picture::mechanism::structure;
 use assur_report::topic;
 use assur_words::{self as words, Text, list, name, number, text};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::mechanism;
 use crate::number::{digits, plain};
 use crate::screen::draw::{cut, paint_zoomed, put, short, wrapped};
 use crate::screen::state::{Role, Scene, State};
@@ -30,16 +28,16 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         Layout::horizontal([Constraint::Percentage(58), Constraint::Min(0)]).areas(rest)
     };
     let theme = state.look.theme;
-    let structure = &scene.linkage.structure;
+    let groups = &scene.linkage.structure;
     let head = |text: &str| cut(text, usize::from(top.width.saturating_sub(2)));
-    put(buffer, top, 1, 0, &head(&state.told(&structure.formula)), theme.style(Role::Header));
-    let w = &structure.mobility;
+    put(buffer, top, 1, 0, &head(&state.told(&groups.formula)), theme.style(Role::Header));
+    let w = &groups.mobility;
     let mobility = text!(
         "structure-mobility",
         links = number(w.moving_links),
         pairs = number(w.pairs),
         mobility = number(w.value),
-        class = name(assur_structure::roman(structure.class())),
+        class = name(assur_structure::roman(groups.class())),
     );
     put(buffer, top, 1, 1, &state.told(mobility), theme.style(Role::Plain));
     if let Some((group, health, at)) = scene.nearest_group() {
@@ -47,7 +45,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
             "structure-nearest",
             determinant = number(digits(health, LEAST)),
             position = number(at),
-            group = structure.group_name(&scene.linkage.mechanism, group),
+            group = groups.group_name(&scene.linkage.mechanism, group),
         );
         put(buffer, top, 1, 2, &head(&state.told(nearest)), theme.style(Role::Plain));
     }
@@ -60,29 +58,7 @@ pub(super) fn draw(state: &State, scene: &Scene, area: Rect, buffer: &mut Buffer
         let wide = Rect { width: tree.width.saturating_sub(1), ..tree };
         put(buffer, wide, 1, short(row), text, style);
     }
-    paint_zoomed(state, &figure(state, scene), state.zoom, drawing, buffer);
-}
-
-/// The mechanism with the chosen group marked.
-pub(super) fn figure(state: &State, scene: &Scene) -> Figure {
-    let group = scene.linkage.structure.groups.get(state.chosen.group);
-    let marked = group.map_or(&[][..], |group| &group.frame.links);
-    let another = state.mode_of(state.chosen.group).and_then(|mode| in_mode(scene, state.chosen.group, mode));
-    match another {
-        Some((pose, hidden)) => mechanism::another(state, scene, (marked, &hidden), &pose),
-        None => mechanism::figure(state, scene, marked),
-    }
-}
-
-/// The first position with a group in another mode, and the links that follow from it.
-fn in_mode(scene: &Scene, group: usize, mode: usize) -> Option<(Position, Vec<usize>)> {
-    let (linkage, modes) = (&scene.linkage, scene.modes(group, 0)?);
-    let mut pose = scene.pose(0, 0.0)?;
-    let links = &linkage.structure.groups[group].frame.links;
-    links.iter().zip(&modes.all.get(mode)?.bodies).for_each(|(&link, body)| pose.bodies[link] = *body);
-    let later = group + 1..linkage.structure.groups.len();
-    let later = later.filter(|later| linkage.ancestors(*later).contains(&group));
-    Some((pose, later.flat_map(|later| linkage.structure.groups[later].frame.links.clone()).collect()))
+    paint_zoomed(state, &structure(scene, &state.pictured()), state.zoom, drawing, buffer);
 }
 
 /// The tree; the heading of the chosen group is flagged, and only that group is expanded.

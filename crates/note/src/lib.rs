@@ -1,6 +1,6 @@
 //! The explanatory note: what was calculated, with its figures and tables, as HTML, Markdown or Typst.
 //!
-//! [`write`] makes a [`Document`] from the topics of the report and the figures of the views (`parts`), and writes it in a
+//! [`write`] makes a [`Document`] from the topics of the report and pictures of the results (`parts`), and writes it in a
 //! form (`html`, `markdown`, `typst`).
 
 mod context;
@@ -10,14 +10,14 @@ mod html;
 mod markdown;
 mod parts;
 mod sheet;
-#[cfg(test)]
-mod tests;
 mod typst;
+pub mod working;
 
+use assur_book::Document;
+use assur_picture::Results;
 use assur_scene::Note;
 use assur_words::{Describe, Language, Text, errors, name, text};
 
-use crate::screen::state::State;
 use context::Context;
 use sheet::NoteSheet;
 
@@ -27,7 +27,7 @@ const MOST_PARTS: usize = 100_000;
 
 /// The form of a note.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub enum Form {
     /// One file with its figures, for reading and printing.
     Html,
     /// A text for editing, its figures in files beside it.
@@ -38,7 +38,7 @@ pub(crate) enum Form {
 
 impl Form {
     /// The form that the ending of a file name chooses.
-    pub(crate) fn of(ending: &str) -> Option<Self> {
+    pub fn of(ending: &str) -> Option<Self> {
         let forms = [("html", Self::Html), ("md", Self::Markdown), ("typ", Self::Typst)];
         forms.into_iter().find(|(name, _)| ending.eq_ignore_ascii_case(name)).map(|(_, form)| form)
     }
@@ -46,18 +46,25 @@ impl Form {
 
 /// A note in one form.
 #[derive(Debug)]
-pub(crate) struct Written {
-    pub(crate) text: String,
+pub struct Written {
+    /// The text.
+    pub text: String,
     /// Names and contents of the files of its figures, where they are not in the text.
-    pub(crate) figures: Vec<(String, String)>,
+    pub figures: Vec<(String, String)>,
 }
 
 /// Why there is no note.
-pub(crate) enum NoteError {
+#[derive(Clone, PartialEq)]
+pub enum NoteError {
     /// The scene has no results.
     NoResults,
     /// More positions than a note can show.
-    TooMany { count: usize, parts: usize },
+    TooMany {
+        /// Positions.
+        count: usize,
+        /// Parts of the mechanism.
+        parts: usize,
+    },
     /// A position that can't be worked out.
     Working(Text),
 }
@@ -78,26 +85,39 @@ impl Describe for NoteError {
 
 errors!(NoteError);
 
+/// What the note tells, with the positions of these numbers drawn and worked out, at least one.
+///
+/// # Errors
+///
+/// [`NoteError`]: without an analysis, or where the first of these positions can't be worked out.
+pub fn document(results: &Results, positions: &[usize]) -> Result<Document, NoteError> {
+    let found = results.found.as_ref().ok_or(NoteError::NoResults)?;
+    parts::document(&Context { results, found, positions })
+}
+
 /// The note of a scene whose analysis is done, in a form; `folder` is where the files of figures are, seen from the note.
-pub(crate) fn write(state: &mut State, note: &Note, form: Form, folder: &str) -> Result<Written, NoteError> {
+///
+/// # Errors
+///
+/// [`NoteError`]
+pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result<Written, NoteError> {
     let language = Language::find(note.language).unwrap_or(Language::english());
-    let scene = state.scene.as_ref().ok_or(NoteError::NoResults)?;
-    let (count, parts) = (scene.positions(), scene.linkage.mechanism.parts());
+    let mechanism = &results.linkage.mechanism;
+    let (count, parts) = (results.positions(), mechanism.parts());
     if count * parts > MOST_PARTS {
         return Err(NoteError::TooMany { count, parts });
     }
-    let title = scene.linkage.mechanism.title.clone();
-    let exists = |position: &usize| *position < count && !scene.broken.contains_key(position);
+    let exists = |position: &usize| *position < count && !results.broken.contains_key(position);
     // Two positions in different parts of the cycle, unless the scene chooses.
     let chosen =
         if note.positions.is_empty() { vec![count / 8, 5 * count / 8] } else { note.positions.clone() };
     let mut positions: Vec<usize> = chosen.into_iter().filter(exists).collect();
     if positions.is_empty() {
-        positions.push(scene.first_position());
+        positions.push(results.first_position());
     }
     positions.dedup();
-    let document = parts::document(&mut Context { state, positions: &positions })?;
-    let sheet = NoteSheet { title: &title, author: sheet::author(note), document, language };
+    let document = document(results, &positions)?;
+    let sheet = NoteSheet { title: &mechanism.title, author: sheet::author(note), document, language };
     Ok(match form {
         Form::Html => Written { text: html::write(&sheet), figures: Vec::new() },
         Form::Markdown => markdown::write(&sheet, folder),

@@ -2,8 +2,6 @@
 
 use assur_book::Block;
 
-use super::super::context::Context;
-use super::super::parts;
 use super::state;
 use crate::screen::tests::courses::{assert_found, lines};
 
@@ -11,8 +9,8 @@ use crate::screen::tests::courses::{assert_found, lines};
 fn every_curve_of_a_note_is_a_column_of_the_json() {
     let mut compared = 0;
     for (name, _) in assur_fixtures::SCENES {
-        let mut state = state(name);
-        let document = parts::document(&mut Context { state: &mut state, positions: &[0] }).unwrap();
+        let state = state(name);
+        let document = assur_note::document(state.scene.as_ref().unwrap(), &[0]).unwrap();
         for block in &document.blocks {
             let Block::Figure { frames, caption, .. } = block else { continue };
             let drawn = lines(&frames[0], &caption.to_string());

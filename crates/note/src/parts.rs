@@ -5,13 +5,12 @@ use assur_book::{Block, Document};
 use assur_figure::mechanism::Drawing;
 use assur_figure::{Figure, Item, Panel};
 use assur_mechanism::LinkId;
+use assur_picture::{Look, ViewPart, curves, drive, mechanism, motion, plans};
 use assur_report::topic;
 use assur_words::{Text, list, name, number, text};
 
-use super::context::Context;
-use super::{NoteError, forces, formula};
-use crate::screen::state::{View, ViewPart};
-use crate::screen::view::mechanism;
+use crate::context::{Context, look, on_paper};
+use crate::{NoteError, forces, formula};
 
 /// Pages of a mechanism, of several ones beside each other, and of plans, mm.
 const MECHANISM: [f64; 2] = [160.0, 110.0];
@@ -32,70 +31,54 @@ const COLUMNS: usize = 2;
 const MOST: usize = 6;
 
 /// The whole note.
-pub(super) fn document(context: &mut Context<'_>) -> Result<Document, NoteError> {
+pub(super) fn document(context: &Context<'_>) -> Result<Document, NoteError> {
     let mut page = Document::default();
-    let facts = topic::summary(&context.found()?.analysis, &context.scene()?.linkage);
+    let facts = topic::summary(&context.found.analysis, &context.results.linkage);
     page.heading(text!("report-results"));
     page.facts(text!("note-main-results"), facts);
     page.paragraph(text!("report-between"));
-    for part in [
-        task,
-        structure,
-        kinematics,
-        forces::forces,
-        dynamics,
-        formula::energy,
-        formula::working,
-        checks,
-        limits,
-    ] {
-        part(context, &mut page)?;
+    for part in [task, structure, kinematics, forces::forces, dynamics, formula::energy] {
+        part(context, &mut page);
     }
+    formula::working(context, &mut page)?;
+    checks(context, &mut page);
+    limits(context, &mut page);
     Ok(page)
 }
 
 /// The mechanism as it is given, drawn, moving.
-fn task(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+fn task(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-task"));
-    page.paragraph(topic::task_text(&context.source()?));
-    context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given])?;
-    let scene = context.scene()?;
-    let at = context.place(scene.first_position());
-    let exist: Vec<usize> = scene.assembled().collect();
-    let frames: Option<Vec<_>> = exist
-        .into_iter()
-        .map(|position| context.figure(View::Mechanism, position, |_| {}).map(|(figure, _)| figure))
-        .collect();
-    page.blocks.extend(frames.filter(|frames| !frames.is_empty()).map(|frames| Block::Figure {
-        frames,
-        size: MECHANISM,
-        caption: text!("note-mechanism-moving", at),
-    }));
-    Ok(())
+    page.paragraph(topic::task_text(&context.source()));
+    context.tell(page, &[topic::dimensions, topic::loads_given, topic::motion_given]);
+    let results = context.results;
+    let frame = |position| on_paper(mechanism::figure(results, &look(position), &[]));
+    let frames: Vec<_> = results.assembled().filter_map(frame).collect();
+    let caption = text!("note-mechanism-moving", at = context.place(results.first_position()));
+    page.blocks.extend((!frames.is_empty()).then_some(Block::Figure { frames, size: MECHANISM, caption }));
 }
 
 /// Mobility, pairs, groups, and the mechanism assembled group by group.
-fn structure(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+fn structure(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("report-structure"));
-    context.tell(page, &[topic::mobility, topic::pairs, topic::groups])?;
-    let figure = assembly(context)?;
+    context.tell(page, &[topic::mobility, topic::pairs, topic::groups]);
+    let figure = assembly(context);
     let size = [PANELS[0], PANELS[1] * figure.as_ref().map_or(1, Figure::rows) as f64];
     let caption = text!("note-assembly", place = context.place(context.positions[0]));
     page.figure(figure, size, caption);
-    Ok(())
 }
 
 /// The input link alone, then with the first group, with the second one, and so on; the new links are marked.
-fn assembly(context: &Context<'_>) -> Result<Option<Figure>, NoteError> {
-    let scene = context.scene()?;
-    let Some(pose) = scene.pose(context.positions[0], 0.0) else { return Ok(None) };
-    let linkage = &scene.linkage;
+fn assembly(context: &Context<'_>) -> Option<Figure> {
+    let results = context.results;
+    let pose = results.pose(context.positions[0], 0.0)?;
+    let linkage = &results.linkage;
     let input = linkage.mechanism.input.link;
     let mut hidden: Vec<LinkId> = (1..linkage.mechanism.links.len()).filter(|link| *link != input).collect();
     let mut panel = |title: Text, marked: &[LinkId]| {
         hidden.retain(|link| !marked.contains(link));
-        let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(scene, marked) };
-        Panel { title, ..mechanism::plane(scene, drawing.items(&pose)) }
+        let drawing = Drawing { hidden: &hidden, ..mechanism::drawing(results, marked) };
+        Panel { title, ..mechanism::plane(results, drawing.items(&pose)) }
     };
     let first = text!("note-input-link", link = Text::from(&linkage.mechanism.links[input].name));
     let mut panels = vec![panel(first, &[input])];
@@ -104,87 +87,79 @@ fn assembly(context: &Context<'_>) -> Result<Option<Figure>, NoteError> {
         panels.push(panel(text!("note-with-group", number = number(index + 1), kind), &group.frame.links));
     }
     let columns = COLUMNS.min(panels.len());
-    Ok(Some(Figure { panels, columns, ..Figure::default() }))
+    Some(Figure { panels, columns, ..Figure::default() })
 }
 
 /// The mechanism and its plans in the chosen positions, tables of rates, curves of the last quantity.
-fn kinematics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+fn kinematics(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("note-kinematics"));
     page.paragraph(text!("note-kinematics-text"));
-    let drawn = context.beside(View::Mechanism, |_| {});
+    let results = context.results;
+    let drawn = context.beside(|look| mechanism::figure(results, look, &[]));
     page.figure(drawn, MECHANISMS, text!("note-mechanism-at", place = context.places()));
     for (kind, caption) in [
         (ViewPart::Velocities, text!("note-velocity-plan", place = context.places())),
         (ViewPart::Accelerations, text!("note-acceleration-plan", place = context.places())),
     ] {
-        let figure = context.beside(View::Plans, |state| {
-            state.parts.insert(View::Plans, kind);
-        });
+        let figure = context.beside(|look| plans::figure(results, look, kind));
         page.figure(figure, PLANS, caption);
     }
-    context.tell(page, &[topic::rates_of_points, topic::rates_of_links])?;
+    context.tell(page, &[topic::rates_of_points, topic::rates_of_links]);
     // The last quantity is that of the last slide, or of the last link: what the mechanism is for.
-    let last = context.scene()?.transfers.len().saturating_sub(1);
-    let curves = context.figure(View::Curves, context.positions[0], |state| state.chosen.transfer = last);
-    if let Some((figure, title)) = curves {
-        page.figure(Some(figure), TRANSFER, text!("note-transfer", of = title));
-    }
-    Ok(())
+    let transfer = results.transfers.len().saturating_sub(1);
+    let curves = curves::figure(results, &Look { transfer, ..context.first() });
+    let caption = text!("note-transfer", of = &curves.title);
+    page.figure(on_paper(curves), TRANSFER, caption);
 }
 
 /// Numbers, iteration and curves of the regime; curves of the motion where there is no regime.
-fn dynamics(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let facts = topic::regime_facts(&context.found()?.analysis);
+fn dynamics(context: &Context<'_>, page: &mut Document) {
+    let (results, look) = (context.results, &context.first());
+    let of_motion = |part| on_paper(motion::figure(results, look, part, usize::MAX));
+    let of_drive = |part| on_paper(drive::figure(results, look, part, 1));
+    let facts = topic::regime_facts(&context.found.analysis);
     if facts.is_empty() {
-        let Some(mut figure) = context.first(View::Motion, |_| {}) else { return Ok(()) };
+        let Some(mut figure) = of_motion(ViewPart::Overview) else { return };
         figure.panels.retain(|panel| !is_zero(panel));
         page.heading(text!("report-motion"));
-        reduced_inertia(context, page)?;
+        reduced_inertia(context, page);
         page.figure(Some(figure), CURVES, text!("note-motion-curves"));
-        return Ok(());
+        return;
     }
     page.heading(text!("note-dynamics"));
     page.paragraph(text!("note-dynamics-text"));
     page.facts(text!("note-regime"), facts);
-    reduced_inertia(context, page)?;
-    let reduction = context.beside(View::Drive, |state| {
-        state.parts.insert(View::Drive, ViewPart::Reduction);
-    });
+    reduced_inertia(context, page);
+    let reduction = context.beside(|look| drive::figure(results, look, ViewPart::Reduction, 1));
     let caption = text!("note-link-of-reduction", place = context.places());
-    for (view, part, size, caption) in [
-        (View::Motion, ViewPart::Course, CURVES, text!("note-speed-and-moments")),
-        (View::Drive, ViewPart::Inertia, CURVE, context.with_legend(text!("note-shares-drawn"))),
-        (View::Drive, ViewPart::EnergyMass, DIAGRAM, text!("note-energy-mass")),
-        (View::Motion, ViewPart::Iteration, CURVES, text!("note-iteration-drawn")),
-    ] {
-        page.figure(context.part(view, part), size, caption);
-    }
+    page.figure(of_motion(ViewPart::Course), CURVES, text!("note-speed-and-moments"));
+    page.figure(of_drive(ViewPart::Inertia), CURVE, context.with_legend(text!("note-shares-drawn")));
+    page.figure(of_drive(ViewPart::EnergyMass), DIAGRAM, text!("note-energy-mass"));
+    page.figure(of_motion(ViewPart::Iteration), CURVES, text!("note-iteration-drawn"));
     page.figure(reduction, LINK, caption);
-    context.tell(page, &[topic::iteration, topic::drive])?;
+    context.tell(page, &[topic::iteration, topic::drive]);
     // The last panel repeats the moments.
-    let drive = context.part(View::Drive, ViewPart::Curves).filter(|figure| figure.panels.len() > 1);
+    let drive = of_drive(ViewPart::Curves).filter(|figure| figure.panels.len() > 1);
     let drive = drive.map(|mut figure| {
         figure.panels.pop();
         figure
     });
     page.figure(drive, CURVES, text!("note-characteristic"));
-    page.figure(context.part(View::Drive, ViewPart::Places), PLACES, text!("note-places-drawn"));
-    Ok(())
+    page.figure(of_drive(ViewPart::Places), PLACES, text!("note-places-drawn"));
 }
 
 /// J and its derivative in one diagram (S fig. 8); nothing where there is no mass.
-fn reduced_inertia(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let found = context.found()?;
+fn reduced_inertia(context: &Context<'_>, page: &mut Document) {
+    let found = context.found;
     let of =
         |quantity| found.series.iter().find(|series| series.column == Column::of(quantity, Owner::Input));
     let both = [Quantity::ReducedInertia, Quantity::ReducedInertiaDerivative].map(of);
-    let [Some(inertia), Some(slope)] = both else { return Ok(()) };
+    let [Some(inertia), Some(slope)] = both else { return };
     if inertia.size() > 0.0 {
-        let picked = [inertia, slope].map(|series| series.short.clone()).to_vec();
-        let figure = context.first(View::Curves, |state| state.picked = picked);
-        page.figure(figure, CURVE, context.with_legend(text!("note-reduced-inertia-drawn")));
+        let picked = &[inertia, slope].map(|series| series.short.clone());
+        let figure = curves::figure(context.results, &Look { picked, ..context.first() });
+        page.figure(on_paper(figure), CURVE, context.with_legend(text!("note-reduced-inertia-drawn")));
     }
-    Ok(())
 }
 
 /// Whether all curves of a panel are zero, and show nothing.
@@ -193,24 +168,23 @@ fn is_zero(panel: &Panel) -> bool {
 }
 
 /// Every check with its residual.
-fn checks(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let found = context.found()?;
+fn checks(context: &Context<'_>, page: &mut Document) {
+    let found = context.found;
     if !found.analysis.checks.is_empty() {
         page.heading(text!("report-checks"));
         page.paragraph(text!("note-checks-text"));
         topic::checks(&found.analysis.checks, page);
     }
-    Ok(())
 }
 
 /// What the model leaves out, what was decided on the way, and what could not be found.
-fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+fn limits(context: &Context<'_>, page: &mut Document) {
     page.heading(text!("note-model"));
-    let has_friction = context.found()?.analysis.friction.is_some();
+    let has_friction = context.found.analysis.friction.is_some();
     let model = if has_friction { "note-model-text-friction" } else { "note-model-text" };
     page.paragraph(text!(model));
     page.paragraph(text!("note-sources"));
-    let (analysis, broken) = (&context.found()?.analysis, &context.scene()?.broken);
+    let (analysis, broken) = (&context.found.analysis, &context.results.broken);
     analysis.notes.iter().for_each(|note| page.paragraph(Text::from(note)));
     let positions = |all: Vec<usize>| list(all.into_iter().map(number));
     if !broken.is_empty() {
@@ -226,5 +200,4 @@ fn limits(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     if let Some(why) = &analysis.no_motion {
         page.paragraph(Text::from(why));
     }
-    Ok(())
 }

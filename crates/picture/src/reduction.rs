@@ -5,13 +5,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use assur_analysis::InputMotion;
 use assur_analysis::results::{Column, Owner, Quantity};
+use assur_figure::number::digits;
 use assur_figure::{Bounds, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_mechanism::{InputPair, PointId};
 use assur_words::{Text, name, quantity, text};
 
-use super::{mechanism, plans};
-use crate::number::digits;
-use crate::screen::state::{Found, Scene, State, ViewPart};
+use crate::{Found, Look, Results, ViewPart, mechanism, plans};
 
 /// Half the side of a picture, in radii of the point of reduction.
 const ROOM: f64 = 1.5;
@@ -21,7 +20,6 @@ const PIECES: usize = 48;
 const ARC: f64 = 1.2;
 /// Part of that arc under its head.
 const HEAD: f64 = 0.15;
-
 /// What is reduced in a position, to the input link and to its farthest point.
 struct Reduced {
     /// The point, by its name.
@@ -44,13 +42,13 @@ struct Reduced {
 
 impl Reduced {
     /// Of a mechanism whose input link turns, where its reduction is calculated.
-    fn of(state: &State, scene: &Scene, found: &Found) -> Option<Self> {
+    fn of(results: &Results, look: &Look<'_>, found: &Found) -> Option<Self> {
         let table = &found.analysis.positions;
         let calculation = found.plans.calculation();
-        let (point, row) = (calculation.reduction_point()?, table.row_of(state.position)?);
-        let InputPair::Pin(pin) = scene.linkage.mechanism.input.pair else { return None };
-        let pose = scene.pose(state.position, 0.0)?;
-        let motion = |id: PointId| scene.linkage.point_motion(id, &pose);
+        let (point, row) = (calculation.reduction_point()?, table.row_of(look.position)?);
+        let InputPair::Pin(pin) = results.linkage.mechanism.input.pair else { return None };
+        let pose = results.pose(look.position, 0.0)?;
+        let motion = |id: PointId| results.linkage.point_motion(id, &pose);
         let of = |quantity| table.schema().find(Column::of(quantity, Owner::Input));
         let moments = of(Quantity::ReducedMoment)?;
         let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |found| found.regime.shaft_inertia);
@@ -129,17 +127,17 @@ impl Reduced {
 }
 
 /// The link of reduction; `None` where nothing is reduced, or the input slides.
-pub(super) fn link(state: &State, scene: &Scene, found: &Found) -> Option<Panel> {
-    Reduced::of(state, scene, found).map(|reduced| reduced.link())
+pub(crate) fn link(results: &Results, look: &Look<'_>, found: &Found) -> Option<Panel> {
+    Reduced::of(results, look, found).map(|reduced| reduced.link())
 }
 
 /// The mechanism, its plan of velocities, the link of reduction, and the disc.
-pub(super) fn panels(state: &State, scene: &Scene, found: &Found) -> Vec<Panel> {
-    let Some(reduced) = Reduced::of(state, scene, found) else { return Vec::new() };
-    let pose = scene.pose(state.position, 0.0);
-    let items = pose.map_or_else(Vec::new, |pose| mechanism::drawing(scene, &[]).items(&pose));
-    let mechanism = Panel { title: text!("reduction-mechanism"), ..mechanism::plane(scene, items) };
-    let velocities = found.plans.at(state.position).sheet.as_ref().ok().map(|sheet| {
+pub(crate) fn panels(results: &Results, look: &Look<'_>, found: &Found) -> Vec<Panel> {
+    let Some(reduced) = Reduced::of(results, look, found) else { return Vec::new() };
+    let pose = results.pose(look.position, 0.0);
+    let items = pose.map_or_else(Vec::new, |pose| mechanism::drawing(results, &[]).items(&pose));
+    let mechanism = Panel { title: text!("reduction-mechanism"), ..mechanism::plane(results, items) };
+    let velocities = found.plans.at(look.position).sheet.as_ref().ok().map(|sheet| {
         let plan = &sheet.velocities;
         Panel { title: plan.title.clone(), ..plans::panel_of_plan(ViewPart::Velocities, plan) }
     });

@@ -9,7 +9,7 @@ use assur_working::{Cycle, Done, Drive, Ending, EnergyForm, PositionOrSample, Ta
 use assur_worksheet::Section;
 
 /// The working of a position: with its forces, unless the motion is found from an initial state.
-pub(crate) fn of_position(calculation: &Calculation, index: usize) -> Result<Working, WorkingError> {
+pub fn of_position(calculation: &Calculation, index: usize) -> Result<Working, WorkingError> {
     let mechanism = &calculation.linkage.mechanism;
     let is_transient = matches!(mechanism.motion, Some(Motion::Transient { .. }));
     let has_forces = !is_transient && (mechanism.motion.is_some() || mechanism.has_loads());
@@ -18,7 +18,7 @@ pub(crate) fn of_position(calculation: &Calculation, index: usize) -> Result<Wor
 }
 
 /// The working of a sample of a transient motion, in which the motion has this state.
-pub(crate) fn of_sample(
+pub fn of_sample(
     calculation: &Calculation,
     number: usize,
     state: assur_force::LoadState,
@@ -41,7 +41,7 @@ fn work(
 }
 
 /// The energy form of the motion of a scene (E eqs. 1-3, 10); nothing where the motion is prescribed, or its works are not known.
-pub(crate) fn energy(analysis: &Analysis, mechanism: &Mechanism) -> Vec<Section> {
+pub fn energy(analysis: &Analysis, mechanism: &Mechanism) -> Vec<Section> {
     energy_form(analysis, mechanism).map_or_else(Vec::new, |form| form.sections())
 }
 

@@ -4,17 +4,15 @@
 use assur_analysis::results::Owner;
 use assur_book::{Document, Table, Unit, catalogue};
 use assur_diagram::VectorPlan;
+use assur_figure::number::digits;
 use assur_figure::{Figure, Ink, Panel, Stroke};
 use assur_force::{Construction, ConstructionStep};
-use assur_picture::plots;
+use assur_picture::forces::{self, beside_friction};
+use assur_picture::{Look, Reaction, Series, ViewPart, curves, plans, plots};
 use assur_report::topic;
 use assur_words::{Text, list, name, number, quantity, text, unit};
 
-use super::NoteError;
-use super::context::{Context, still};
-use crate::number::digits;
-use crate::screen::state::{Reaction, Series, View, ViewPart};
-use crate::screen::view::{forces::beside_friction, plans};
+use crate::context::{Context, on_paper, still};
 
 /// Page of two polygons, and of a curve beside its hodograph, mm.
 const POLYGONS: [f64; 2] = [165.0, 80.0];
@@ -28,66 +26,59 @@ const MOST_REACTIONS: usize = 4;
 
 /// Polygons and reactions in the chosen positions, curves of the greatest reaction and of the balancing load; nothing without
 /// forces.
-pub(super) fn forces(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let found = context.found()?;
+pub(super) fn forces(context: &Context<'_>, page: &mut Document) {
+    let found = context.found;
     if found.reactions.is_empty() {
-        return Ok(());
+        return;
     }
     page.heading(text!("note-forces"));
     page.paragraph(text!("note-forces-text", analyzer = name(found.analyzer.clone())));
-    let drawn = loads(context)?;
+    let drawn = loads(context);
     let size = [CURVE[0], 25.0 + 35.0 * drawn.rows() as f64];
     page.figure(Some(drawn).filter(|drawn| !drawn.panels.is_empty()), size, text!("note-loads-drawn"));
-    context.tell(page, &[topic::inertia_loads])?;
-    polygons(context, page)?;
-    construction(context, page)?;
-    context.tell(
-        page,
-        &[topic::reactions_at_positions, topic::balancing_at_positions, topic::friction_tables],
-    )?;
-    touching(context, page)?;
-    curves(context, page)
+    context.tell(page, &[topic::inertia_loads]);
+    polygons(context, page);
+    construction(context, page);
+    context
+        .tell(page, &[topic::reactions_at_positions, topic::balancing_at_positions, topic::friction_tables]);
+    touching(context, page);
+    over_cycle(context, page);
 }
 
 /// The reactions of the pairs with friction in the first of the chosen positions, touching the circles of friction.
-fn touching(context: &Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let (found, position) = (context.found()?, context.positions[0]);
+fn touching(context: &Context<'_>, page: &mut Document) {
+    let (found, position) = (context.found, context.positions[0]);
     let of = |reaction| beside_friction(found, position, reaction);
     let panels: Vec<Panel> = found.reactions.iter().filter_map(of).take(MOST_CIRCLES).collect();
     let figure = Figure { panels, columns: 2, ..Figure::default() };
     let size = [CURVE[0], 75.0 * figure.rows() as f64];
     let caption = text!("note-friction-drawn", place = context.place(position));
     page.figure(Some(figure).filter(|figure| !figure.panels.is_empty()), size, caption);
-    Ok(())
 }
 
 /// The values of the loads that vary over the cycle (S fig. 6), the first ones of many.
-fn loads(context: &Context<'_>) -> Result<Figure, NoteError> {
-    let (scene, found) = (context.scene()?, context.found()?);
+fn loads(context: &Context<'_>) -> Figure {
+    let (results, found) = (context.results, context.found);
     let of = |series: &Series| {
         let Owner::Load(_) = series.column.owner else { return None };
         let title = catalogue::owner(found.analysis.positions.schema(), series.column);
         let nodes = series.course.nodes();
         let varies = nodes.iter().any(|node| (node.value - nodes[0].value).abs() > 0.0);
-        let whole = nodes.len() == scene.positions();
+        let whole = nodes.len() == results.positions();
         let curve = [(series, Stroke::Solid, Ink::First)];
-        let mut panel = plots::over_positions(
-            &scene.linkage,
-            context.state.pictured(),
-            [title, Text::default()],
-            &curve,
-            Vec::new(),
-        );
+        let heading = [title, Text::default()];
+        let mut panel =
+            plots::over_positions(&results.linkage, &context.first(), heading, &curve, Vec::new());
         still(&mut panel);
         (varies && whole).then_some(panel)
     };
     let panels: Vec<Panel> = found.series.iter().filter_map(of).take(MOST_LOADS).collect();
-    Ok(Figure { panels, columns: 1, ..Figure::default() })
+    Figure { panels, columns: 1, ..Figure::default() }
 }
 
 /// The polygon of each group in the chosen positions beside each other, with a table of its vectors.
-fn polygons(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let found = context.found()?;
+fn polygons(context: &Context<'_>, page: &mut Document) {
+    let found = context.found;
     let sheets: Vec<_> =
         context.positions.iter().map(|position| (*position, found.plans.at(*position))).collect();
     let of = |polygon: usize| {
@@ -102,14 +93,12 @@ fn polygons(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteEr
         let title = || plans[0].1.title.clone();
         let (places, of) = (text!("note-force-polygon", title = title(), place = context.places()), title());
         let vectors = vectors(&plans, text!("note-polygon-vectors", title = of));
-        let figure = context.beside(View::Plans, |state| {
-            state.parts.insert(View::Plans, ViewPart::Forces);
-            state.chosen.polygon = polygon;
-        });
+        let drawn =
+            |look: &Look<'_>| plans::figure(context.results, &Look { polygon, ..*look }, ViewPart::Forces);
+        let figure = context.beside(drawn);
         page.figure(figure, POLYGONS, places);
         page.table(vectors);
     }
-    Ok(())
 }
 
 /// The vectors of a polygon in each position.
@@ -126,8 +115,8 @@ fn vectors(polygons: &[(usize, &VectorPlan)], caption: Text) -> Table {
 }
 
 /// The greatest reaction with its hodograph, and the balancing load.
-fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let found = context.found()?;
+fn over_cycle(context: &Context<'_>, page: &mut Document) {
+    let (results, found) = (context.results, context.found);
     let pairs = found.reactions.iter().enumerate().filter(|(_, reaction)| reaction.series.len() == 3);
     let size = |(index, reaction): (usize, &Reaction)| (index, found.series[reaction.series[2]].size());
     let most = pairs.clone().map(size).max_by(|one, other| one.1.total_cmp(&other.1)).map(|(index, _)| index);
@@ -138,9 +127,9 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
     let balance = balancing.and_then(|index| found.reactions[index].series.first());
     let symbol = balance.map(|index| unit(found.series[*index].unit.clone()));
     // All of them together, as L fig. 2 has them.
-    for some in moduli.chunks(MOST_REACTIONS) {
-        let together = context.first(View::Curves, |state| state.picked = some.to_vec());
-        page.figure(together, CURVE, context.with_legend(text!("note-reactions-drawn")));
+    for picked in moduli.chunks(MOST_REACTIONS) {
+        let together = curves::figure(results, &Look { picked, ..context.first() });
+        page.figure(on_paper(together), CURVE, context.with_legend(text!("note-reactions-drawn")));
     }
     let all = [
         (most, ViewPart::Overview, text!("note-reaction-curve", of)),
@@ -151,40 +140,34 @@ fn curves(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteErro
         ),
     ];
     for (index, part, caption) in all {
-        let Some(index) = index else { continue };
-        let figure = context.first(View::Forces, |state| {
-            state.parts.insert(View::Forces, part);
-            state.chosen.reaction = index;
-        });
-        page.figure(figure, CURVE, caption);
+        let Some(reaction) = index else { continue };
+        let figure = forces::figure(results, &Look { reaction, ..context.first() }, part);
+        page.figure(on_paper(figure), CURVE, caption);
     }
-    Ok(())
 }
 
 /// Height of a row of two stages, mm, and width of the page.
 const STAGES: [f64; 2] = [165.0, 95.0];
 
 /// The construction in the first of the chosen positions; nothing for an analyzer without one.
-fn construction(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+fn construction(context: &Context<'_>, page: &mut Document) {
     let (position, place) = (context.positions[0], context.place(context.positions[0]));
-    let found = context.found()?;
-    let plans = found.plans.at(position);
-    let own = plans.constructions.iter().position(|(method, _)| *method == found.analyzer);
-    let Some((first, (_, drawn))) = own.map(|own| (plans.steps_of(own).start, &plans.constructions[own]))
+    let found = context.found;
+    let sheet = found.plans.at(position);
+    let own = sheet.constructions.iter().position(|(method, _)| *method == found.analyzer);
+    let Some((first, (_, drawn))) = own.map(|own| (sheet.steps_of(own).start, &sheet.constructions[own]))
     else {
-        return Ok(());
+        return;
     };
     let mut panels: Vec<Panel> = Vec::new();
     for last in stages(drawn) {
-        let figure = context.figure(View::Plans, position, |state| {
-            state.parts.insert(View::Plans, ViewPart::Construction);
-            state.chosen.step = first + last;
-        });
+        let look = Look { step: first + last, ..context.first() };
+        let figure = on_paper(plans::figure(context.results, &look, ViewPart::Construction));
         let title = text!("note-construction-stage", last = number(last + 1));
         panels.extend(
             figure
                 .into_iter()
-                .flat_map(|(figure, _)| figure.panels)
+                .flat_map(|figure| figure.panels)
                 .map(|panel| Panel { title: title.clone(), ..panel }),
         );
     }
@@ -193,7 +176,6 @@ fn construction(context: &mut Context<'_>, page: &mut Document) -> Result<(), No
     let caption = text!("note-construction", title = &drawn.title, place);
     page.figure(Some(figure).filter(|figure| !figure.panels.is_empty()), size, caption);
     page.table(steps(drawn, text!("note-construction-steps", title = &drawn.title)));
-    Ok(())
 }
 
 /// The last steps of the stages: where forces follow points and lines, or the drawing changes.

@@ -13,7 +13,7 @@ const NONE: usize = usize::MAX;
 /// # Examples
 ///
 /// ```
-/// use assur_structure::components;
+/// use assur_number::components;
 ///
 /// // 1 and 2 need each other, and 1 needs 3.
 /// let needs = [vec![1], vec![2, 3], vec![1], vec![]];

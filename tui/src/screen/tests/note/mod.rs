@@ -1,4 +1,4 @@
-//! Tests of `note`.
+//! Tests of the note.
 
 mod facts;
 mod figures;
@@ -8,9 +8,9 @@ use std::collections::BTreeSet;
 
 use assur_all as _;
 use assur_analysis::Options;
+use assur_note::{Form, Written};
 use assur_scene::Note;
 
-use super::{Form, Written};
 use crate::screen::state::State;
 use crate::screen::still::analyzed;
 use crate::session::{Session, Source};
@@ -26,8 +26,12 @@ fn state(scene: &str) -> State {
     analyzed(&session.into(), Options::default(), true, assur_words::Language::english()).unwrap()
 }
 
+fn written(state: &State, language: &'static str, form: Form) -> Written {
+    assur_note::write(state.scene.as_ref().unwrap(), &note(language), form, "figures").unwrap()
+}
+
 fn of(scene: &str, language: &'static str, form: Form) -> Written {
-    super::write(&mut state(scene), &note(language), form, "figures").unwrap()
+    written(&state(scene), language, form)
 }
 
 /// The texts between the tags.
@@ -78,7 +82,8 @@ fn every_tag_is_closed_and_every_text_is_there() {
         assert!(html.contains("A. &lt;B&gt;") && !html.contains("NaN") && !html.contains('`'), "{scene}");
         assert!(language != "en" || html.contains("(number of steps)"), "{scene}: what symbols mean");
         // An identifier without a text would be printed itself.
-        let identifiers = include_str!("../../lang/en.ftl").lines().filter_map(|line| line.split_once(" = "));
+        let identifiers =
+            include_str!("../../../../lang/en.ftl").lines().filter_map(|line| line.split_once(" = "));
         for (id, _) in identifiers.filter(|(id, _)| id.contains('-')) {
             assert!(!html.contains(&format!(">{id}<")), "{scene} {language}: {id}");
         }
@@ -89,10 +94,10 @@ fn every_tag_is_closed_and_every_text_is_there() {
 fn no_name_is_markup() {
     let path = assur_fixtures::path("../tests/corpus/markdown-script.toml");
     let session = Session::open(Source::File(path)).unwrap();
-    let mut state =
+    let state =
         analyzed(&session.into(), Options::default(), true, assur_words::Language::english()).unwrap();
     for form in [Form::Html, Form::Markdown] {
-        let written = super::write(&mut state, &note("en"), form, "figures").unwrap();
+        let written = self::written(&state, "en", form);
         assert!(written.text.contains("script"));
         let all = std::iter::once(&written.text).chain(written.figures.iter().map(|(_, drawn)| drawn));
         for text in all {

@@ -10,9 +10,9 @@ use super::context::Context;
 use crate::working;
 
 /// The equations of the first chosen position.
-pub(super) fn working(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
+pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), NoteError> {
     let position = context.positions[0];
-    let working = working::of_position(context.found()?.plans.calculation(), position);
+    let working = working::of_position(context.found.plans.calculation(), position);
     page.heading(text!("note-working", position = number(position)));
     let sections = match working {
         Ok(working) => working.sections,
@@ -28,15 +28,14 @@ pub(super) fn working(context: &mut Context<'_>, page: &mut Document) -> Result<
 }
 
 /// The energy form of the motion, step by step; nothing where the motion is prescribed.
-pub(super) fn energy(context: &mut Context<'_>, page: &mut Document) -> Result<(), NoteError> {
-    let sections = working::energy(&context.found()?.analysis, &context.scene()?.linkage.mechanism);
+pub(super) fn energy(context: &Context<'_>, page: &mut Document) {
+    let sections = working::energy(&context.found.analysis, &context.results.linkage.mechanism);
     if !sections.is_empty() {
         page.heading(text!("note-energy-form"));
         for section in &sections {
             add(section, page);
         }
     }
-    Ok(())
 }
 
 /// A section with its equations.

@@ -2,6 +2,7 @@
 //! contacts of a position: the point K, the normal force and the friction in it, and their sum.
 
 use assur_analysis::results::{Column, Owner, Quantity};
+use assur_figure::number::plain;
 use assur_figure::{Ink, Item, Key, Sample, Sign, Stroke, round_length};
 use assur_force::{Acting, Cause};
 use assur_group::plane::{plus, scaled};
@@ -9,8 +10,7 @@ use assur_kinematics::Position;
 use assur_mechanism::{GROUND, LoadId};
 use assur_words::{Text, joined, name, quantity, text};
 
-use crate::number::plain;
-use crate::screen::state::{Arrows, Found, Scene, Series, State};
+use crate::{Arrows, Found, Look, Results, Series};
 
 /// Longest arrow of a motion, as part of the size of the drawing.
 const LONGEST: f64 = 0.3;
@@ -22,10 +22,9 @@ const LONGEST_FORCE: f64 = 0.25;
 const TOLD: f64 = 0.5;
 /// First and second derivative with respect to time.
 const RATES: [Quantity; 2] = [Quantity::Velocity, Quantity::Acceleration];
-
 /// The orders of derivatives to draw.
-fn orders(state: &State) -> &'static [u8] {
-    match state.arrows {
+fn orders(look: &Look<'_>) -> &'static [u8] {
+    match look.arrows {
         Arrows::None => &[],
         Arrows::Velocity => &[1],
         Arrows::Acceleration => &[2],
@@ -43,28 +42,28 @@ fn is_of_point(series: &Series, quantity: Quantity) -> bool {
 }
 
 /// The results, if the positions move.
-fn moving(scene: &Scene) -> Option<&Found> {
+fn moving(results: &Results) -> Option<&Found> {
     let moves = |found: &&Found| found.series.iter().any(|series| is_of_point(series, RATES[0]));
-    scene.found.as_deref().filter(moves)
+    results.found.as_deref().filter(moves)
 }
 
 /// What is drawn of an order of the points, in parts: v = PF1 w, a = PF2 w² + PF1 e; without a motion PF1, PF2.
-fn series_of(scene: &Scene, order: u8) -> impl Iterator<Item = &Series> {
-    let (all, quantity) = match moving(scene) {
+fn series_of(results: &Results, order: u8) -> impl Iterator<Item = &Series> {
+    let (all, quantity) = match moving(results) {
         Some(found) => (&found.series, RATES[usize::from(order) - 1]),
-        None => (&scene.series, Quantity::Transfer(order)),
+        None => (&results.series, Quantity::Transfer(order)),
     };
     all.iter().filter(move |series| is_of_point(series, quantity))
 }
 
 /// The arrows of all points that have them.
-pub(super) fn items(state: &State, scene: &Scene, pose: &Position, position: usize) -> Vec<Item> {
+pub fn items(results: &Results, look: &Look<'_>, pose: &Position) -> Vec<Item> {
     let mut items = Vec::new();
-    for &order in orders(state) {
-        let Some(length) = length(scene, order) else { continue };
+    for &order in orders(look) {
+        let Some(length) = length(results, order) else { continue };
         let (stroke, ink) = look_of(order);
-        for (point, vector) in vectors(scene, pose, position, order) {
-            let from = scene.linkage.point_motion(point, pose).pf0;
+        for (point, vector) in vectors(results, pose, look.position, order) {
+            let from = results.linkage.point_motion(point, pose).pf0;
             items.push(Item::Arrow { from, to: plus(from, scaled(length, vector)), stroke, ink });
         }
     }
@@ -72,12 +71,12 @@ pub(super) fn items(state: &State, scene: &Scene, pose: &Position, position: usi
 }
 
 /// The vector of each point in a position.
-fn vectors(scene: &Scene, pose: &Position, position: usize, order: u8) -> Vec<(usize, [f64; 2])> {
-    let points = &scene.linkage.mechanism.points;
+fn vectors(results: &Results, pose: &Position, position: usize, order: u8) -> Vec<(usize, [f64; 2])> {
+    let points = &results.linkage.mechanism.points;
     let free = |id: &usize| points[*id].places.iter().all(|place| place.link != GROUND);
     let points = (0..points.len()).filter(free);
-    if moving(scene).is_some() {
-        let all: Vec<&Series> = series_of(scene, order).collect();
+    if moving(results).is_some() {
+        let all: Vec<&Series> = series_of(results, order).collect();
         let of = |column| all.iter().find(|series| series.column == column)?.course.get(position);
         let rate = |id| {
             let [x, y] = Column::vector(RATES[usize::from(order) - 1], Owner::Point(id)).map(of);
@@ -85,75 +84,75 @@ fn vectors(scene: &Scene, pose: &Position, position: usize, order: u8) -> Vec<(u
         };
         return points.filter_map(rate).collect();
     }
-    let motion = |id| scene.linkage.point_motion(id, pose);
+    let motion = |id| results.linkage.point_motion(id, pose);
     points.map(|id| (id, if order == 1 { motion(id).pf1 } else { motion(id).pf2 })).collect()
 }
 
 /// The greatest size of a vector over all positions.
-fn most(scene: &Scene, order: u8) -> f64 {
-    series_of(scene, order).map(|series| series.course.size()).fold(0.0, f64::max)
+fn most(results: &Results, order: u8) -> f64 {
+    series_of(results, order).map(|series| series.course.size()).fold(0.0, f64::max)
 }
 
 /// Length, m, of an arrow of size 1; equal in all positions, so that lengths can be compared.
-fn length(scene: &Scene, order: u8) -> Option<f64> {
-    let [width, height] = scene.outline.bounds.size();
+fn length(results: &Results, order: u8) -> Option<f64> {
+    let [width, height] = results.outline.bounds.size();
     let size = width.min(height).max(FLAT * width.max(height));
-    let most = most(scene, order);
+    let most = most(results, order);
     (most > 0.0).then(|| LONGEST * size / most)
 }
 
 /// The arrows that are drawn: what they are, the size of a round one with its unit, its length, m, and its ink.
-pub(super) fn scales(state: &State, scene: &Scene) -> Vec<(Text, Text, f64, Ink)> {
+pub fn scales(results: &Results, look: &Look<'_>) -> Vec<(Text, Text, f64, Ink)> {
     let scale = |&order: &u8| {
-        let what = match (moving(scene).is_some(), order) {
+        let what = match (moving(results).is_some(), order) {
             (true, 1) => text!("arrow-velocity"),
             (true, _) => text!("arrow-acceleration"),
             (false, 1) => text!("arrow-first"),
             (false, _) => text!("arrow-second"),
         };
-        let Series { unit, factor, .. } = series_of(scene, order).next()?;
-        let round = round_length(TOLD * most(scene, order) * factor) / factor;
+        let Series { unit, factor, .. } = series_of(results, order).next()?;
+        let round = round_length(TOLD * most(results, order) * factor) / factor;
         let size = quantity(plain(round * factor), unit.clone());
-        Some((what, size, round * length(scene, order)?, look_of(order).1))
+        Some((what, size, round * length(results, order)?, look_of(order).1))
     };
-    orders(state).iter().filter_map(scale).collect()
+    orders(look).iter().filter_map(scale).collect()
 }
 
 /// What the arrows are, with the length of a round value.
-pub(super) fn legend(state: &State, scene: &Scene) -> Vec<Key> {
+pub fn legend(results: &Results, look: &Look<'_>) -> Vec<Key> {
     let stroke = |ink| if ink == Ink::Velocity { Stroke::Solid } else { Stroke::Dashed };
     let key = |(what, size, length, ink)| Key {
         sample: Sample::Arrow(length, stroke(ink), ink),
         text: text!("arrow-told", what = what, size = size),
     };
-    scales(state, scene).into_iter().map(key).chain(legend_of_contacts(scene)).collect()
+    scales(results, look).into_iter().map(key).chain(legend_of_contacts(results)).collect()
 }
 
-fn is_contact(scene: &Scene, load: LoadId) -> bool {
-    scene.linkage.mechanism.loads[load].kind.contact().is_some()
+fn is_contact(results: &Results, load: LoadId) -> bool {
+    results.linkage.mechanism.loads[load].kind.contact().is_some()
 }
 
 /// The contacts that act in a pose.
-fn acting(scene: &Scene, pose: &Position) -> Vec<Acting> {
-    let Some(found) = &scene.found else { return Vec::new() };
+fn acting(results: &Results, pose: &Position) -> Vec<Acting> {
+    let Some(found) = &results.found else { return Vec::new() };
     let calculation = found.plans.calculation();
     let Some(loads) = calculation.loads.as_ref().filter(|_| calculation.positions_have_forces()) else {
         return Vec::new();
     };
     let mut all = loads.acting(&calculation.state(pose.coordinate), &pose.bodies);
-    all.retain(|load| matches!(load.cause, Cause::Load(load) if is_contact(scene, load)));
+    all.retain(|load| matches!(load.cause, Cause::Load(load) if is_contact(results, load)));
     all
 }
 
 /// K with its name, the normal force and the friction dashed, their sum full.
-pub(super) fn contacts(scene: &Scene, pose: &Position) -> Vec<Item> {
-    let Some(length) = length_of_force(scene) else { return Vec::new() };
-    let all = acting(scene, pose);
+pub fn contacts(results: &Results, pose: &Position) -> Vec<Item> {
+    let Some(length) = length_of_force(results) else { return Vec::new() };
+    let all = acting(results, pose);
     let several = all.len() > 1;
     let mut items = Vec::new();
     for (number, load) in all.iter().enumerate() {
         let (Some(at), Some([normal, friction])) =
-            (load.at, load.parts(&scene.linkage.mechanism, &pose.bodies))
+            (load.at, load.parts(&results.linkage.mechanism, &pose.bodies))
         else {
             continue;
         };
@@ -180,26 +179,26 @@ pub(super) fn contacts(scene: &Scene, pose: &Position) -> Vec<Item> {
 }
 
 /// Greatest force of a contact over the cycle, N.
-fn greatest_force(scene: &Scene) -> f64 {
+fn greatest_force(results: &Results) -> f64 {
     let is_of_contact = |column: Column| match column.owner {
-        Owner::Load(load) => column.quantity == Quantity::Load && is_contact(scene, load),
+        Owner::Load(load) => column.quantity == Quantity::Load && is_contact(results, load),
         _ => false,
     };
-    let all = scene.found.iter().flat_map(|found| &found.series);
+    let all = results.found.iter().flat_map(|found| &found.series);
     let of_contacts = all.filter(|series| is_of_contact(series.column));
     of_contacts.map(|series| series.course.size()).fold(0.0, f64::max)
 }
 
 /// Length, m, of an arrow of 1 N; equal in all positions, so that lengths can be compared.
-fn length_of_force(scene: &Scene) -> Option<f64> {
-    let [width, height] = scene.outline.bounds.size();
-    let most = greatest_force(scene);
+fn length_of_force(results: &Results) -> Option<f64> {
+    let [width, height] = results.outline.bounds.size();
+    let most = greatest_force(results);
     (most > 0.0).then(|| LONGEST_FORCE * width.max(height) / most)
 }
 
 /// What the arrows of contacts are, with the length of a round force.
-fn legend_of_contacts(scene: &Scene) -> Option<Key> {
-    let round = round_length(TOLD * greatest_force(scene));
-    let sample = Sample::Arrow(round * length_of_force(scene)?, Stroke::Solid, Ink::Second);
+fn legend_of_contacts(results: &Results) -> Option<Key> {
+    let round = round_length(TOLD * greatest_force(results));
+    let sample = Sample::Arrow(round * length_of_force(results)?, Stroke::Solid, Ink::Second);
     Some(Key { sample, text: text!("contact-forces", size = quantity(plain(round), "N")) })
 }

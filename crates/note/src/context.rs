@@ -1,0 +1,91 @@
+//! What every part of the note is made from.
+
+use assur_book::Document;
+use assur_figure::{Figure, Frame, Panel};
+use assur_picture::{Found, Look, Results};
+use assur_report::topic::Source;
+use assur_words::{Text, joined, list, text};
+
+/// A scene whose analysis is done, and what is told of it.
+pub(super) struct Context<'a> {
+    pub(super) results: &'a Results,
+    pub(super) found: &'a Found,
+    /// Numbers of the positions that are drawn and worked out, at least one.
+    pub(super) positions: &'a [usize],
+}
+
+/// A topic of the report.
+pub(super) type Topic = fn(&Source<'_>, &mut Document);
+
+impl Context<'_> {
+    /// The results, of which the tables show the chosen positions.
+    pub(super) fn source(&self) -> Source<'_> {
+        Source::of(&self.found.analysis, &self.results.linkage, Some(self.positions))
+    }
+
+    /// Adds topics.
+    pub(super) fn tell(&self, page: &mut Document, topics: &[Topic]) {
+        let source = self.source();
+        for topic in topics {
+            topic(&source, page);
+        }
+    }
+
+    /// What is drawn of the first of the chosen positions.
+    pub(super) fn first(&self) -> Look<'_> {
+        look(self.positions[0])
+    }
+
+    /// The figures of the chosen positions, beside each other.
+    pub(super) fn beside(&self, draw: impl Fn(&Look<'_>) -> Figure) -> Option<Figure> {
+        let mut whole: Option<Figure> = None;
+        for &position in self.positions {
+            let Some(mut figure) = on_paper(draw(&look(position))) else { continue };
+            let place = self.place(position);
+            let bare = figure.panels.iter_mut().filter(|panel| panel.title.is_empty());
+            bare.for_each(|panel| panel.title.clone_from(&place));
+            match &mut whole {
+                Some(whole) => whole.panels.extend(figure.panels),
+                None => whole = Some(figure),
+            }
+        }
+        whole.map(|figure| Figure { columns: figure.panels.len().clamp(1, 2), ..figure })
+    }
+
+    /// `position 6, 45 deg`.
+    pub(super) fn place(&self, position: usize) -> Text {
+        self.source().place(position)
+    }
+
+    /// A caption that says to which position the values of the legend belong, the first of the chosen ones.
+    pub(super) fn with_legend(&self, caption: Text) -> Text {
+        text!("note-legend-at", caption = caption, place = self.place(self.positions[0]))
+    }
+
+    /// The chosen positions in words.
+    pub(super) fn places(&self) -> Text {
+        joined("; ", self.positions.iter().map(|position| self.place(*position)))
+    }
+}
+
+/// A position, of which nothing else is chosen.
+pub(super) fn look(position: usize) -> Look<'static> {
+    Look { position, ..Look::default() }
+}
+
+/// A figure without its title (the caption says what it is) and without what belongs to a position on a screen: the cursor and
+/// the value at it; `None` where nothing is drawn.
+pub(super) fn on_paper(mut figure: Figure) -> Option<Figure> {
+    figure.panels.iter_mut().for_each(still);
+    figure.title = Text::default();
+    Some(figure).filter(|figure| !figure.panels.is_empty())
+}
+
+/// Takes the cursor from a plot, and the value at it; the unit stays in its heading.
+pub(super) fn still(panel: &mut Panel) {
+    let Frame::Axes { cursor, y, .. } = &mut panel.frame else { return };
+    *cursor = None;
+    if !y.label.is_empty() {
+        panel.title = list([panel.title.clone(), y.label.clone()]);
+    }
+}

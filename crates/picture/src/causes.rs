@@ -1,0 +1,83 @@
+//! The chosen reaction by cause: the shares of weight, inertia and each load, which sum to the total.
+
+use assur_diagram::{JointForce, Share, Split};
+use assur_figure::{Ink, Panel};
+use assur_words::{Text, name, text};
+
+use crate::plots::{self, Vector};
+use crate::{Found, Look, Reaction, Results, curves};
+
+/// The share of one cause in a reaction.
+#[derive(Debug, Clone)]
+pub struct CauseShare {
+    /// The cause.
+    pub cause: Text,
+    /// Projections, N; `None` for the balancing load.
+    pub force: Option<[f64; 2]>,
+    /// Moment of a slide, or the balancing load.
+    pub scalar: Option<f64>,
+}
+
+/// The modulus of the chosen reaction, and its causes head to tail.
+pub(crate) fn panels(results: &Results, look: &Look<'_>, found: &Found) -> Vec<Panel> {
+    let Some(reaction) = found.reactions.get(look.reaction) else { return Vec::new() };
+    let plans = found.plans.at(look.position);
+    let parts = plans.by_cause().map(|split| parts(split, reaction)).unwrap_or_default();
+    let mut panels = curves(results, look, found, &[usize::MAX]);
+    panels.extend(sum_of(&parts));
+    panels
+}
+
+/// The shares of all causes in a reaction.
+pub fn parts(split: &Split, reaction: &Reaction) -> Vec<CauseShare> {
+    split.shares.iter().map(|share| part(share, reaction)).collect()
+}
+
+/// The share of a cause in a reaction.
+pub fn part(share: &Share, reaction: &Reaction) -> CauseShare {
+    let cause = share.cause.clone();
+    let Some((pair, link)) = &reaction.of else {
+        return CauseShare { cause, force: None, scalar: Some(share.balancing) };
+    };
+    let here = |force: &&JointForce| force.joint.id == pair.id && force.on.id == link.id;
+    let found = share.reactions.iter().find(here);
+    CauseShare { cause, force: found.map(|found| found.force), scalar: found.and_then(|found| found.moment) }
+}
+
+/// The sum of shares, as a cause of its own.
+pub fn sum(parts: &[CauseShare], cause: Text) -> CauseShare {
+    let mut sum = CauseShare { cause, force: None, scalar: None };
+    for part in parts {
+        if let Some([x, y]) = part.force {
+            let [sx, sy] = sum.force.unwrap_or_default();
+            sum.force = Some([sx + x, sy + y]);
+        }
+        if let Some(scalar) = part.scalar {
+            sum.scalar = Some(sum.scalar.unwrap_or_default() + scalar);
+        }
+    }
+    sum
+}
+
+/// The shares head to tail, and the total from the first corner to the last one.
+fn sum_of(parts: &[CauseShare]) -> Option<Panel> {
+    let mut at = [0.0; 2];
+    let mut vectors = Vec::new();
+    for (number, part) in parts.iter().enumerate() {
+        let Some([x, y]) = part.force.filter(|[x, y]| *x != 0.0 || *y != 0.0) else { continue };
+        let to = [at[0] + x, at[1] + y];
+        vectors.push(Vector::arrow(at, to, name((number + 1).to_string()), Ink::Second));
+        at = to;
+    }
+    vectors.push(Vector::arrow([0.0; 2], at, text!("forces-sum"), Ink::First));
+    (vectors.len() > 1).then(|| plots::vectors(Text::default(), &vectors, ("N", "F"), None))
+}
+
+/// Curves of the chosen reaction, with the given series; for one that it does not have, the last one.
+pub(crate) fn curves(results: &Results, look: &Look<'_>, found: &Found, which: &[usize]) -> Vec<Panel> {
+    let Some(reaction) = found.reactions.get(look.reaction) else { return Vec::new() };
+    let mut wanted: Vec<usize> =
+        which.iter().map(|i| (*i).min(reaction.series.len() - 1)).map(|i| reaction.series[i]).collect();
+    wanted.dedup();
+    curves::stack(results, look, found, results.other.as_deref(), &wanted)
+}

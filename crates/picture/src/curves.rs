@@ -1,0 +1,199 @@
+//! PF0, PF1, PF2 of one quantity, stacked over one axis; or the quantities that were picked, those of one unit over each other.
+
+use std::collections::BTreeSet;
+
+use assur_analysis::results::{Owner, Quantity};
+use assur_book::catalogue;
+use assur_figure::number::number;
+use assur_figure::{Figure, Frame, Ink, Item, Key, Panel, Point, Sample, Sign, Stroke};
+use assur_words::{Text, joined, list, name, quantity, text};
+
+use crate::plots::{self, STYLES, over_positions};
+use crate::{Compared, Found, Look, Results, Series, coordinate_unit};
+
+/// What the signs on the curves are. The zeros of the first derivative mark extremes, those of the second one inflections.
+const SIGNS: [(Sign, &str); 3] =
+    [(Sign::Cross, "curve-zero"), (Sign::Ring, "curve-extreme"), (Sign::Plus, "curve-inflection")];
+
+/// The three curves of the chosen quantity, or those of the quantities that were picked.
+pub fn figure(results: &Results, look: &Look<'_>) -> Figure {
+    if !look.picked.is_empty() {
+        let all = picked(results, look);
+        return together(results, look, &all.iter().collect::<Vec<_>>());
+    }
+    let Some(transfer) = results.transfers.get(look.transfer) else { return Figure::default() };
+    let mut title = transfer.name.clone();
+    let mut legend: Vec<Key> = Vec::new();
+    if let Some(compared) = look.compared {
+        title = if compared.before {
+            text!("curve-before", quantity = title)
+        } else {
+            text!("curve-compared", quantity = title, one = &compared.own, other = &compared.name)
+        };
+    } else {
+        legend.extend(
+            SIGNS.map(|(sign, told)| Key { sample: Sample::Sign(sign, Ink::Text), text: text!(told) }),
+        );
+    }
+    let inks = [Ink::First, Ink::Second, Ink::Third];
+    let panels =
+        inks.into_iter().enumerate().map(|(order, ink)| panel(results, look, transfer.orders, order, ink));
+    Figure { title, panels: panels.collect(), columns: 1, legend }
+}
+
+fn panel(results: &Results, look: &Look<'_>, orders: [usize; 3], order: usize, ink: Ink) -> Panel {
+    let series = &results.series[orders[order]];
+    let mut value = quantity(series.bare(look.position), series.unit.clone());
+    let mut curves = vec![(series, Stroke::Solid, ink)];
+    if let Some(compared) = look.compared
+        && let Some(other) = compared.series(series)
+    {
+        curves.push((other, stroke_of(compared), Ink::Text));
+        let difference = compared.difference(series, look.position).unwrap_or(f64::NAN);
+        let difference = quantity(number(difference), series.unit.clone());
+        value = joined("", [value, name("   1 - 2: "), difference]);
+    }
+    let (_, factor) = coordinate_unit(&results.linkage);
+    let mut signs = Vec::new();
+    for (derivative, (sign, _)) in orders[order..].iter().zip(SIGNS) {
+        for at in results.series[*derivative].course.zeros() {
+            let value = if sign == Sign::Cross { Some(0.0) } else { series.course.between(at) };
+            let sign = |value| Item::sign([factor * at, series.factor * value], sign, Ink::Text);
+            signs.extend(value.map(sign));
+        }
+    }
+    over_positions(&results.linkage, look, [catalogue::kind(series.column), value], &curves, signs)
+}
+
+/// The stroke of the curve of a second scene.
+fn stroke_of(compared: &Compared) -> Stroke {
+    if compared.before { Stroke::Dotted } else { Stroke::Stars }
+}
+
+/// Curves of these series of the analysis, of the corresponding ones of another analyzer, and of those of a second scene,
+/// over one axis.
+pub(crate) fn stack(
+    results: &Results,
+    look: &Look<'_>,
+    found: &Found,
+    other: Option<&Found>,
+    wanted: &[usize],
+) -> Vec<Panel> {
+    let panel = |index: &usize| {
+        let series = &found.series[*index];
+        let same = other.and_then(|other| other.series.iter().find(|other| other.column == series.column));
+        let mut curves = vec![(series, Stroke::Solid, Ink::First)];
+        if let Some(compared) = look.compared {
+            curves.extend(compared.series(series).map(|same| (same, stroke_of(compared), Ink::Text)));
+        }
+        curves.extend(same.map(|same| (same, Stroke::Stars, Ink::Third)));
+        let heading = [series.of.clone(), series.show(look.position)];
+        over_positions(&results.linkage, look, heading, &curves, Vec::new())
+    };
+    wanted.iter().map(panel).collect()
+}
+
+/// The picked quantities that the scene has.
+pub fn picked(results: &Results, look: &Look<'_>) -> Vec<Series> {
+    look.picked.iter().filter_map(|short| results.named(short)).map(in_radians).collect()
+}
+
+/// The angle of a link in radians, by which its derivatives are taken, so that all three have one axis; other quantities as they are
+/// shown elsewhere.
+fn in_radians(series: &Series) -> Series {
+    let is_angle =
+        matches!((series.column.quantity, series.column.owner), (Quantity::Transfer(0), Owner::Link(_)));
+    let unit = if is_angle { "rad".to_owned() } else { series.unit.clone() };
+    Series { unit, factor: if is_angle { 1.0 } else { series.factor }, ..series.clone() }
+}
+
+/// Relative size of a change that is rounding.
+const CONSTANT: f64 = 1e-9;
+
+/// A panel for each unit, with a ring at the greatest and the least value of each curve.
+pub(crate) fn together(results: &Results, look: &Look<'_>, all: &[&Series]) -> Figure {
+    let units = different(all.iter().map(|series| without_radians(&series.unit)));
+    let panels = units.into_iter().map(|unit| panel_of_unit(results, look, all, unit)).collect();
+    let legend = if all.len() > 1 { keys(look, all) } else { Vec::new() };
+    Figure { panels, columns: 1, legend, ..Figure::default() }
+}
+
+/// Each of them once, in the order in which it comes first.
+fn different<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut seen = BTreeSet::new();
+    all.filter(|one| seen.insert(*one)).collect()
+}
+
+/// The curves with their units and their values at the position, each under its number, in the strokes of their panels.
+fn keys(look: &Look<'_>, all: &[&Series]) -> Vec<Key> {
+    let key = |(number, series): (usize, &&Series)| {
+        let unit = without_radians(&series.unit);
+        let before = all[..number].iter().filter(|other| without_radians(&other.unit) == unit).count();
+        let (stroke, ink) = STYLES[before % STYLES.len()];
+        let title = joined(" ", [name((number + 1).to_string()), series.title()]);
+        let text = joined(": ", [title, assur_words::number(series.bare(look.position))]);
+        Key { sample: Sample::Line(stroke, ink), text }
+    };
+    all.iter().enumerate().map(key).collect()
+}
+
+/// A unit without its radians, which are numbers: PF0, PF1 and PF2 of a point are lengths all, on one axis.
+fn without_radians(unit: &str) -> &str {
+    let bare = unit.split_once("/rad").map_or(unit, |(bare, _)| bare);
+    if bare == "rad" { "" } else { bare }
+}
+
+/// The quantities of one unit but for radians; each has its number in the list of all.
+fn panel_of_unit(results: &Results, look: &Look<'_>, all: &[&Series], unit: &str) -> Panel {
+    let (_, coordinate) = coordinate_unit(&results.linkage);
+    let (mut curves, mut signs, mut names) = (Vec::new(), Vec::new(), Vec::new());
+    let before = |series: &&Series| look.compared?.series(results.named(&series.short)?).map(in_radians);
+    let befores: Vec<Option<Series>> = all.iter().map(before).collect();
+    for (number, series) in all.iter().enumerate().filter(|(_, series)| without_radians(&series.unit) == unit)
+    {
+        let (stroke, ink) = STYLES[curves.len() % STYLES.len()];
+        curves.extend(befores[number].iter().map(|before| (before, Stroke::Dotted, Ink::Trace)));
+        curves.push((*series, stroke, ink));
+        let place = |[at, value]: Point| [coordinate * at, series.factor * value];
+        if let Some(ends) = series.course.highest_and_lowest() {
+            // A course that is constant to its rounding has no extremes.
+            if series.factor * (ends[0][1] - ends[1][1]) > series.least().max(CONSTANT * series.size()) {
+                signs.extend(ends.map(|end| Item::sign(place(end), Sign::Ring, Ink::Text)));
+            }
+            if all.len() > 1 {
+                // Each number at its own part of the curve, so that the numbers of curves that meet are still seen.
+                let nodes = series.course.nodes();
+                let node = nodes[(2 * number + 1) * nodes.len() / (2 * all.len())];
+                let number = name((number + 1).to_string());
+                signs.push(Item::name(place([node.at, node.value]), number, Ink::Title));
+            }
+        }
+        names.push(plots::numbered(number, series.told()));
+    }
+    let units = curves.iter().map(|(series, ..)| series.unit.as_str()).filter(|unit| !unit.is_empty());
+    let units = list(different(units).into_iter().map(|symbol| assur_words::unit(symbol.to_owned())));
+    // The value at the cursor stands in the legend of several, else in the heading.
+    let heading = match all {
+        [alone] => [alone.told(), alone.show(look.position)],
+        _ => {
+            [list([joined("  ", names), units].into_iter().filter(|text| !text.is_empty())), Text::default()]
+        }
+    };
+    let mut panel = over_positions(&results.linkage, look, heading, &curves, signs);
+    if let Frame::Axes { y, .. } = &mut panel.frame {
+        // The heading says it.
+        y.label = Text::default();
+    }
+    panel
+}
+
+/// The residuals of the checks over the positions.
+pub fn residuals(results: &Results, look: &Look<'_>) -> Figure {
+    let residuals = results.found.iter().flat_map(|found| &found.series);
+    let residuals = residuals.filter(|series| matches!(series.column.quantity, Quantity::Residual(_)));
+    let panels = residuals.map(|series| {
+        let heading = [series.of.clone(), series.show(look.position)];
+        over_positions(&results.linkage, look, heading, &[(series, Stroke::Solid, Ink::First)], Vec::new())
+    });
+    Figure { panels: panels.collect(), columns: 1, ..Figure::default() }
+}

@@ -1,0 +1,97 @@
+//! Reactions over the cycle, their hodographs and their causes.
+
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Panel, Point, Sign, Stroke};
+use assur_words::{Text, list, name, quantity, text};
+
+use crate::{Found, Look, Reaction, Results, Series, ViewPart, causes, curves, friction};
+
+/// The chosen reaction: its modulus beside its hodograph, its projections, its hodograph, or its causes.
+pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
+    let Some(found) = &results.found else { return Figure::default() };
+    let panels = match part {
+        ViewPart::Causes => causes::panels(results, look, found),
+        // The curves of a second analyzer or scene need frames of their own.
+        ViewPart::Curves if results.other.is_none() && look.compared.is_none() => {
+            let all = chosen(found, look).map_or(&[][..], |reaction| &reaction.series);
+            let all: Vec<&Series> = all.iter().map(|index| &found.series[*index]).collect();
+            return Figure { title: heading(results, look, found), ..curves::together(results, look, &all) };
+        }
+        ViewPart::Curves => causes::curves(results, look, found, &[0, 1, 2]),
+        ViewPart::Hodograph => {
+            let mut panels: Vec<Panel> = hodograph(found, look).into_iter().collect();
+            let touching = |reaction| beside_friction(found, look.position, reaction);
+            panels.extend(chosen(found, look).and_then(touching));
+            panels
+        }
+        _ => causes::curves(results, look, found, &[usize::MAX])
+            .into_iter()
+            .chain(hodograph(found, look))
+            .collect(),
+    };
+    let columns = match part {
+        ViewPart::Causes => 2,
+        ViewPart::Curves => 1,
+        _ => panels.len().max(1),
+    };
+    let name = chosen(found, look).map(|reaction| reaction.name.clone()).unwrap_or_default();
+    Figure { title: list([name, heading(results, look, found)]), panels, columns, legend: Vec::new() }
+}
+
+/// The reaction of a pair with friction in a position, as the textbooks draw it; `None` without friction or force.
+pub fn beside_friction(found: &Found, position: usize, reaction: &Reaction) -> Option<Panel> {
+    let (pair, link) = reaction.of.as_ref()?;
+    friction::panel(found, position, (pair.id, link.id), &reaction.name)
+}
+
+/// By which analyzer the reactions are, and their difference to those of another one.
+pub fn heading(results: &Results, look: &Look<'_>, found: &Found) -> Text {
+    let own = name(found.analyzer.clone());
+    match &results.other {
+        // One method has no difference to itself.
+        Some(other) if other.analyzer != found.analyzer => {
+            let difference = format!("{:.1e}", largest_difference(results, found, other));
+            let (theirs, difference) = (name(other.analyzer.clone()), quantity(difference, "N"));
+            text!("forces-two-analyzers", one = own, other = theirs, difference = difference)
+        }
+        _ if look.calculating => text!("forces-calculating", method = own),
+        _ => text!("forces-analyzer", method = own),
+    }
+}
+
+fn chosen<'a>(found: &'a Found, look: &Look<'_>) -> Option<&'a Reaction> {
+    found.reactions.get(look.reaction)
+}
+
+/// Modulus of the difference of a reaction by two analyzers in a position; `None` if one of them does not have it.
+pub fn difference(found: &Found, other: &Found, reaction: &Reaction, position: usize) -> Option<f64> {
+    let same = other.reactions.iter().find(|other| other.of == reaction.of)?;
+    // Both projections, or the balancing load.
+    let parts = reaction.series.iter().zip(&same.series).take(2);
+    let apart = |(own, theirs): (&usize, &usize)| {
+        found.series[*own].at(position) - other.series[*theirs].at(position)
+    };
+    Some(parts.map(apart).map(|part| part * part).sum::<f64>().sqrt()).filter(|size| size.is_finite())
+}
+
+/// Greatest modulus of the difference of a reaction over all positions, N.
+fn largest_difference(results: &Results, found: &Found, other: &Found) -> f64 {
+    let reactions = found.reactions.iter().filter(|reaction| reaction.of.is_some());
+    let all = reactions.flat_map(|reaction| {
+        (0..results.positions()).filter_map(move |position| difference(found, other, reaction, position))
+    });
+    all.fold(0.0, f64::max)
+}
+
+/// The path of the tip of the force over the cycle, with the force of the position.
+fn hodograph(found: &Found, look: &Look<'_>) -> Option<Panel> {
+    let reaction = chosen(found, look).filter(|reaction| reaction.series.len() == 3)?;
+    let [xs, ys] = [0, 1].map(|axis| &found.series[reaction.series[axis]]);
+    let tips: Vec<Point> = xs.course.against(&ys.course);
+    let bounds = Bounds::around(tips.iter().copied().chain([[0.0; 2]]));
+    let tip = xs.course.get(look.position).zip(ys.course.get(look.position)).map(|(x, y)| [x, y]);
+    let mut items = vec![Item::line(tips, Stroke::Dashed, Ink::Second)];
+    items.extend(tip.map(|to| Item::Arrow { from: [0.0; 2], to, stroke: Stroke::Solid, ink: Ink::First }));
+    items.push(Item::sign([0.0; 2], Sign::Plus, Ink::Title));
+    let frame = Frame::Plane { bounds, unit: "N".into(), factor: 1.0, scale: ("F", "N".into()) };
+    Some(Panel { title: text!("forces-hodograph", reaction = &reaction.name), frame, items })
+}

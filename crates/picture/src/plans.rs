@@ -1,0 +1,241 @@
+//! Plans of a position: force polygon of a group, velocities, accelerations, the constructions step by step.
+
+use assur_diagram::{PlanVector, VectorPlan, construction_picture};
+use assur_figure::number::digits;
+use assur_figure::{Bounds, Figure, Frame, Ink, Item, Key, Panel, Sample, Stroke};
+use assur_force::{Construction, Drawing, VectorKind};
+use assur_words::{Describe, Text, joined, name, number, quantity, text};
+
+use crate::plots::{self, Drawn, Vector};
+use crate::{Found, Look, Plans, Results, ViewPart, mechanism};
+
+/// A vector smaller than this part of the greatest counts as zero.
+const LEAST: f64 = 1e-12;
+/// How far beyond the mechanism a construction is drawn, as part of its size.
+const FAR: f64 = 1.5;
+/// A vector shorter than this part of a construction is not named in it.
+const SHORT: f64 = 0.02;
+/// Space around a construction, as part of its size.
+const AROUND: f64 = 0.06;
+/// Name of the pole of a plan of velocities or accelerations.
+const POLE: &str = "p";
+/// What the plans of a position show.
+#[derive(Debug)]
+pub enum Shown<'a> {
+    /// A plan.
+    Plan(&'a VectorPlan),
+    /// A construction up to a step.
+    Construction(&'a Construction, usize),
+    /// Why there is nothing; `None`: no position has it.
+    Nothing(Option<Text>),
+}
+
+/// What a part of the plans shows.
+pub fn shown<'a>(found: &Found, look: &Look<'_>, part: ViewPart, plans: &'a Plans) -> Shown<'a> {
+    let nothing = |text: Text| Shown::Nothing(Some(text));
+    let sheet = match (&plans.sheet, part) {
+        (_, ViewPart::Construction) => {
+            return match chosen_step(plans, look.step) {
+                Some((construction, last)) => Shown::Construction(construction, last),
+                None => nothing(text!("plans-no-construction")),
+            };
+        }
+        (Err(error), _) => return nothing(error.describe()),
+        (Ok(sheet), _) => sheet,
+    };
+    let plan = match part {
+        ViewPart::Velocities => Some(&sheet.velocities),
+        ViewPart::Accelerations => Some(&sheet.accelerations),
+        _ if !has_forces(found, look.position) => None,
+        _ => sheet.polygons.get(look.polygon.min(sheet.polygons.len().saturating_sub(1))),
+    };
+    match plan {
+        Some(plan) => Shown::Plan(plan),
+        None if found.reactions.is_empty() => Shown::Nothing(None),
+        None => nothing(text!("forces-not-determined")),
+    }
+}
+
+/// Why the position has no such plan or construction; `None` where there is one, or where no position has forces.
+pub fn missing(found: &Found, look: &Look<'_>, part: ViewPart) -> Option<Text> {
+    match shown(found, look, part, &found.plans.at(look.position)) {
+        Shown::Nothing(why) => why,
+        Shown::Plan(_) | Shown::Construction(..) => None,
+    }
+}
+
+/// The chosen plan, beside it the same one of the position that is held; or the construction up to the chosen step.
+pub fn figure(results: &Results, look: &Look<'_>, part: ViewPart) -> Figure {
+    let Some(found) = &results.found else { return Figure::default() };
+    let plans = found.plans.at(look.position);
+    match shown(found, look, part, &plans) {
+        Shown::Plan(plan) => {
+            let mut panels = vec![panel_of_plan(part, plan)];
+            let held = look.held.map(|position| (position, found.plans.at(position)));
+            if let Some((position, plans)) = &held
+                && let Shown::Plan(plan) = shown(found, look, part, plans)
+            {
+                panels.insert(0, panel_of_plan(part, plan));
+                plots::one_scale(&mut panels);
+                (panels[0].title, panels[1].title) = (results.place(*position), results.place(look.position));
+            }
+            let legend = keys(part, plan);
+            Figure { title: plan.title.clone(), columns: panels.len(), panels, legend }
+        }
+        Shown::Construction(construction, last) => {
+            let (method, step) = (construction.title.clone(), number(last + 1));
+            let title = text!("plans-step", construction = method, step = step);
+            let panel = panel_of_steps(results, look, construction, last);
+            Figure { title, columns: 1, panels: panel.into_iter().collect(), legend: Vec::new() }
+        }
+        Shown::Nothing(_) => Figure::default(),
+    }
+}
+
+/// What the labels of a plan stand for, with the sizes; of a plan with very many the first ones.
+fn keys(part: ViewPart, plan: &VectorPlan) -> Vec<Key> {
+    /// Entries of a legend that leave room for the plan.
+    const MOST: usize = 16;
+    let inner = |item: &PlanVector| item.kind == VectorKind::Inner;
+    let named =
+        labelled(part, plan).into_iter().filter(|(_, item)| inner(item) || ink_of(part, item) != Ink::Trace);
+    let key = |(label, item): (String, &PlanVector)| {
+        let size = quantity(digits(item.size, 5), item.unit.clone());
+        // An absolute vector is called by its point already.
+        let what = match item.kind {
+            VectorKind::Absolute => name(label),
+            VectorKind::Inner => item.name.clone(),
+            _ => joined(" ", [name(label), item.name.clone()]),
+        };
+        let stroke = if inner(item) { Stroke::Dotted } else { Stroke::Solid };
+        Key { sample: Sample::Line(stroke, ink_of(part, item)), text: joined("  ", [what, size]) }
+    };
+    named.take(MOST).map(key).collect()
+}
+
+/// Whether forces are determined in a position.
+pub fn has_forces(found: &Found, position: usize) -> bool {
+    found.balancing().is_some_and(|series| series.at(position).is_finite())
+}
+
+/// The vectors of a plan that are not only rounding, each with its label.
+pub fn labelled(part: ViewPart, plan: &VectorPlan) -> Vec<(String, &PlanVector)> {
+    let least = LEAST * plan.greatest();
+    let drawn = plan.items.iter().filter(|item| item.size > least).enumerate();
+    drawn.map(|(number, item)| (label(part, item, number), item)).collect()
+}
+
+/// A plan as a panel.
+pub(crate) fn panel_of_plan(part: ViewPart, plan: &VectorPlan) -> Panel {
+    let vectors = labelled(part, plan).into_iter().map(|(label, item)| {
+        let ink = ink_of(part, item);
+        let name = if ink == Ink::Trace { Text::default() } else { name(label) };
+        Vector::arrow(item.start, item.end, name, ink)
+    });
+    let (unit, symbol, pole) = match part {
+        ViewPart::Velocities => (plan.unit.as_str(), "v", Some(POLE)),
+        ViewPart::Accelerations => (plan.unit.as_str(), "a", Some(POLE)),
+        _ => (plan.unit.as_str(), "F", None),
+    };
+    plots::vectors(Text::default(), &vectors.collect::<Vec<_>>(), (unit, symbol), pole)
+}
+
+/// The label of a vector in the drawing and in the list: `R3`, or the point of an absolute velocity.
+fn label(part: ViewPart, item: &PlanVector, number: usize) -> String {
+    match (part, item.kind) {
+        (ViewPart::Forces, VectorKind::Reaction) => format!("R{}", number + 1),
+        (ViewPart::Forces, VectorKind::Inner) => "..".to_owned(),
+        (ViewPart::Forces, _) => format!("F{}", number + 1),
+        (_, VectorKind::Absolute) => item.image.clone(),
+        _ => "..".to_owned(),
+    }
+}
+
+fn ink_of(part: ViewPart, item: &PlanVector) -> Ink {
+    let absolute = part == ViewPart::Accelerations && item.kind == VectorKind::Absolute;
+    if absolute { Ink::Acceleration } else { ink(item.kind) }
+}
+
+fn ink(kind: VectorKind) -> Ink {
+    match kind {
+        VectorKind::Load | VectorKind::Weight | VectorKind::Inertia | VectorKind::Part => Ink::Second,
+        VectorKind::Reaction | VectorKind::Balancing | VectorKind::Closing => Ink::First,
+        VectorKind::Absolute => Ink::Velocity,
+        _ => Ink::Trace,
+    }
+}
+
+/// The construction and its step that belong to the number of a step over all constructions.
+fn chosen_step(plans: &Plans, step: usize) -> Option<(&Construction, usize)> {
+    let mut left = step.min(plans.step_count().saturating_sub(1));
+    for (_, construction) in &plans.constructions {
+        if left < construction.steps.len() {
+            return Some((construction, left));
+        }
+        left -= construction.steps.len();
+    }
+    None
+}
+
+/// The drawing of the last step with the steps up to it, on the place that all its steps take: the mechanism under the steps in it
+/// and the polygon laid off from its corner, or the lever.
+fn panel_of_steps(
+    results: &Results,
+    look: &Look<'_>,
+    construction: &Construction,
+    last: usize,
+) -> Option<Panel> {
+    let step = construction.steps.get(last)?;
+    let on_lever = step.drawing == Drawing::Lever;
+    let all = construction_picture(construction, on_lever);
+    let mut place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends));
+    let mut beneath = Vec::new();
+    if !on_lever {
+        // What lies far off, as a pole near infinity, would leave no room for the rest; of the mechanism the part is seen in which
+        // the construction lies.
+        let room = results.outline.bounds.widened(FAR);
+        place = Bounds::around(all.iter().flat_map(|(_, ends)| *ends).filter(|at| room.holds(*at)))
+            .widened(AROUND);
+        let pose = results.pose(look.position, 0.0);
+        let items = pose.map_or_else(Vec::new, |pose| mechanism::drawing(results, &[]).items(&pose));
+        // The radii of an arc lead out of the picture.
+        let is_radius = |item: &Item| matches!(item, Item::Line { ink: Ink::Trace, .. });
+        let items = items.into_iter().filter(|item| !is_radius(item));
+        beneath = items.flat_map(|item| item.within(&place)).collect();
+    }
+    let made = all.into_iter().take_while(|(number, _)| *number <= last);
+    let vectors: Vec<Vector> = made
+        .filter_map(|(number, ends)| {
+            let step = &construction.steps[number];
+            let (ink, kind) = match step.kind {
+                VectorKind::Point => (Ink::Trace, Drawn::Point),
+                VectorKind::Line => (Ink::Trace, Drawn::Line),
+                kind => (ink(kind), Drawn::Arrow),
+            };
+            // A line is named while it is the last step; its ends have names. So is a vector too short to be seen.
+            let short = || length(ends) < SHORT * place.size().into_iter().fold(0.0, f64::max);
+            let hidden = number < last && (kind == Drawn::Line || kind == Drawn::Arrow && short());
+            let name = if hidden { Text::default() } else { step.name.clone() };
+            let [from, to] = if on_lever { ends } else { place.cut(ends)? };
+            Some(Vector { from, to, name, ink, kind })
+        })
+        .collect();
+    let (unit, symbol) = if on_lever { (lever_unit(construction), "v") } else { ("m", "l") };
+    let mut panel = plots::vectors(Text::default(), &vectors, (unit, symbol), on_lever.then_some(POLE));
+    panel.items.splice(0..0, beneath);
+    if let Frame::Plane { bounds, .. } = &mut panel.frame {
+        *bounds = place;
+    }
+    Some(panel)
+}
+
+/// Distance of two points.
+fn length([from, to]: [[f64; 2]; 2]) -> f64 {
+    (to[0] - from[0]).hypot(to[1] - from[1])
+}
+
+/// The unit of the images on a lever.
+fn lever_unit(construction: &Construction) -> &'static str {
+    let image = construction.steps.iter().find(|step| step.kind == VectorKind::Absolute);
+    image.map_or("m", |step| step.unit)
+}
