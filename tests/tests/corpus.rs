@@ -73,7 +73,7 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("check_silent_1_0", Numbers(|found| no_value_anywhere(found, "load `z`"))),
     ("contact-formula-from-rest", Numbers(nothing_drives)),
     ("contact-formula-moving", Numbers(any)),
-    ("cycle-not-whole", Message(&["does not repeat", "whole turns"])),
+    ("cycle-not-whole", Message(&["is not periodic", "whole turns"])),
     ("defect-length-h900014", Numbers(any)),
     ("direction-of-a-short-link", Numbers(any)),
     ("duplicate_keys", Message(&["name"])),
@@ -122,7 +122,7 @@ const ANSWERS: &[(&str, Answer)] = &[
     // A name of a load is text in every form of the note.
     ("markdown-script", Numbers(any)),
     ("nan_steady_slidercrank", Message(&["inertia"])),
-    ("noplace_cycle", Message(&["does not repeat", "input.cycle"])),
+    ("noplace_cycle", Message(&["is not periodic", "input.cycle"])),
     ("noplace_integrator", Message(&["dopri"])),
     ("noplace_zero_rod", Message(&["group 1 (RRR l2, l3)", "two pins apart"])),
     ("noplace_zero_link", Message(&["rod"])),

@@ -317,7 +317,7 @@ fn names_that_look_the_same_are_told() {
     let mechanism = assur_scene::read("test.toml", &scene).unwrap();
     assert_eq!(mechanism.notes[0].text.identity(), Some("scene-same-appearance"));
     let error = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap_err().to_string();
-    assert!(error.contains("look alike"), "{error}");
+    assert!(error.contains("have similar names"), "{error}");
     let small = SCENE.replacen("A = 0, B = ", "A = 0, b = ", 1);
     let mechanism = assur_scene::read("test.toml", &small).unwrap();
     let error = Calculation::of(mechanism, &Options::default(), &mut unwatched).unwrap_err().to_string();

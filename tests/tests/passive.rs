@@ -283,7 +283,7 @@ fn cranks_of_general_lengths_are_no_mechanism_and_the_message_says_by_how_much()
     let mechanism = assur_scene::read("scene", &general).unwrap();
     let message = decompose(&mechanism).unwrap_err().to_string();
     assert!(message.starts_with("mobility 0 (3*4 - 2*6), must be 1"), "{message}");
-    assert!(message.contains("misses by") && message.contains("mm over the cycle"), "{message}");
+    assert!(message.contains("deviates by") && message.contains("mm over the cycle"), "{message}");
 }
 
 #[test]

@@ -317,7 +317,7 @@ fn explain_tells_case_and_method() {
     assert!(told("andrews").contains("integrator `energy`, case 3 of D (J(q), M(q))"));
     let shaper = told("shaper-drive");
     assert!(
-        shaper.contains("wanted: the gear ratio, the flywheel")
+        shaper.contains("to be found: the gear ratio, the flywheel")
             && shaper.contains("case 5 of D (J(q), M(q, w)): shooting"),
         "{shaper}"
     );

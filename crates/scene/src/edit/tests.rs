@@ -88,7 +88,7 @@ fn a_key_names_a_cell_a_part_of_a_column_or_a_column_of_a_table() {
     assert_eq!(written("force[0].value.table[*][*]").unwrap().len(), 4);
     for (key, problem) in [
         ("force.load.value.table[0..9][1]", "`force.load.value.table` has 2 elements, from [0] to [1]"),
-        ("force.load.value.table[1..0][1]", "`[1..0]` is no element"),
+        ("force.load.value.table[1..0][1]", "`[1..0]` is not an element"),
         ("link.crank[*].mass", "`link.crank` is not a list"),
     ] {
         let found = written(key).unwrap_err();

@@ -102,7 +102,7 @@ fn the_numbers_of_the_note_are_those_of_the_json() {
     assert_eq!(regime.head, ["Quantity", "Value", "Unit", "At"]);
     for (what, key) in [
         ("mean speed", "mean_speed"),
-        ("unevenness", "unevenness"),
+        ("coefficient of speed fluctuation", "unevenness"),
         ("required power", "required_power"),
         ("gear ratio", "ratio"),
         ("moment of inertia of the flywheel", "flywheel"),
