@@ -1,6 +1,6 @@
 //! The explanatory note: what was calculated, with its figures and tables, as HTML, Markdown or Typst.
 //!
-//! [`write`] makes a [`Document`] from the topics of the report and pictures of the results (`parts`), and writes it in a
+//! [`write`](fn@write) makes a [`Document`] from the topics of the report and pictures of the results (`parts`), and writes it in a
 //! form (`html`, `markdown`, `typst`).
 
 mod context;
