@@ -18,18 +18,11 @@ use assur_tests::fuzz::{Outcome, input, known, run, variant};
 /// An input that takes longer hangs: six times as long as anything may take, since the run may share its processors.
 const LONGEST: Duration = Duration::from_mins(1);
 
-/// As what a finding of [`OPEN`] is counted.
-const KNOWN: &str = "known finding";
-
 /// The word that asks for variants of the shipped scenes.
 const VARIANTS: &str = "variants";
 
 /// What may become of an input: the names of [`assur_tests::fuzz::Outcome`].
 const OUTCOMES: [&str; 5] = ["Refused", "Unsolved", "Stopped", "Solved", "CheckFailed"];
-
-/// Findings that are known and not mended yet: number and what is wrong, a line each. They are told, and fail no run; the numbers are
-/// those of the corpus as it is, so that a new scene there asks for a new list.
-const OPEN: &str = include_str!("../open-findings.txt");
 
 /// What makes the inputs: where one comes from, and its text.
 type Maker = Box<dyn Fn(u64) -> (String, String)>;
@@ -93,11 +86,7 @@ fn parent([from, count]: [u64; 2], folder: &Path, kind: &str) -> Result<(), Box<
             let number: u64 = parts.next().unwrap_or_default().parse()?;
             let (what, detail) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
             hangs = what == "hang";
-            let is_open = kind != VARIANTS
-                && !OUTCOMES.contains(&what)
-                && OPEN.lines().any(|line| line.split(' ').next() == Some(&number.to_string()));
-            let counted = if is_open { KNOWN } else { what };
-            *counts.entry(counted.to_owned()).or_default() += 1;
+            *counts.entry(what.to_owned()).or_default() += 1;
             if !OUTCOMES.contains(&what) || what == "CheckFailed" {
                 let text = format!("# {what}: {detail}\n{}", input(number).1);
                 std::fs::write(folder.join(format!("{number}.toml")), text)?;
@@ -113,11 +102,8 @@ fn parent([from, count]: [u64; 2], folder: &Path, kind: &str) -> Result<(), Box<
     for (what, count) in &counts {
         println!("{count:>9}  {what}");
     }
-    let findings: u64 = counts
-        .iter()
-        .filter(|(what, _)| *what != KNOWN && !OUTCOMES.contains(&what.as_str()))
-        .map(|(_, count)| count)
-        .sum();
+    let findings: u64 =
+        counts.iter().filter(|(what, _)| !OUTCOMES.contains(&what.as_str())).map(|(_, count)| count).sum();
     if findings > 0 {
         return Err(format!("{findings} findings, kept in {}", folder.display()).into());
     }
