@@ -108,6 +108,9 @@ fn what_is_found_between_positions_is_the_limit_of_more_and_more_positions() {
             let is_mean = head.starts_with("balancing_mean_");
             let scale = if is_mean {
                 numbers(&found, &head.replace("mean_modulus", "mean").replace("mean", "greatest"))[0]
+            } else if head.ends_with("_angle_rad") {
+                // Near 0 it has the rounding of a radian.
+                1.0
             } else {
                 size
             };
