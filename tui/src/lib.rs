@@ -10,6 +10,7 @@ mod files;
 mod locale;
 mod progress;
 mod session;
+mod still;
 mod verdict;
 
 use assur_figure::number;

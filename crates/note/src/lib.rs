@@ -21,6 +21,8 @@ use assur_words::{Describe, Language, Text, errors, name, text};
 use context::Context;
 use sheet::NoteSheet;
 
+assur_words::resources!();
+
 /// Most positions times parts of the mechanism in a note, whose figures and texts are all in memory: with eight times as many
 /// they took 4 GB.
 const MOST_PARTS: usize = 100_000;
@@ -116,8 +118,12 @@ pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result
         positions.push(results.first_position());
     }
     positions.dedup();
-    let document = document(results, &positions)?;
-    let sheet = NoteSheet { title: &mechanism.title, author: sheet::author(note), document, language };
+    let Document { blocks, .. } = document(results, &positions)?;
+    let mut sheet = NoteSheet { title: &mechanism.title, author: sheet::author(note), blocks, language };
+    // Typst numbers headings, figures and tables itself.
+    if form != Form::Typst {
+        sheet.number();
+    }
     Ok(match form {
         Form::Html => Written { text: html::write(&sheet), figures: Vec::new() },
         Form::Markdown => markdown::write(&sheet, folder),

@@ -30,7 +30,7 @@ pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
         let _ = writeln!(text, "#align(right)[{}: {}]", line(what), rich(who));
     }
     text.push_str("#pagebreak()\n\n");
-    for block in &sheet.document.blocks {
+    for block in &sheet.blocks {
         let _ = match block {
             Block::Title(_) => Ok(()),
             Block::Heading(title) => writeln!(text, "= {}\n", line(title)),

@@ -18,6 +18,7 @@ use super::scene;
 use super::style::Style;
 use crate::progress::{ProgressLine, SystemClock};
 use crate::session::Session;
+use crate::still;
 
 /// Exit status after Ctrl-C, the usual one in shells.
 const INTERRUPTED: u8 = 130;
@@ -68,8 +69,7 @@ pub(crate) fn run(args: &ChartArgs, style: Style) -> Result<Status, Fault> {
     let status = if stopped { Status::Code(INTERRUPTED) } else { verdict.status() };
     if let Some(path) = args.output.as_deref().filter(|path| is_picture(path)) {
         let figure = chart::figure(&data);
-        let picture =
-            crate::screen::command::picture(&figure, path, PAGE, style.language).map_err(Fault::Other)?;
+        let picture = still::picture(&figure, path, PAGE, style.language).map_err(Fault::Other)?;
         return output.write(picture, status);
     }
     let text = match args.format {

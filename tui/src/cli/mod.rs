@@ -156,7 +156,6 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
                 config,
                 config_fault: fault.clone(),
                 config_file: config::file(),
-                note: Some(draw::of_session),
             };
             let code = crate::screen::run(scene, options);
             if let Some(fault) = fault {

@@ -3,7 +3,7 @@
 //! [`run`] is the entry point. The layers, from below: `state` is everything on which a frame depends; `draw` puts
 //! figures, curves and text into cells; `view` is pure functions from the state to a frame; `command` changes the
 //! state, by a table of commands that is passed to the state, so that views can show its keys without depending on it;
-//! `still` draws a view without a terminal; `event_loop` applies the events that wait in `inbox` and redraws only after one that
+//! `event_loop` applies the events that wait in `inbox` and redraws only after one that
 //! changed something. Nothing here calculates; reading and calculating (`work`) run in threads of `workers`.
 
 pub(crate) mod command;
@@ -14,7 +14,6 @@ mod inbox;
 mod input;
 mod pixels;
 pub(crate) mod state;
-pub(crate) mod still;
 mod terminal;
 pub(crate) mod view;
 mod work;
@@ -30,7 +29,7 @@ use assur_words::{Describe, Text, errors, text, text_of};
 use command::COMMANDS;
 pub use config::Config;
 pub(crate) use config::default_text;
-use state::{Look, Marker, NoteWriter, Scene, State, Theme};
+use state::{Look, Marker, Scene, State, Theme};
 
 use crate::session::{Session, Source};
 
@@ -65,8 +64,6 @@ pub struct Options {
     pub config_fault: Option<Text>,
     /// The configuration file of the user, which need not exist; `None`: there is no place for it.
     pub config_file: Option<PathBuf>,
-    /// Writes the note of a scene.
-    pub(crate) note: Option<NoteWriter>,
 }
 
 /// Why the terminal UI could not open.
@@ -112,7 +109,6 @@ pub fn run(path: Option<PathBuf>, options: Options) -> Result<u8, ScreenError> {
     let mut state = State::new(scene, look(&options), COMMANDS, options.config.keys.clone());
     state.fault = options.config_fault.clone().map(|fault| (text!("config-fault"), fault));
     state.panels.clone_from(&options.config.panels);
-    state.note = options.note;
     state.size = terminal::size().unwrap_or(state.size);
     state.options.clone_from(&options.methods);
     command::start(&mut state);

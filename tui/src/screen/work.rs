@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use assur_analysis::{Coverage, Options};
+use assur_note::Form;
 use assur_study::chart;
 use assur_study::stability::stability;
 use assur_words::{Describe, Text, number, text};
@@ -47,9 +48,7 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
             }
             Report::Read(wanted.clone(), scene)
         }
-        Job::Note { write, session, options, path } => {
-            Report::Noted(path.clone(), write(session, options.clone()))
-        }
+        Job::Note { session, options, path } => Report::Noted(path.clone(), note(session, options)),
         Job::Calculate(request) => {
             let tell = |outcome| tell(Report::Calculated(request.number, outcome));
             let mut watch = Watch {
@@ -65,6 +64,12 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
             Report::Calculated(request.number, last)
         }
     }
+}
+
+/// The explanatory note of a scene.
+fn note(session: &Session, options: &Options) -> Result<String, Text> {
+    let written = assur_note::write(&session.analyzed(options, true)?, &session.note, Form::Html, "");
+    written.map(|written| written.text).map_err(|error| error.describe())
 }
 
 /// Calculates a scene and reports the results, then checks them; results for a difference are not checked.

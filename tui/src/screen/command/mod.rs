@@ -1,7 +1,6 @@
 //! Commands: their table, their effects on the state, and the keys and lines that run them.
 
 mod act;
-mod find;
 mod jobs;
 mod jump;
 mod line;
@@ -13,9 +12,7 @@ mod report;
 mod table;
 mod whatif;
 mod write;
-pub(crate) use find::pick_all;
 pub(crate) use jobs::take;
-pub(crate) use line::search;
 pub(crate) use table::COMMANDS;
 
 use assur_words::{number, text};
@@ -23,7 +20,7 @@ use crossterm::event::{KeyCode, KeyEvent, MouseButton, MouseEvent, MouseEventKin
 
 #[cfg(test)]
 pub(crate) use whatif::toggle;
-pub(crate) use write::{PAGE, grant, picture};
+pub(crate) use write::grant;
 
 use super::state::{
     Command, Entry, Group, Key, LONGEST, PromptKind, Purpose, Role, State, Stop, View, round,

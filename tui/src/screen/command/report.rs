@@ -1,8 +1,9 @@
 //! Commands of the views that show a long text: the report on the methods, and the working of the position.
 
+use assur_picture::find;
 use assur_words::text;
 
-use super::{act, find, jobs};
+use super::{act, jobs};
 use crate::screen::state::{Purpose, Role, State, View, ViewPart};
 use crate::screen::view::{report as view, room};
 
@@ -45,17 +46,14 @@ pub(super) fn page(state: &mut State, sense: isize) {
     scroll(state, sense * (page - 1).max(1));
 }
 
-/// Scrolls to the next line that begins with a text, as a heading does, or if none does, that contains it; false if there is none.
-pub(super) fn find(state: &mut State, wanted: &str) -> bool {
+/// Scrolls to the next line that begins with a text, as a heading does, or if none does, that contains it; `None` if there is none.
+pub(super) fn find(state: &mut State, wanted: &str) -> Option<()> {
     let lines = view::lines(state, state.view, room(state).width);
     let now = *state.line();
     let line = |index: usize| lines[index].to_lowercase();
     let begins = |index: usize| line(index).trim_start_matches(['=', ' ']).starts_with(wanted);
     let is_heading = (0..lines.len()).any(begins);
     let fits = |index| if is_heading { begins(index) } else { line(index).contains(wanted) };
-    let found = find::next(now, lines.len(), fits);
-    if let Some(found) = found {
-        *state.line() = found;
-    }
-    found.is_some()
+    *state.line() = find::next(now, lines.len(), fits)?;
+    Some(())
 }

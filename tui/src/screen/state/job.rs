@@ -45,15 +45,11 @@ pub(crate) struct OutputFile {
     pub(crate) scene: bool,
 }
 
-/// Writes the explanatory note of a scene by force analyzer and integrator; an error is a text to show.
-pub(crate) type NoteWriter = fn(&Arc<Session>, Options) -> Result<String, Text>;
-
 #[derive(Debug)]
 pub(crate) enum Job {
     Read(Wanted),
     /// Write the note of a scene to a file.
     Note {
-        write: NoteWriter,
         session: Arc<Session>,
         options: Options,
         path: PathBuf,

@@ -1,6 +1,6 @@
 //! What can be shown and chosen.
 
-use assur_picture::ViewPart;
+use assur_picture::{Picture, ViewPart};
 use assur_words::{Language, Text, text};
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
@@ -76,24 +76,14 @@ impl View {
         short.unwrap_or_else(|| self.name().render(language))
     }
 
+    /// Its picture, of a view that has one of the results.
+    pub(crate) fn picture(self) -> Option<Picture> {
+        self.command().parse().ok()
+    }
+
     /// Its parts, the one that is shown first in front; none if it is one whole.
     pub(crate) fn parts(self) -> &'static [ViewPart] {
-        match self {
-            Forces => &[ViewPart::Overview, ViewPart::Causes, ViewPart::Curves, ViewPart::Hodograph],
-            Plans => {
-                &[ViewPart::Forces, ViewPart::Velocities, ViewPart::Accelerations, ViewPart::Construction]
-            }
-            Motion => &[ViewPart::Overview, ViewPart::Course, ViewPart::Iteration, ViewPart::Reduction],
-            Drive => &[
-                ViewPart::Overview,
-                ViewPart::Curves,
-                ViewPart::Places,
-                ViewPart::EnergyMass,
-                ViewPart::Inertia,
-                ViewPart::Reduction,
-            ],
-            _ => &[],
-        }
+        self.picture().map_or(&[], Picture::parts)
     }
 }
 

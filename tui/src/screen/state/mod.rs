@@ -27,7 +27,7 @@ pub(crate) use assur_picture::{
     Arrows, Compared, Found, Probe, Reaction, Series, Traces, ViewPart, coordinate_unit,
 };
 pub(crate) use job::{
-    CalculationRequest, Cancel, Effect, Job, Measured, NoteWriter, Outcome, OutputFile, Purpose, Report,
+    CalculationRequest, Cancel, Effect, Job, Measured, Outcome, OutputFile, Purpose, Report,
     Running, Wanted,
 };
 pub(crate) use keymap::{Command, Group, Key, Keymap};
@@ -110,8 +110,6 @@ pub(crate) struct State {
     pub(crate) message: Option<(Role, Text)>,
     /// Errors of a file that could not be used, under a title, shown until the next key.
     pub(crate) fault: Option<(Text, Text)>,
-    /// Writes the note of a scene.
-    pub(crate) note: Option<NoteWriter>,
     /// Columns and rows of the terminal.
     pub(crate) size: (u16, u16),
     pub(crate) effects: Vec<Effect>,
