@@ -423,7 +423,6 @@ draw-no-position = there is no position { $position }; they are numbered 0 to { 
 draw-no-parts = the view `{ $view }` has no parts
 draw-no-part = there is no part `{ $part }` of this view; its parts are { $parts }
 draw-svg-alone = --animate writes SVG alone: name a file that ends in .svg
-screen-no-terminal = error: the terminal UI needs a terminal; `assur analyze SCENE` prints the same as text
 screen-terminal-fails = error: the terminal can't be used: { $problem }
 
 # Progress.

@@ -398,7 +398,6 @@ draw-no-position = положения { $position } нет; их номера �
 draw-no-parts = у вида `{ $view }` нет частей
 draw-no-part = части `{ $part }` у этого вида нет; его части: { $parts }
 draw-svg-alone = --animate пишет только SVG: назовите файл с окончанием .svg
-screen-no-terminal = ошибка: терминальному интерфейсу нужен терминал; `assur analyze SCENE` печатает то же текстом
 screen-terminal-fails = ошибка: терминалом не удаётся воспользоваться: { $problem }
 
 # Progress.

@@ -395,7 +395,6 @@ draw-no-position = положення { $position } немає; їхні ном�
 draw-no-parts = вид `{ $view }` не має частин
 draw-no-part = частини `{ $part }` у цього виду немає; його частини: { $parts }
 draw-svg-alone = --animate пише лише SVG: назвіть файл із закінченням .svg
-screen-no-terminal = помилка: термінальному інтерфейсу потрібен термінал; `assur analyze SCENE` друкує те саме текстом
 screen-terminal-fails = помилка: терміналом не вдається скористатися: { $problem }
 
 # Progress.

@@ -35,7 +35,6 @@ fn counted(progress: Progress) -> (Text, Option<[usize; 2]>) {
     }
 }
 
-/// Progress of an analysis.
 pub(crate) fn told(progress: Progress) -> Text {
     match counted(progress) {
         (what, Some([done, total])) => {
@@ -132,7 +131,6 @@ impl Drop for ProgressLine {
     }
 }
 
-/// Seconds since it was made.
 pub(crate) struct SystemClock(Instant);
 
 impl Default for SystemClock {

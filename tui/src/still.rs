@@ -216,7 +216,10 @@ fn choose(
             look.polygon = find::polygon(&found?.plans.at(look.position), &wanted, told)?;
         }
         (Picture::Plans, _) => return None,
-        (Picture::Structure, _) => look.group = find::row(&results.group_names().iter().map(told).collect::<Vec<_>>(), 0, sought)?,
+        (Picture::Structure, _) => {
+            let names: Vec<String> = results.group_names().iter().map(told).collect();
+            look.group = find::row(&names, 0, sought)?;
+        }
         _ => drop(find::column(results, 0, &wanted, told)?),
     }
     Some(())

@@ -96,7 +96,6 @@ fn plain(title: &Text, language: &Language) -> String {
     title.render(language).replace('`', "")
 }
 
-/// Most lines of the heading of a panel.
 const HEADING: usize = 2;
 
 /// The heading of a panel, one line below the other.

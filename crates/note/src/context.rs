@@ -14,7 +14,6 @@ pub(super) struct Context<'a> {
     pub(super) positions: &'a [usize],
 }
 
-/// A topic of the report.
 pub(super) type Topic = fn(&Source<'_>, &mut Document);
 
 impl Context<'_> {
@@ -23,7 +22,6 @@ impl Context<'_> {
         Source::of(&self.found.analysis, &self.results.linkage, Some(self.positions))
     }
 
-    /// Adds topics.
     pub(super) fn tell(&self, page: &mut Document, topics: &[Topic]) {
         let source = self.source();
         for topic in topics {

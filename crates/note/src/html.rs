@@ -30,7 +30,6 @@ th, td { border: 0.3mm solid #666; padding: 0.6mm 1.5mm; text-align: left; } th 
 /// A table of at most so many rows is not divided between pages.
 pub(super) const SHORT: usize = 16;
 
-/// The file.
 pub(super) fn write(sheet: &NoteSheet<'_>) -> String {
     let line = |text: &Text| rich(&sheet.line(text));
     let mut text = format!(
@@ -84,7 +83,6 @@ fn table(text: &mut String, caption: &str, grid: &Grid) -> fmt::Result {
     Ok(())
 }
 
-/// A text with subscripts.
 fn rich(text: &str) -> String {
     sheet::rich(text, escaped, |low| format!("<sub>{}</sub>", escaped(low)))
 }

@@ -32,9 +32,9 @@ pub(super) fn write(sheet: &NoteSheet<'_>, folder: &str) -> Written {
                 figures.push((name.clone(), drawn));
                 writeln!(text, "![{caption}](<{folder}/{name}>)\n\n{caption}\n")
             }
-            Block::Table(_) | Block::Facts { .. } => block.as_table().map_or(Ok(()), |of| {
-                writeln!(text, "{}\n\n{}", line(&of.caption), table(&sheet.grid(&of)))
-            }),
+            Block::Table(_) | Block::Facts { .. } => block
+                .as_table()
+                .map_or(Ok(()), |of| writeln!(text, "{}\n\n{}", line(&of.caption), table(&sheet.grid(&of)))),
         };
     }
     Written { text, figures }

@@ -7,7 +7,6 @@ use assur_words::{Language, Text, joined, name, number, text, unit};
 
 /// A note that a form writes.
 pub(super) struct NoteSheet<'a> {
-    /// The title of the scene.
     pub(super) title: &'a str,
     /// What the author says of himself, each behind its name.
     pub(super) author: Vec<(Text, String)>,
@@ -15,7 +14,6 @@ pub(super) struct NoteSheet<'a> {
     pub(super) language: &'a Language,
 }
 
-/// A table in words.
 pub(super) struct Grid {
     pub(super) head: Vec<String>,
     /// Which columns stand at the right.
@@ -23,7 +21,6 @@ pub(super) struct Grid {
     pub(super) rows: Vec<Vec<String>>,
 }
 
-/// Who wrote a note.
 pub(super) fn author(note: &Note) -> Vec<(Text, String)> {
     let rows = [
         (text!("note-author"), &note.author),

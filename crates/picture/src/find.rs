@@ -39,12 +39,7 @@ fn contains(text: &str, wanted: &str) -> bool {
 }
 
 /// The quantity of a name: the one with just this name, or else the next one in whose name it occurs.
-pub fn column(
-    results: &Results,
-    now: usize,
-    wanted: &str,
-    told: impl Fn(&Text) -> String,
-) -> Option<usize> {
+pub fn column(results: &Results, now: usize, wanted: &str, told: impl Fn(&Text) -> String) -> Option<usize> {
     let names = |column: usize| {
         let series = results.column(column)?;
         let names = [told(&series.of), told(&series.head), series.short.clone()];

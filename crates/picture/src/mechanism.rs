@@ -10,7 +10,6 @@ use crate::{Look, Probe, Results, Traces, arrows};
 
 /// A trail shows a path divided by this number.
 const TRAIL: usize = 4;
-/// Most links of a legend.
 const MOST_LINKS: usize = 12;
 
 /// The mechanism where it is now; the links in `marked` are highlighted.

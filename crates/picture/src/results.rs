@@ -119,7 +119,9 @@ impl Results {
     /// The names of the groups.
     pub fn group_names(&self) -> Vec<Text> {
         let structure = &self.linkage.structure;
-        (0..structure.groups.len()).map(|group| structure.group_name(&self.linkage.mechanism, group)).collect()
+        (0..structure.groups.len())
+            .map(|group| structure.group_name(&self.linkage.mechanism, group))
+            .collect()
     }
 
     /// What a quantity belongs to: its kind and its name.

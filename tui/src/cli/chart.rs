@@ -39,10 +39,8 @@ pub(crate) struct ChartArgs {
     output: Option<PathBuf>,
 }
 
-/// Width and height of the picture, mm.
 const PAGE: [f64; 2] = [240.0, 200.0];
 
-/// Whether the ending of a name is that of a picture.
 fn is_picture(path: &Path) -> bool {
     path.extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("svg") || ending.eq_ignore_ascii_case("png"))

@@ -89,7 +89,7 @@ pub(crate) fn report(args: &ReportArgs, language: Option<&str>, style: Style) ->
     let status = verdict.proved();
     let stem = args.output.file_stem().unwrap_or_default().to_string_lossy();
     let figures = format!("{stem}-figures");
-    let written = assur_note::write(&results, &note, form, &figures).map_err(Fault::told)?;
+    let written = assur_note::write(&results, &note, form, &figures).map_err(Fault::Other)?;
     if !written.figures.is_empty() {
         let folder = args.output.with_file_name(&figures);
         let names: Vec<&str> = written.figures.iter().map(|(name, _)| name.as_str()).collect();

@@ -63,7 +63,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// The command line with its commands and options.
 #[cfg(test)]
 pub(crate) fn program() -> clap::Command {
     Cli::command()
@@ -161,7 +160,7 @@ fn scene_or_screen(cli: Cli, (config, config_fault): Configured, style: Style) -
             if let Some(fault) = fault {
                 style.tell(fault);
             }
-            Ok(Status::Code(code?))
+            code.map(Status::Code).map_err(Fault::Scene)
         }
     }
 }

@@ -90,12 +90,10 @@ impl CheckedArgs {
     }
 }
 
-/// The errors of a scene or a configuration.
 pub(crate) fn faults(errors: &SceneErrors) -> Fault {
     Fault::Scene(errors.describe())
 }
 
-/// An error of the scene as a whole.
 pub(crate) fn in_file(path: &Path, message: Text) -> Fault {
     FileError::read(path, message).into()
 }

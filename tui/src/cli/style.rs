@@ -29,7 +29,6 @@ pub(crate) struct Style {
     pub(crate) ascii: bool,
     /// ASCII only in formats for programs, whose encoding is UTF-8 whatever the locale.
     pub(crate) ascii_data: bool,
-    /// The language in which a command speaks.
     pub(crate) language: &'static Language,
     /// Whether what is probably not meant in a scene is an error.
     pub(crate) strict: bool,

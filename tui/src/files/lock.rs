@@ -12,7 +12,6 @@ use super::FileError;
 /// What the text of a lock begins with: a file with another text belongs to somebody else.
 const MARK: &str = "assur";
 
-/// Longest text of a lock that is read.
 const LONGEST: u64 = 200;
 
 /// How often a file is opened again that is removed or replaced at the same moment.
@@ -77,7 +76,6 @@ impl Drop for Lock {
     }
 }
 
-/// The first line of a lock.
 fn text_of(file: &mut File) -> io::Result<String> {
     let mut bytes = Vec::new();
     file.take(LONGEST).read_to_end(&mut bytes)?;

@@ -176,7 +176,6 @@ impl Replacement {
         Ok(Self { content, path })
     }
 
-    /// Replaces the content of the target.
     fn put(self) -> io::Result<()> {
         let temporary = self.content.into_temp_path();
         let put = take_place(&temporary, &self.path);

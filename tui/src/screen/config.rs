@@ -21,7 +21,7 @@ const OUT: &str = "quit";
 
 /// The configuration; values that the file does not give are the defaults.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Config {
+pub(crate) struct Config {
     pub(crate) look: Look,
     pub(crate) panels: Panels,
     pub(crate) keys: Keymap,
@@ -91,7 +91,6 @@ fn panels(entry: &Entry<'_>) -> Panels {
     Panels { shown: !views.is_empty(), views }
 }
 
-/// A key as written in the file.
 struct Written {
     command: &'static str,
     key: Key,

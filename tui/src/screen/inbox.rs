@@ -43,11 +43,9 @@ impl Event {
     }
 }
 
-/// What waits, in its order.
 #[derive(Debug, Default)]
 struct Waiting {
     events: VecDeque<Event>,
-    /// How many of them are typed.
     typed: usize,
     /// How many were dropped and not reported yet.
     dropped: usize,
@@ -85,7 +83,6 @@ impl Waiting {
     }
 }
 
-/// The events that wait for the loop.
 pub(crate) struct Inbox {
     waiting: Mutex<Waiting>,
     came: Condvar,
@@ -171,7 +168,6 @@ impl Inbox {
         self.asked.store(open, Ordering::SeqCst);
     }
 
-    /// Says whether the program may end without a warning.
     pub(crate) fn set_free(&self, free: bool) {
         self.free.store(free, Ordering::SeqCst);
     }

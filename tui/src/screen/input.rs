@@ -26,20 +26,17 @@ const PASTE_PATIENCE: Duration = Duration::from_secs(3);
 /// Bytes of a pasted text that are kept; the rest of a longer one is dropped.
 const LONGEST_PASTE: usize = 1 << 16;
 const ESCAPE: u8 = 0x1b;
-/// Ctrl-C.
 const INTERRUPT: u8 = 3;
 /// Bytes that are read at once: as many as a terminal keeps.
 const PIECE: usize = 4096;
 /// Pieces that wait to be divided into keys: what waits is short, and the rest of a long input waits in the terminal.
 const PIECES: usize = 1;
 
-/// What comes from the terminal.
 #[derive(Debug)]
 pub(crate) enum Input {
     /// A key, a pasted text, the mouse, the focus.
     Event(Event),
     Answer(Answer),
-    /// Nothing more.
     End,
 }
 
@@ -85,7 +82,6 @@ pub(crate) struct Decoder {
     pub(crate) answers: Vec<Answer>,
 }
 
-/// What the bytes begin with.
 enum Head {
     Whole(usize),
     /// This many bytes that can't become a sequence.
@@ -258,7 +254,6 @@ fn event(sequence: &[u8]) -> Option<Event> {
     parsed(sequence)
 }
 
-/// What the parser makes of a complete sequence.
 fn parsed(sequence: &[u8]) -> Option<Event> {
     let parsed = terminput::Event::parse_from(sequence).ok().flatten()?;
     terminput_crossterm::to_crossterm(parsed).ok()

@@ -68,8 +68,8 @@ pub(crate) fn run(job: &Job, tell: &dyn Fn(Report)) -> Report {
 
 /// The explanatory note of a scene.
 fn note(session: &Session, options: &Options) -> Result<String, Text> {
-    let written = assur_note::write(&session.analyzed(options, true)?, &session.note, Form::Html, "");
-    written.map(|written| written.text).map_err(|error| error.describe())
+    let results = session.analyzed(options, true)?;
+    assur_note::write(&results, &session.note, Form::Html, "").map(|written| written.text)
 }
 
 /// Calculates a scene and reports the results, then checks them; results for a difference are not checked.

@@ -145,7 +145,6 @@ fn draw_marks(marks: &[Item], size: [u16; 2], look: Look) -> (Raster, Labels) {
     (raster, labels)
 }
 
-/// Character of hatching.
 const HATCH: &str = "╱";
 
 /// The struts below a pin on the ground.

@@ -54,7 +54,6 @@ impl Raster {
         cell.ink = ink;
     }
 
-    /// Draws a straight line.
     fn line(&mut self, from: [f64; 2], to: [f64; 2], ink: Ink) {
         let Some([from, to]) = self.clipped(from, to) else { return };
         let (across, down) = dots(self.marker);
@@ -139,7 +138,6 @@ pub(crate) fn short(x: usize) -> u16 {
     u16::try_from(x).unwrap_or(u16::MAX)
 }
 
-/// Dots of a cell: across, down.
 fn dots(marker: Marker) -> (usize, usize) {
     match marker {
         Marker::Braille => (2, 4),

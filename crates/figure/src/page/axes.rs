@@ -18,7 +18,6 @@ const APART: [f64; 2] = [16.0, 8.0];
 /// Least numbers of an axis.
 const LEAST_NUMBERS: usize = 3;
 
-/// The elements of a panel.
 pub(super) fn elements(
     panel: &Panel,
     shows_axis: bool,

@@ -5,17 +5,14 @@ use std::fmt::Write;
 use super::{EM, width};
 use crate::model::{Ink, Point, Stroke};
 
-/// One element of a page.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Element {
     pub(crate) name: &'static str,
     /// Attributes by name; places are in millimeters.
     pub(crate) attributes: Vec<(&'static str, String)>,
-    /// Its text; may be empty.
     pub(crate) text: String,
 }
 
-/// How an outline is drawn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Outline {
     pub(super) ink: Ink,

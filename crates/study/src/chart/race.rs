@@ -10,7 +10,6 @@ use super::{Measurement, Reference, Stage};
 /// Shortest stretch that is timed, s: far above the resolution of a clock.
 const STRETCH: f64 = 2e-4;
 
-/// Most runs in one stretch.
 const MOST_RUNS: f64 = 1e5;
 
 /// A run longer than this, s, need not be repeated.
@@ -20,23 +19,18 @@ const LONG: f64 = 0.05;
 pub(crate) const STOPPED: Text = text!("chart-not-reached");
 const OUT_OF_TIME: Text = text!("chart-out-of-time");
 
-/// The clock, the options, and the watcher.
 pub(crate) struct Judge<'a> {
     pub(crate) clock: &'a mut dyn Clock,
     pub(crate) options: ChartOptions,
     pub(crate) progress: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
-    /// When the chart began.
     pub(crate) start: f64,
-    /// A stop was requested.
     pub(crate) stopped: bool,
 }
 
 /// An entry that was compared with the reference and can be timed.
 struct Timed<'e, 'a> {
     entry: &'e mut Entry<'a>,
-    /// Runs in one stretch.
     runs: f64,
-    /// Number of timings to take.
     rounds: usize,
     /// Measured times of one run, s.
     times: Vec<f64>,
@@ -226,14 +220,12 @@ pub struct Progress {
     pub total: usize,
 }
 
-/// The outcome of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Verdict {
     /// Evaluations in one unit of work.
     pub(crate) evaluations: Option<u64>,
     /// Largest relative deviation; `None` without a result.
     pub(crate) error: Option<f64>,
-    /// What failed.
     pub(crate) failure: Option<Text>,
 }
 
@@ -283,7 +275,6 @@ type Work<'a> = Box<dyn FnMut(bool) -> Verdict + 'a>;
 /// A row that is not measured yet; without work it has its reason already.
 pub(crate) struct Entry<'a> {
     pub(crate) row: Measurement,
-    /// Units of work in one run.
     pub(crate) units: f64,
     pub(crate) work: Option<Work<'a>>,
 }
@@ -301,7 +292,6 @@ impl<'a> Entry<'a> {
     }
 }
 
-/// All methods of a stage, and their reference.
 pub(crate) struct Field<'a> {
     pub(crate) reference: Reference,
     pub(crate) entries: Vec<Entry<'a>>,

@@ -117,7 +117,6 @@ impl Charting<'_> {
         self.data.rows.extend(self.judge.race(stage, field));
     }
 
-    /// Transfer functions and forces.
     fn positions(&mut self, linkage: &Linkage) -> Result<(), ChartError> {
         let work = Work::new(linkage)?;
         if !linkage.groups().is_empty() {
@@ -211,7 +210,6 @@ pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
-/// Marks the rows that are on the front of their stage.
 pub(crate) fn mark(rows: &mut [Measurement]) {
     for stage in Stage::ALL {
         let known: Vec<(usize, (f64, f64))> = rows

@@ -9,7 +9,6 @@ use super::report::Stability;
 use super::row::{Comparison, FRICTION};
 use super::{margin, walk};
 
-/// Most failed rows that the conclusion lists.
 const MOST_FAILED: usize = 10;
 
 /// All distances of one method on one walk.
@@ -49,7 +48,6 @@ impl Walk<'_> {
     }
 }
 
-/// Lines in a language.
 struct Lines<'l> {
     language: &'l Language,
     text: String,
@@ -61,7 +59,6 @@ impl Lines<'_> {
         self.text.extend(["\n", &heading.render(self.language), "\n"]);
     }
 
-    /// A line of a section.
     fn line(&mut self, line: &Text) {
         self.text.extend(["  ", &line.render(self.language), "\n"]);
     }
@@ -184,7 +181,6 @@ impl Stability {
     }
 }
 
-/// A power of ten.
 fn power(number: f64) -> Text {
     assur_words::number(format_args!("{number:.0e}"))
 }

@@ -66,14 +66,12 @@ fn opened(unfinished: &Unfinished<'_>) -> Result<File, Fault> {
     File::open(path).map_err(|error| unfinished.fault(error))
 }
 
-/// The folder of the parts.
 struct Folder<'a> {
     unfinished: &'a Unfinished<'a>,
     /// As it was when the sweep began.
     opened: File,
     /// Rows of each part but the last.
     rows: usize,
-    /// What the rows are made of.
     origin: Origin,
 }
 
@@ -129,7 +127,6 @@ impl Folder<'_> {
         Ok(all)
     }
 
-    /// All parts in one file.
     fn joined(&self, job: &Job<'_>, parts: usize) -> Result<PathBuf, Fault> {
         self.unfinished.keep(&self.opened)?;
         let out = files::create_own(&self.next()).map_err(|error| self.fault(error))?;

@@ -32,7 +32,6 @@ pub(super) fn choose(state: &mut State, view: View, by: isize) {
     *chosen = round(*chosen, by, count);
 }
 
-/// What is chosen in the list of a view.
 pub(super) fn chosen(state: &mut State, view: View) -> &mut usize {
     let chosen = &mut state.chosen;
     match view {
@@ -64,7 +63,6 @@ pub(super) fn quantity(state: &mut State, by: isize) {
     }
 }
 
-/// A faster (1) or slower (-1) motion.
 pub(super) fn pace(state: &mut State, by: isize) {
     state.pace = state.pace.saturating_add_signed(by).min(PACES.len() - 1);
     let pace = f64::from(PACES[state.pace]) / f64::from(FRAMES);
@@ -147,7 +145,6 @@ fn next_analyzer(state: &State) -> Option<String> {
     next.filter(|next| asked != Some(**next)).map(|name| (*name).to_owned())
 }
 
-/// Calculates again with the next force analyzer.
 pub(super) fn analyzer(state: &mut State) {
     let Some(next) = next_analyzer(state) else { return state.say(Role::Plain, text!("say-one-analyzer")) };
     state.options.analyzer = Some(next);
@@ -181,7 +178,6 @@ pub(super) fn pixels(state: &mut State) {
     }
 }
 
-/// Larger or smaller, within limits.
 pub(super) fn zoom(state: &mut State, by: f64) {
     state.zoom.factor = (state.zoom.factor * by).clamp(0.25, 64.0);
 }

@@ -11,7 +11,6 @@ use crate::screen::state::{
     Role, Running, Scene, State, Stop, View, Wanted, Zoom,
 };
 
-/// Requests that a scene is read.
 pub(super) fn read(state: &mut State, wanted: Wanted) {
     state.effects.push(Effect::Work(Job::Read(wanted)));
 }
@@ -102,7 +101,6 @@ pub(crate) fn take(state: &mut State, report: Report) -> bool {
     true
 }
 
-/// Takes what the calculation of this index reports.
 fn take_outcome(state: &mut State, index: usize, outcome: Outcome) {
     match outcome {
         Outcome::Count(count) => state.running[index].count = count,

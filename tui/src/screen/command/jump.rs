@@ -61,7 +61,6 @@ fn to_quantity(state: &mut State, column: Column) {
     }
 }
 
-/// Back to the place that was left last.
 pub(super) fn go_back(state: &mut State) {
     let Some(stop) = state.trail.pop() else { return state.say(Role::Plain, text!("say-nowhere-back")) };
     if state.scene.as_ref().is_some_and(|scene| scene.session.source == stop.source) {

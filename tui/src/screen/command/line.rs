@@ -5,7 +5,9 @@ use assur_picture::find;
 use assur_words::{self as words, Text, text};
 
 use super::{act, jobs, motors, picker, report, whatif, write};
-use crate::screen::state::{Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, ViewPart, Wanted};
+use crate::screen::state::{
+    Group, Panels, Pictures, Role, SETTINGS, Scene, Source, State, View, ViewPart, Wanted,
+};
 use crate::screen::view::help::where_it_works;
 
 /// Names that differ in more letters than this from the typed text are not suggested.
@@ -176,7 +178,6 @@ fn view(state: &mut State, name: &str) {
     }
 }
 
-/// Chooses the views that are shown beside each other.
 fn panels(state: &mut State, names: &str) {
     let known = |name: &str| name.parse().ok().filter(|view| View::TABS.contains(view));
     match names.split_whitespace().map(|name| known(name).ok_or(name)).collect() {
@@ -185,7 +186,6 @@ fn panels(state: &mut State, names: &str) {
     }
 }
 
-/// Chooses a quantity of a point, a link or a slide.
 fn quantity(state: &mut State, kind: &str, name: &str) {
     let Some(scene) = &state.scene else { return };
     let found = scene.transfers.iter().position(|transfer| {

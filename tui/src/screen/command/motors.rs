@@ -9,7 +9,6 @@ use super::whatif;
 use crate::number::digits;
 use crate::screen::state::{Choice, Picker, PickerKind, Role, State};
 
-/// Opens the list of the motors that fit the drive.
 pub(super) fn list(state: &mut State) {
     match suitable(state) {
         Ok((heading, rows)) => {

@@ -7,7 +7,6 @@ use super::{act, jobs};
 use crate::screen::state::{Purpose, Role, State, View, ViewPart};
 use crate::screen::view::{report as view, room};
 
-/// Starts a measurement, or stops the one in progress.
 pub(super) fn measure(state: &mut State) {
     if state.measuring().is_some() {
         stop(state);
@@ -40,7 +39,6 @@ pub(super) fn motion(state: &mut State, by: isize) {
     }
 }
 
-/// Scrolls the text by a page, less one line.
 pub(super) fn page(state: &mut State, sense: isize) {
     let page = isize::from(i16::try_from(view::page(state)).unwrap_or(i16::MAX));
     scroll(state, sense * (page - 1).max(1));

@@ -12,7 +12,6 @@ use crate::screen::state::{
     Wanted,
 };
 
-/// Shows the list of values, or closes it.
 pub(crate) fn toggle(state: &mut State) {
     (state.what_if.open, state.probe) = (!state.values_open(), None);
 }
@@ -33,7 +32,6 @@ pub(super) fn shift(state: &mut State, sense: f64) {
     }
 }
 
-/// Changes a value, and reads the changed scene.
 pub(super) fn put(state: &mut State, index: usize, toml: String) {
     if state.what_if.put([(index, toml)]) {
         ask(state);
@@ -161,7 +159,6 @@ pub(super) fn reloaded(state: &mut State, scene: &Scene, again: bool) {
     }
 }
 
-/// Opens the `:` line for the exact value.
 pub(super) fn exact(state: &mut State) {
     if let Some(value) = state.what_if.values.get(state.what_if.chosen) {
         let line = format!("value {} ", value.key);
@@ -189,7 +186,6 @@ pub(super) fn set(state: &mut State, rest: &str) -> bool {
     true
 }
 
-/// Opens the `:` line with a name for the changed scene.
 pub(super) fn save(state: &mut State) {
     let Some(Scene { session, .. }) = &state.scene else { return };
     let source = &session.source;
@@ -211,7 +207,6 @@ pub(super) fn save_line(state: &mut State, file: &str) {
     state.effects.push(Effect::Write(file));
 }
 
-/// Quits, but first warns of unsaved changes.
 pub(super) fn quit(state: &mut State) {
     if may_drop(state) {
         state.effects.push(Effect::Quit);

@@ -14,7 +14,6 @@ use crate::screen::state::{Effect, Job, Key, OutputFile, Role, Scene, State, Vie
 use crate::screen::view;
 use crate::still::{PAGE, picture};
 
-/// Columns of a text that is written.
 const TEXT: u16 = 100;
 
 /// Writes the picture of the view with its numbers, or the numbers alone, to a name that says what they are.

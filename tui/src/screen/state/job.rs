@@ -31,7 +31,6 @@ pub(crate) enum Effect {
     Keep,
 }
 
-/// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct OutputFile {
     /// Where; the numbers behind a picture have the same name with the ending `csv`.
@@ -39,7 +38,6 @@ pub(crate) struct OutputFile {
     pub(crate) content: Vec<u8>,
     /// The numbers behind a picture, as CSV beside it; `None`: the content is all.
     pub(crate) numbers: Option<Vec<u8>>,
-    /// Whether an old file of this name may be replaced.
     pub(crate) overwrite: bool,
     /// Whether it is the open scene with its changes.
     pub(crate) scene: bool,
@@ -48,7 +46,6 @@ pub(crate) struct OutputFile {
 #[derive(Debug)]
 pub(crate) enum Job {
     Read(Wanted),
-    /// Write the note of a scene to a file.
     Note {
         session: Arc<Session>,
         options: Options,
@@ -71,7 +68,6 @@ pub(crate) enum Wanted {
     Change(Change),
 }
 
-/// The purpose of a calculation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Purpose {
     /// The results that are shown, with their checks.
@@ -94,7 +90,6 @@ pub(crate) struct CalculationRequest {
 
 #[derive(Debug, Clone)]
 pub(crate) struct Running {
-    /// Number of its request.
     pub(crate) number: usize,
     pub(crate) purpose: Purpose,
     /// Its progress; empty at the start.
@@ -121,13 +116,11 @@ impl Cancel {
 #[derive(Debug)]
 pub(crate) enum Report {
     Read(Wanted, Result<Box<Scene>, Text>),
-    /// The note, to be written to a file.
     Noted(PathBuf, Result<String, Text>),
     /// Of the calculation of the request of this number.
     Calculated(usize, Outcome),
 }
 
-/// What a calculation reports.
 #[derive(Debug)]
 pub(crate) enum Outcome {
     Count(Text),
@@ -136,7 +129,6 @@ pub(crate) enum Outcome {
     Measured(Result<Box<Measured>, Text>),
 }
 
-/// The findings of a measurement.
 #[derive(Debug, Clone)]
 pub(crate) struct Measured {
     /// Speed versus accuracy, or why there is none.

@@ -51,7 +51,6 @@ pub(crate) struct Command {
 }
 
 impl Command {
-    /// Whether its keys apply in a view.
     pub(crate) fn fits(&self, view: View) -> bool {
         self.views.is_empty() || self.views.contains(&view)
     }
@@ -70,7 +69,6 @@ impl Command {
     }
 }
 
-/// The keys of every command, by its name.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Keymap(BTreeMap<&'static str, Vec<Key>>);
 
@@ -99,7 +97,6 @@ impl Keymap {
         self.keys(command).first().map_or_else(|| format!(":{command}"), |key| key.name())
     }
 
-    /// Keys with two commands in one view.
     pub(crate) fn clashes<'a>(&self, commands: &'a [Command]) -> Vec<(Key, View, [&'a Command; 2])> {
         let mut clashes = Vec::new();
         for (index, one) in commands.iter().enumerate() {

@@ -45,12 +45,10 @@ impl View {
     pub(crate) const WITHOUT_PAGES: [Self; 10] =
         [Results, Mechanism, Curves, Forces, Plans, Motion, Drive, Checks, Structure, Table];
 
-    /// The command that goes to it.
     pub(crate) fn command(self) -> &'static str {
         self.into()
     }
 
-    /// The name on its tab.
     pub(crate) fn name(self) -> Text {
         text!(match self {
             Mechanism => "view-mechanism",
@@ -104,7 +102,6 @@ pub(crate) fn round(now: usize, by: isize, count: usize) -> usize {
     usize::try_from((isize::try_from(now).unwrap_or(0) + by).rem_euclid(count)).unwrap_or(0)
 }
 
-/// What the one-line input is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PromptKind {
     Command,
@@ -120,7 +117,6 @@ pub(crate) struct Prompt {
     pub(crate) completing: Option<(usize, String)>,
 }
 
-/// What is chosen in each view.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Chosen {
     /// Index in the scene's transfer functions.
@@ -128,7 +124,6 @@ pub(crate) struct Chosen {
     pub(crate) group: usize,
     /// A mode of a group in the first position that is looked at: group and index.
     pub(crate) mode: Option<[usize; 2]>,
-    /// Index in the reactions found.
     pub(crate) reaction: usize,
     pub(crate) check: usize,
     /// Row of the results that are asked for first.
@@ -143,8 +138,6 @@ pub(crate) struct Chosen {
     pub(crate) motion: usize,
     /// First line of the report on the methods.
     pub(crate) line: usize,
-    /// First line of the working.
     pub(crate) equation: usize,
-    /// Column of the table.
     pub(crate) column: usize,
 }

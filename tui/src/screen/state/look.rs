@@ -41,7 +41,6 @@ pub(crate) struct Look {
     pub(crate) pixels: bool,
 }
 
-/// How a terminal takes pictures.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Pictures {
     /// Nobody has asked it.
@@ -57,7 +56,6 @@ pub(crate) enum Pictures {
 
 /// The language that the scene wants for its note.
 pub(crate) const AUTO: &str = "auto";
-/// What may be asked for.
 const CHOICES: [&str; 4] = [AUTO, LANGUAGES[0], LANGUAGES[1], LANGUAGES[2]];
 
 impl Default for Look {
@@ -89,11 +87,9 @@ pub(crate) struct Setting {
     set: fn(&mut Look, &str) -> Option<()>,
 }
 
-/// What a setting takes.
 #[derive(Debug)]
 pub(crate) enum Kind {
     Choice(&'static [&'static str]),
-    /// `on` or `off`.
     Flag,
     Count(RangeInclusive<usize>),
     Number(RangeInclusive<f64>),
@@ -175,7 +171,6 @@ impl Look {
 pub(crate) enum Theme {
     /// The 16 colors of the terminal, which follow its light or dark scheme.
     Default,
-    /// No color at all.
     Mono,
     /// Okabe and Ito's palette, distinguished by most color-blind readers.
     OkabeIto,
@@ -197,7 +192,6 @@ pub(crate) enum Role {
 }
 
 impl Theme {
-    /// The style of a role.
     pub(crate) fn style(self, role: Role) -> Style {
         let style = Style::new().add_modifier(modifier(role));
         match self {

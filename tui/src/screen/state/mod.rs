@@ -27,8 +27,7 @@ pub(crate) use assur_picture::{
     Arrows, Compared, Found, Probe, Reaction, Series, Traces, ViewPart, coordinate_unit,
 };
 pub(crate) use job::{
-    CalculationRequest, Cancel, Effect, Job, Measured, Outcome, OutputFile, Purpose, Report,
-    Running, Wanted,
+    CalculationRequest, Cancel, Effect, Job, Measured, Outcome, OutputFile, Purpose, Report, Running, Wanted,
 };
 pub(crate) use keymap::{Command, Group, Key, Keymap};
 pub(crate) use kinds::{Chosen, Prompt, PromptKind, View, following, next_kind, round};
@@ -88,7 +87,6 @@ pub(crate) struct State {
     pub(crate) trail: Vec<Stop>,
     /// The place in another scene to which the user goes back as soon as that scene is read.
     pub(crate) going_back: Option<Stop>,
-    /// The last text that was searched.
     pub(crate) searched: String,
     /// The extreme that was shown last: its quantity, the position that is near, and its place on the curve.
     pub(crate) extreme: Option<(Column, usize, f64)>,
@@ -110,7 +108,6 @@ pub(crate) struct State {
     pub(crate) message: Option<(Role, Text)>,
     /// Errors of a file that could not be used, under a title, shown until the next key.
     pub(crate) fault: Option<(Text, Text)>,
-    /// Columns and rows of the terminal.
     pub(crate) size: (u16, u16),
     pub(crate) effects: Vec<Effect>,
     pub(crate) leaving: bool,
@@ -157,17 +154,14 @@ impl State {
         self.look.pixels && !covered && matches!(self.pictures, Pictures::Kitty | Pictures::Iterm)
     }
 
-    /// The measurement in progress.
     pub(crate) fn measuring(&self) -> Option<&Running> {
         self.running.iter().find(|running| running.purpose == Purpose::Measurement)
     }
 
-    /// The analysis in progress.
     pub(crate) fn analyzing(&self) -> Option<&Running> {
         self.running.iter().find(|running| running.purpose != Purpose::Measurement)
     }
 
-    /// Whether the list of the scene's numbers is shown.
     pub(crate) fn values_open(&self) -> bool {
         self.what_if.open && self.scene.is_some()
     }
@@ -205,13 +199,11 @@ impl State {
         self.scene.as_ref().map_or(1, |scene| scene.positions()).max(1)
     }
 
-    /// Moves by this many positions, cyclically.
     pub(crate) fn step(&mut self, by: isize) {
         self.position = round(self.position, by, self.positions());
         self.phase = 0;
     }
 
-    /// The next frame of the motion that plays.
     pub(crate) fn advance(&mut self) {
         // Between the last position and the first one there is a way only where they close a cycle.
         let closed = self.scene.as_ref().is_some_and(|scene| scene.is_cycle());
@@ -228,7 +220,6 @@ impl State {
         f64::from(self.phase) / f64::from(FRAMES)
     }
 
-    /// What of the results is shown.
     pub(crate) fn pictured(&self) -> assur_picture::Look<'_> {
         let Chosen { transfer, group, reaction, polygon, step, motion, .. } = self.chosen;
         assur_picture::Look {
@@ -295,14 +286,12 @@ impl State {
         self.prompt = Some(Prompt { kind, text: text.as_ref().into(), completing: None });
     }
 
-    /// The text that is being typed now.
     pub(crate) fn entry(&self) -> Option<&Entry> {
         let line = self.prompt.as_ref().map(|prompt| &prompt.text);
         let help = self.help.as_ref().map(|help| &help.filter.text);
         line.or(help).or(self.picker.as_ref().map(|picker| &picker.filter.text))
     }
 
-    /// Shows a message until the next key.
     pub(crate) fn say(&mut self, role: Role, text: Text) {
         self.message = Some((role, text));
     }

@@ -164,7 +164,6 @@ impl Picker {
         self.chosen = round(self.chosen, by, self.left().len());
     }
 
-    /// Marks the chosen row, or removes its mark.
     pub(crate) fn mark(&mut self) {
         let Some(name) = self.choice().map(|choice| choice.name.clone()) else { return };
         match self.marked.iter().position(|marked| *marked == name) {

@@ -7,7 +7,6 @@ use super::{Source, State};
 use assur_picture::{Series, ViewPart};
 
 impl State {
-    /// Whether a view has something to show.
     pub(crate) fn has(&self, view: View) -> bool {
         let Some(scene) = &self.scene else { return false };
         match (view, view.picture()) {

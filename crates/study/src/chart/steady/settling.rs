@@ -7,7 +7,6 @@ use super::{Cycle, MOST_CYCLES, NEVER_SETTLES};
 use crate::chart::motion::Task;
 use crate::chart::{ChartOptions, Reference};
 
-/// Tolerance of the steps of the reference.
 const TIGHT: f64 = 1e-14;
 
 /// The registered integrator that steps in time and suits an equation best at a tight tolerance.

@@ -25,7 +25,6 @@ pub(super) struct Survey<'a> {
     iterates: Vec<bool>,
     /// For each coordinate the bodies of the last mechanism that assembled; one entry for all if no kind iterates.
     starts: Vec<Vec<Body<f64>>>,
-    /// Squared determinants by coordinate and group.
     squares: Vec<Vec<f64>>,
     /// The coordinate that failed last: it is tried first.
     suspect: Option<(usize, f64)>,
@@ -129,7 +128,6 @@ pub(super) fn may_touch(value: f64, neighbors: [f64; 2]) -> bool {
 /// meet, positions are known only to the root of their rounding.
 const BLURRED: f64 = 1e-12;
 
-/// A changed mechanism.
 pub(super) struct Trial {
     chain: Chain<f64>,
     ways: Ways,
