@@ -64,7 +64,8 @@ fn masses(mechanism: &Mechanism) -> Vec<Text> {
     let sum: f64 = heavy.iter().map(|id| mechanism.links[*id].mass).sum();
     let how = text!("model-masses-how", count = heavy.len(), sum = Unit::KILOGRAM.show(sum));
     let gravity = mechanism.gravity.map(|gravity| Unit::MOVING[1].show_all(&gravity));
-    let weights = gravity.map(|gravity| remark(text!("missing-weights"), text!("model-weights-how", gravity)));
+    let weights =
+        gravity.map(|gravity| remark(text!("missing-weights"), text!("model-weights-how", gravity)));
     std::iter::once(remark(text!("model-masses"), how)).chain(weights).collect()
 }
 

@@ -75,11 +75,8 @@ fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage
     let (needed, mut seen) = (structure.groups.iter().zip(&plan.groups_needed), HashSet::new());
     let needed = needed.filter(|(group, needed)| **needed && seen.insert(group.plugin.name));
     let kinds = list(needed.map(|(group, _)| name(group.plugin.name)));
-    let method = if kinds.is_empty() {
-        text!("explain-input-alone")
-    } else {
-        text!("explain-group-by-group", kinds)
-    };
+    let method =
+        if kinds.is_empty() { text!("explain-input-alone") } else { text!("explain-group-by-group", kinds) };
     Ok([joined("; ", std::iter::once(reason).chain(left)), method])
 }
 
