@@ -10,8 +10,7 @@ use crate::excess::LeftOut;
 use crate::frame::{Incidence, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{
-    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, SurplusCause,
-    name_of, roman,
+    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, name_of, roman,
 };
 
 impl Structure {
@@ -150,7 +149,7 @@ fn refuse_other_mobility(
                 // Both ends of the surplus pair are known (ground and input link).
                 links.push(mechanism.links[mechanism.input.link].name.to_string());
             }
-            Err(StructureError::Surplus { counted, pairs, links, cause: SurplusCause::None })
+            Err(StructureError::Surplus { counted, pairs, links, why: Text::default() })
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);

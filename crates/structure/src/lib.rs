@@ -16,7 +16,7 @@ mod taken_apart;
 
 assur_words::resources!();
 
-pub use error::{Counted, StructureError, SurplusCause};
+pub use error::{Counted, StructureError};
 pub use excess::Excess;
 pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, name_of, roman};
 

@@ -162,7 +162,7 @@ impl CycleSolution {
         let [x, after] = self.cycle.place(coordinate);
         let index = self.index(after);
         let (Some(segment), Some(times)) = (self.segments.get(index), times.get(index)) else {
-            return RegimeState::default();
+            return RegimeState { coordinate, ..RegimeState::default() };
         };
         let (sense, drive) = (self.cycle.sense, &self.setup.drive);
         let at = |values: &Values| RULE.interpolate(values, (x - segment.x) / segment.h);
@@ -171,9 +171,11 @@ impl CycleSolution {
         let loads = std::array::from_fn(|i| segment.moment[i] - driving(half_squares[i]));
         let half = at(&half_squares);
         RegimeState {
+            coordinate,
             time: at(times),
             speed: sense * (2.0 * half).sqrt(),
             acceleration: sense * at(&segment.accelerations(drive)),
+            first_turn: None,
             drive: sense * driving(half),
             load: sense * at(&loads),
             inertia: at(&segment.coefficients.values(|node| node.inertia)),
