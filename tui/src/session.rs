@@ -14,17 +14,14 @@ use assur_words::{Describe, Text, joined, name, number, text};
 
 use crate::files::{self, FileError};
 
-/// The source of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Source {
-    /// A file.
     File(PathBuf),
     /// One of the shipped scenes, by its name without the ending.
     Shipped(&'static str),
 }
 
 impl Source {
-    /// The name to show.
     pub(crate) fn name(&self) -> String {
         match self {
             Self::File(path) => path.display().to_string(),
@@ -32,7 +29,6 @@ impl Source {
         }
     }
 
-    /// Its text.
     fn text(&self) -> Result<String, Text> {
         match self {
             Self::File(path) => files::read(path).map_err(|error| error.describe()),
@@ -112,7 +108,6 @@ impl Session {
         Ok(Self { source, text, note, mechanism, structure, linkage: Arc::new(linkage).into() })
     }
 
-    /// The linkage with all its groups.
     pub(crate) fn linkage(&self) -> Result<Arc<Linkage>, CompileError> {
         if let Some(linkage) = self.linkage.get() {
             return Ok(Arc::clone(linkage));
@@ -142,7 +137,6 @@ impl Session {
         Calculation::planned(linkage, plan, None, options, watch)
     }
 
-    /// The results of what the scene requests.
     pub(crate) fn found(&self, options: &Options, watch: &mut Watch<'_>) -> Result<Found, AnalysisError> {
         let calculation = self.calculation(options, watch)?;
         Found::of(calculation, self.linkage()?, options, watch)
@@ -209,7 +203,6 @@ impl Session {
         placed(&self.source, &self.text, doubt)
     }
 
-    /// A fault of the scene as a whole.
     pub(crate) fn in_file(&self, message: Text) -> Text {
         in_file(&self.source, message)
     }

@@ -160,7 +160,6 @@ pub(crate) fn unit(from: Point, to: Point) -> (Point, f64) {
     }
 }
 
-/// A point shifted along a direction.
 pub(crate) fn shifted(at: Point, along: Point, by: f64) -> Point {
     [at[0] + by * along[0], at[1] + by * along[1]]
 }

@@ -34,7 +34,6 @@ impl Context<'_> {
         look(self.positions[0])
     }
 
-    /// The figures of the chosen positions, beside each other.
     pub(super) fn beside(&self, draw: impl Fn(&Look<'_>) -> Figure) -> Option<Figure> {
         let mut whole: Option<Figure> = None;
         for &position in self.positions {
@@ -60,7 +59,6 @@ impl Context<'_> {
         text!("note-legend-at", caption = caption, place = self.place(self.positions[0]))
     }
 
-    /// The chosen positions in words.
     pub(super) fn places(&self) -> Text {
         joined("; ", self.positions.iter().map(|position| self.place(*position)))
     }

@@ -8,7 +8,6 @@ use assur_worksheet::{Entry, Section, Term as Part};
 use super::context::Context;
 use crate::working;
 
-/// The equations of the first chosen position.
 pub(super) fn working(context: &Context<'_>, page: &mut Document) -> Result<(), Text> {
     let position = context.positions[0];
     let working = working::of_position(context.found.plans.calculation(), position);
@@ -45,7 +44,6 @@ fn add(section: &Section, page: &mut Document) {
     }));
 }
 
-/// An equation with the signs of print.
 fn terms(equation: &Entry) -> Vec<Term> {
     let term = |part: &Part| match part {
         Part::Symbol(symbol) => Term::Name(symbol.letter(), symbol.subscript()),

@@ -5,7 +5,6 @@ use assur_figure::svg::lowered;
 use assur_scene::Note;
 use assur_words::{Language, Text, joined, name, number, text, unit};
 
-/// A note that a form writes.
 pub(super) struct NoteSheet<'a> {
     pub(super) title: &'a str,
     /// What the author says of himself, each behind its name.

@@ -86,7 +86,6 @@ fn vectors(results: &Results, pose: &Position, position: usize, order: u8) -> Ve
     points.map(|id| (id, if order == 1 { motion(id).pf1 } else { motion(id).pf2 })).collect()
 }
 
-/// The greatest size of a vector over all positions.
 fn most(results: &Results, order: u8) -> f64 {
     series_of(results, order).map(|series| series.course.size()).fold(0.0, f64::max)
 }

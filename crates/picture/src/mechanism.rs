@@ -104,7 +104,6 @@ fn broken(results: &Results, marked: &[usize], position: usize) -> Vec<Item> {
     items
 }
 
-/// The links of a group and of all after it.
 fn links_from(results: &Results, group: usize) -> Vec<usize> {
     let groups = results.linkage.structure.groups.iter().skip(group);
     groups.flat_map(|group| group.frame.links.iter().copied()).collect()

@@ -16,7 +16,7 @@ use super::options::Format;
 use super::output::Output;
 use super::scene;
 use super::style::Style;
-use crate::progress::{ProgressLine, SystemClock};
+use crate::progress::{ProgressLine, clock};
 use crate::session::Session;
 use crate::still;
 
@@ -97,8 +97,7 @@ fn charted(
     let linkage = scene::linkage(session)?;
     let options = if quick { chart::ChartOptions::QUICK } else { chart::ChartOptions::THOROUGH };
     let line = ProgressLine::new(style.language);
-    let mut clock = SystemClock::default();
-    let found = chart::chart(&linkage, &mut clock, options, &mut |progress| {
+    let found = chart::chart(&linkage, &mut clock(), options, &mut |progress| {
         line.count(&progress.stage.heading(), progress.done, progress.total);
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });

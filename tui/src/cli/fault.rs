@@ -7,7 +7,6 @@ use assur_words::{Describe, Text, errors, name, text, text_of};
 
 use crate::files::FileError;
 
-/// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Status {
     Done,
@@ -42,10 +41,8 @@ pub(crate) enum Fault {
     File(FileError),
     /// Incomplete results would replace a file; the command ends with the status that it would have had.
     Partial(FileError, Status),
-    Stdout(io::Error),
     /// The faults of a scene, ready to print.
     Scene(Text),
-    /// Any other error, in words.
     Other(Text),
 }
 
@@ -55,7 +52,6 @@ impl Describe for Fault {
     fn describe(&self) -> Text {
         match self {
             Self::File(error) | Self::Partial(error, _) => error.describe(),
-            Self::Stdout(error) => text!("cli-stdout", problem = text_of(error)),
             Self::Scene(faults) => faults.clone(),
             Self::Other(problem) => text!("cli-error", problem),
         }
@@ -80,7 +76,11 @@ impl Fault {
     }
 
     /// From an error of writing to standard output.
+    #[expect(clippy::needless_pass_by_value, reason = "takes errors as `map_err` hands them over")]
     pub(crate) fn stdout(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::BrokenPipe { FileError::Reader.into() } else { Self::Stdout(error) }
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => FileError::Reader.into(),
+            _ => Self::Scene(text!("cli-stdout", problem = text_of(&error))),
+        }
     }
 }

@@ -39,7 +39,6 @@ pub(crate) fn kinds() -> impl Iterator<Item = &'static str> {
     SCENES.iter().map(|(name, _)| *name)
 }
 
-/// Writes a scene to start from.
 pub(crate) fn new(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
     let scene =
         SCENES.iter().find(|(known, _)| Some(*known) == kind).map_or(assur_scene::STARTER, |(_, text)| text);

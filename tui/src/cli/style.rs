@@ -43,12 +43,10 @@ impl Style {
         Self { ascii, ascii_data, language: language.unwrap_or_else(Language::english), strict: false }
     }
 
-    /// How a report is written.
     pub(crate) fn words(self) -> assur_report::text::Style<'static> {
         assur_report::text::Style { ascii: self.ascii, language: self.language }
     }
 
-    /// Text as it may be printed.
     pub(crate) fn text(self, text: &str) -> Cow<'_, str> {
         if self.ascii { to_ascii(text) } else { Cow::Borrowed(text) }
     }

@@ -203,7 +203,6 @@ impl<'a> Job<'a> {
         origin
     }
 
-    /// Tells how much a long sweep will write, before it begins.
     fn tell_size(&self) {
         let (rows, columns) = (self.points.len(), self.sweep.columns().names().len());
         if rows >= LONG {
@@ -218,7 +217,6 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Calculates the points from `done` on.
     fn run<T: Send>(
         &self,
         done: usize,

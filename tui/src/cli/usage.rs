@@ -101,7 +101,6 @@ fn behind(scene: &str, command: &str) -> Text {
     text!("cli-scene-first", scene, command)
 }
 
-/// What other programs call a command, and the command.
 const OTHER_NAMES: &[(&str, &str)] = &[
     ("plot", "draw"),
     ("graph", "draw"),

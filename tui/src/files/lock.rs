@@ -82,7 +82,6 @@ fn text_of(file: &mut File) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&bytes).lines().next().unwrap_or_default().to_owned())
 }
 
-/// Writes who holds a lock.
 fn sign(file: &mut File) -> io::Result<()> {
     let host = fs::read_to_string("/proc/sys/kernel/hostname").unwrap_or_default();
     let of = if host.trim().is_empty() { String::new() } else { format!(" of {}", host.trim()) };

@@ -19,7 +19,6 @@ use super::stream::open_stream;
 /// Lock of a folder while its files are replaced.
 const LOCK: &str = ".assur.lock";
 
-/// Temporary files next to their targets.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Writes a file completely: a failure leaves the old content in place. Devices and pipes are written to directly.
@@ -212,7 +211,6 @@ fn take_place(complete: &Path, path: &Path) -> io::Result<()> {
     }
 }
 
-/// Refuses to replace what is not a file, such as a device.
 fn refuse_special(old: &fs::Metadata) -> io::Result<()> {
     if old.is_file() {
         return Ok(());

@@ -62,7 +62,6 @@ fn look(root: &Section<'_>) -> Look {
     })
 }
 
-/// The value of a setting as a word.
 fn word(entry: &Entry<'_>, kind: &Kind) -> Option<String> {
     match kind {
         Kind::Choice(words) => {
@@ -118,7 +117,6 @@ fn keymap(table: &Entry<'_>) -> Keymap {
     keymap
 }
 
-/// The keys of one command: a text, or a list of texts.
 fn keys(entry: &Entry<'_>, command: &'static Command) -> Vec<Written> {
     let items = if entry.is_list() { entry.list(text!("config-name-of-key")) } else { vec![entry.clone()] };
     let key = |item: &Entry<'_>| {

@@ -145,7 +145,6 @@ impl EventLoop {
         Ok(())
     }
 
-    /// Applies one event; returns whether the frame may differ.
     fn apply(&mut self, event: Event) -> bool {
         let state = &mut self.state;
         match event {

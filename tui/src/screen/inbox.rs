@@ -25,7 +25,6 @@ const MOST: usize = 500;
 /// below the tenth of a second that is felt as a delay.
 const PATIENCE: Duration = Duration::from_millis(30);
 
-/// The events that wake the loop.
 #[derive(Debug)]
 pub(crate) enum Event {
     /// A key, the mouse, the focus, an answer of the terminal, the end of input.
@@ -86,7 +85,6 @@ impl Waiting {
 pub(crate) struct Inbox {
     waiting: Mutex<Waiting>,
     came: Condvar,
-    /// The keys that end the program whatever is open.
     ends: Vec<Key>,
     /// Ends the program beside the loop.
     end: Box<dyn Fn() + Send + Sync>,
@@ -156,7 +154,6 @@ impl Inbox {
         self.waiting().events.is_empty()
     }
 
-    /// How many inputs were dropped since this was last asked.
     pub(crate) fn dropped(&self) -> usize {
         std::mem::take(&mut self.waiting().dropped)
     }

@@ -19,7 +19,6 @@ use super::pixels::{Answer, answer};
 const PATIENCE: Duration = Duration::from_millis(100);
 /// No key or report is longer; a longer sequence is dropped.
 const LONGEST: usize = 256;
-/// What stands around a pasted text.
 const PASTE: [&[u8]; 2] = [b"\x1b[200~", b"\x1b[201~"];
 /// A pasted text that has not ended after a pause of this time has no end: a slow connection may stop for long.
 const PASTE_PATIENCE: Duration = Duration::from_secs(3);
@@ -90,7 +89,6 @@ enum Head {
 }
 
 impl Decoder {
-    /// The events of all complete sequences.
     pub(crate) fn take(&mut self, bytes: &[u8]) -> Vec<Event> {
         // Ctrl-C is a part of a pasted text, but alone and after a pause it is the key: this text has lost its end.
         if std::mem::take(&mut self.stalled) && bytes == [INTERRUPT] {
@@ -139,7 +137,6 @@ impl Decoder {
         }
     }
 
-    /// How long to wait for the rest of what has begun.
     fn patience(&self) -> Duration {
         match (&self.pasted, self.rest.is_empty()) {
             (Some(_), _) if self.stalled => PASTE_PATIENCE,

@@ -109,7 +109,6 @@ fn count(length: f64, apart: f64) -> usize {
     ((length / apart) as usize).max(LEAST_NUMBERS)
 }
 
-/// The axis with free space at both ends.
 fn widened(axis: &Axis) -> Axis {
     let range = [axis.value(-FREE), axis.value(1.0 + FREE)];
     Axis { range, ..axis.clone() }

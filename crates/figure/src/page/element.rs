@@ -25,7 +25,6 @@ pub(super) struct Outline {
 /// Colors of the links, which differ for most color-blind readers (after Okabe and Ito).
 const LINKS: [&str; 6] = ["#0072b2", "#d55e00", "#56799a", "#b8860b", "#7b3294", "#4d4d4d"];
 
-/// The color of an ink on white paper.
 pub(crate) fn color(ink: Ink) -> &'static str {
     match ink {
         Ink::Text | Ink::Title | Ink::Ground => "#000000",
@@ -81,7 +80,6 @@ pub(super) fn polyline(all: &[Point], stroke: Stroke, ink: Ink) -> Element {
     element("polyline", line)
 }
 
-/// A fine line: hatching, axes.
 pub(super) fn fine(all: &[Point], ink: Ink) -> Element {
     polyline(all, Stroke::Stars, ink)
 }

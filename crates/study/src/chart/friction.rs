@@ -132,7 +132,6 @@ impl<'a> FrictionMethods<'a> {
     }
 }
 
-/// The methods that treat the friction of a mechanism.
 pub(crate) fn treating(linkage: &Linkage) -> Result<Vec<&'static AnalyzerPlugin>, RegistryError> {
     let mut all = analyzers()?;
     all.retain(|plugin| plugin.treats_friction && plugin.supports(linkage).is_ok());

@@ -20,7 +20,7 @@ pub(crate) const STOPPED: Text = text!("chart-not-reached");
 const OUT_OF_TIME: Text = text!("chart-out-of-time");
 
 pub(crate) struct Judge<'a> {
-    pub(crate) clock: &'a mut dyn Clock,
+    pub(crate) clock: &'a mut dyn FnMut() -> f64,
     pub(crate) options: ChartOptions,
     pub(crate) progress: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     pub(crate) start: f64,
@@ -32,7 +32,6 @@ struct Timed<'e, 'a> {
     entry: &'e mut Entry<'a>,
     runs: f64,
     rounds: usize,
-    /// Measured times of one run, s.
     times: Vec<f64>,
 }
 
@@ -44,10 +43,9 @@ impl Judge<'_> {
     }
 
     fn out_of_time(&mut self) -> bool {
-        self.clock.seconds() - self.start > self.options.limit
+        (self.clock)() - self.start > self.options.limit
     }
 
-    /// Compares and times all entries of a stage.
     pub(crate) fn race(&mut self, stage: Stage, field: Field<'_>) -> Vec<Measurement> {
         let Field { reference, mut entries } = field;
         let total = entries.len() + self.options.rounds;
@@ -80,9 +78,9 @@ impl Judge<'_> {
             entry.row.reason = Some(if self.stopped { STOPPED } else { OUT_OF_TIME });
             return None;
         }
-        let before = self.clock.seconds();
+        let before = (self.clock)();
         let verdict = work(true);
-        let time = self.clock.seconds() - before;
+        let time = (self.clock)() - before;
         let row = &mut entry.row;
         row.evaluations = verdict.evaluations;
         row.error = verdict.error.filter(|error| error.is_finite());
@@ -139,13 +137,13 @@ impl Judge<'_> {
     /// Time of one run, s, averaged over several.
     fn stretch(&mut self, entry: &mut Entry<'_>, runs: f64) -> f64 {
         let Some(work) = entry.work.as_mut() else { return 0.0 };
-        let before = self.clock.seconds();
+        let before = (self.clock)();
         let mut left = runs;
         while left > 0.0 {
             std::hint::black_box(work(false));
             left -= 1.0;
         }
-        (self.clock.seconds() - before) / runs
+        ((self.clock)() - before) / runs
     }
 }
 
@@ -155,7 +153,6 @@ fn grown(runs: f64, one: f64) -> f64 {
     wanted.clamp(runs + 1.0, runs * 10.0).min(MOST_RUNS).ceil()
 }
 
-/// The median; `None` of nothing.
 pub(crate) fn median(mut times: Vec<f64>) -> Option<f64> {
     times.sort_by(f64::total_cmp);
     let middle = times.len() / 2;
@@ -164,12 +161,6 @@ pub(crate) fn median(mut times: Vec<f64>) -> Option<f64> {
         return Some(upper);
     }
     Some(0.5 * (times[middle - 1] + upper))
-}
-
-/// A clock that the caller provides.
-pub trait Clock {
-    /// Time since some fixed instant, s; never goes back.
-    fn seconds(&mut self) -> f64;
 }
 
 /// How thorough the measurement is.
@@ -200,12 +191,6 @@ impl ChartOptions {
     pub(crate) fn decades(self, first: i32, last: i32) -> impl Iterator<Item = f64> {
         let step = if self.quick { 2 } else { 1 };
         (last..=first).rev().step_by(step).map(|exponent| 10.0_f64.powi(exponent))
-    }
-}
-
-impl Default for ChartOptions {
-    fn default() -> Self {
-        Self::THOROUGH
     }
 }
 

@@ -20,7 +20,6 @@ pub(crate) struct Work<'a> {
     pub(crate) linkage: &'a Linkage,
     /// Coordinates, rad or m.
     pub(crate) coordinates: Vec<f64>,
-    /// The bodies in extended precision, by position.
     pub(crate) truth: Vec<Vec<Body<Dd>>>,
     pub(crate) ruler: Ruler,
     pub(crate) reference: Reference,

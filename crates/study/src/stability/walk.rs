@@ -193,7 +193,6 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// How errors grow up to a group.
     fn growth(&self, group: usize, health: &[f64]) -> f64 {
         growth(self.ancestors[group].iter().map(|&i| health[i].abs()))
     }
@@ -228,7 +227,6 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Largest deviation of the reactions by one analyzer.
     fn reactions(
         &self,
         plugin: &AnalyzerPlugin,

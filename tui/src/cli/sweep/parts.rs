@@ -70,7 +70,6 @@ struct Folder<'a> {
     unfinished: &'a Unfinished<'a>,
     /// As it was when the sweep began.
     opened: File,
-    /// Rows of each part but the last.
     rows: usize,
     origin: Origin,
 }
@@ -103,7 +102,6 @@ impl Folder<'_> {
         put.map_err(|error| self.fault(error))
     }
 
-    /// The points of the parts that an earlier run wrote.
     fn found(&self, job: &Job<'_>) -> Result<Tally, Fault> {
         let mut all = Tally::default();
         for index in 0.. {

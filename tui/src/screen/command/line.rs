@@ -67,7 +67,6 @@ fn files(typed: &str) -> Vec<String> {
     paths
 }
 
-/// Complete lines that the typed text may become.
 pub(super) fn completions(state: &State, typed: &str) -> Vec<String> {
     let mut all: Vec<String> = state.commands.iter().map(|command| command.name.to_owned()).collect();
     for (word, values) in takers(state) {
@@ -127,7 +126,6 @@ pub(super) fn run(state: &mut State, line: &str) {
     }
 }
 
-/// Reads a second scene, a file or a shipped one, or ends the comparison.
 fn compare(state: &mut State, file: &str) {
     match file {
         "" => state.say(Role::Bad, text!("say-compare")),
@@ -215,7 +213,6 @@ fn set(state: &mut State, rest: &str) {
     }
 }
 
-/// Searches the last text again, from the present place on.
 pub(super) fn search_again(state: &mut State) {
     let text = std::mem::take(&mut state.searched);
     if text.is_empty() {
@@ -282,7 +279,6 @@ fn row(state: &mut State, view: View, wanted: &str) -> Option<()> {
     Some(())
 }
 
-/// Chooses the next column and quantity of a name.
 fn quantity_of(state: &mut State, wanted: &str) -> Option<()> {
     let scene = state.scene.as_ref()?;
     let column = find::column(scene, state.chosen.column, wanted, |text| state.told(text))?;

@@ -121,7 +121,6 @@ pub(crate) fn paste(state: &mut State, text: &str) {
     }
 }
 
-/// A key while the help is open: letters search, arrows scroll.
 fn press_in_help(state: &mut State, key: Key) {
     let page = view::help::page(state);
     let Some(help) = &mut state.help else { return };
@@ -193,7 +192,6 @@ fn press_in_line(state: &mut State, key: Key) {
     }
 }
 
-/// Inserts the next or previous completion of the typed text.
 fn complete(state: &mut State, by: isize) {
     let Some(prompt) = state.prompt.as_ref().filter(|prompt| prompt.kind == PromptKind::Command) else {
         return;

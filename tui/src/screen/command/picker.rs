@@ -86,7 +86,6 @@ fn take(state: &mut State) {
     state.picker = None;
 }
 
-/// Requests the picture of the scene that is chosen in the list.
 pub(super) fn preview(state: &mut State) {
     let picker = state.picker.as_ref().filter(|picker| picker.kind == PickerKind::Scenes);
     let Some(chosen) = picker.and_then(Picker::choice) else { return };

@@ -15,7 +15,6 @@ pub(super) fn measure(state: &mut State) {
     }
 }
 
-/// Stops the measurement in progress; finished measurements are shown.
 pub(super) fn stop(state: &mut State) {
     if let Some(running) = state.measuring() {
         running.cancel.stop();
@@ -23,7 +22,6 @@ pub(super) fn stop(state: &mut State) {
     }
 }
 
-/// Scrolls the text by this many lines, within its limits.
 pub(super) fn scroll(state: &mut State, by: isize) {
     let last = view::last_line(state);
     let line = state.line();

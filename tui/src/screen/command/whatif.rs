@@ -20,7 +20,6 @@ pub(super) fn step(state: &mut State) {
     state.what_if.step = (state.what_if.step + 1) % STEPS.len();
 }
 
-/// Changes the chosen value by a step up (1) or down (-1).
 pub(super) fn shift(state: &mut State, sense: f64) {
     let what = &mut state.what_if;
     let Some(value) = what.values.get(what.chosen) else { return };
@@ -216,7 +215,6 @@ pub(super) fn quit(state: &mut State) {
     }
 }
 
-/// Opens a scene, but first warns of unsaved changes of the open one.
 pub(super) fn open(state: &mut State, source: Source) {
     if may_drop(state) {
         jobs::read(state, Wanted::Open(source));

@@ -55,7 +55,6 @@ fn subject(state: &State, scene: &Scene) -> Vec<String> {
     names
 }
 
-/// Writes the view to a file, in the form that its ending names.
 pub(super) fn write_to(state: &mut State, path: PathBuf) {
     let Some(scene) = &state.scene else {
         return state.say(Role::Plain, text!("say-nothing-to-write"));
@@ -155,7 +154,6 @@ fn finite(value: f64) -> CsvCell<'static> {
     if value.is_finite() { CsvCell::Number(value) } else { CsvCell::Empty }
 }
 
-/// A text as the bytes of a file.
 fn bytes(written: Result<String, impl Describe>) -> Result<Vec<u8>, Text> {
     written.map(String::into_bytes).map_err(|error| error.describe())
 }

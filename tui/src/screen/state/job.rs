@@ -55,7 +55,6 @@ pub(crate) enum Job {
     Calculate(CalculationRequest),
 }
 
-/// The scene that is to be read, and for what.
 #[derive(Debug, Clone)]
 pub(crate) enum Wanted {
     /// To be opened, perhaps again.
@@ -92,12 +91,10 @@ pub(crate) struct CalculationRequest {
 pub(crate) struct Running {
     pub(crate) number: usize,
     pub(crate) purpose: Purpose,
-    /// Its progress; empty at the start.
     pub(crate) count: Text,
     pub(crate) cancel: Cancel,
 }
 
-/// A flag that makes the worker stop.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cancel(Arc<AtomicBool>);
 

@@ -46,7 +46,6 @@ pub(crate) struct Command {
     pub(crate) keys: &'static str,
     /// Views in which the keys apply; empty: all with a scene and the menu.
     pub(crate) views: &'static [View],
-    /// Changes the state, draws nothing.
     pub(crate) run: fn(&mut State),
 }
 
@@ -73,7 +72,6 @@ impl Command {
 pub(crate) struct Keymap(BTreeMap<&'static str, Vec<Key>>);
 
 impl Keymap {
-    /// The default keys of a table of commands.
     pub(crate) fn of(commands: &[Command]) -> Self {
         Self(commands.iter().map(|command| (command.name, command.default_keys())).collect())
     }

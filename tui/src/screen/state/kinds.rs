@@ -68,7 +68,6 @@ impl View {
         })
     }
 
-    /// The name on its tab where there is little room.
     pub(crate) fn short_name(self, language: &Language) -> String {
         let short = language.own(&format!("view-{}.short", self.command()));
         short.unwrap_or_else(|| self.name().render(language))
@@ -91,7 +90,6 @@ pub(crate) fn following<T: Copy + PartialEq>(all: &[T], now: T) -> T {
     all.get(index).copied().unwrap_or(now)
 }
 
-/// The kind after the given one; the first one after the last.
 pub(crate) fn next_kind<T: Copy + PartialEq + VariantArray>(now: T) -> T {
     following(T::VARIANTS, now)
 }
@@ -126,7 +124,6 @@ pub(crate) struct Chosen {
     pub(crate) mode: Option<[usize; 2]>,
     pub(crate) reaction: usize,
     pub(crate) check: usize,
-    /// Row of the results that are asked for first.
     pub(crate) result: usize,
     /// Group whose force polygon is drawn; the last is the input link.
     pub(crate) polygon: usize,
@@ -134,9 +131,7 @@ pub(crate) struct Chosen {
     pub(crate) vector: usize,
     /// Last step of the construction that is drawn.
     pub(crate) step: usize,
-    /// First quantity of the motion view.
     pub(crate) motion: usize,
-    /// First line of the report on the methods.
     pub(crate) line: usize,
     pub(crate) equation: usize,
     pub(crate) column: usize,

@@ -30,9 +30,7 @@ pub(crate) struct Look {
     pub(crate) ascii: bool,
     pub(crate) marker: Marker,
     pub(crate) theme: Theme,
-    /// Ratio of a cell's height to its width.
     pub(crate) ratio: f64,
-    /// Frames per second of the animation.
     pub(crate) fps: u8,
     pub(crate) mouse: bool,
     /// A language, or [`AUTO`].
@@ -81,7 +79,6 @@ pub(crate) struct Setting {
     /// The identity of what it is.
     pub(crate) text: &'static str,
     pub(crate) kind: Kind,
-    /// Its value as a word.
     pub(crate) get: fn(&Look) -> String,
     /// Sets it by a word that its kind allows.
     set: fn(&mut Look, &str) -> Option<()>,
@@ -132,7 +129,6 @@ fn on_off(on: bool) -> String {
     if on { "on" } else { "off" }.to_owned()
 }
 
-/// All settings, in the order of the configuration.
 #[rustfmt::skip]
 pub(crate) const SETTINGS: [Setting; 8] = [
     Setting { name: "theme", text: "config-theme", kind: Kind::Choice(<Theme as VariantNames>::VARIANTS),

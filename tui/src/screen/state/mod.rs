@@ -46,12 +46,10 @@ const EVERY: usize = 4;
 
 #[derive(Debug, Default)]
 pub(crate) struct State {
-    /// All commands, in the order of the help screen.
     pub(crate) commands: &'static [Command],
     pub(crate) keys: Keymap,
     pub(crate) scene: Option<Scene>,
     pub(crate) what_if: WhatIf,
-    /// Speed, accuracy and stability of the methods on the open scene.
     pub(crate) measured: Option<Box<Measured>>,
     pub(crate) picker: Option<Picker>,
     /// The shipped scenes that were read for their pictures, by name.
@@ -90,11 +88,9 @@ pub(crate) struct State {
     pub(crate) searched: String,
     /// The extreme that was shown last: its quantity, the position that is near, and its place on the curve.
     pub(crate) extreme: Option<(Column, usize, f64)>,
-    /// Requested force analyzer and integrator.
     pub(crate) options: Options,
     pub(crate) compared: Option<Compared>,
     pub(crate) running: Vec<Running>,
-    /// Number of the last requested calculation.
     pub(crate) asked: usize,
     /// Column by which the table is sorted, and whether ascending.
     pub(crate) sorted: Option<(usize, bool)>,
@@ -130,7 +126,6 @@ impl State {
         }
     }
 
-    /// The results of the analysis of the open scene, if there are any.
     pub(crate) fn found(&self) -> Option<&Found> {
         self.scene.as_ref()?.found.as_deref()
     }
@@ -142,7 +137,6 @@ impl State {
         asked.filter(|_| !self.look.ascii).unwrap_or_else(Language::english)
     }
 
-    /// A text in the language of the screen.
     pub(crate) fn told(&self, text: impl Into<Text>) -> String {
         let told = text.into().render(self.language());
         if self.look.ascii { assur_report::latin(&told).into_owned() } else { told }
@@ -176,7 +170,6 @@ impl State {
         self.commands.iter().find(|command| command.name == name)
     }
 
-    /// Whether a command is available now.
     pub(crate) fn takes(&self, command: &Command) -> bool {
         command.fits(self.view) || self.inset().is_some_and(|inset| command.fits(inset))
     }
@@ -276,12 +269,10 @@ impl State {
         of_group.map(|[_, index]| index)
     }
 
-    /// The first line that is shown of the text of the view.
     pub(crate) fn line(&mut self) -> &mut usize {
         if self.view == View::Working { &mut self.chosen.equation } else { &mut self.chosen.line }
     }
 
-    /// Opens the one-line input with a text that can be edited.
     pub(crate) fn open_prompt(&mut self, kind: PromptKind, text: impl AsRef<str>) {
         self.prompt = Some(Prompt { kind, text: text.as_ref().into(), completing: None });
     }

@@ -13,9 +13,7 @@ use crate::verdict::Verdict;
 pub(crate) struct Scene {
     pub(crate) session: Arc<Session>,
     pub(crate) results: Results,
-    /// What is to be reported of the analysis.
     pub(crate) verdict: Verdict,
-    /// Why there is no analysis.
     pub(crate) fault: Option<Text>,
 }
 

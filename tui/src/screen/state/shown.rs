@@ -16,7 +16,6 @@ impl State {
         }
     }
 
-    /// The parts of a view in which there is something to show.
     pub(crate) fn available_parts(&self, view: View) -> Vec<ViewPart> {
         let picture = view.picture().zip(self.scene.as_ref());
         picture.map_or_else(Vec::new, |(picture, scene)| picture.parts_of(scene, &self.pictured()))
@@ -48,7 +47,6 @@ impl State {
         }
     }
 
-    /// The positions in the order of the table's rows.
     pub(crate) fn order(&self) -> Vec<usize> {
         let Some(scene) = &self.scene else { return Vec::new() };
         let mut order: Vec<usize> = (0..scene.positions()).collect();
@@ -63,7 +61,6 @@ impl State {
         order
     }
 
-    /// Remembers a place.
     pub(crate) fn leave(&mut self, stop: Stop) {
         if self.trail.len() == MOST {
             self.trail.remove(0);
@@ -72,7 +69,6 @@ impl State {
     }
 }
 
-/// Places that are remembered.
 const MOST: usize = 100;
 
 /// What was shown: scene, view, position, and what was chosen.
@@ -87,7 +83,6 @@ pub(crate) struct Stop {
 }
 
 impl Stop {
-    /// What is shown now; `None` without a scene.
     pub(crate) fn of(state: &State) -> Option<Self> {
         let source = state.scene.as_ref()?.session.source.clone();
         let State { view, position, chosen, picked, parts, .. } = state;

@@ -24,7 +24,6 @@ pub(super) fn rows(text: &str, width: usize) -> Vec<String> {
     text.lines().flat_map(of_line).collect()
 }
 
-/// Why a view has nothing to show, and what to do about it.
 pub(super) fn text(state: &State, scene: &Scene, view: View) -> Text {
     if let Some(fault) = &scene.fault {
         return text!("no-analysis", reason = fault);

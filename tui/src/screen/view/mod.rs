@@ -67,7 +67,6 @@ pub(crate) fn draw(state: &State, frame: &mut Frame<'_>) {
     }
 }
 
-/// Draws the views and what is open over them.
 fn draw_body(state: &State, body: Rect, buffer: &mut Buffer) {
     let [views, list] = shared(state, body);
     for (number, (view, area)) in tiles(state, views).into_iter().enumerate() {
@@ -116,12 +115,10 @@ pub(crate) fn areas(state: &State) -> Vec<(View, Rect)> {
     tiles(state, shared(state, body)[0])
 }
 
-/// Where the chosen view is drawn on the terminal.
 pub(crate) fn room(state: &State) -> Rect {
     areas(state)[0].1
 }
 
-/// The figure of a view; `None` where it has none.
 pub(crate) fn figure(state: &State, view: View) -> Option<Figure> {
     let scene = state.scene.as_ref().filter(|_| state.has(view))?;
     let figure = match view.picture() {

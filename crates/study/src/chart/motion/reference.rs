@@ -15,7 +15,6 @@ const TIGHT: [f64; 4] = [1e-14, 1e-13, 1e-12, 1e-11];
 const MOST_STEPS: usize = 30_000;
 
 pub(in crate::chart) struct References {
-    /// With the name of the method.
     judges: Vec<(&'static str, Rc<Trajectory>)>,
     how: Text,
     error: f64,

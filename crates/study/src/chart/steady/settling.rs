@@ -21,7 +21,6 @@ pub(super) fn stepping(task: &Task<'_>) -> Option<&'static IntegratorPlugin> {
 
 /// Two independent results, each the reference of the other's methods.
 pub(super) struct Judges {
-    /// The method that steps in time.
     pub(super) method: Option<&'static IntegratorPlugin>,
     /// Speed at the start of the cycle by that method.
     pub(super) in_time: f64,

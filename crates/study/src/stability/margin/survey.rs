@@ -16,7 +16,6 @@ pub(super) const STRIDE: usize = 4;
 /// rounding.
 const STEPS: usize = 48;
 
-/// The coordinates at which a mechanism is tried.
 pub(super) struct Survey<'a> {
     linkage: &'a Linkage,
     length: &'a Length,
@@ -31,7 +30,6 @@ pub(super) struct Survey<'a> {
 }
 
 impl<'a> Survey<'a> {
-    /// Starts with the unchanged mechanism.
     pub(super) fn of(linkage: &'a Linkage, length: &'a Length, grid: &'a Grid) -> Self {
         let links = iterated(&linkage.structure);
         let iterates: Vec<bool> = linkage
