@@ -23,10 +23,6 @@ pub struct Steady {
     pub regime: Regime,
     /// The motor; `None` without one.
     pub motor: Option<SteadyMotor>,
-    /// Mean of the resisting moment over the cycle, reduced to the input shaft, N m, against the motion.
-    pub mean_resistance: f64,
-    /// Work of the resistance over a cycle, J.
-    pub resistance_work: f64,
     /// The sizes of a steel disc a tenth as wide as its diameter on the input shaft and on the motor shaft (S fig. 13);
     /// empty without motor or flywheel.
     pub flywheel_sizes: Vec<FlywheelSize>,
@@ -60,8 +56,7 @@ pub(crate) fn steady_motion(
     };
     let (regime, motor) = with_a_fit_motor(&drive, motor.as_ref(), works)?;
     let flywheel_sizes = sizes(&regime, motor.is_some(), drive.flywheel_on_motor);
-    let (mean_resistance, resistance_work) = (solver.mean_resistance(), solver.resistance_work());
-    Ok(Steady { regime, motor, mean_resistance, resistance_work, flywheel_sizes })
+    Ok(Steady { regime, motor, flywheel_sizes })
 }
 
 /// What works with a drive: the regime, and the motor in it.

@@ -9,8 +9,7 @@ use assur_words::{Text, joined, name, text};
 use crate::frame::{Incidence, LeftOut, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{
-    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, SurplusCause,
-    name_of, roman,
+    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, name_of, roman,
 };
 
 impl Structure {
@@ -149,7 +148,7 @@ fn refuse_other_mobility(
                 // Both ends of the surplus pair are known (ground and input link).
                 links.push(mechanism.links[mechanism.input.link].name.to_string());
             }
-            Err(StructureError::Surplus { counted, pairs, links, cause: SurplusCause::None })
+            Err(StructureError::Surplus { counted, pairs, links, why: Text::default() })
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);

@@ -142,6 +142,8 @@ impl<'a> RegimeSolver<'a> {
         let flywheel_by_method = self.diagram.flywheels(&tuned, &target, self.request.constant_inertia);
         let required_power = self.required_power(efficiency);
         Ok(Regime {
+            mean_resistance: self.mean_resistance(),
+            resistance_work: self.resistance_work(),
             flywheel_by_method,
             first,
             iterations,
