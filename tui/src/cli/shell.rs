@@ -34,11 +34,6 @@ pub(crate) fn man() -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-/// The mechanisms of which a scene can be written.
-pub(crate) fn kinds() -> impl Iterator<Item = &'static str> {
-    SCENES.iter().map(|(name, _)| *name)
-}
-
 pub(crate) fn new(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
     let scene =
         SCENES.iter().find(|(known, _)| Some(*known) == kind).map_or(assur_scene::STARTER, |(_, text)| text);

@@ -1,24 +1,16 @@
 //! Commands of the views that show a long text: the report on the methods, and the working of the position.
 
 use assur_picture::find;
-use assur_words::text;
 
 use super::{act, jobs};
-use crate::screen::state::{Purpose, Role, State, View, ViewPart};
+use crate::screen::state::{Purpose, State, View, ViewPart};
 use crate::screen::view::{report as view, room};
 
 pub(super) fn measure(state: &mut State) {
     if state.measuring().is_some() {
-        stop(state);
+        jobs::stop_measuring(state);
     } else {
         jobs::ask(state, Purpose::Measurement);
-    }
-}
-
-pub(super) fn stop(state: &mut State) {
-    if let Some(running) = state.measuring() {
-        running.cancel.stop();
-        state.say(Role::Plain, text!("say-stopping"));
     }
 }
 
