@@ -56,7 +56,7 @@ fn series_of(results: &Results, order: u8) -> impl Iterator<Item = &Series> {
 }
 
 /// The arrows of all points that have them.
-pub fn items(results: &Results, look: &Look<'_>, pose: &Position) -> Vec<Item> {
+pub(crate) fn items(results: &Results, look: &Look<'_>, pose: &Position) -> Vec<Item> {
     let mut items = Vec::new();
     for &order in orders(look) {
         let Some(length) = length(results, order) else { continue };
@@ -116,7 +116,7 @@ pub fn scales(results: &Results, look: &Look<'_>) -> Vec<(Text, Text, f64, Ink)>
 }
 
 /// What the arrows are, with the length of a round value.
-pub fn legend(results: &Results, look: &Look<'_>) -> Vec<Key> {
+pub(crate) fn legend(results: &Results, look: &Look<'_>) -> Vec<Key> {
     let stroke = |ink| if ink == Ink::Velocity { Stroke::Solid } else { Stroke::Dashed };
     let key = |(what, size, length, ink)| Key {
         sample: Sample::Arrow(length, stroke(ink), ink),
@@ -141,7 +141,7 @@ fn acting(results: &Results, pose: &Position) -> Vec<Acting> {
 }
 
 /// K with its name, the normal force and the friction dashed, their sum full.
-pub fn contacts(results: &Results, pose: &Position) -> Vec<Item> {
+pub(crate) fn contacts(results: &Results, pose: &Position) -> Vec<Item> {
     let Some(length) = length_of_force(results) else { return Vec::new() };
     let all = acting(results, pose);
     let several = all.len() > 1;

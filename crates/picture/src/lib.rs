@@ -104,7 +104,7 @@ pub fn coordinate_unit(linkage: &Linkage) -> (&'static str, f64) {
 }
 
 /// The coordinate at a number of a position, also between two or after the last one, in the unit that is shown.
-pub fn coordinate_at(linkage: &Linkage, at: f64) -> f64 {
+pub(crate) fn coordinate_at(linkage: &Linkage, at: f64) -> f64 {
     let [first, next] = [0, 1].map(|index| linkage.mechanism.input.coordinate(index));
     coordinate_unit(linkage).1 * (first + at * (next - first))
 }

@@ -13,7 +13,7 @@ use crate::{Found, Look, Series, coordinate_at, coordinate_unit};
 const MARKED: usize = 24;
 
 /// Strokes and inks of several curves, told apart without color.
-pub const STYLES: [(Stroke, Ink); 6] = [
+pub(crate) const STYLES: [(Stroke, Ink); 6] = [
     (Stroke::Solid, Ink::First),
     (Stroke::Dotted, Ink::Third),
     (Stroke::Chain, Ink::Second),
@@ -23,7 +23,7 @@ pub const STYLES: [(Stroke, Ink); 6] = [
 ];
 
 /// The axis of the coordinate, from the first position to the end of the cycle or to the last position.
-pub fn coordinate_axis(linkage: &Linkage) -> Axis {
+pub(crate) fn coordinate_axis(linkage: &Linkage) -> Axis {
     let (symbol, input) = (coordinate_unit(linkage).0, &linkage.mechanism.input);
     let last = input.positions - usize::from(!input.is_cycle());
     let ends = [0.0, last as f64].map(|at| coordinate_at(linkage, at));
@@ -73,7 +73,7 @@ pub fn over_positions(
 
 /// At most three courses, each with its name; where there are several, with a number on them. `factor`: from SI to the unit of
 /// the horizontal axis.
-pub fn curves(
+pub(crate) fn curves(
     title: Text,
     curves: Vec<(Text, Course)>,
     (x, factor): (Axis, f64),
@@ -113,40 +113,32 @@ pub fn numbered(at: usize, told: Text) -> Text {
 
 /// A vector from one point to another.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Vector {
-    /// Its tail.
-    pub from: Point,
-    /// Its tip.
-    pub to: Point,
+pub(crate) struct Vector {
+    pub(crate) from: Point,
+    pub(crate) to: Point,
     /// May be empty: then it is a thin line.
-    pub name: Text,
-    /// Its color.
-    pub ink: Ink,
-    /// How it is drawn.
-    pub kind: Drawn,
+    pub(crate) name: Text,
+    pub(crate) ink: Ink,
+    pub(crate) kind: Drawn,
 }
 
 impl Vector {
-    /// With a head.
-    pub fn arrow(from: Point, to: Point, name: Text, ink: Ink) -> Self {
+    pub(crate) fn arrow(from: Point, to: Point, name: Text, ink: Ink) -> Self {
         Self { from, to, name, ink, kind: Drawn::Arrow }
     }
 }
 
-/// How a vector is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drawn {
+pub(crate) enum Drawn {
     /// With a head; without a name as a thin line.
     Arrow,
-    /// Without a head.
     Line,
-    /// A point.
     Point,
 }
 
 /// Vectors that are drawn together, in a unit, with the index of its scale factor. With a pole, it is marked and names
 /// are at the tips, as in textbooks.
-pub fn vectors(
+pub(crate) fn vectors(
     title: Text,
     vectors: &[Vector],
     (unit, symbol): (&str, &'static str),
@@ -179,7 +171,7 @@ fn arrow(vector: &Vector) -> Item {
 }
 
 /// Gives all panels the bounds of the largest one, so that they have one scale.
-pub fn one_scale(panels: &mut [Panel]) {
+pub(crate) fn one_scale(panels: &mut [Panel]) {
     let of =
         |panel: &Panel| if let Frame::Plane { bounds, .. } = &panel.frame { bounds.size() } else { [0.0; 2] };
     let most =

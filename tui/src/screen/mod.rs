@@ -50,15 +50,12 @@ pub(crate) struct LookArgs {
 pub(crate) struct Options {
     /// Draw with ASCII characters only; also chosen where the locale is not UTF-8.
     pub(crate) ascii: bool,
-    /// What is asked for on the command line.
     pub(crate) look: LookArgs,
     /// The language that is asked for; `None`: as configured, else that of the scene's note.
     pub(crate) language: Option<String>,
-    /// Force analyzer and integrator.
     pub(crate) methods: assur_analysis::Options,
     /// The configuration; the options above have precedence.
     pub(crate) config: Config,
-    /// Why the configuration of the user was not used; the text is complete.
     pub(crate) config_fault: Option<Text>,
     /// The configuration file of the user, which need not exist; `None`: there is no place for it.
     pub(crate) config_file: Option<PathBuf>,

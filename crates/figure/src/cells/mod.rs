@@ -174,17 +174,9 @@ pub fn cut(text: &str, width: usize) -> String {
     if text.width() <= width {
         return text.to_owned();
     }
-    let mut kept = String::new();
-    for letter in text.chars() {
-        if kept.width() + letter.to_string().width() + 1 > width {
-            break;
-        }
-        kept.push(letter);
-    }
-    if width > 0 {
-        kept.push('…');
-    }
-    kept
+    let beginnings = text.char_indices().map(|(end, _)| &text[..end]);
+    let kept = beginnings.take_while(|kept| kept.width() < width).last();
+    kept.map_or_else(String::new, |kept| format!("{kept}…"))
 }
 
 /// Most rows of a heading, and the fewest that it leaves to the drawing below it.

@@ -41,15 +41,9 @@ pub(super) fn fitted(text: &str, width: f64) -> String {
     if text_width(text) <= width {
         return text.to_owned();
     }
-    let mut kept = String::new();
-    for letter in text.chars() {
-        kept.push(letter);
-        if text_width(&kept) + EM > width {
-            kept.pop();
-            break;
-        }
-    }
-    kept + "…"
+    let beginnings = text.char_indices().map(|(end, _)| &text[..end]);
+    let kept = beginnings.take_while(|kept| kept.is_empty() || text_width(kept) + EM <= width).last();
+    kept.unwrap_or_default().to_owned() + "…"
 }
 
 /// The room of a name between its text and a line, in text sizes.

@@ -24,10 +24,11 @@ pub struct ChartData {
 }
 
 /// A stage of the calculation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Stage {
     /// Transfer functions: PF0, PF1, PF2 of all links.
+    #[default]
     Kinematics,
     /// Reactions and the balancing load.
     Forces,
@@ -143,7 +144,7 @@ pub(crate) const STEP: &str = "step";
 pub(crate) const GIVES: &str = "gives";
 
 /// One method at one setting.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[expect(clippy::struct_excessive_bools, reason = "each says something of its own about the row")]
 pub struct Measurement {
     /// The stage.
@@ -176,20 +177,7 @@ pub struct Measurement {
 impl Measurement {
     /// A row without measurements yet.
     pub(crate) fn new(stage: Stage, method: &str, setting: Setting) -> Self {
-        Self {
-            stage,
-            method: method.to_owned(),
-            setting,
-            seconds: None,
-            unit: stage.unit(),
-            evaluations: None,
-            error: None,
-            at_most: false,
-            ok: false,
-            reason: None,
-            front: false,
-            auto: false,
-        }
+        Self { stage, method: method.to_owned(), setting, unit: stage.unit(), ..Self::default() }
     }
 
     /// Whether the method gives all results of its stage, so that it may be compared with the others.
