@@ -51,7 +51,8 @@ impl Source {
 }
 
 /// An open scene: its text, the mechanism that the text describes, and the linkage, which is compiled when it is first needed.
-/// All commands, the terminal UI and the note calculate with it; a changed number makes another one of it.
+/// All commands, the terminal UI and the note calculate with it; a changed number makes another one of it. Its faults are in words,
+/// complete with file and line.
 #[derive(Debug)]
 pub(crate) struct Session {
     pub(crate) source: Source,
@@ -66,20 +67,12 @@ pub(crate) struct Session {
 
 impl Session {
     /// Reads a scene from its source.
-    ///
-    /// # Errors
-    ///
-    /// The faults in words, complete with file and line.
     pub(crate) fn open(source: Source) -> Result<Self, Text> {
         let text = source.text()?;
         Self::read(source, text)
     }
 
     /// Reads a scene from its text.
-    ///
-    /// # Errors
-    ///
-    /// The faults in words, complete with file and line.
     pub(crate) fn read(source: Source, text: String) -> Result<Self, Text> {
         let (mechanism, note) = read(&source, &text)?;
         let structure = decompose(&mechanism).map_err(|error| {
@@ -92,10 +85,6 @@ impl Session {
 
     /// The scene with another text. Where that differs in numbers only, no group is looked for again, and where the positions
     /// stay the same, nothing is compiled again.
-    ///
-    /// # Errors
-    ///
-    /// The faults in words, complete with file and line.
     pub(crate) fn changed(&self, text: String) -> Result<Self, Text> {
         let source = self.source.clone();
         let (mechanism, note) = read(&source, &text)?;
@@ -143,10 +132,6 @@ impl Session {
     }
 
     /// The positions of the scene, if it is not too large to be drawn.
-    ///
-    /// # Errors
-    ///
-    /// The faults in words, complete with file and line.
     pub(crate) fn positions(&self) -> Result<Results, Text> {
         self.refuse_large()?;
         let linkage = self.linkage().map_err(|error| self.fault(&error.into()))?;
@@ -154,10 +139,6 @@ impl Session {
     }
 
     /// The positions with the results of what the scene requests, and with their checks where they are wanted.
-    ///
-    /// # Errors
-    ///
-    /// The faults in words, complete with file and line.
     pub(crate) fn analyzed(&self, options: &Options, checks: bool) -> Result<Results, Text> {
         let mut results = self.positions()?;
         let mut found = self.found(options, &mut unwatched).map_err(|error| self.fault(&error))?;
@@ -209,10 +190,6 @@ impl Session {
 }
 
 /// The mechanism of a scene, which need not be one that moves.
-///
-/// # Errors
-///
-/// The faults in words, complete with file and line.
 pub(crate) fn mechanism_of(source: &Source) -> Result<Mechanism, Text> {
     Ok(read(source, &source.text()?)?.0)
 }

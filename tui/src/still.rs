@@ -64,10 +64,6 @@ fn page(text: &str) -> Result<[f64; 2], Told> {
 }
 
 /// A figure in the form that the ending of a file names.
-///
-/// # Errors
-///
-/// Another ending than `svg` and `png`, or a page that can't be rendered.
 pub(crate) fn picture(
     figure: &Figure,
     path: &Path,
@@ -119,10 +115,6 @@ impl PictureArgs {
 const TURN: f64 = 6.0;
 
 /// The picture of the results of a scene that is asked for, in the form that the ending of `output` names.
-///
-/// # Errors
-///
-/// [`StillError`]: a request without a meaning, a picture for which there are no results.
 pub(crate) fn draw(
     results: &Results,
     request: &PictureArgs,

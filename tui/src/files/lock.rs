@@ -101,10 +101,6 @@ fn told(text: &str, path: &Path) -> Text {
 
 /// Opens a file of our own beside a target, or creates it: a regular file with one name. What a link points to is
 /// neither opened nor created.
-///
-/// # Errors
-///
-/// Something else is there, or the file can't be opened.
 pub(crate) fn open_own(path: &Path) -> io::Result<File> {
     for _ in 0..MOST_TRIES {
         // Creates nothing through a link, not even through a dangling one.
@@ -124,10 +120,6 @@ pub(crate) fn open_own(path: &Path) -> io::Result<File> {
 }
 
 /// An empty file of our own in the place of an old one; a link there is removed, and what it points to is left.
-///
-/// # Errors
-///
-/// The old file can't be removed, or the new one not created.
 pub(crate) fn create_own(path: &Path) -> io::Result<File> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),

@@ -33,10 +33,6 @@ pub(crate) struct Cycle<'a> {
 
 impl<'a> Cycle<'a> {
     /// Finds the regime; `None` for a scene without one.
-    ///
-    /// # Errors
-    ///
-    /// Why it can't be found.
     pub(crate) fn of(linkage: &'a Linkage, loads: &'a Loads) -> Option<Result<Self, Text>> {
         let input = &linkage.mechanism.input;
         let Some(Motion::Steady { mean_speed, .. }) = linkage.mechanism.motion else { return None };

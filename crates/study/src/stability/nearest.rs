@@ -85,10 +85,6 @@ impl Grid {
 }
 
 /// Where the health of each group is least.
-///
-/// # Errors
-///
-/// Why the first position that can't be assembled has no assembly.
 pub(crate) fn nearest(linkage: &Linkage) -> Result<Vec<GroupHealth>, Text> {
     let grid = Grid::of(linkage, 1);
     let mut position = linkage.position();

@@ -19,10 +19,6 @@ pub(crate) struct Scene {
 
 impl Scene {
     /// Compiles a scene and solves its positions.
-    ///
-    /// # Errors
-    ///
-    /// The errors as text, complete with file and line.
     pub(crate) fn of(session: impl Into<Arc<Session>>) -> Result<Self, Text> {
         let session = session.into();
         let results = session.positions()?;
