@@ -6,7 +6,6 @@ use assur_mechanism::{Mechanism, Motion, passage};
 use assur_number::Lanes;
 
 use crate::breaks::tolerance;
-use crate::formula::variable_of;
 
 /// Where the mechanism is and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -21,6 +20,9 @@ pub struct LoadState {
     pub time: f64,
     /// Which formulas apply if the state is on a jump.
     pub side: Side,
+    /// In a motion that a drive made: its load on the input along the coordinate, that of its inertia included, N m (N). Of several
+    /// reactions with dry friction, those belong to the motion whose balancing load this is.
+    pub drive: Option<f64>,
 }
 
 /// Which formulas of the loads apply at a state on a jump. The choice is common to all loads, and the acceleration of
@@ -61,7 +63,7 @@ impl LoadState {
                 let turn = || if acceleration == 0.0 { 0.0 } else { -speed / acceleration };
                 let way = coordinate - mechanism.input.from;
                 let time = passage(way, speed, acceleration).unwrap_or_else(turn);
-                Self { coordinate, speed, acceleration, time, side: Side::Prescribed }
+                Self { coordinate, speed, acceleration, time, ..Self::default() }
             }
             _ => Self { coordinate, ..Self::default() },
         }
@@ -111,7 +113,7 @@ impl Selection {
         let near = Variables { coordinate, speed, time, place: f64::NAN };
         let [way, delay] =
             [tolerance(coordinate, period), tolerance(time, None)].map(|least| distance * least);
-        match variable_of(used) {
+        match used.only() {
             Some(Variable::Coordinate) => {
                 Variables { coordinate: coordinate + self.ahead * self.sense * way, ..near }
             }
