@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use assur_dynamics::{Advice, DynamicsError, Regime, Steady, SteadyMotor, Transient, advise};
+use assur_dynamics::{Advice, DynamicsError, Regime, RegimeState, SteadyMotor, Transient, advise};
 use assur_mechanism::{Motion, ReductionPoint, Solve};
 use assur_motor::Motor;
 use assur_words::Describe;
 
 use crate::results::{
     AdvisedRegime, Dynamics, Energy, EnergyMass, EnergyMassTangent, Integration, MotorAdvice, MotorReport,
-    MotorWork, PointReport, RegimePoint, RegimeReport,
+    MotorWork, PointReport, RegimeOverCycle,
 };
 use crate::{AnalysisError, Calculation, InputMotion};
 
@@ -28,6 +28,7 @@ impl Calculation {
         let drive = self.linkage.mechanism.drive.as_ref();
         let has_flywheel = drive.is_some_and(|drive| drive.flywheel.is_some());
         let methods = regime.flywheel_by_method.iter().filter(|row| has_flywheel && row.flywheel.is_finite());
+        let course = self.course(regime);
         Some(Dynamics {
             flywheel: has_flywheel.then_some(regime.flywheel),
             figures: regime.figures.clone(),
@@ -41,8 +42,8 @@ impl Calculation {
                 }
                 _ => Vec::new(),
             },
-            energy_mass: energy_mass(regime, self.linkage.mechanism.input.from, self.course(regime)),
-            regime: self.regime(found),
+            energy_mass: energy_mass(regime, self.linkage.mechanism.input.from, &course),
+            regime: RegimeOverCycle { found: regime.clone(), course },
             reduction_point: self.reduction_point(),
         })
     }
@@ -63,28 +64,13 @@ impl Calculation {
         Some(PointReport { name: mechanism.named_point(found.point), radius: found.radius })
     }
 
-    fn regime(&self, found: &Steady) -> RegimeReport {
-        let regime = &found.regime;
-        RegimeReport {
-            mean_resistance: found.mean_resistance,
-            resistance_work: found.resistance_work,
-            cycle_time: regime.cycle_time,
-            multiplier: regime.multiplier,
-            shaft_inertia: regime.drive_inertia,
-            flywheel_needless: regime.flywheel_needless,
-            effort: regime.effort,
-            iteration: regime.iterations.clone(),
-            trials: regime.trials.clone(),
-            course: self.course(regime).collect(),
-        }
-    }
-
     /// The regime over a cycle, its end included.
-    fn course<'a>(&self, regime: &'a Regime) -> impl Iterator<Item = RegimePoint> + use<'a> {
+    fn course(&self, regime: &Regime) -> Vec<RegimeState> {
         let input = &self.linkage.mechanism.input;
-        let (from, cycle) = (input.from, input.sign() * input.period().unwrap_or(0.0));
-        (0..=INTERVALS)
-            .map(move |i| regime_point(regime, from + cycle * (f64::from(i) / f64::from(INTERVALS))))
+        let cycle = input.sign() * input.period().unwrap_or(0.0);
+        let at = |i: u32| input.from + cycle * (f64::from(i) / f64::from(INTERVALS));
+        let state = |at: f64| RegimeState { first_turn: regime.first_cycle_speed(at), ..regime.state(at) };
+        (0..=INTERVALS).map(at).map(state).collect()
     }
 
     /// How a transient motion was found; `None` without one.
@@ -112,7 +98,7 @@ impl Calculation {
     }
 }
 
-fn energy_mass(regime: &Regime, from: f64, course: impl Iterator<Item = RegimePoint>) -> EnergyMass {
+fn energy_mass(regime: &Regime, from: f64, course: &[RegimeState]) -> EnergyMass {
     let energy = |inertia: f64, speed: f64| 0.5 * (inertia + regime.drive_inertia) * speed * speed;
     let first = regime.state(from);
     let start = energy(first.inertia, first.speed);
@@ -121,26 +107,13 @@ fn energy_mass(regime: &Regime, from: f64, course: impl Iterator<Item = RegimePo
         (regime.figures.speed_min, regime.figures.coordinate_at_min),
     ];
     EnergyMass {
-        curve: course.map(|at| [at.inertia, energy(at.inertia, at.speed) - start]).collect(),
+        curve: course.iter().map(|at| [at.inertia, energy(at.inertia, at.speed) - start]).collect(),
         tangents: ends.map(|(speed, coordinate)| {
             let inertia = regime.state(coordinate).inertia;
             let touches = [inertia, energy(inertia, speed) - start];
             EnergyMassTangent { slope: 0.5 * speed * speed, touches, coordinate }
         }),
         origin: [-regime.drive_inertia, -start],
-    }
-}
-
-fn regime_point(regime: &Regime, coordinate: f64) -> RegimePoint {
-    let at = regime.state(coordinate);
-    RegimePoint {
-        coordinate,
-        speed: at.speed,
-        first_turn: regime.first_cycle_speed(coordinate).filter(|speed| speed.is_finite()),
-        drive: at.drive,
-        load: at.load,
-        inertia: at.inertia,
-        inertia_derivative: at.inertia_derivative,
     }
 }
 

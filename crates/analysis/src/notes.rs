@@ -101,14 +101,14 @@ impl Calculation {
             let (motor, passed) = (name(designation.clone()), joined("; ", passed));
             notes.push(text!("analysis-motors-passed-over", motor, passed));
         }
-        if regime.figures.are_loads_driving(-found.resistance_work) {
+        if regime.figures.are_loads_driving(-regime.resistance_work) {
             let size = |value: f64, unit| quantity(format_args!("{value:.6}"), unit);
             let brakes =
                 if found.motor.is_some() { "analysis-motor-brakes" } else { "analysis-drive-brakes" };
             notes.push(text!(
                 "analysis-loads-drive",
                 brakes = text!(brakes),
-                work = size(-found.resistance_work, "J"),
+                work = size(-regime.resistance_work, "J"),
                 power = size(-regime.figures.required_power, "W")
             ));
         }

@@ -308,7 +308,7 @@ fn a_load_without_a_value_is_named() {
 fn the_first_turn_ends_with_the_speed_after_it() {
     let analysis = analyzed(&text("shaper-drive"));
     let regime = &analysis.dynamics.as_ref().unwrap().regime;
-    let first = &regime.iteration[0];
+    let first = &regime.found.iterations[0];
     let ends = [regime.course.first(), regime.course.last()].map(|row| row.unwrap().first_turn.unwrap());
     assert!(first.speed_end - first.speed_start > 0.1, "{first:?}");
     assert!((ends[0] - first.speed_start).abs() < 1e-9, "{ends:?} {first:?}");

@@ -6,3 +6,5 @@ kinematics-units = {" "}and their units (a number without one is in meters)
 kinematics-no-start = { $group } is solved by iteration, which needs a starting position: say in [assembly] roughly where these points are in the first position: { $points }
 kinematics-through-origin = the guide of `{ $slide }` goes through the origin of `{ $on }`, as it does without `through`: give `through` if it should not
 kinematics-parallel-guides = { $group } can't be placed anywhere: the guides of `{ $one }` and `{ $other }` are parallel, so the link between them is held by neither; turn one of them (`angle`)
+kinematics-misses = ; it is not passive: what could be left out deviates by { $misfit } over the cycle
+kinematics-too-many-surplus = ; { $surplus } surplus constraints are more than the { $most } among which passive ones are searched for

@@ -51,7 +51,7 @@ impl Reduced {
         let motion = |id: PointId| results.linkage.point_motion(id, &pose);
         let of = |quantity| table.schema().find(Column::of(quantity, Owner::Input));
         let moments = of(Quantity::ReducedMoment)?;
-        let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |found| found.regime.shaft_inertia);
+        let shaft = found.analysis.dynamics.as_ref().map_or(0.0, |found| found.regime.found.drive_inertia);
         let tip = motion(point.name.id);
         Some(Self {
             name: Text::from(&point.name),

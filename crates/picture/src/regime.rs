@@ -2,7 +2,7 @@
 //! energy-mass diagram, the shares of the reduced inertia.
 
 use assur_analysis::results::{
-    Column, Dynamics, EnergyMass, Owner, Quantity, RegimePoint, RegimeReport, Table, Trial,
+    Column, Dynamics, EnergyMass, Owner, Quantity, RegimeOverCycle, RegimeState, Table, Trial,
 };
 use assur_book::{Course, Jump};
 use assur_figure::number::{digits, plain};
@@ -10,11 +10,10 @@ use assur_figure::{Axis, AxisKind, Bounds, Frame, Ink, Item, Key, Panel, Point, 
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
-use crate::motion::energies;
 use crate::{Found, Look, coordinate_at, coordinate_unit, plots};
 
 /// A quantity of the regime over the cycle; where `read` gives none, the course has none.
-fn over(regime: &RegimeReport, read: impl Fn(&RegimePoint) -> Option<f64>) -> Course {
+fn over(regime: &RegimeOverCycle, read: impl Fn(&RegimeState) -> Option<f64>) -> Course {
     Course::from_points(regime.course.iter().filter_map(|row| Some([row.coordinate, read(row)?])))
 }
 
@@ -24,7 +23,7 @@ fn cursor(linkage: &Linkage, look: &Look<'_>) -> f64 {
 }
 
 /// Speed in the regime and in the first turn, then the moments and the energies.
-pub(crate) fn course(found: &Found, regime: &RegimeReport, look: &Look<'_>) -> Vec<Panel> {
+pub(crate) fn course(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) -> Vec<Panel> {
     let mut lines = vec![(text!("regime-course"), over(regime, |row| Some(row.speed)))];
     let first_turn = over(regime, |row| row.first_turn);
     if !first_turn.is_empty() {
@@ -36,7 +35,8 @@ pub(crate) fn course(found: &Found, regime: &RegimeReport, look: &Look<'_>) -> V
         axis(&found.linkage),
         Some(cursor(&found.linkage, look).into()),
     );
-    let energies = energies(found, Column::COORDINATE, axis(&found.linkage), cursor(&found.linkage, look));
+    let energies =
+        plots::energies(found, Column::COORDINATE, axis(&found.linkage), cursor(&found.linkage, look));
     [speed, moments(found, regime, look)].into_iter().chain(energies).collect()
 }
 
@@ -46,7 +46,7 @@ fn axis(linkage: &Linkage) -> (Axis, f64) {
 }
 
 /// Moments of the drive and the resistance on the input, with the mean resistance.
-pub(crate) fn moments(found: &Found, regime: &RegimeReport, look: &Look<'_>) -> Panel {
+pub(crate) fn moments(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) -> Panel {
     // What drives is shown along the motion, and the resistance against it, as its mean is. Driving is what does work over the cycle.
     let sense = found.linkage.mechanism.input.sign();
     let of_loads = Column::of(Quantity::ReducedMoment, Owner::Input);
@@ -57,7 +57,8 @@ pub(crate) fn moments(found: &Found, regime: &RegimeReport, look: &Look<'_>) -> 
         let step = |step: Jump| step.values.map(|value| [step.at, factor * value]);
         over(regime, |row| Some(factor * row.load)).with_between(jumps.jumps().flat_map(step).collect())
     };
-    let mean = |sign: f64| (text!("regime-mean"), over(regime, |_| Some(sign * regime.mean_resistance)));
+    let mean =
+        |sign: f64| (text!("regime-mean"), over(regime, |_| Some(sign * regime.found.mean_resistance)));
     let against = || text!("regime-against", load = text!("regime-resistance"));
     let loads_drive = found.analysis.dynamics.as_ref().is_some_and(Dynamics::loads_drive);
     let lines = if loads_drive {
@@ -177,7 +178,7 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
     let level = |table: &Table, row: usize, count: usize| {
         let share = |owner: &Owner| table.get(row, Column::of(Quantity::ReducedInertia, *owner));
         let sum = links[..count].iter().map(share).sum::<Option<f64>>()?;
-        Some(dynamics.regime.shaft_inertia + sum)
+        Some(dynamics.regime.found.drive_inertia + sum)
     };
     let (_, factor) = coordinate_unit(&found.linkage);
     let (mut items, mut samples) = (Vec::new(), Vec::new());
@@ -214,7 +215,7 @@ pub(crate) fn shares(found: &Found, dynamics: &Dynamics, look: &Look<'_>) -> (Pa
 }
 
 /// The iteration to the periodic regime, and the trials of ratio and flywheel, as parts of the values found (S fig. 10).
-pub(crate) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
+pub(crate) fn iteration(regime: &RegimeOverCycle) -> Vec<Panel> {
     let curve = |told: &'static str, values: Vec<f64>| {
         let points = values.into_iter().enumerate().map(|(at, y)| [(at + 1) as f64, y]);
         (text!(told), Course::from_points(points))
@@ -223,7 +224,7 @@ pub(crate) fn iteration(regime: &RegimeReport) -> Vec<Panel> {
         let x = Axis { kind: AxisKind::Whole, ..Axis::around(text!(label), [1.0, count.max(2) as f64], 0.0) };
         plots::curves(text!(title), curves, (x, 1.0), None)
     };
-    let (turns, trials) = (&regime.iteration, &regime.trials);
+    let (turns, trials) = (&regime.found.iterations, &regime.found.trials);
     let mut panels = Vec::new();
     if !turns.is_empty() {
         let ends = vec![

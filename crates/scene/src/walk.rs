@@ -13,10 +13,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{Fault, Faults};
-use crate::limits;
-use crate::numbers::in_quotes;
 use crate::reference::{KeyDefault, KeyTable, SceneKey, ValueKind, table};
-use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
+use crate::text::{did_you_mean, in_quotes, is_unprintable, nearest, row, shown};
 use crate::units::Dimension;
 
 /// A table of the file with a known set of keys.
@@ -202,18 +200,17 @@ impl<'a> Section<'a> {
         let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
         let name = given.map_or_else(|| default().into(), Name::from);
         if let Some(entry) = &entry {
-            limits::check_name(entry, &entry.span, &name);
+            self.faults.check_name(&entry.span, &name);
         }
         (name, entry.map_or(self.span.clone(), |entry| entry.span))
     }
 
     /// The value of a required key; a missing one is noted as a fault.
     pub(crate) fn need(&self, key: &str) -> Option<Entry<'a>> {
-        let entry = self.get(key);
-        if entry.is_none() {
+        self.get(key).or_else(|| {
             self.missing(key, Text::default());
-        }
-        entry
+            None
+        })
     }
 
     /// Notes a missing key, and why it is needed.
@@ -325,17 +322,15 @@ impl<'a> Entry<'a> {
 
     /// The two elements of a list of two.
     pub(crate) fn pair(&self, wanted: &Text) -> Option<[Self; 2]> {
-        let list = if self.value.is_array() { self.list(wanted.clone()) } else { Vec::new() };
+        let list = self.list(wanted.clone());
         let count = list.len();
-        let pair: Result<[Self; 2], _> = list.try_into();
-        if pair.is_err() {
-            let many = text!("scene-list-of-so-many", count = count);
-            let got = if self.value.is_array() { many } else { kind(self.value) };
+        let pair = <[Self; 2]>::try_from(list).ok();
+        if pair.is_none() && self.is_list() {
             // 0,15 is two numbers.
             let label = if count > 2 { text!("scene-decimal-comma") } else { Text::default() };
-            self.wants(wanted.clone(), got, label);
+            self.wants(wanted.clone(), text!("scene-list-of-so-many", count), label);
         }
-        pair.ok()
+        pair
     }
 
     /// A text on one line that is not empty.
@@ -377,11 +372,10 @@ impl<'a> Entry<'a> {
 
     /// `true` or `false`.
     pub fn flag(&self) -> Option<bool> {
-        let flag = self.value.as_bool();
-        if flag.is_none() {
+        self.value.as_bool().or_else(|| {
             self.wrong(text!("scene-true-or-false"), Text::default());
-        }
-        flag
+            None
+        })
     }
 }
 

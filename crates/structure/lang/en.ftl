@@ -22,8 +22,6 @@ structure-no-plugin = { $links } form a group of class { $class }, order { $orde
 structure-pattern = inner { $inner }; outer { $outer }
 structure-what-joins = a point name used in two links makes a pin there
 structure-alike = the points `{ $one }` and `{ $other }` occur in one link each and have similar names: one name in both links makes a pin there
-structure-misses = ; it is not passive: what could be left out deviates by { $misfit } over the cycle
 structure-slide-angles = the angle of slide `{ $slide }` differs by { $off } from what the other slides require, so no position satisfies them all; a link whose x axis does not lie along its guide needs a `tilt`, here `tilt = "{ $tilt }"`
 structure-slide-on-pinned = nothing is left to move in slide `{ $slide }`: pin `{ $pin }` joins the same two links
-structure-too-many = ; { $surplus } surplus constraints are more than the { $most } among which passive ones are searched for
 structure-alone = a point name used in two links makes a pin there; these points are in one link only: { $points }

@@ -6,12 +6,10 @@ use assur_group::{GroupFrame, Pair, plugin_for};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, PairId, Point, likeness};
 use assur_words::{Text, joined, name, text};
 
-use crate::excess::LeftOut;
-use crate::frame::{Incidence, frame_of, input_pair, pair_alone, typical_length};
+use crate::frame::{Incidence, LeftOut, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{
-    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, SurplusCause,
-    name_of, roman,
+    Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, name_of, roman,
 };
 
 impl Structure {
@@ -150,7 +148,7 @@ fn refuse_other_mobility(
                 // Both ends of the surplus pair are known (ground and input link).
                 links.push(mechanism.links[mechanism.input.link].name.to_string());
             }
-            Err(StructureError::Surplus { counted, pairs, links, cause: SurplusCause::None })
+            Err(StructureError::Surplus { counted, pairs, links, why: Text::default() })
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);
@@ -296,4 +294,21 @@ fn path_without(frame: &GroupFrame, joined: &HashMap<LinkId, Vec<usize>>, skippe
         }
     }
     None
+}
+
+/// What the count of equations says of a mechanism without some parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Excess {
+    /// Number of surplus constraints.
+    pub surplus: usize,
+    /// Whether a link can move while the input is fixed.
+    pub loose: bool,
+}
+
+impl Excess {
+    /// Counts; nothing is solved, and lengths don't matter.
+    pub fn of(mechanism: &Mechanism, without: &[PassivePart]) -> Self {
+        let graph = counted_system(mechanism, &LeftOut::of(mechanism, without));
+        Self { surplus: graph.unmatched(), loose: graph.is_loose() }
+    }
 }

@@ -13,32 +13,6 @@ pub struct Counted {
     pub formula: String,
 }
 
-/// Why surplus constraints don't just repeat constraints of others.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub enum SurplusCause {
-    /// No part was found that could be left out.
-    #[default]
-    None,
-    /// The best choice of parts to leave out misses by this much over the cycle, m.
-    Misses(f64),
-    /// Slides alone hold a link at two different angles.
-    Angles {
-        /// The last of these slides.
-        slide: Box<Name>,
-        /// What its angle misses, rad.
-        off: f64,
-        /// The `tilt` with which it would miss nothing, rad.
-        tilt: f64,
-    },
-    /// There are more of them than are searched.
-    TooMany {
-        /// How many there are.
-        surplus: usize,
-        /// How many may be.
-        most: usize,
-    },
-}
-
 /// Why a mechanism can't be decomposed into groups.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
@@ -64,8 +38,19 @@ pub enum StructureError {
         pairs: Vec<String>,
         /// Links that they lock.
         links: Vec<String>,
-        /// Why no part of it is passive.
-        cause: SurplusCause,
+        /// Why no part of it is passive, as the rest of a sentence; may be empty.
+        why: Text,
+    },
+    /// Slides alone hold a link at two different angles.
+    SlideAngles {
+        /// The last of these slides.
+        slide: Box<Name>,
+        /// What its angle misses, rad.
+        off: f64,
+        /// The `tilt` with which it would miss nothing, rad.
+        tilt: f64,
+        /// Links that they lock.
+        links: Vec<String>,
     },
     /// A pin and a slide of a group join the same two links, which so can't move on each other, while others of the group are not held.
     Held {
@@ -93,9 +78,10 @@ impl StructureError {
     /// The first link concerned, if the error is about links.
     pub fn link(&self) -> Option<&str> {
         match self {
-            Self::Loose { links, .. } | Self::Surplus { links, .. } | Self::NoPlugin { links, .. } => {
-                links.first().map(String::as_str)
-            }
+            Self::Loose { links, .. }
+            | Self::Surplus { links, .. }
+            | Self::SlideAngles { links, .. }
+            | Self::NoPlugin { links, .. } => links.first().map(String::as_str),
             Self::Held { .. } | Self::Registry(_) => None,
         }
     }
@@ -154,28 +140,20 @@ impl Describe for StructureError {
                     }
                 }
             ),
-            Self::Surplus { cause: SurplusCause::Angles { slide, off, tilt }, .. } => {
-                let shown = |angle: &f64| quantity((angle.to_degrees() * 1e6).round() / 1e6, "deg");
-                let slide = Text::from(&**slide);
-                text!("structure-slide-angles", slide, off = shown(off), tilt = shown(tilt))
-            }
-            Self::Surplus { counted, pairs, links, cause } => text!(
+            Self::Surplus { counted, pairs, links, why } => text!(
                 "structure-surplus",
                 mobility = number(counted.mobility),
                 formula = name(counted.formula.clone()),
                 pairs = text!("structure-pairs", count = pairs.len(), pairs = some(pairs, "`")),
                 count = pairs.len(),
                 links = links_named(links),
-                cause = match cause {
-                    SurplusCause::None | SurplusCause::Angles { .. } => Text::default(),
-                    SurplusCause::Misses(misfit) => text!(
-                        "structure-misses",
-                        misfit = quantity(format_args!("{:.3}", misfit * 1e3), "mm")
-                    ),
-                    SurplusCause::TooMany { surplus, most } =>
-                        text!("structure-too-many", surplus = *surplus, most = *most),
-                }
+                cause = why
             ),
+            Self::SlideAngles { slide, off, tilt, .. } => {
+                let shown = |angle: &f64| quantity((angle.to_degrees() * 1e6).round() / 1e6, "deg");
+                let slide = Text::from(&**slide);
+                text!("structure-slide-angles", slide, off = shown(off), tilt = shown(tilt))
+            }
             Self::Held { pin, slide } => {
                 text!("structure-slide-on-pinned", slide = Text::from(&**slide), pin = Text::from(&**pin))
             }

@@ -204,7 +204,7 @@ pub(crate) fn stability(args: &StabilityArgs, style: Style) -> Result<Status, Fa
     let text = match args.format {
         Format::Json => found.to_json().map_err(Fault::other)?,
         Format::Csv => found.to_csv().map_err(Fault::told)?,
-        Format::Text => style.text(&found.text(style.language)).into_owned(),
+        Format::Text => report::told(style.words(), |page| found.tell(page)),
     };
     if let Some(failure) = &found.failure {
         style.tell(text!("cli-error", problem = failure));

@@ -1,6 +1,6 @@
 //! Periodic regime, drive and flywheel.
 
-use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
+use assur_dynamics::{Figures, FlywheelByMethod, Regime, RegimeState};
 use assur_mechanism::{Named, PointId};
 use assur_motor::{FlywheelSize, RatedMotor};
 use assur_words::Text;
@@ -34,43 +34,26 @@ pub struct Dynamics {
     /// The energy-mass diagram of the regime (Wittenbauer).
     pub energy_mass: EnergyMass,
     /// The regime over the cycle.
-    pub regime: RegimeReport,
+    pub regime: RegimeOverCycle,
     /// The point of the input link to which loads and masses are reduced, too.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduction_point: Option<PointReport>,
 }
 
 /// The regime over the cycle, and how it was found.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct RegimeReport {
-    /// Mean of the resisting moment over the cycle, reduced to the input, N m, against the motion.
-    pub mean_resistance: f64,
-    /// Work of the resistance over a cycle, J.
-    pub resistance_work: f64,
-    /// Time of a cycle, s.
-    pub cycle_time: f64,
-    /// Floquet multiplier of the speed: the factor of a small change of it over a cycle; below 1 the regime is stable.
-    pub multiplier: f64,
-    /// Flywheel and rotor reduced to the input, kg m².
-    pub shaft_inertia: f64,
-    /// The requested unevenness is achieved without a flywheel.
-    pub flywheel_needless: bool,
-    /// Cost of the solution.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RegimeOverCycle {
+    /// The regime.
     #[serde(flatten)]
-    pub effort: Effort,
-    /// Iteration to the periodic regime from the mean speed (S fig. 10).
-    pub iteration: Vec<Iteration>,
-    /// Trials of ratio and flywheel (S stage 6).
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub trials: Vec<Trial>,
+    pub found: Regime,
     /// Over a cycle: speeds, moments and inertia (S figs. 8, 9, 12); the end of the cycle is the last row.
-    pub course: Vec<RegimePoint>,
+    pub course: Vec<RegimeState>,
 }
 
 impl Dynamics {
     /// Whether the loads drive and the drive resists: over a cycle the loads do more work than they take.
     pub fn loads_drive(&self) -> bool {
-        self.figures.are_loads_driving(-self.regime.resistance_work)
+        self.figures.are_loads_driving(-self.regime.found.resistance_work)
     }
 }
 
@@ -99,26 +82,6 @@ pub struct EnergyMassTangent {
     pub touches: [f64; 2],
     /// The coordinate of this position, rad or m.
     pub coordinate: f64,
-}
-
-/// The regime at one coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct RegimePoint {
-    /// Coordinate, rad or m.
-    pub coordinate: f64,
-    /// Speed in the regime.
-    pub speed: f64,
-    /// Speed in the first turn from the mean speed; absent where the machine stalls in it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub first_turn: Option<f64>,
-    /// Moment of the drive on the input, N m.
-    pub drive: f64,
-    /// Reduced moment of the loads, N m.
-    pub load: f64,
-    /// Reduced inertia without flywheel and rotor, kg m².
-    pub inertia: f64,
-    /// Its derivative with respect to the coordinate.
-    pub inertia_derivative: f64,
 }
 
 /// The point to which loads and masses are reduced, in addition to the input link (E eqs. 4-6).

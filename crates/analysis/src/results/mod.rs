@@ -37,13 +37,13 @@ pub use analysis::{
     Analysis, Checks, Cycle, Energy, Failure, InputReport, Integration, PositionPlans, Residual,
 };
 pub use assur_check::{Check, Finding, verdict};
-pub use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Trial};
+pub use assur_dynamics::{Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeState, Trial};
 pub use assur_integrator::{Event, SolutionCost, State};
 pub use assur_number::{Extreme, Statistic};
 pub use column::{Column, Owner, Part, Quantity};
 pub use dynamics::{
     AdvisedRegime, Dynamics, EnergyMass, EnergyMassTangent, MotorAdvice, MotorReport, MotorWork, PointReport,
-    RegimePoint, RegimeReport,
+    RegimeOverCycle,
 };
 pub use schema::{Schema, Section};
 pub use structure::{

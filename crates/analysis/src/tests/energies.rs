@@ -98,7 +98,7 @@ fn the_energy_mass_diagram_lies_between_its_tangents() {
         // Wittenbauer: what the tangents cut off the axis of the energy, over the difference of their slopes.
         let cut = (y - fast * x) - (y - slow * x);
         let inertia = cut / (fast - slow);
-        assert!((inertia - dynamics.regime.shaft_inertia).abs() < 1e-9 * inertia, "{name}: {inertia}");
+        assert!((inertia - dynamics.regime.found.drive_inertia).abs() < 1e-9 * inertia, "{name}: {inertia}");
     }
 }
 

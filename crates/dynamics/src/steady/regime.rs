@@ -6,8 +6,8 @@ use assur_words::Text;
 use serde::Serialize;
 
 use super::path::Values;
-use super::solution::{CycleSolution, Extreme};
-use super::tuning::Tuned;
+use super::solution::{CycleSolution, Extreme, Iteration, RegimeState};
+use super::tuning::{Trial, Tuned};
 use crate::drive::{InputDrive, TorqueSource};
 
 /// The figures of a periodic regime. Speeds and coordinates have the signs of the coordinate; "least" and "greatest"
@@ -52,35 +52,50 @@ impl Figures {
     }
 }
 
-/// The periodic regime.
-#[derive(Debug, Clone)]
+/// The periodic regime; results have its numbers that are no figures and no flywheels.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Regime {
-    /// Flywheel on its own shaft, without the rotor, kg m²: the given one, or the one found (0: none is needed).
-    pub flywheel: f64,
-    /// The requested unevenness is achieved without a flywheel.
-    pub flywheel_needless: bool,
-    /// Flywheel and rotor reduced to the input, kg m².
-    pub drive_inertia: f64,
-    /// Its figures.
-    pub figures: Figures,
+    /// Mean of the resisting moment over the cycle, reduced to the input, N m, against the motion.
+    pub mean_resistance: f64,
+    /// Work of the resistance over a cycle, J; negative where the loads drive.
+    pub resistance_work: f64,
     /// Time of a cycle, s.
     pub cycle_time: f64,
     /// Floquet multiplier, the factor of a small change of the speed over a cycle: the regime is stable below 1; 1 if
     /// nothing restores the speed.
     pub multiplier: f64,
-    /// The flywheel by the methods of the textbooks, and exactly.
-    pub flywheel_by_method: Vec<FlywheelByMethod>,
-    /// Trials of ratio and flywheel (S stage 6).
-    pub trials: Vec<Trial>,
-    /// Iteration to the periodic regime from the mean speed (S fig. 10); empty if the machine stalls in its first cycle.
-    pub iterations: Vec<Iteration>,
+    /// Flywheel and rotor reduced to the input, kg m².
+    #[serde(rename = "shaft_inertia")]
+    pub drive_inertia: f64,
+    /// The requested unevenness is achieved without a flywheel.
+    pub flywheel_needless: bool,
     /// Cost of the solution, and its accuracy.
+    #[serde(flatten)]
     pub effort: Effort,
+    /// Iteration to the periodic regime from the mean speed (S fig. 10); empty if the machine stalls in its first cycle.
+    #[serde(rename = "iteration")]
+    pub iterations: Vec<Iteration>,
+    /// Trials of ratio and flywheel (S stage 6).
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub trials: Vec<Trial>,
+    /// Flywheel on its own shaft, without the rotor, kg m²: the given one, or the one found (0: none is needed).
+    #[serde(skip)]
+    pub flywheel: f64,
+    /// Its figures.
+    #[serde(skip)]
+    pub figures: Figures,
+    /// The flywheel by the methods of the textbooks, and exactly.
+    #[serde(skip)]
+    pub flywheel_by_method: Vec<FlywheelByMethod>,
     /// How far moments of drive, loads and inertia that are read of the solution may leave the equation of motion unmet, N m.
+    #[serde(skip)]
     pub error_of_moments: f64,
+    #[serde(skip)]
     pub(crate) solution: CycleSolution,
     /// The first cycle from the mean speed; `None` if the machine stalls in it.
+    #[serde(skip)]
     pub(crate) first: Option<CycleSolution>,
+    #[serde(skip)]
     pub(crate) times: Vec<Values>,
 }
 
@@ -112,6 +127,8 @@ impl Regime {
                 required_power,
                 torque: if let TorqueSource::Constant(moment) = drive.source { Some(moment) } else { None },
             },
+            mean_resistance: 0.0,
+            resistance_work: 0.0,
             cycle_time,
             multiplier: solution.multiplier(),
             flywheel_by_method: Vec::new(),
@@ -131,7 +148,7 @@ impl Regime {
     }
 
     /// Time, speed, acceleration, moments and inertia at a coordinate, from the polynomials of the solution; at a jump
-    /// of a load, the values just after it in the direction of motion.
+    /// of a load, the values just after it in the direction of motion. The speed of the first cycle is left out.
     pub fn state(&self, coordinate: f64) -> RegimeState {
         self.solution.state(&self.times, coordinate)
     }
@@ -145,37 +162,8 @@ impl Regime {
         // This cycle does not end with the speed of its beginning.
         let ends = (way - cycle.length).abs() <= tolerance(coordinate, Some(cycle.length));
         let x = if ends { cycle.length } else { cycle.path_coordinate(coordinate) };
-        Some(cycle.sense * first.speed_at(x))
+        Some(cycle.sense * first.speed_at(x)).filter(|speed| speed.is_finite())
     }
-}
-
-/// One cycle of the iteration to the periodic regime (S fig. 10).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Iteration {
-    /// Number of the cycle, from 1.
-    pub number: usize,
-    /// Speed at its start, rad/s, signed.
-    pub speed_start: f64,
-    /// Speed at its end, rad/s, signed.
-    pub speed_end: f64,
-    /// End less start, rad/s: zero for the periodic regime.
-    pub residual: f64,
-}
-
-/// One trial of ratio and flywheel, with its periodic regime (S stage 6).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Trial {
-    /// Number of the trial, from 1.
-    pub number: usize,
-    /// Gear ratio; `None` without a motor.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ratio: Option<f64>,
-    /// Flywheel on its own shaft, kg m².
-    pub flywheel: f64,
-    /// Mean speed, rad/s, signed.
-    pub mean_speed: f64,
-    /// Unevenness.
-    pub unevenness: f64,
 }
 
 /// A flywheel by one method.
@@ -204,25 +192,6 @@ pub struct Effort {
     pub panels: usize,
     /// Largest residual of the equation between the nodes, part of the kinetic energy.
     pub residual: f64,
-}
-
-/// The steady regime at one coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RegimeState {
-    /// Time since the start of the cycle, s.
-    pub time: f64,
-    /// Speed, rad/s, signed.
-    pub speed: f64,
-    /// Acceleration, rad/s², signed.
-    pub acceleration: f64,
-    /// Moment of the drive on the input link, N m, along the coordinate.
-    pub drive: f64,
-    /// Reduced moment of the loads, N m, along the coordinate.
-    pub load: f64,
-    /// Reduced inertia of the machine, without flywheel and rotor, kg m².
-    pub inertia: f64,
-    /// Its derivative with respect to the coordinate, kg m²/rad.
-    pub inertia_derivative: f64,
 }
 
 /// The cycle of the regime.

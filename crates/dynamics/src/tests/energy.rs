@@ -153,7 +153,7 @@ fn motor_and_places_of_the_flywheel() {
     let ratio = found.regime.figures.ratio.unwrap();
     // The mean power of the motor is the required one but for the difference of the mean speeds over time and way.
     assert_relative_eq!(
-        found.resistance_work / found.regime.cycle_time / 0.95,
+        found.regime.resistance_work / found.regime.cycle_time / 0.95,
         found.regime.figures.required_power,
         max_relative = 0.02
     );

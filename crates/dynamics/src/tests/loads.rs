@@ -103,7 +103,7 @@ fn balance_makes_the_work_of_a_cycle_zero() {
     let regime = &found.regime;
     assert_relative_eq!(
         regime.figures.torque.unwrap() * 2.0 * PI,
-        found.resistance_work,
+        found.regime.resistance_work,
         max_relative = 1e-12
     );
     assert_relative_eq!(regime.figures.unevenness, 0.05, max_relative = 1e-10);

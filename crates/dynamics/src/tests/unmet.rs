@@ -34,8 +34,8 @@ fn power_is_that_of_the_speed_that_a_given_ratio_gives() {
     // It presses over about one stroke; the guide lies 20 mm beside the pin.
     let far = |arm: f64| (arm * arm - 0.02_f64 * 0.02).sqrt();
     let work = 900.0 * (far(0.45) - far(0.25));
-    assert_relative_eq!(found.resistance_work, work, max_relative = 0.02);
-    let power = found.resistance_work * regime.figures.mean_speed / (2.0 * PI * 0.8);
+    assert_relative_eq!(found.regime.resistance_work, work, max_relative = 0.02);
+    let power = found.regime.resistance_work * regime.figures.mean_speed / (2.0 * PI * 0.8);
     assert_relative_eq!(regime.figures.required_power, power, max_relative = 1e-12);
     assert_relative_eq!(regime.figures.unevenness, 0.02, max_relative = 1e-9);
 }
@@ -45,8 +45,8 @@ fn a_motor_brakes_with_less_than_the_loads_drive() {
     // Pulled over that half of the cycle instead, the machine drives the motor through the reducer.
     let found = press(-900.0, "ratio = \"solve\"\n").unwrap();
     let regime = &found.regime;
-    assert!(found.resistance_work < 0.0);
-    let power = found.resistance_work * regime.figures.mean_speed / (2.0 * PI) * 0.8;
+    assert!(found.regime.resistance_work < 0.0);
+    let power = found.regime.resistance_work * regime.figures.mean_speed / (2.0 * PI) * 0.8;
     assert_relative_eq!(regime.figures.required_power, power, max_relative = 1e-9);
     let motor = found.motor.unwrap();
     assert!(motor.torque[0] < 0.0 && regime.figures.mean_speed * regime.figures.ratio.unwrap() > 50.0 * PI);

@@ -12,13 +12,13 @@ mod search;
 use std::f64::consts::{PI, TAU};
 
 use assur_mechanism::{GROUND, Mechanism};
-use assur_structure::{Structure, StructureError, SurplusCause};
+use assur_structure::{Structure, StructureError};
 
 pub(crate) use misfit::misfits;
 pub use misfit::{Closing, Length, Misfit};
 
 /// Slides that hold a link at two different angles, which no position can satisfy: a slide fixes the angle of one link to the other's.
-fn angles_of_slides(mechanism: &Mechanism) -> Option<SurplusCause> {
+fn angles_of_slides(mechanism: &Mechanism, links: &[String]) -> Option<StructureError> {
     /// Directions that differ by less are the same, rad: the rounding of angles in degrees.
     const SAME: f64 = 1e-9;
     let mut angles: Vec<Option<f64>> = vec![None; mechanism.links.len()];
@@ -31,10 +31,11 @@ fn angles_of_slides(mechanism: &Mechanism) -> Option<SurplusCause> {
                 (Some(own), Some(on)) => {
                     let off = (on + turn - own + PI).rem_euclid(TAU) - PI;
                     if off.abs() > SAME {
-                        return Some(SurplusCause::Angles {
+                        return Some(StructureError::SlideAngles {
                             slide: Box::new(slide.name.clone()),
                             off: off.abs(),
                             tilt: (slide.tilt - off + PI).rem_euclid(TAU) - PI,
+                            links: links.to_vec(),
                         });
                     }
                 }
@@ -55,9 +56,9 @@ fn angles_of_slides(mechanism: &Mechanism) -> Option<SurplusCause> {
 pub fn decompose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
     match Structure::of(mechanism) {
         Err(StructureError::Surplus { counted, pairs, links, .. }) => search::without_passive(mechanism)
-            .map_err(|cause| {
-                let cause = angles_of_slides(mechanism).unwrap_or(cause);
-                StructureError::Surplus { counted, pairs, links, cause }
+            .map_err(|why| {
+                let angles = angles_of_slides(mechanism, &links);
+                angles.unwrap_or(StructureError::Surplus { counted, pairs, links, why })
             }),
         found => found,
     }

@@ -3,7 +3,8 @@
 use assur_group::{Mode, Order};
 use assur_mechanism::{Balance, GROUND, InputPair, LinkId, Mechanism, PairId, PointId, Slide};
 use assur_number::elementary;
-use assur_structure::{Excess, PassivePart, Structure, SurplusCause};
+use assur_structure::{Excess, PassivePart, Structure};
+use assur_words::{Text, quantity, text};
 
 use crate::Linkage;
 use crate::passive::hang::Hanging;
@@ -25,11 +26,11 @@ const MEANT_TO_FIT: f64 = 0.01;
 ///
 /// # Errors
 ///
-/// Why nothing is passive.
-pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, SurplusCause> {
+/// Why nothing is passive, as the rest of a sentence; may be empty.
+pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, Text> {
     let surplus = Excess::of(mechanism, &[]).surplus;
     if surplus > MOST_SURPLUS {
-        return Err(SurplusCause::TooMany { surplus, most: MOST_SURPLUS });
+        return Err(text!("kinematics-too-many-surplus", surplus, most = MOST_SURPLUS));
     }
     let candidates = candidates(mechanism);
     let counted = MOST_COUNTED / mechanism.links.len() + 2 * candidates.len().min(MOST_SURPLUS);
@@ -38,8 +39,11 @@ pub(super) fn without_passive(mechanism: &Mechanism) -> Result<Structure, Surplu
     search.go(&mut Vec::new(), 0);
     match search.best {
         Some(Choice { linkage, rank: Rank::Fits | Rank::Closes | Rank::Near, .. }) => Ok(linkage.structure),
-        Some(Choice { misfit, .. }) => Err(SurplusCause::Misses(misfit)),
-        None => Err(SurplusCause::None),
+        Some(Choice { misfit, .. }) => {
+            let misfit = quantity(format_args!("{:.3}", misfit * 1e3), "mm");
+            Err(text!("kinematics-misses", misfit))
+        }
+        None => Err(Text::default()),
     }
 }
 

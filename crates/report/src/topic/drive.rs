@@ -23,7 +23,7 @@ pub fn drive(source: &Source<'_>, page: &mut Document) {
     if !found.motors_by_unevenness.is_empty() {
         compared(&found.motors_by_unevenness, page);
     }
-    if found.regime.flywheel_needless {
+    if found.regime.found.flywheel_needless {
         page.paragraph(text!("report-flywheel-needless"));
     }
     if let Some(motor) = &found.motor {

@@ -1,6 +1,6 @@
 //! The periodic regime: its numbers, how it was found, its course over the cycle.
 
-use assur_analysis::results::{Analysis, Dynamics, MotorReport, Owner, Quantity, RegimePoint, RegimeReport};
+use assur_analysis::results::{Analysis, Dynamics, MotorReport, Owner, Quantity, Regime, RegimeState};
 use assur_book::{Column, Digits, Document, Fact, Table, Unit};
 use assur_words::{Text, name, number, text};
 
@@ -14,7 +14,7 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
     let Some(found) = &analysis.dynamics else { return Vec::new() };
     let angular = analysis.input.angular;
     let ([rate, _], place, moment) = (Unit::rates(angular), Unit::place(angular), Unit::load(angular));
-    let (figures, regime) = (&found.figures, &found.regime);
+    let (figures, regime) = (&found.figures, &found.regime.found);
     let some = |id, value: Option<f64>, unit: Unit| value.map(|value| Fact::number(id, value, unit));
     // What is positive where the drive drives has another name, and the other sign, where the loads drive.
     let loads_drive = found.loads_drive();
@@ -49,7 +49,7 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
         some("fact-flywheel", found.flywheel, Unit::INERTIA),
         some(
             "fact-shaft-inertia",
-            Some(regime.shaft_inertia).filter(|inertia| *inertia > 0.0),
+            Some(regime.drive_inertia).filter(|inertia| *inertia > 0.0),
             Unit::inertias(angular)[0],
         ),
         some("fact-multiplier", Some(regime.multiplier), Unit::NONE),
@@ -60,7 +60,7 @@ pub fn facts(analysis: &Analysis) -> Vec<Fact> {
 }
 
 /// The power that the motor needs, W; `None` without a motor where it is only rounding of the powers in the cycle.
-fn required_power(found: &Dynamics, regime: &RegimeReport) -> Option<f64> {
+fn required_power(found: &Dynamics, regime: &Regime) -> Option<f64> {
     /// In parts of the power that accelerates and brakes the links.
     const ROUNDING: f64 = 1e-9;
     let is_rounding =
@@ -83,7 +83,7 @@ fn energies(analysis: &Analysis) -> Option<[f64; 2]> {
 
 /// How the regime was found, and the trials of ratio and flywheel.
 pub fn iteration(source: &Source<'_>, page: &mut Document) {
-    let Some(regime) = source.analysis.dynamics.as_ref().map(|found| &found.regime) else { return };
+    let Some(regime) = source.analysis.dynamics.as_ref().map(|found| &found.regime.found) else { return };
     let effort = &regime.effort;
     page.paragraph(text!(
         "report-effort",
@@ -94,7 +94,7 @@ pub fn iteration(source: &Source<'_>, page: &mut Document) {
     ));
     let [rate, _] = Unit::rates(source.angular);
     let long = |head: Text, unit: Unit| Column::short(head, unit).with(Digits::Long);
-    let table = Table::each(text!("report-iteration"), &regime.iteration)
+    let table = Table::each(text!("report-iteration"), &regime.iterations)
         .column(text!("head-cycle"), |turn| number(turn.number))
         .add(long(text!("head-start-speed"), rate), |turn| turn.speed_start)
         .add(long(text!("head-end-speed"), rate), |turn| turn.speed_end)
@@ -119,12 +119,12 @@ pub fn course(source: &Source<'_>, page: &mut Document) {
     // Every so many rows, both ends included; JSON has all.
     let stride = (regime.course.len().saturating_sub(1) / ROWS).max(1);
     let rows: Vec<_> = regime.course.iter().step_by(stride).collect();
-    let column = |head, unit: Unit, value: &dyn Fn(&RegimePoint) -> Option<f64>| {
+    let column = |head, unit: Unit, value: &dyn Fn(&RegimeState) -> Option<f64>| {
         Column::numbers(head, unit, rows.iter().map(|row| value(row)))
     };
     let key =
         column(Text::from(&source.analysis.input.link), source.coordinate(), &|row| Some(row.coordinate));
-    let mean = regime.mean_resistance;
+    let mean = regime.found.mean_resistance;
     let columns = vec![
         column(text!("head-speed"), rate, &|row| Some(row.speed)),
         column(text!("head-first-turn"), rate, &|row| row.first_turn),

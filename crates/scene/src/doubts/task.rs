@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use assur_formula::{Used, Variables};
 use assur_mechanism::{
-    InputPair, Key, Load, LoadKind, Mechanism, Motion, MotorChoice, Notice, Over, Point, Range, Solve,
-    Surfaces, Torque, Value,
+    InputPair, Key, Load, LoadKind, Mechanism, Motion, MotorChoice, Notice, Output, Over, Point, Range,
+    Solve, Surfaces, Torque, Value,
 };
 use assur_words::{Text, quantity, text};
 
@@ -77,12 +77,7 @@ pub(super) fn of(mechanism: &Mechanism, size: f64) -> Vec<Notice> {
         );
         doubt(radius > size, &key("radius"), text);
     }
-    let nothing = mechanism.output.as_ref().is_some_and(|output| {
-        output.points.is_empty()
-            && output.links.is_empty()
-            && output.slides.is_empty()
-            && output.reactions.is_empty()
-    });
+    let nothing = mechanism.output == Some(Output::default());
     doubt(nothing, &Key::of("output"), text!("scene-empty-output"));
     for (id, load) in mechanism.loads.iter().enumerate() {
         if let Some((key, text)) = of_load(mechanism, load, mechanism.key_of_load(id), size) {

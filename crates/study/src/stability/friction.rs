@@ -10,7 +10,7 @@ use assur_check::Finding;
 use assur_force::{AnalyzerPlugin, Kinetostatics, Loads};
 use assur_group::Order;
 use assur_kinematics::{Linkage, Position};
-use assur_words::{Text, name, number, text};
+use assur_words::{Text, name, text};
 use serde::Serialize;
 
 use super::nearest::Grid;
@@ -23,7 +23,7 @@ use crate::chart::state;
 const STRIDE: usize = 6;
 
 /// Greatest factor of the coefficients up to which jamming is looked for: beyond it any surface would have long seized.
-const MOST: f64 = 1e3;
+pub(crate) const MOST: f64 = 1e3;
 
 /// How near the friction of a group, or of the input link, comes to jamming.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,21 +37,6 @@ pub struct FrictionHealth {
     pub coordinate: f64,
     /// The factor of all coefficients from which the mechanism jams there; `None`: none up to a thousand.
     pub jams_at: Option<f64>,
-}
-
-impl FrictionHealth {
-    /// As a sentence about a coordinate in words.
-    pub(crate) fn words(&self, coordinate: Text) -> Text {
-        let Self { place: group, radius, jams_at, .. } = self;
-        let radius = number(format_args!("{radius:.6}"));
-        match jams_at {
-            Some(factor) => {
-                let factor = number(format_args!("{factor:.6}"));
-                text!("stability-friction-jams", group, radius, coordinate, factor)
-            }
-            None => text!("stability-friction-free", group, radius, coordinate, most = number(MOST)),
-        }
-    }
 }
 
 /// The methods that treat the friction of a mechanism, the one that is used first.

@@ -1,10 +1,12 @@
-//! The stability of a mechanism as text for a reader.
+//! The stability of a mechanism as a page for a reader.
 
 use std::collections::BTreeMap;
 
+use assur_book::{Block, Document, Table, Unit};
 use assur_check::verdict;
-use assur_words::{Language, Text, joined, list, name, number, quantity, text};
+use assur_words::{Text, joined, list, name, number, quantity, text};
 
+use super::friction::MOST;
 use super::report::Stability;
 use super::row::{Comparison, FRICTION};
 use super::{margin, walk};
@@ -34,152 +36,116 @@ impl Walk<'_> {
         }
     }
 
-    fn line(&self) -> Text {
-        let refuses = self.refuses.map(|[least, most]| {
-            if least < most {
-                text!("stability-refuses-from", most = power(most), least = power(least))
-            } else {
-                text!("stability-refuses-at", distance = power(least))
-            }
-        });
-        let factor = number(format_args!("{:.3}", self.factor));
-        let Comparison { finding, method, .. } = self.first;
-        let subject = joined("; ", [finding.place.clone(), method.clone(), self.first.quantity()]);
-        joined(": ", [subject, list(std::iter::once(factor).chain(refuses)), verdict(Some(self.ok))])
-    }
-}
-
-/// Lines in a language.
-struct Lines<'l> {
-    language: &'l Language,
-    text: String,
-}
-
-impl Lines<'_> {
-    /// A line that begins a section, behind an empty one.
-    fn heading(&mut self, heading: &Text) {
-        self.text.extend(["\n", &heading.render(self.language), "\n"]);
-    }
-
-    /// A line of a section.
-    fn line(&mut self, line: &Text) {
-        self.text.extend(["  ", &line.render(self.language), "\n"]);
+    fn refuses(&self) -> Option<Text> {
+        let [least, most] = self.refuses?;
+        Some(if least < most {
+            text!("stability-refuses-from", most = power(most), least = power(least))
+        } else {
+            text!("stability-refuses-at", distance = power(least))
+        })
     }
 }
 
 impl Stability {
-    /// Text for a reader in a language: figures of the mechanism, one line for each approach and method, and conclusions.
-    pub fn text(&self, language: &Language) -> String {
-        let mut lines = Lines { language, text: format!("{}\n", self.title) };
-        self.nearest(&mut lines);
-        if self.failure.is_none() && !self.groups.is_empty() {
-            self.margins(&mut lines);
-        }
-        if !self.friction.is_empty() {
-            self.frictions(&mut lines);
-        }
-        if !self.rows.is_empty() {
-            self.walks(&mut lines);
-        }
-        self.conclude(&mut lines);
-        lines.text
-    }
-
-    /// The conclusions, with which [`Stability::text`] ends.
-    pub fn conclusion(&self, language: &Language) -> String {
-        let mut lines = Lines { language, text: String::new() };
-        self.conclude(&mut lines);
-        lines.text.trim_start().to_owned()
-    }
-
-    fn nearest(&self, lines: &mut Lines<'_>) {
-        lines.heading(&text!("stability-nearest"));
-        for group in &self.groups {
-            lines.line(&text!(
-                "stability-group",
-                group = &group.place,
-                health = number(format_args!("{:.6}", group.health)),
-                coordinate = self.coordinate(group.coordinate),
-                position = number(group.position),
-                what = &group.angle_of,
-                angle = quantity(format_args!("{:.3}", group.angle.to_degrees()), "deg"),
-            ));
-        }
+    /// Figures of the mechanism, a row for each approach and method, and conclusions.
+    pub fn tell(&self, page: &mut Document) {
+        page.title(name(self.title.clone()));
+        let coordinate = Unit::place(self.angular);
+        let nearest = Table::each(text!("stability-nearest"), &self.groups)
+            .column(text!("head-group"), |group| group.place.clone())
+            .column(text!("stability-head-determinant"), |group| group.health)
+            .measured(text!("head-coordinate"), coordinate, |group| group.coordinate)
+            .column(text!("head-position"), |group| number(group.position))
+            .measured(text!("head-angle"), Unit::ANGLE, |group| group.angle)
+            .column(text!("stability-head-angle-of"), |group| group.angle_of.clone());
+        page.table(nearest.table());
         if let Some(failure) = &self.failure {
-            lines.line(&text!("stability-no-assembly", failure));
+            page.paragraph(text!("stability-no-assembly", failure));
+        } else if !self.groups.is_empty() {
+            self.margins(page);
         }
-    }
-
-    fn coordinate(&self, coordinate: f64) -> Text {
-        let (unit, size) = if self.angular { ("deg", 180.0 / std::f64::consts::PI) } else { ("mm", 1e3) };
-        quantity(format_args!("{:.4}", coordinate * size), unit)
-    }
-
-    fn frictions(&self, lines: &mut Lines<'_>) {
-        lines.heading(&text!("stability-friction-nearest"));
-        for group in &self.friction {
-            lines.line(&group.words(self.coordinate(group.coordinate)));
+        let friction = Table::each(text!("stability-friction-nearest"), &self.friction)
+            .column(text!("head-group"), |group| group.place.clone())
+            .column(text!("stability-head-radius"), |group| group.radius)
+            .measured(text!("head-coordinate"), coordinate, |group| group.coordinate)
+            .column(text!("stability-head-jams"), |group| match group.jams_at {
+                Some(factor) => Unit::NONE.number(factor),
+                None => text!("stability-friction-free", most = number(MOST)),
+            });
+        page.table(friction.table());
+        if !self.rows.is_empty() {
+            self.walks(page);
         }
+        self.conclude(page);
     }
 
-    fn margins(&self, lines: &mut Lines<'_>) {
+    fn margins(&self, page: &mut Document) {
         if self.lengths.is_empty() {
-            lines.heading(&text!("stability-many-lengths", most = number(margin::MOST_LENGTHS)));
-            return;
+            return page.paragraph(text!("stability-many-lengths", most = number(margin::MOST_LENGTHS)));
         }
-        lines.heading(&text!("stability-margins"));
-        let show = |change: Option<f64>, searched: f64, sign: &'static str| match change {
-            Some(change) => joined("", [name(sign), millimeters(change)]),
-            None => text!("stability-no-margin", sign = name(sign), searched = millimeters(searched)),
+        let show = |change: Option<f64>, searched: f64| match change {
+            Some(change) => millimeters(change),
+            None => text!("stability-no-margin", searched = millimeters(searched)),
         };
-        for margin in &self.lengths {
-            lines.line(&text!(
-                "stability-margin",
-                length = &margin.length,
-                value = millimeters(margin.value),
-                more = show(margin.increase, margin.increase_searched, "+"),
-                less = show(margin.decrease, margin.decrease_searched, "-"),
-            ));
-        }
+        let table = Table::each(text!("stability-margins"), &self.lengths)
+            .column(text!("stability-head-length"), |margin| margin.length.clone())
+            .column(text!("head-value"), |margin| millimeters(margin.value))
+            .column(text!("stability-head-increase"), |margin| {
+                show(margin.increase, margin.increase_searched)
+            })
+            .column(text!("stability-head-decrease"), |margin| {
+                show(margin.decrease, margin.decrease_searched)
+            });
+        page.table(table.table());
     }
 
-    fn walks(&self, lines: &mut Lines<'_>) {
-        lines.heading(&text!("stability-walks"));
-        lines.text.push('\n');
-        lines.line(&text!("stability-distance", what = text!(walk::ALONG)));
-        lines.line(&text!("stability-bound", what = text!(walk::EXPECTED)));
+    fn walks(&self, page: &mut Document) {
+        page.blocks.push(Block::Subheading(text!("stability-walks")));
+        page.paragraph(text!("stability-distance", what = text!(walk::ALONG)));
+        page.paragraph(text!("stability-bound", what = text!(walk::EXPECTED)));
         if self.rows.iter().any(|row| row.quantity == FRICTION) {
-            lines.line(&text!("stability-friction-walk"));
+            page.paragraph(text!("stability-friction-walk"));
         }
         if self.places_left_out > 0 {
             let [groups, places] = [self.groups.len(), self.places_left_out].map(number);
-            lines.line(&text!("stability-places-left-out", groups, places));
+            page.paragraph(text!("stability-places-left-out", groups, places));
         }
-        for walk in walks_of(&self.rows) {
-            lines.line(&walk.line());
-        }
+        let walks = walks_of(&self.rows);
+        let refused = walks.iter().any(|walk| walk.refuses.is_some());
+        let table = Table::each(Text::default(), &walks)
+            .column(text!("head-place"), |walk| walk.first.finding.place.clone())
+            .column(text!("head-method"), |walk| walk.first.method.clone())
+            .column(text!("head-quantity"), |walk| walk.first.quantity())
+            .column(text!("stability-head-error"), |walk| number(format_args!("{:.3}", walk.factor)));
+        let table = if refused {
+            table.column(text!("stability-head-refuses"), |walk| walk.refuses())
+        } else {
+            table
+        };
+        page.table(table.column(text!("head-result"), |walk| verdict(Some(walk.ok))).table());
     }
 
-    fn conclude(&self, lines: &mut Lines<'_>) {
-        lines.heading(&text!("stability-conclusion"));
+    /// The conclusions.
+    pub fn conclude(&self, page: &mut Document) {
+        page.blocks.push(Block::Subheading(text!("stability-conclusion")));
         if let Some(worst) = self.groups.iter().min_by(|a, b| a.health.total_cmp(&b.health)) {
-            lines.line(&worst.words());
+            page.paragraph(worst.words());
         }
         if let Some(least) = self.lengths.first()
             && let Some(change) = least.least()
         {
             let change = millimeters(change);
-            lines.line(&text!("stability-critical", length = &least.length, change));
+            page.paragraph(text!("stability-critical", length = &least.length, change));
         }
         let failed: Vec<&Comparison> = self.rows.iter().filter(|row| row.finding.failed()).collect();
-        lines.line(&match self.rows.len() {
+        page.paragraph(match self.rows.len() {
             0 => text!("stability-no-walk"),
             all => text!("stability-kept", kept = number(all - failed.len()), all = number(all)),
         });
         for row in failed.into_iter().take(MOST_FAILED) {
             let Comparison { finding, method, distance, .. } = row;
             let what = list([finding.place.clone(), method.clone(), row.quantity(), power(*distance)]);
-            lines.line(&joined(": ", [verdict(finding.holds), what, finding.why.clone()]));
+            page.paragraph(joined(": ", [verdict(finding.holds), what, finding.why.clone()]));
         }
     }
 }

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use assur_analysis::Options;
 use assur_analysis::results::Checks;
-use assur_report::text::Style;
+use assur_report::text::{Style, told};
 use assur_study::chart::{self, ChartData};
 use assur_study::stability::Stability;
 use assur_words::Text;
@@ -160,8 +160,8 @@ impl Measured {
             None => chart,
             Some(Err(error)) => format!("{chart}\n{}\n", style.line(error)),
             Some(Ok(found)) => {
-                let [conclusion, all] = [found.conclusion(style.language), found.text(style.language)];
-                format!("{conclusion}\n{chart}\n{all}")
+                let conclusion = told(style, |page| found.conclude(page));
+                format!("{conclusion}\n{chart}\n{}", told(style, |page| found.tell(page)))
             }
         }
     }

@@ -191,7 +191,7 @@ fn a_regime_with_friction_comes_back_to_its_speed() {
     // The work of the drive is that of the force over four strokes, and what is lost.
     let lost = torque * TAU - 4.0 * R * 300.0;
     assert!(lost > 2.0, "{lost}");
-    assert_relative_eq!(found.resistance_work, torque * TAU, max_relative = 1e-9);
+    assert_relative_eq!(found.regime.resistance_work, torque * TAU, max_relative = 1e-9);
     let mut driven = Driven::new(Machine::new(&linkage, &loads), regime.drive());
     let q = 1.0;
     let state = State { time: 0.0, coordinate: q, speed: regime.state(q).speed };

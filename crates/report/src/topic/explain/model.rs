@@ -11,6 +11,11 @@ use assur_words::{Text, list as listed, number, quantity, text};
 
 use super::{links, remark};
 
+/// A remark without values.
+fn say(what: &'static str, how: &'static str) -> Text {
+    remark(text!(what), text!(how))
+}
+
 /// The parts of the model that the scene defines.
 pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Text> {
     let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
@@ -20,12 +25,11 @@ pub(super) fn modelled(mechanism: &Mechanism) -> Vec<Text> {
         remark(text!("model-pairs"), text!(pairs, pins = pins, slides = mechanism.slides.len())),
     ];
     list.extend(mechanism.frictions.iter().map(|friction| friction_of_pair(mechanism, friction)));
-    masses(mechanism, &mut list);
-    motion(mechanism, &mut list);
-    loads(mechanism, &mut list);
-    if let Some(drive) = used_drive(mechanism) {
-        drive_remarks(drive, &mut list);
-    }
+    list.extend(masses(mechanism));
+    list.extend(motion(mechanism));
+    let loads = mechanism.loads.iter();
+    list.extend(loads.map(|load| remark((&load.name).into(), acts(mechanism, &load.kind))));
+    list.extend(used_drive(mechanism).into_iter().flat_map(drive_remarks));
     list
 }
 
@@ -52,33 +56,27 @@ fn has_rotor(motor: &MotorChoice, catalogue: Option<&str>) -> Option<bool> {
     }
 }
 
-fn masses(mechanism: &Mechanism, list: &mut Vec<Text>) {
+fn masses(mechanism: &Mechanism) -> Vec<Text> {
     let heavy = heavy(mechanism);
     if heavy.is_empty() {
-        return;
+        return Vec::new();
     }
     let sum: f64 = heavy.iter().map(|id| mechanism.links[*id].mass).sum();
     let how = text!("model-masses-how", count = heavy.len(), sum = Unit::KILOGRAM.show(sum));
-    list.push(remark(text!("model-masses"), how));
-    if let Some(gravity) = mechanism.gravity {
-        let gravity = Unit::MOVING[1].show_all(&gravity);
-        list.push(remark(text!("missing-weights"), text!("model-weights-how", gravity)));
-    }
+    let gravity = mechanism.gravity.map(|gravity| Unit::MOVING[1].show_all(&gravity));
+    let weights =
+        gravity.map(|gravity| remark(text!("missing-weights"), text!("model-weights-how", gravity)));
+    std::iter::once(remark(text!("model-masses"), how)).chain(weights).collect()
 }
 
-fn motion(mechanism: &Mechanism, list: &mut Vec<Text>) {
-    let how = match mechanism.motion {
-        None => return,
-        Some(Motion::Prescribed { .. }) if heavy(mechanism).is_empty() => text!("model-prescribed"),
-        Some(Motion::Prescribed { .. }) => text!("model-prescribed-with-inertia"),
-        Some(Motion::Transient { .. }) => text!("model-transient"),
-        Some(Motion::Steady { .. }) => text!("model-steady"),
+fn motion(mechanism: &Mechanism) -> Option<Text> {
+    let how = match mechanism.motion.as_ref()? {
+        Motion::Prescribed { .. } if heavy(mechanism).is_empty() => "model-prescribed",
+        Motion::Prescribed { .. } => "model-prescribed-with-inertia",
+        Motion::Transient { .. } => "model-transient",
+        Motion::Steady { .. } => "model-steady",
     };
-    list.push(remark(text!("model-motion"), how));
-}
-
-fn loads(mechanism: &Mechanism, list: &mut Vec<Text>) {
-    list.extend(mechanism.loads.iter().map(|load| remark((&load.name).into(), acts(mechanism, &load.kind))));
+    Some(say("model-motion", how))
 }
 
 /// Where and how a load acts, in words.
@@ -127,36 +125,31 @@ fn contact_words(contact: &Contact) -> Text {
     } else {
         text!("model-contact-rough")
     };
-    let touches = if contact.during.is_some() {
-        text!("model-contact-interval")
-    } else {
-        text!("model-contact-always")
-    };
+    let during = contact.during.is_some();
+    let touches = if during { text!("model-contact-interval") } else { text!("model-contact-always") };
     text!("model-contact", touches, friction)
 }
 
-fn drive_remarks(drive: &Drive, list: &mut Vec<Text>) {
-    let torque = match &drive.torque {
-        Torque::Motor { .. } => text!("model-drive-motor"),
-        Torque::Balance => text!("model-drive-balance"),
-        Torque::Constant(_) => text!("model-drive-constant"),
-        Torque::None => text!("model-drive-none"),
-    };
-    list.push(remark(text!("model-drive"), torque));
-    if let Torque::Motor { motor, catalogue, .. } = &drive.torque {
-        match has_rotor(motor, catalogue.as_deref()) {
-            Some(true) => list.push(remark(text!("missing-rotor"), text!("model-rotor"))),
-            None => list.push(remark(text!("missing-rotor"), text!("model-rotor-of-chosen"))),
-            Some(false) => {}
+fn drive_remarks(drive: &Drive) -> Vec<Text> {
+    let (torque, rotor) = match &drive.torque {
+        Torque::Motor { motor, catalogue, .. } => {
+            ("model-drive-motor", has_rotor(motor, catalogue.as_deref()))
         }
+        Torque::Balance => ("model-drive-balance", Some(false)),
+        Torque::Constant(_) => ("model-drive-constant", Some(false)),
+        Torque::None => ("model-drive-none", Some(false)),
+    };
+    let mut list = vec![say("model-drive", torque)];
+    if rotor != Some(false) {
+        let how = if rotor.is_some() { "model-rotor" } else { "model-rotor-of-chosen" };
+        list.push(say("missing-rotor", how));
     }
     if drive.efficiency < 1.0 {
         let how = text!("model-losses", efficiency = number(drive.efficiency));
         list.push(remark(text!("missing-losses"), how));
     }
-    if drive.flywheel.is_some() {
-        list.push(remark(text!("missing-flywheel"), text!("model-flywheel")));
-    }
+    list.extend(drive.flywheel.map(|_| say("missing-flywheel", "model-flywheel")));
+    list
 }
 
 /// The dry friction of a pair.
@@ -183,14 +176,18 @@ fn friction_of_pair(mechanism: &Mechanism, friction: &Friction) -> Text {
 
 /// What is left out, why, and how it can be included.
 pub(super) fn not_modelled(mechanism: &Mechanism) -> Vec<Text> {
-    let mut list = Vec::new();
-    missing_masses(mechanism, &mut list);
-    missing_weights(mechanism, &mut list);
-    missing_motion(mechanism, &mut list);
-    missing_loads(mechanism, &mut list);
-    missing_drive(mechanism, &mut list);
-    missing_friction(mechanism, &mut list);
-    always(&mut list);
+    let mut list = missing_masses(mechanism);
+    list.extend(missing_weights(mechanism));
+    list.extend(missing_motion(mechanism));
+    list.extend(missing_loads(mechanism));
+    list.extend(missing_drive(mechanism));
+    list.extend(missing_friction(mechanism));
+    // What no scene can include as such.
+    list.extend([
+        say("missing-elasticity", "missing-elasticity-how"),
+        say("missing-clearance", "missing-clearance-how"),
+        say("missing-spatial", "missing-spatial-how"),
+    ]);
     list
 }
 
@@ -202,116 +199,87 @@ fn only_slides(mechanism: &Mechanism, link: LinkId) -> bool {
     })
 }
 
-fn missing_masses(mechanism: &Mechanism, list: &mut Vec<Text>) {
-    let moving = || 1..mechanism.links.len();
-    let massless = moving().filter(|id| mechanism.links[*id].mass == 0.0);
-    let (nothing, rotors): (Vec<_>, Vec<_>) = massless.partition(|id| mechanism.links[*id].inertia.is_none());
-    for (of, how) in [(nothing, text!("missing-mass-how")), (rotors, text!("missing-mass-of-rotor"))] {
-        if !of.is_empty() {
-            list.push(remark(text!("missing-mass", links = links(mechanism, &of)), how));
-        }
-    }
-    let slender =
-        moving().filter(|id| mechanism.links[*id].mass > 0.0 && mechanism.links[*id].inertia.is_none());
+fn missing_masses(mechanism: &Mechanism) -> Vec<Text> {
+    let (of, moving) = (|id: &LinkId| &mechanism.links[*id], || 1..mechanism.links.len());
+    let massless = moving().filter(|id| of(id).mass == 0.0);
+    let (nothing, rotors): (Vec<_>, Vec<_>) = massless.partition(|id| of(id).inertia.is_none());
+    let slender = moving().filter(|id| of(id).mass > 0.0 && of(id).inertia.is_none());
     let (straight, turning): (Vec<_>, Vec<_>) = slender.partition(|id| only_slides(mechanism, *id));
-    for (of, how) in [(turning, text!("missing-inertia-how")), (straight, text!("missing-inertia-needless"))]
-    {
-        if !of.is_empty() {
-            list.push(remark(text!("missing-inertia", links = links(mechanism, &of)), how));
-        }
-    }
+    let all = [
+        ("missing-mass", nothing, "missing-mass-how"),
+        ("missing-mass", rotors, "missing-mass-of-rotor"),
+        ("missing-inertia", turning, "missing-inertia-how"),
+        ("missing-inertia", straight, "missing-inertia-needless"),
+    ];
+    let some = all.into_iter().filter(|(_, of, _)| !of.is_empty());
+    some.map(|(what, of, how)| remark(text!(what, links = links(mechanism, &of)), text!(how))).collect()
 }
 
-fn missing_weights(mechanism: &Mechanism, list: &mut Vec<Text>) {
-    let massless = heavy(mechanism).is_empty();
-    let how = match (mechanism.gravity, massless) {
-        (Some(_), false) => return,
-        (Some(_), true) => text!("missing-weights-mass"),
-        (None, false) => text!("missing-weights-gravity"),
-        (None, true) => text!("missing-weights-both"),
+fn missing_weights(mechanism: &Mechanism) -> Option<Text> {
+    let how = match (mechanism.gravity, heavy(mechanism).is_empty()) {
+        (Some(_), false) => return None,
+        (Some(_), true) => "missing-weights-mass",
+        (None, false) => "missing-weights-gravity",
+        (None, true) => "missing-weights-both",
     };
-    list.push(remark(text!("missing-weights"), how));
+    Some(say("missing-weights", how))
 }
 
-fn missing_motion(mechanism: &Mechanism, list: &mut Vec<Text>) {
+fn missing_motion(mechanism: &Mechanism) -> Option<Text> {
     match &mechanism.motion {
-        None => list.push(remark(text!("missing-velocities"), text!("missing-velocities-how"))),
-        Some(Motion::Prescribed { .. }) => {
-            list.push(remark(text!("missing-fluctuation"), text!("missing-fluctuation-how")));
-        }
-        Some(Motion::Steady { .. }) => {
-            list.push(remark(text!("missing-run-up"), text!("missing-run-up-how")));
-        }
-        Some(Motion::Transient { .. }) => {}
+        None => Some(say("missing-velocities", "missing-velocities-how")),
+        Some(Motion::Prescribed { .. }) => Some(say("missing-fluctuation", "missing-fluctuation-how")),
+        Some(Motion::Steady { .. }) => Some(say("missing-run-up", "missing-run-up-how")),
+        Some(Motion::Transient { .. }) => None,
     }
 }
 
-fn missing_loads(mechanism: &Mechanism, list: &mut Vec<Text>) {
-    if mechanism.loads.is_empty() {
-        list.push(remark(text!("missing-loads"), text!("missing-loads-how")));
-    }
+fn missing_loads(mechanism: &Mechanism) -> impl Iterator<Item = Text> {
     let damped = |load: &Load| load.kind.spring().is_some_and(|spring| spring.damping != 0.0);
-    if !mechanism.loads.iter().any(damped) {
-        list.push(remark(text!("missing-damping"), text!("missing-damping-how")));
-    }
+    let none = mechanism.loads.is_empty().then(|| say("missing-loads", "missing-loads-how"));
+    let undamped = !mechanism.loads.iter().any(damped);
+    none.into_iter().chain(undamped.then(|| say("missing-damping", "missing-damping-how")))
 }
 
-fn missing_drive(mechanism: &Mechanism, list: &mut Vec<Text>) {
+fn missing_drive(mechanism: &Mechanism) -> Vec<Text> {
     let Some(drive) = used_drive(mechanism) else {
         let how = match (&mechanism.drive, &mechanism.motion) {
-            (Some(_), _) => text!("missing-drive-useless"),
-            (None, Some(Motion::Transient { .. } | Motion::Steady { .. })) => text!("missing-drive-how"),
-            (None, _) => text!("missing-drive-prescribed"),
+            (Some(_), _) => "missing-drive-useless",
+            (None, Some(Motion::Transient { .. } | Motion::Steady { .. })) => "missing-drive-how",
+            (None, _) => "missing-drive-prescribed",
         };
-        list.push(remark(text!("missing-drive"), how));
-        return;
+        return vec![say("missing-drive", how)];
     };
+    let mut list = Vec::new();
     if let Torque::Motor { motor, catalogue, .. } = &drive.torque {
         if has_rotor(motor, catalogue.as_deref()) == Some(false) {
-            let how = match motor {
-                MotorChoice::Rated(_) => text!("missing-rotor-how"),
-                _ => text!("missing-rotor-of-catalogue"),
-            };
-            list.push(remark(text!("missing-rotor"), how));
+            let is_rated = matches!(motor, MotorChoice::Rated(_));
+            let how = if is_rated { "missing-rotor-how" } else { "missing-rotor-of-catalogue" };
+            list.push(say("missing-rotor", how));
         }
-        list.push(remark(text!("missing-electrical"), text!("missing-electrical-how")));
-        list.push(remark(text!("missing-reducer"), text!("missing-reducer-how")));
+        list.push(say("missing-electrical", "missing-electrical-how"));
+        list.push(say("missing-reducer", "missing-reducer-how"));
     } else {
-        list.push(remark(text!("missing-rotor"), text!("missing-rotor-no-motor")));
+        list.push(say("missing-rotor", "missing-rotor-no-motor"));
     }
-    if drive.efficiency >= 1.0 {
-        list.push(remark(text!("missing-losses"), text!("missing-losses-how")));
-    }
-    if drive.flywheel.is_none() {
-        list.push(remark(text!("missing-flywheel"), text!("missing-flywheel-how")));
-    }
+    list.extend((drive.efficiency >= 1.0).then(|| say("missing-losses", "missing-losses-how")));
+    list.extend(drive.flywheel.is_none().then(|| say("missing-flywheel", "missing-flywheel-how")));
+    list
 }
 
-fn missing_friction(mechanism: &Mechanism, remarks: &mut Vec<Text>) {
+fn missing_friction(mechanism: &Mechanism) -> Option<Text> {
     if !mechanism.frictions.is_empty() {
         let pins = mechanism.points.iter().filter(|point| point.is_pin()).count();
-        if mechanism.frictions.len() < pins + mechanism.slides.len() {
-            remarks
-                .push(remark(text!("missing-friction-elsewhere"), text!("missing-friction-elsewhere-how")));
-        }
-        return;
+        let everywhere = mechanism.frictions.len() >= pins + mechanism.slides.len();
+        let elsewhere = || say("missing-friction-elsewhere", "missing-friction-elsewhere-how");
+        return (!everywhere).then(elsewhere);
     }
     let forces = |load: &&Load| load.kind.force().is_some() && load.kind.is_against_motion();
-    let opposed = mechanism.loads.iter().filter(forces);
-    let opposed = listed(opposed.map(|load| (&load.name).into()));
+    let opposed = listed(mechanism.loads.iter().filter(forces).map(|load| (&load.name).into()));
     let how = if opposed.is_empty() {
         text!("missing-friction-how")
     } else {
         text!("missing-friction-given", forces = opposed)
     };
-    remarks.push(remark(text!("missing-friction"), how));
-}
-
-/// What no scene can include as such.
-fn always(list: &mut Vec<Text>) {
-    list.extend([
-        remark(text!("missing-elasticity"), text!("missing-elasticity-how")),
-        remark(text!("missing-clearance"), text!("missing-clearance-how")),
-        remark(text!("missing-spatial"), text!("missing-spatial-how")),
-    ]);
+    Some(remark(text!("missing-friction"), how))
 }

@@ -1,5 +1,7 @@
 //! The stages in the order of the calculation, each with its reason and method.
 
+use std::collections::HashSet;
+
 use assur_analysis::Methods;
 use assur_analysis::plan::Plan;
 use assur_book::link_name;
@@ -12,15 +14,8 @@ use assur_words::{Text, joined, list, name, text};
 
 use super::others;
 
-/// A stage that is run: why, and by which method.
-fn run(stage: Text, reason: Text, method: Text) -> Text {
-    text!("explain-run", stage, reason, method)
-}
-
-/// A stage that is not run: why not, and what would make it run.
-fn left_out(stage: Text, reason: Text) -> Text {
-    text!("explain-left-out", stage, reason)
-}
+/// Why a stage is run, and by which method; or why not, and what would make it run.
+type Stage = Result<[Text; 2], Text>;
 
 pub(super) fn stages(
     mechanism: &Mechanism,
@@ -29,30 +24,36 @@ pub(super) fn stages(
     equation: Option<&Text>,
     plan: &Plan,
 ) -> Vec<Text> {
-    vec![
-        structure_stage(plan),
-        positions(mechanism, structure, plan),
-        transfer(structure, plan),
-        velocities(mechanism, plan),
-        reduction(mechanism, plan),
-        motion(mechanism, methods, equation),
-        drive(mechanism),
-        inertia(mechanism, plan),
-        reactions(mechanism, structure, methods, plan),
-        balancing(mechanism, plan),
-        checks(plan),
-    ]
+    let all = [
+        (text!("explain-stage-structure"), structure_stage(plan)),
+        (text!("explain-stage-positions"), positions(mechanism, structure, plan)),
+        (text!("explain-stage-transfer"), transfer(structure, plan)),
+        (text!("explain-stage-velocities"), velocities(mechanism, plan)),
+        (text!("explain-stage-reduction"), reduction(mechanism, plan)),
+        (text!("explain-stage-motion"), motion(mechanism, methods, equation)),
+        (text!("explain-stage-drive"), drive(mechanism)),
+        (text!("explain-stage-inertia"), inertia(mechanism, plan)),
+        (text!("explain-stage-reactions"), reactions(mechanism, structure, methods, plan)),
+        (text!("explain-stage-balancing"), balancing(mechanism, plan)),
+        (text!("explain-stage-checks"), checks(plan)),
+    ];
+    let told = |(stage, how): (Text, Stage)| match how {
+        Ok([reason, method]) => text!("explain-run", stage, reason, method),
+        Err(reason) => text!("explain-left-out", stage, reason),
+    };
+    all.into_iter().map(told).collect()
 }
 
-/// Whether the scene asks for no reaction.
-fn asks_for_no_reaction(mechanism: &Mechanism) -> bool {
-    mechanism.output.as_ref().is_some_and(|output| output.reactions.is_empty())
+/// A stage that is left out because the scene asks for no reaction, or for another reason.
+fn no_reaction_or(other: Text, mechanism: &Mechanism) -> Stage {
+    let asks_for_none = mechanism.output.as_ref().is_some_and(|output| output.reactions.is_empty());
+    Err(if asks_for_none { text!("explain-no-reaction-asked") } else { other })
 }
 
-fn structure_stage(plan: &Plan) -> Text {
+fn structure_stage(plan: &Plan) -> Stage {
     let method =
         if plan.is_partial() { text!("explain-matching") } else { text!("explain-matching-and-rank") };
-    run(text!("explain-stage-structure"), text!("explain-structure"), method)
+    Ok([text!("explain-structure"), method])
 }
 
 /// How many groups are solved.
@@ -60,7 +61,7 @@ fn solved(plan: &Plan) -> usize {
     plan.groups_needed.iter().filter(|needed| **needed).count()
 }
 
-fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Text {
+fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Stage {
     let left = plan
         .is_partial()
         .then(|| text!("explain-not-solved", groups = others(mechanism, structure, &plan.groups_needed)));
@@ -71,49 +72,38 @@ fn positions(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Text 
         needed = solved(plan),
         groups = structure.groups.len()
     );
-    let mut kinds: Vec<&'static str> = Vec::new();
-    for (group, _) in structure.groups.iter().zip(&plan.groups_needed).filter(|(_, needed)| **needed) {
-        if !kinds.contains(&group.plugin.name) {
-            kinds.push(group.plugin.name);
-        }
-    }
-    let method = if kinds.is_empty() {
-        text!("explain-input-alone")
-    } else {
-        text!("explain-group-by-group", kinds = list(kinds.into_iter().map(name)))
-    };
-    run(text!("explain-stage-positions"), joined("; ", std::iter::once(reason).chain(left)), method)
+    let (needed, mut seen) = (structure.groups.iter().zip(&plan.groups_needed), HashSet::new());
+    let needed = needed.filter(|(group, needed)| **needed && seen.insert(group.plugin.name));
+    let kinds = list(needed.map(|(group, _)| name(group.plugin.name)));
+    let method =
+        if kinds.is_empty() { text!("explain-input-alone") } else { text!("explain-group-by-group", kinds) };
+    Ok([joined("; ", std::iter::once(reason).chain(left)), method])
 }
 
-fn transfer(structure: &Structure, plan: &Plan) -> Text {
-    let stage = text!("explain-stage-transfer");
-    let needed = || structure.groups.iter().zip(&plan.groups_needed).filter(|(_, needed)| **needed);
-    let iterating = needed().filter(|(group, _)| group.plugin.iterates).count();
-    let method = match solved(plan) {
+fn transfer(structure: &Structure, plan: &Plan) -> Stage {
+    let needed = structure.groups.iter().zip(&plan.groups_needed).filter(|(_, needed)| **needed);
+    let iterating = needed.filter(|(group, _)| group.plugin.iterates).count();
+    let groups = solved(plan);
+    let method = match groups {
         0 => text!("explain-derivatives-input"),
         all if iterating == all => text!("explain-derivatives-constraints"),
         _ if iterating > 0 => text!("explain-derivatives-both"),
         _ => text!("explain-derivatives-closed"),
     };
-    let needed_for = || joined("; ", plan.order_for.iter().cloned());
+    let what = joined("; ", plan.order_for.iter().cloned());
     match plan.order {
-        Order::Place => left_out(stage, text!("explain-order-0", groups = solved(plan))),
-        Order::First => {
-            run(stage, text!("explain-order-1", what = needed_for(), groups = solved(plan)), method)
-        }
-        Order::Second => run(stage, text!("explain-order-2", what = needed_for()), method),
+        Order::Place => Err(text!("explain-order-0", groups)),
+        Order::First => Ok([text!("explain-order-1", what, groups), method]),
+        Order::Second => Ok([text!("explain-order-2", what), method]),
     }
 }
 
-fn velocities(mechanism: &Mechanism, plan: &Plan) -> Text {
-    let stage = text!("explain-stage-velocities");
-    if plan.velocities {
-        return run(stage, text!("explain-has-motion"), text!("explain-rates"));
+fn velocities(mechanism: &Mechanism, plan: &Plan) -> Stage {
+    match (plan.velocities, &mechanism.motion) {
+        (true, _) => Ok([text!("explain-has-motion"), text!("explain-rates")]),
+        (_, None) => Err(text!("explain-add-motion")),
+        _ => Err(text!("explain-no-rates-asked")),
     }
-    if mechanism.motion.is_none() {
-        return left_out(stage, text!("explain-add-motion"));
-    }
-    left_out(stage, text!("explain-no-rates-asked"))
 }
 
 /// What the input coordinate is.
@@ -125,15 +115,11 @@ fn coordinate(mechanism: &Mechanism) -> Text {
     }
 }
 
-fn reduction(mechanism: &Mechanism, plan: &Plan) -> Text {
-    let stage = text!("explain-stage-reduction");
+fn reduction(mechanism: &Mechanism, plan: &Plan) -> Stage {
     if plan.reduction {
-        return run(stage, reduction_reason(mechanism, plan), text!("explain-sums"));
+        return Ok([reduction_reason(mechanism, plan), text!("explain-sums")]);
     }
-    if asks_for_no_reaction(mechanism) {
-        return left_out(stage, text!("explain-no-reaction-asked"));
-    }
-    left_out(stage, text!("explain-nothing-to-reduce"))
+    no_reaction_or(text!("explain-nothing-to-reduce"), mechanism)
 }
 
 fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> Text {
@@ -147,30 +133,26 @@ fn reduction_reason(mechanism: &Mechanism, plan: &Plan) -> Text {
     text!("explain-reduced-constant", links = super::links(mechanism, &heavy))
 }
 
-fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&Text>) -> Text {
-    let stage = text!("explain-stage-motion");
+fn motion(mechanism: &Mechanism, methods: &Methods, equation: Option<&Text>) -> Stage {
     match &mechanism.motion {
-        None => left_out(stage, text!("explain-no-motion")),
-        Some(Motion::Prescribed { .. }) => left_out(stage, text!("explain-prescribed")),
+        None => Err(text!("explain-no-motion")),
+        Some(Motion::Prescribed { .. }) => Err(text!("explain-prescribed")),
         Some(Motion::Transient { .. }) => {
             let integrator = || text!("explain-integrator", method = name(methods.integrator.clone()));
-            run(stage, text!("explain-transient"), equation.map_or_else(integrator, Clone::clone))
+            Ok([text!("explain-transient"), equation.map_or_else(integrator, Clone::clone)])
         }
         Some(Motion::Steady { .. }) => {
             let method = equation.cloned().into_iter().chain([text!("explain-shooting")]);
-            run(stage, text!("explain-steady"), joined(": ", method))
+            Ok([text!("explain-steady"), joined(": ", method)])
         }
     }
 }
 
-fn drive(mechanism: &Mechanism) -> Text {
-    let stage = text!("explain-stage-drive");
-    let Some(drive) = &mechanism.drive else { return left_out(stage, text!("explain-no-drive")) };
-    let found = mechanism.has_equation_of_motion();
-    if found {
-        run(stage, drive_reason(drive), drive_method(drive))
-    } else {
-        left_out(stage, text!("explain-drive-useless"))
+fn drive(mechanism: &Mechanism) -> Stage {
+    match &mechanism.drive {
+        None => Err(text!("explain-no-drive")),
+        Some(_) if !mechanism.has_equation_of_motion() => Err(text!("explain-drive-useless")),
+        Some(drive) => Ok([drive_reason(drive), drive_method(drive)]),
     }
 }
 
@@ -213,41 +195,33 @@ fn drive_method(drive: &Drive) -> Text {
     joined("; ", methods)
 }
 
-fn inertia(mechanism: &Mechanism, plan: &Plan) -> Text {
-    let stage = text!("explain-stage-inertia");
+fn inertia(mechanism: &Mechanism, plan: &Plan) -> Stage {
     if plan.inertia_loads {
-        return run(stage, text!("explain-inertia"), text!("explain-dalembert"));
+        return Ok([text!("explain-inertia"), text!("explain-dalembert")]);
     }
-    left_out(
-        stage,
-        if mechanism.motion.is_none() {
-            text!("explain-static")
-        } else if plan.forces {
-            text!("explain-no-mass")
-        } else {
-            text!("explain-no-reaction-asked")
-        },
-    )
+    Err(if mechanism.motion.is_none() {
+        text!("explain-static")
+    } else if plan.forces {
+        text!("explain-no-mass")
+    } else {
+        text!("explain-no-reaction-asked")
+    })
 }
 
-fn reactions(mechanism: &Mechanism, structure: &Structure, methods: &Methods, plan: &Plan) -> Text {
-    let stage = text!("explain-stage-reactions");
-    if plan.forces {
-        let reason = if mechanism.has_loads() {
-            text!("explain-loads-act")
-        } else if plan.inertia_loads {
-            text!("explain-links-have-inertia")
-        } else {
-            text!("explain-reactions-zero")
-        };
-        let analyzer = text!("explain-analyzer", analyzer = name(methods.analyzer.clone()));
-        let method = std::iter::once(analyzer).chain(idle(mechanism, structure, plan));
-        return run(stage, reason, joined("; ", method));
+fn reactions(mechanism: &Mechanism, structure: &Structure, methods: &Methods, plan: &Plan) -> Stage {
+    if !plan.forces {
+        return no_reaction_or(text!("explain-no-load"), mechanism);
     }
-    if asks_for_no_reaction(mechanism) {
-        return left_out(stage, text!("explain-no-reaction-asked"));
-    }
-    left_out(stage, text!("explain-no-load"))
+    let reason = if mechanism.has_loads() {
+        text!("explain-loads-act")
+    } else if plan.inertia_loads {
+        text!("explain-links-have-inertia")
+    } else {
+        text!("explain-reactions-zero")
+    };
+    let analyzer = text!("explain-analyzer", analyzer = name(methods.analyzer.clone()));
+    let method = std::iter::once(analyzer).chain(idle(mechanism, structure, plan));
+    Ok([reason, joined("; ", method)])
 }
 
 /// The groups that carry no load, and the work that this saves.
@@ -262,10 +236,9 @@ fn idle(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Option<Tex
     }
 }
 
-fn balancing(mechanism: &Mechanism, plan: &Plan) -> Text {
-    let stage = text!("explain-stage-balancing");
+fn balancing(mechanism: &Mechanism, plan: &Plan) -> Stage {
     if !plan.forces {
-        return left_out(stage, text!("explain-with-reactions"));
+        return Err(text!("explain-with-reactions"));
     }
     let link = |id: usize| link_name(mechanism, id);
     let input = || link(mechanism.input.link);
@@ -275,13 +248,12 @@ fn balancing(mechanism: &Mechanism, plan: &Plan) -> Text {
         (None, InputPair::Pin(_)) => text!("explain-input-moment", link = input()),
         (None, InputPair::Slide(_)) => text!("explain-input-force", link = input()),
     };
-    run(stage, reason, text!("explain-equilibrium-of-input"))
+    Ok([reason, text!("explain-equilibrium-of-input")])
 }
 
-fn checks(plan: &Plan) -> Text {
-    let stage = text!("explain-stage-checks");
+fn checks(plan: &Plan) -> Stage {
     if plan.is_partial() {
-        return left_out(stage, text!("explain-checks-need-all"));
+        return Err(text!("explain-checks-need-all"));
     }
-    run(stage, text!("explain-residuals"), text!("explain-checks"))
+    Ok([text!("explain-residuals"), text!("explain-checks")])
 }

@@ -21,6 +21,7 @@ use assur_all as _;
 use assur_group::Order;
 use assur_kinematics::{CompileError, Linkage};
 use assur_mechanism::Mechanism;
+use assur_report::text::Style;
 
 use super::nearest::Grid;
 use super::{Comparison, Stability, stability, walk};
@@ -43,6 +44,11 @@ static CYCLE: Law = Law { section: "Along the cycle", along: walk::ALONG, expect
 struct Section {
     law: &'static Law,
     rows: Vec<Comparison>,
+}
+
+/// What is told of a study in English.
+fn told(found: &Stability) -> String {
+    assur_report::text::told(Style::english(), |page| found.tell(page))
 }
 
 /// The study of a mechanism that nobody stops.

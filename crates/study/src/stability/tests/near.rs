@@ -6,9 +6,8 @@ use assur_group::{Body, Order, PairGeometry, plane};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::Mechanism;
 use assur_testkit::specimen::{Recipe, Rng};
-use assur_words::Language;
 
-use super::{differences, healthiest, scales, studied, turns, walk_group};
+use super::{differences, healthiest, scales, studied, told, turns, walk_group};
 use crate::stability::walk::{Walk, analyzers_of, test_loads};
 
 /// Mechanisms with one point moved, by up to half of the size; many no longer turn fully.
@@ -192,7 +191,7 @@ fn nearly_a_parallelogram_keeps_its_way() {
         // Its motion turns sharply within sqrt(d) of where the parallelogram would go through.
         if exponent % 4 == 0 {
             let found = studied(linkage.mechanism).unwrap();
-            assert!(found.is_ok(), "1e-{exponent}: {}", found.text(Language::english()));
+            assert!(found.is_ok(), "1e-{exponent}: {}", told(&found));
         }
     }
     let exact = Linkage::compile(assur_scene::read("near.toml", &scene(0.5)).unwrap()).unwrap();
