@@ -107,7 +107,10 @@ impl Column {
     }
 
     /// The values, compressed; the column is empty then.
-    fn compressed(&mut self, of: (ColumnDescPtr, WriterPropertiesPtr)) -> Result<(Bytes, ColumnCloseResult), Inner> {
+    fn compressed(
+        &mut self,
+        of: (ColumnDescPtr, WriterPropertiesPtr),
+    ) -> Result<(Bytes, ColumnCloseResult), Inner> {
         let mut bytes = TrackedWrite::new(Vec::new());
         let pages = Box::new(SerializedPageWriter::new(&mut bytes));
         let levels = self.levels.as_deref();
