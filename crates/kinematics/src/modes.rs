@@ -49,10 +49,6 @@ fn distance(one: &Mode<f64>, other: &Mode<f64>, scale: f64) -> f64 {
 
 impl Linkage {
     /// The modes of a group in a solved position; `None` where its kind can't list them.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`AssurGroup::modes`].
     pub fn modes(&self, group: usize, position: &Position) -> Result<Option<Modes>, GroupError> {
         let kernel = self.groups()[group].as_ref();
         if !self.structure.groups[group].plugin.iterates {

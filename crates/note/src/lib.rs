@@ -96,10 +96,6 @@ pub fn document(results: &Results, positions: &[usize]) -> Result<Document, Note
 }
 
 /// The note of a scene whose analysis is done, in a form; `folder` is where the files of figures are, seen from the note.
-///
-/// # Errors
-///
-/// [`NoteError`]
 pub fn write(results: &Results, note: &Note, form: Form, folder: &str) -> Result<Written, NoteError> {
     let language = Language::find(note.language).unwrap_or(Language::english());
     let mechanism = &results.linkage.mechanism;

@@ -43,10 +43,6 @@ pub struct Found {
 
 impl Found {
     /// Calculates what a scene requests, and gathers its series; `linkage`: that of the calculation, with all groups.
-    ///
-    /// # Errors
-    ///
-    /// [`AnalysisError`] where the scene can't be calculated, or where `watch` breaks.
     pub fn of(
         calculation: Calculation,
         linkage: Arc<Linkage>,

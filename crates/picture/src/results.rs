@@ -49,10 +49,6 @@ pub struct Broken {
 
 impl Results {
     /// Calculates the positions of a linkage.
-    ///
-    /// # Errors
-    ///
-    /// [`AnalysisError`], as of any other calculation.
     pub fn of(linkage: Arc<Linkage>) -> Result<Self, AnalysisError> {
         let (table, edges) = transfer::positions(&linkage)?;
         let (series, transfers) = transfer::series(&linkage, &table, &edges);

@@ -21,10 +21,6 @@ impl Structure {
 
     /// Decomposes a mechanism without some parts, which are passive: its groups don't depend on them. The mobility is that of
     /// the whole mechanism as counted.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`of`](Self::of), for what remains.
     pub fn without(mechanism: &Mechanism, parts: &[PassivePart]) -> Result<Self, StructureError> {
         let mobility = count(mechanism);
         let left_out = LeftOut::of(mechanism, parts);

@@ -221,10 +221,6 @@ impl ChartData {
     }
 
     /// One line of JSON, in the format of results.
-    ///
-    /// # Errors
-    ///
-    /// The error of the serializer, which no value here causes.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
         serde_json::to_string(self).map(|line| line + "\n")
     }
@@ -234,10 +230,6 @@ const HEADER: &str =
     "stage method setting value seconds_s unit evaluations error at_most ok front auto reason";
 
 /// All rows, comma separated, full precision; an empty field where nothing is known.
-///
-/// # Errors
-///
-/// The error of the writer, which no value here causes.
 pub fn csv(data: &ChartData) -> Result<String, CsvError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(HEADER.split(' '))?;
