@@ -145,7 +145,7 @@ fn refuse_other_mobility(
                 // Both ends of the surplus pair are known (ground and input link).
                 links.push(mechanism.links[mechanism.input.link].name.to_string());
             }
-            Err(StructureError::Surplus { counted, pairs, links, why: Text::default() })
+            Err(StructureError::Surplus { counted, pairs, links, why: Box::default() })
         }
         (surplus, false) => {
             let surplus = surplus.map_or(Vec::new(), |(pairs, _)| pairs);

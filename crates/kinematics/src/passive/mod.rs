@@ -54,7 +54,7 @@ pub fn decompose(mechanism: &Mechanism) -> Result<Structure, StructureError> {
         Err(StructureError::Surplus { counted, pairs, links, .. }) => search::without_passive(mechanism)
             .map_err(|why| {
                 let angles = angles_of_slides(mechanism, &links);
-                angles.unwrap_or(StructureError::Surplus { counted, pairs, links, why })
+                angles.unwrap_or(StructureError::Surplus { counted, pairs, links, why: why.into() })
             }),
         found => found,
     }
