@@ -6,11 +6,8 @@ use assur_words::{Text, text};
 
 use crate::check::Collector;
 use crate::elements::place_motion;
+use crate::kinetics::ROUNDINGS;
 use crate::subject::{Solved, Subject};
-
-/// Rounding errors of one closed form, in units of the last place of the largest term: some twenty operations in each
-/// of the two bodies, and the root and the division of the group that placed them.
-const ROUNDINGS: f64 = 64.0;
 
 const NAMES: [Text; 3] = [text!("check-closure-pf0"), text!("check-closure-pf1"), text!("check-closure-pf2")];
 const REASON: Text = text!("check-closure-reason");

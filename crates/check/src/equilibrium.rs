@@ -6,9 +6,10 @@ use assur_kinematics::Linkage;
 use assur_mechanism::{GROUND, InputPair, LinkId, PairId};
 use assur_words::{Text, text};
 
-use crate::case::{Case, ROUNDINGS, largest, rounding_of_sum};
+use crate::case::{Case, largest};
 use crate::check::Collector;
 use crate::check::greatest;
+use crate::kinetics::{ROUNDINGS, rounding_of_sum};
 use crate::subject::Solved;
 
 /// The checks of links, of joints and of guides.

@@ -4,9 +4,10 @@ use assur_force::{Joint, LoadState, Loads, joints};
 use assur_group::Wrench;
 use assur_words::{Text, text};
 
-use crate::case::{Case, ROUNDINGS};
+use crate::case::Case;
 use crate::check::Collector;
 use crate::check::ForceResiduals;
+use crate::kinetics::ROUNDINGS;
 use crate::subject::{Solved, Subject};
 use crate::written::{Given, Items, Writer, given};
 use crate::{agreement, equilibrium, friction, power};

@@ -4,8 +4,9 @@ use assur_force::Reactions;
 use assur_mechanism::{Friction, LinkId, Middle, PairId, Surfaces};
 use assur_words::text;
 
-use crate::case::{Case, ROUNDINGS, largest};
+use crate::case::{Case, largest};
 use crate::check::Collector;
+use crate::kinetics::ROUNDINGS;
 
 pub(crate) fn collector() -> Collector {
     Collector::new(text!("check-friction"), text!("check-friction.reason"))

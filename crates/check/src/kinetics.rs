@@ -4,7 +4,17 @@ use assur_group::Body;
 use assur_mechanism::{Link, Mechanism};
 use assur_number::{Dd, Real};
 
-use crate::case::ROUNDINGS;
+/// Rounding errors of the solution of one group, or of the system of all, and of a sum of the terms of one load, in
+/// units of the last place of the largest term, per unit of the condition number: some twenty operations in each of two bodies, and
+/// the root and the division of the group that placed them.
+pub(crate) const ROUNDINGS: f64 = 64.0;
+
+/// Rounding of a sum over loads and of its terms, as part of their sizes `total`; `added`: the sizes of all its partial sums, one
+/// after the other. Each addition may be off by half a unit of what was added up before, in the sum of the program and in that
+/// of the check, and equal loads round in the same direction.
+pub(crate) fn rounding_of_sum(added: f64, total: f64) -> f64 {
+    ROUNDINGS.max(added / total) * f64::EPSILON
+}
 
 /// J = sum(m vS'² + I w'²) and J' = sum(2 (m vS' aS' + I w' e') + I' w'²); theory of the project, section 3.
 pub(crate) fn reduced<T: Real>(mechanism: &Mechanism, coordinate: T, bodies: &[Body<T>]) -> [T; 2] {

@@ -11,7 +11,7 @@ use assur_kinematics::{Chain, Position};
 use assur_number::Dd;
 
 use crate::elements::Element;
-use crate::kinetics;
+use crate::kinetics::{self, ROUNDINGS};
 use crate::numbers::{LEVELS, SAFETY, SAMPLES, SPACING, rounding_of};
 use crate::numbers::{Numbers, Quotient, numbers, quotients};
 use crate::perturbation::{Perturbation, TRIALS};
@@ -27,11 +27,6 @@ const LEAST_BEND: f64 = 1e-3;
 
 /// Most halvings of the first step; beyond, even 32 digits leave none.
 const LEAST_STEP: f64 = 1.0 / ((1_u64 << 40) as f64);
-
-/// Rounding of the calculated numbers, in rounding units times their amplification: as for the closure, some twenty
-/// operations in each of two bodies, and the root and the division of the group. Divided by the safety factor of all
-/// estimates.
-const ROUNDINGS: f64 = 64.0 / SAFETY;
 
 /// A number type in which differences are taken.
 pub(crate) trait Precision: Number {
@@ -115,7 +110,7 @@ impl<'a, T: Precision> Differences<'a, T> {
             let perturbed = self.solve_perturbed(trial, q, ways, &center)?;
             own.raise(&self.numbers(all, q, [&perturbed, &center]).off(&middle));
         }
-        let own = own.scaled(ROUNDINGS * f64::EPSILON / T::PERTURBED);
+        let own = own.scaled(ROUNDINGS / SAFETY * f64::EPSILON / T::PERTURBED);
         let floor = T::EPSILON / f64::EPSILON;
         Some(Surroundings { quotients, below: own.scaled(floor), own, floor, values: middle.map(T::to_f64) })
     }

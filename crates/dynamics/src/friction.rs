@@ -1,5 +1,5 @@
 //! Dry friction of the pairs in an equation of motion: it depends on the acceleration through the inertia loads, and the
-//! acceleration on it, so that both are found together at every evaluation; and the steady regime with it.
+//! acceleration on it, so that both are found together at every evaluation.
 
 use std::sync::Arc;
 
@@ -7,16 +7,11 @@ use assur_force::{
     ForceAnalyzer, FreeMotion, FrictionSolution, LoadState, Loads, Phase, Piece, Reactions, tolerance,
 };
 use assur_group::Wrench;
-use assur_integrator::{EquationOfMotion as _, MotionError, Reduced, State};
+use assur_integrator::{MotionError, Reduced};
 use assur_kinematics::{Linkage, Position};
-use assur_mechanism::Mechanism;
-use assur_number::search::try_bisect;
 use assur_words::{number, text};
 
-use crate::machine::Watcher;
-use crate::scene::{Steady, cycle_request, steady_motion};
-use crate::steady::CycleRequest;
-use crate::{Driven, DynamicsError, Machine, Regime};
+use crate::Regime;
 
 /// Accelerations whose difference is below this part of them are one.
 const SAME: f64 = 1e-9;
@@ -239,89 +234,4 @@ impl Friction {
 
 fn no_method() -> MotionError {
     MotionError::Mechanism(text!("dynamics-friction-no-method"))
-}
-
-/// The steady regime of a machine with dry friction: friction is that of the speeds and accelerations of the regime before, until
-/// both agree.
-pub(crate) fn regime(
-    mut machine: Machine<'_>,
-    mechanism: &Mechanism,
-    mut watcher: Option<&mut Watcher<'_>>,
-) -> Result<Steady, DynamicsError> {
-    let (request, _) = cycle_request(mechanism)?;
-    let mut course = KnownMotion::Uniform(request.mean_speed);
-    let mut before = f64::INFINITY;
-    for _ in 0..MOST_ROUNDS {
-        machine.assume(Some(course.clone()));
-        let bends = bends(&mut machine, &request)?;
-        machine.bend_at(bends, request.length);
-        let found = steady_motion(&mut machine, mechanism, watcher.as_deref_mut())?;
-        let next = KnownMotion::Regime(Arc::new(found.regime.clone()));
-        let change = change(&course, &next, &request);
-        // It falls by the same factor from round to round, down to its rounding.
-        if change <= CONVERGED || change <= NEARLY && change > 0.5 * before {
-            machine.assume(None);
-            return check_friction(machine, &request, found);
-        }
-        (course, before) = (next, change);
-    }
-    Err(DynamicsError::NotPeriodic { cycles: MOST_ROUNDS, residual: before })
-}
-
-/// Rounds in which the friction of a regime has to agree with the regime.
-const MOST_ROUNDS: usize = 60;
-/// Relative change of the speed at which a round has converged, and at which its rounding may be all that is left.
-const CONVERGED: f64 = 1e-13;
-const NEARLY: f64 = 1e-9;
-/// Positions of a cycle at which regimes are compared.
-const PLACES: u32 = 360;
-
-fn places(request: &CycleRequest) -> impl Iterator<Item = f64> {
-    let (start, step) = (request.start, request.mean_speed.signum() * request.length / f64::from(PLACES));
-    (0..PLACES).map(move |place| start + step * f64::from(place))
-}
-
-/// The greatest change of the speed from one course to another, as part of the mean speed.
-fn change(before: &KnownMotion, after: &KnownMotion, request: &CycleRequest) -> f64 {
-    let off = |place: f64| ((after.at(place)[0] - before.at(place)[0]) / request.mean_speed).abs();
-    places(request).map(off).fold(0.0, f64::max)
-}
-
-/// Refuses a regime in which at some position another acceleration is possible, or none.
-fn check_friction(
-    machine: Machine<'_>,
-    request: &CycleRequest,
-    found: Steady,
-) -> Result<Steady, DynamicsError> {
-    let mut motion = Driven::new(machine, found.regime.drive());
-    for coordinate in places(request) {
-        let state = State { time: 0.0, coordinate, speed: found.regime.state(coordinate).speed };
-        let failed = |source| DynamicsError::Equation { coordinate, source };
-        motion.enter(&state).map_err(failed)?;
-        motion.reduced(&state).map_err(failed)?;
-    }
-    Ok(found)
-}
-
-/// The coordinates of a cycle at which another face is pressed: there the moment of friction has a kink.
-fn bends(machine: &mut Machine<'_>, request: &CycleRequest) -> Result<Vec<f64>, DynamicsError> {
-    let step = request.mean_speed.signum() * request.length / f64::from(PLACES);
-    let mut all = Vec::new();
-    for from in places(request) {
-        let state = |coordinate| State { time: 0.0, coordinate, speed: request.mean_speed };
-        let failed = |source| DynamicsError::Equation { coordinate: from, source };
-        machine.enter(&state(from + 0.5 * step)).map_err(failed)?;
-        let mut pressing = |coordinate: f64| {
-            machine.reduced(&state(coordinate)).map_err(failed)?;
-            machine.bends(&state(coordinate)).map_err(failed)
-        };
-        let [start, end] = [pressing(from)?, pressing(from + step)?];
-        for which in (0..start.len()).filter(|which| start[*which] * end[*which] < 0.0) {
-            let same =
-                |coordinate: f64| pressing(coordinate).map(|forces| forces[which] * start[which] > 0.0);
-            all.push(try_bisect(from, from + step, 0.0, same)?[1]);
-        }
-    }
-    all.sort_by(f64::total_cmp);
-    Ok(all)
 }

@@ -14,6 +14,7 @@ mod friction;
 mod instant;
 mod machine;
 mod motor;
+mod regime;
 mod scene;
 mod steady;
 #[cfg(test)]
@@ -27,7 +28,8 @@ pub use error::DynamicsError;
 pub use instant::{Holding, Instant};
 pub use machine::{Machine, Watcher};
 pub use motor::{DriveMotor, SteadyMotor};
-pub use scene::{Advice, Steady, advise, section_margin, steady};
+pub use regime::{Advice, advise, steady};
+pub use scene::{Steady, section_margin};
 pub use steady::{
     CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeSolver,
     RegimeState, TorqueRequest, Trial,

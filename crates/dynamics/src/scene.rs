@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use assur_force::Loads;
 use assur_integrator::EquationOfMotion;
 use assur_kinematics::Linkage;
-use assur_mechanism::{Drive, FlywheelPlace, InputPair, Mechanism, Motion, MotorChoice, Solve, Torque};
+use assur_mechanism::{FlywheelPlace, InputPair, Mechanism, Motion, Solve, Torque};
 use assur_motor::{Characteristic, FlywheelSize, Motor, PassedOver, Refusal, flywheel_sizes};
 use assur_number::{elementary, search};
 use assur_words::Describe;
@@ -28,36 +28,8 @@ pub struct Steady {
     pub flywheel_sizes: Vec<FlywheelSize>,
 }
 
-/// Finds the steady regime of a scene. The watcher sees every state that is evaluated and may stop the search with an
-/// error.
-///
-/// # Errors
-///
-/// [`DynamicsError`]: no such motion in the scene, a position that fails, no motor, no regime.
-pub fn steady(
-    linkage: &Linkage,
-    loads: &Loads,
-    watcher: Option<&mut Watcher<'_>>,
-) -> Result<Steady, DynamicsError> {
-    steady_of(linkage, loads, &linkage.mechanism, watcher)
-}
-
 /// Motors that are tried for a drive whose motor is chosen: of more than these the loads are not those of a motor.
 const MOST_TRIED: usize = 40;
-
-/// The steady regime with the motion and the drive of `mechanism`, which is else that of the linkage.
-pub(crate) fn steady_of(
-    linkage: &Linkage,
-    loads: &Loads,
-    mechanism: &Mechanism,
-    watcher: Option<&mut Watcher<'_>>,
-) -> Result<Steady, DynamicsError> {
-    let mut machine = Machine::new(linkage, loads);
-    if machine.has_friction() {
-        return crate::friction::regime(machine, mechanism, watcher);
-    }
-    steady_motion(&mut machine, mechanism, watcher)
-}
 
 /// The steady regime of an equation of motion with the motion and the drive of `mechanism`.
 pub(crate) fn steady_motion(
@@ -261,50 +233,4 @@ pub(crate) fn greatest(
         search::root(elementary::ln(LEAST), elementary::ln(MOST), WIDTH, margin_at);
     }
     Ok(kept.into_inner().0)
-}
-
-/// A motor in the place of that of a scene.
-#[derive(Debug)]
-pub struct Advice {
-    /// The row of its catalogue.
-    pub motor: &'static Motor,
-    /// The regime of the greatest unevenness that it allows, or why there is none.
-    pub found: Result<Steady, DynamicsError>,
-}
-
-/// The motors that have the power which a scene needs and keep its limit of speed, the best first, at most `most` of them;
-/// each with the greatest unevenness at which it stays on the stable section of its characteristic. Also returns how many
-/// such motors there are.
-///
-/// # Errors
-///
-/// [`DynamicsError`]: no steady motion with a motor in the scene, or no motor that fits.
-pub fn advise(linkage: &Linkage, loads: &Loads, most: usize) -> Result<(Vec<Advice>, usize), DynamicsError> {
-    let mut mechanism = linkage.mechanism.clone();
-    set_motor(&mut mechanism, MotorChoice::Auto, None);
-    let chosen = chosen_motor(linkage, loads, &mechanism)?;
-    let others = chosen.runners_up.iter().map(|candidate| candidate.motor);
-    let all: Vec<_> = chosen.row.into_iter().chain(others).collect();
-    let advice = all.iter().take(most).map(|motor| {
-        let (designation, catalogue) = (motor.designation.clone(), motor.catalogue.clone());
-        set_motor(&mut mechanism, MotorChoice::Designation(designation), Some(catalogue));
-        Advice { motor, found: steady_of(linkage, loads, &mechanism, None) }
-    });
-    Ok((advice.collect(), all.len()))
-}
-
-/// Sets the motor of a scene, whose flywheel is to be found for the greatest unevenness that it allows.
-fn set_motor(mechanism: &mut Mechanism, new: MotorChoice, from: Option<String>) {
-    if let Some(Motion::Steady { unevenness, .. }) = &mut mechanism.motion {
-        *unevenness = Some(Solve::Wanted);
-    }
-    let Some(Drive { torque: Torque::Motor { motor, catalogue, .. }, flywheel, ratio, .. }) =
-        &mut mechanism.drive
-    else {
-        return;
-    };
-    (*motor, *flywheel, *ratio) = (new, Some(Solve::Wanted), Solve::Wanted);
-    if from.is_some() {
-        *catalogue = from;
-    }
 }

@@ -1,7 +1,5 @@
 //! The part of the plane that a drawing covers, and how it is enlarged and shifted.
 
-use crate::trace::inside;
-
 /// A rectangle of the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
@@ -83,4 +81,25 @@ impl Default for Zoom {
 impl Zoom {
     /// The whole figure, as large as it fits.
     pub const WHOLE: Self = Self { factor: 1.0, shift: [0.0; 2] };
+}
+
+/// The ends of the part of a straight piece that lies in a rectangle, as parts of its length (Liang and Barsky); `None` where
+/// it lies outside, or an end is not finite.
+pub(crate) fn inside([from, to]: [[f64; 2]; 2], low: [f64; 2], high: [f64; 2]) -> Option<[f64; 2]> {
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        let along = to[axis] - from[axis];
+        if !along.is_finite() {
+            return None;
+        }
+        let [a, b] = [low[axis] - from[axis], high[axis] - from[axis]];
+        if along == 0.0 {
+            if a > 0.0 || b < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        (first, last) = (first.max((a / along).min(b / along)), last.min((a / along).max(b / along)));
+    }
+    (first <= last).then_some([first, last])
 }

@@ -182,24 +182,3 @@ pub(crate) fn stars(item: &Item) -> Vec<Item> {
     let finite = points.iter().step_by(step).filter(|at| at[1].is_finite());
     finite.map(|at| Item::sign(*at, Sign::Star, *ink)).collect()
 }
-
-/// The ends of the part of a straight piece that lies in a rectangle, as parts of its length (Liang and Barsky); `None` where
-/// it lies outside, or an end is not finite.
-pub(crate) fn inside([from, to]: [Point; 2], low: Point, high: Point) -> Option<[f64; 2]> {
-    let (mut first, mut last) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        let along = to[axis] - from[axis];
-        if !along.is_finite() {
-            return None;
-        }
-        let [a, b] = [low[axis] - from[axis], high[axis] - from[axis]];
-        if along == 0.0 {
-            if a > 0.0 || b < 0.0 {
-                return None;
-            }
-            continue;
-        }
-        (first, last) = (first.max((a / along).min(b / along)), last.min((a / along).max(b / along)));
-    }
-    (first <= last).then_some([first, last])
-}

@@ -15,9 +15,9 @@ use assur_number::elementary;
 use assur_words::{Text, text};
 
 use crate::breaks::Breaks;
+use crate::curve::Curve;
 use crate::formula::FormulaLaw;
 use crate::grid::{Bodies, GRID, Span, rests};
-use crate::law::Curve;
 use crate::law::Law;
 use crate::loads::{Action, Along, Applied, ArcContact, Mass, PointForce, Shoe};
 use crate::sliding::{Rate, Sliding};

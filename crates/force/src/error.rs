@@ -1,5 +1,6 @@
-//! What is wrong with the loads of a mechanism.
+//! What is wrong with the loads of a mechanism, and why there are no reactions.
 
+use assur_group::GroupError;
 use assur_kinematics::PositionError;
 use assur_mechanism::{Key, LoadKind, Mechanism, Value};
 use assur_words::{Describe, Text, name, number, quantity, text};
@@ -100,5 +101,109 @@ impl LoadError {
             LoadKind::Brake(_) | LoadKind::Contact(_) => "force",
         };
         Some(if matches!(self.fault, LoadFault::NeedsMotion(_)) { key } else { key.at(size) })
+    }
+}
+
+/// Why there are no reactions. Names the coordinate; the caller adds the number of the position.
+#[derive(Clone, PartialEq)]
+#[non_exhaustive]
+pub enum ForceError {
+    /// Two ways of a group meet there (the coordinate, rad or m).
+    ChangePoint(f64),
+    /// A group can't be solved.
+    Group {
+        /// The group in words.
+        group: Text,
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// The reason, from the group.
+        source: GroupError,
+    },
+    /// A load has no value there, whatever the method.
+    Load(LoadError),
+    /// The equations of equilibrium of the whole mechanism can't be solved.
+    Singular {
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// Least over greatest pivot.
+        health: f64,
+    },
+    /// The balancing load does no work in this position, so that it can't balance anything.
+    IdleBalance {
+        /// The balancing load in words.
+        load: Text,
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// Its transfer function, dimensionless.
+        share: f64,
+    },
+    /// Two lines that the method intersects are parallel.
+    Parallel {
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// The two lines in words.
+        lines: Text,
+        /// Angle between them, rad.
+        angle: f64,
+        /// A method that has a solution there.
+        instead: &'static str,
+    },
+    /// With friction there is no equilibrium: the mechanism jams, or can't be driven back.
+    Jammed {
+        /// What has none, in words: a group, the input link, or the balancing load.
+        what: Text,
+        /// The coordinate, rad or m.
+        coordinate: f64,
+        /// Whether there is certainly none; else none was found.
+        proved: bool,
+    },
+    /// The method does not support this mechanism.
+    Unsupported {
+        /// Name of the method.
+        analyzer: &'static str,
+        /// Why not.
+        reason: Text,
+    },
+}
+
+assur_words::errors!(ForceError; Load(LoadError));
+
+impl Describe for ForceError {
+    fn describe(&self) -> Text {
+        let at = |coordinate: f64| number(format_args!("{coordinate:.9}"));
+        match self {
+            Self::ChangePoint(coordinate) => text!("force-change-point", coordinate = at(*coordinate)),
+            Self::Group { group, coordinate, source } => {
+                text!("force-group-singular", group, coordinate = at(*coordinate), cause = source.describe())
+            }
+            Self::Load(error) => error.describe(),
+            Self::Singular { coordinate, health } => text!(
+                "force-singular",
+                coordinate = at(*coordinate),
+                health = number(format_args!("{health:.3e}"))
+            ),
+            Self::IdleBalance { load, coordinate, share } => text!(
+                "force-idle-balance",
+                coordinate = at(*coordinate),
+                load,
+                share = number(if *share == 0.0 { "0".to_owned() } else { format!("{share:.1e}") })
+            ),
+            Self::Parallel { coordinate, lines, angle, instead } => text!(
+                "force-parallel",
+                coordinate = at(*coordinate),
+                lines,
+                angle = quantity(format_args!("{angle:.3e}"), "rad"),
+                instead = name(*instead)
+            ),
+            Self::Jammed { what, coordinate, proved: true } => {
+                text!("force-jammed", what, coordinate = at(*coordinate))
+            }
+            Self::Jammed { what, coordinate, proved: false } => {
+                text!("force-jammed-unproved", what, coordinate = at(*coordinate))
+            }
+            Self::Unsupported { analyzer, reason } => {
+                text!("force-unsupported", method = name(*analyzer), reason)
+            }
+        }
     }
 }

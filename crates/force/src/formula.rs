@@ -59,20 +59,9 @@ fn unlocated(formula: &Formula, switch: usize) -> LoadFault {
     LoadFault::Unlocated { function, column }
 }
 
-/// The only variable on which a switch depends, if it is one of those that an integrator steps along.
-pub(crate) fn variable_of(used: Used) -> Option<Variable> {
-    match used {
-        Used { place: true, .. } => None,
-        Used { coordinate: true, speed: false, time: false, .. } => Some(Variable::Coordinate),
-        Used { coordinate: false, speed: true, time: false, .. } => Some(Variable::Speed),
-        Used { coordinate: false, speed: false, time: true, .. } => Some(Variable::Time),
-        _ => None,
-    }
-}
-
 /// Whether a switch depends on speed or time and on something else.
 fn is_mixed(used: Used) -> bool {
-    (used.speed || used.time) && variable_of(used).is_none()
+    (used.speed || used.time) && used.only().is_none()
 }
 
 impl FormulaLaw {
@@ -274,7 +263,7 @@ impl FormulaLaw {
             let until = |here: f64, path: &dyn Fn(f64) -> Variables| {
                 [-1.0, 1.0].map(|along| self.formula.smooth_until(index, sign, here, along, path))
             };
-            match variable_of(switch.used) {
+            match switch.used.only() {
                 _ if switch.used == Used::default() => {}
                 // Under a known motion time passes with the coordinate.
                 Some(Variable::Time) | None if !self.steps => {

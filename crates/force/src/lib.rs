@@ -18,6 +18,7 @@ mod breaks;
 mod choice;
 mod compile;
 mod construction;
+mod curve;
 mod error;
 mod formula;
 mod friction;
@@ -36,16 +37,14 @@ mod wrenches;
 
 assur_words::resources!();
 
-pub use analyzer::{
-    AnalyzerPlugin, ForceAnalyzer, ForceError, FrictionAnalysis, analyzers, applicable, choose, find,
-};
+pub use analyzer::{AnalyzerPlugin, ForceAnalyzer, FrictionAnalysis, analyzers, applicable, choose, find};
 pub use assur_integrator::{Dependence, Piece, Reduced};
 pub use assur_plugin::RegistryError;
 pub use balance::{IdleBalance, Reactions, UnitBalance};
 pub use breaks::tolerance;
 pub use choice::Phase;
 pub use construction::{Acting, Construction, ConstructionStep, Drawing, VectorKind};
-pub use error::{LoadError, LoadFault};
+pub use error::{ForceError, LoadError, LoadFault};
 pub use friction::{
     Accelerations, Bearing, Block, Doubt, FreeMotion, FrictionForces, FrictionIteration, FrictionSolution,
     Frictions, Unknown, UnknownKind,

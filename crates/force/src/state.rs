@@ -6,7 +6,6 @@ use assur_mechanism::{Mechanism, Motion, passage};
 use assur_number::Lanes;
 
 use crate::breaks::tolerance;
-use crate::formula::variable_of;
 
 /// Where the mechanism is and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -111,7 +110,7 @@ impl Selection {
         let near = Variables { coordinate, speed, time, place: f64::NAN };
         let [way, delay] =
             [tolerance(coordinate, period), tolerance(time, None)].map(|least| distance * least);
-        match variable_of(used) {
+        match used.only() {
             Some(Variable::Coordinate) => {
                 Variables { coordinate: coordinate + self.ahead * self.sense * way, ..near }
             }

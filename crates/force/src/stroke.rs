@@ -9,8 +9,8 @@ use assur_number::search::{bisect, try_newton_root};
 
 use crate::LoadFault;
 use crate::breaks::Breaks;
+use crate::curve::Curve;
 use crate::grid::Span;
-use crate::law::Curve;
 
 /// Motion of a body at a coordinate, or why there is none.
 pub(crate) type BodyAt<'a> = dyn FnMut(f64) -> Result<Body<f64>, PositionError> + 'a;

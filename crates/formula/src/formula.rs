@@ -6,74 +6,21 @@ use std::sync::Arc;
 use assur_number::Dd;
 
 use crate::branches::Branches;
-use crate::number::Number;
+use crate::number::{Number, Sign};
 use crate::parse::{self, FormulaError};
-use crate::program::evaluate;
-use crate::program::{Kind, Operation};
+use crate::program::{DEPTH, Kind, Operation, Switch, Used, Variable, Variables};
 use crate::rounded::Rounded;
 use crate::slope::{Dual, Signed};
 
-pub use crate::program::Variable;
+/// How far ahead of a place the side of a switch is looked for, in the least distance that counts. Further ones are
+/// needed where the argument only touches zero at the place: `cos(q) - 1` is zero up to its rounding over 1e-8.
+const DISTANCES: [f64; 5] = [1.0, 1e2, 1e4, 1e6, 1e8];
 
-/// Values of the variables of a formula, SI.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Variables {
-    /// `q`: the input coordinate, rad or m.
-    pub coordinate: f64,
-    /// `w`: its speed, positive along the growing coordinate, rad/s or m/s.
-    pub speed: f64,
-    /// `t`: time, s.
-    pub time: f64,
-    /// `x`: place of a point between the extremes of its stroke, 0 to 1.
-    pub place: f64,
-}
+const VARIABLES: [Variable; 4] = [Variable::Coordinate, Variable::Speed, Variable::Time, Variable::Place];
 
-impl Variables {
-    /// The value of one variable.
-    pub fn get(&self, variable: Variable) -> f64 {
-        match variable {
-            Variable::Coordinate => self.coordinate,
-            Variable::Speed => self.speed,
-            Variable::Time => self.time,
-            Variable::Place => self.place,
-        }
-    }
-}
-
-/// Which variables are used.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "one for each of four variables")]
-pub struct Used {
-    /// `q`.
-    pub coordinate: bool,
-    /// `w`.
-    pub speed: bool,
-    /// `t`.
-    pub time: bool,
-    /// `x`.
-    pub place: bool,
-}
-
-impl Used {
-    /// How many of them.
-    pub(crate) fn count(self) -> usize {
-        [self.coordinate, self.speed, self.time, self.place].into_iter().filter(|used| *used).count()
-    }
-}
-
-/// A place in a formula at which one smooth branch ends and another begins: the argument of `sign`, `step` or `abs`, the
-/// difference of the arguments of `min` or `max`, or the first argument of `atan2` passes zero.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Switch {
-    /// Variables on which it depends.
-    pub used: Used,
-    /// Operations of its arguments.
-    pub(crate) operations: Range<usize>,
-    /// The function that switches.
-    pub(crate) kind: Kind,
-    /// Where it stands in the text, bytes.
-    pub span: Range<usize>,
-}
+/// Rounding of variables that follow from each other along a motion, relative to their sizes: some operations lead from
+/// the coordinate to the time. A variable alone is what it is.
+pub(crate) const OF_MOTION: f64 = 4.0 * f64::EPSILON;
 
 /// A formula.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,9 +32,6 @@ pub struct Formula {
 }
 
 impl Formula {
-    /// Greatest number of switches; their sides are bits of a number.
-    pub const MOST_SWITCHES: usize = 32;
-
     /// Reads a formula.
     ///
     /// # Examples
@@ -249,6 +193,55 @@ impl Formula {
         self.switches.iter().enumerate().map(|(index, switch)| u32::from(switch.kind.jumps()) << index).sum()
     }
 
+    /// The sign of the argument of a switch just ahead of a place, and the distance at which it shows; zero where the argument
+    /// is zero identically. `None` where the argument has no value. `ahead` gives the variables at a distance, in the
+    /// least distance that counts as ahead.
+    ///
+    /// An argument within its rounding has no sign.
+    pub fn side_ahead(&self, switch: usize, ahead: impl Fn(f64) -> Variables) -> (Option<Sign>, f64) {
+        let relative = if self.switches()[switch].used.count() > 1 { OF_MOTION } else { 0.0 };
+        let argument = |distance: f64| {
+            let at = ahead(distance);
+            self.argument_of(switch, |name| Rounded::variable(at.get(name), relative))
+        };
+        let [least, further @ ..] = DISTANCES;
+        let first = argument(least);
+        for (found, distance) in [(first, least)]
+            .into_iter()
+            .chain(further.into_iter().map(|distance| (argument(distance), distance)))
+        {
+            if let Some(side) = found.sign() {
+                return (Some(side), distance);
+            }
+        }
+        // Where nothing moves, the number itself is all that is known.
+        let [near, far] = [least, DISTANCES[DISTANCES.len() - 1]].map(&ahead);
+        // A variable that is not known does not move.
+        let moves = VARIABLES.iter().any(|name| near.get(*name).total_cmp(&far.get(*name)).is_ne());
+        let side = if first.value.is_nan() {
+            None
+        } else if moves {
+            Some(Sign::Zero)
+        } else {
+            Sign::of(first.value)
+        };
+        (side, least)
+    }
+
+    /// The sides of the jumps at a place, and as bits those whose arguments are zero within their rounding.
+    pub fn jumps_at(&self, at: &Variables) -> (Branches, u32) {
+        let (mut found, mut undecided) = (Branches::default(), 0);
+        let jumps = self.jumps();
+        for switch in (0..self.switches().len()).filter(|switch| jumps >> switch & 1 == 1) {
+            let argument = self.argument_of(switch, |name| Rounded::variable(at.get(name), OF_MOTION));
+            match argument.sign() {
+                Some(side @ (Sign::Negative | Sign::Positive)) => found.set(switch, side),
+                Some(Sign::Zero) | None => undecided |= u32::from(!argument.value.is_nan()) << switch,
+            }
+        }
+        (found, undecided)
+    }
+
     /// The argument of a switch.
     pub fn argument(&self, switch: usize, at: &Variables) -> f64 {
         self.argument_of(switch, |name| at.get(name))
@@ -288,4 +281,35 @@ fn used(operations: &[Operation]) -> Used {
         time: has(Variable::Time),
         place: has(Variable::Place),
     }
+}
+
+/// The result of operations that leave one number on the stack. `switch` gives the value of a function with a switch from
+/// its number and its arguments.
+#[inline]
+fn evaluate<N: Number>(
+    operations: &[Operation],
+    variable: impl Fn(Variable) -> N,
+    switch: impl Fn(Kind, usize, N, N) -> N,
+) -> N {
+    let mut stack = [N::of(0.0); DEPTH];
+    let mut top = 0;
+    for operation in operations {
+        let count = operation.operands();
+        top -= count;
+        let (one, other) = (stack[top], stack[(top + 1).min(DEPTH - 1)]);
+        stack[top] = match *operation {
+            Operation::Number(value) => N::of(value),
+            Operation::Variable(name) => variable(name),
+            Operation::Negate => one.negate(),
+            Operation::Add => one.add(other),
+            Operation::Subtract => one.add(other.negate()),
+            Operation::Multiply => one.multiply(other),
+            Operation::Divide => one.divide(other),
+            Operation::Power => one.power(other),
+            Operation::Call(function) => one.call(function),
+            Operation::Switch(kind, index) => switch(kind, index, one, other),
+        };
+        top += 1;
+    }
+    stack[0]
 }

@@ -21,9 +21,10 @@ mod rounded;
 mod slope;
 
 pub use branches::Branches;
-pub use formula::{Formula, Switch, Used, Variable, Variables};
+pub use formula::Formula;
 pub use number::Sign;
 pub use parse::{FUNCTIONS, FormulaError};
+pub use program::{Switch, Used, Variable, Variables};
 
 assur_words::resources!();
 

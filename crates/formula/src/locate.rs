@@ -4,10 +4,11 @@ use std::ops::Range;
 
 use assur_number::search::bisect;
 
-use crate::branches::{Branches, OF_MOTION};
-use crate::formula::{Formula, Variable, Variables};
+use crate::branches::Branches;
+use crate::formula::{Formula, OF_MOTION};
 use crate::interval::Interval;
 use crate::number::Sign;
+use crate::program::{Variable, Variables};
 use crate::rounded::Rounded;
 use crate::slope::{Dual, Signed};
 

@@ -12,9 +12,7 @@ use winnow::prelude::*;
 use winnow::stream::{LocatingSlice, Location};
 use winnow::token::{any, take_while};
 
-use crate::formula::{Formula, Switch, Used, Variable};
-use crate::program::DEPTH;
-use crate::program::{Function, Kind, Operation};
+use crate::program::{DEPTH, Function, Kind, MOST_SWITCHES, Operation, Switch, Used, Variable};
 
 /// What a formula may use, for messages.
 pub const FUNCTIONS: &str =
@@ -288,8 +286,8 @@ impl Writer<'_> {
         }
         let operations = start..self.operations.len();
         let operation = match operation {
-            Operation::Switch(..) if self.switches.len() == Formula::MOST_SWITCHES => {
-                return fault(text!("formula-many-switches", most = Formula::MOST_SWITCHES));
+            Operation::Switch(..) if self.switches.len() == MOST_SWITCHES => {
+                return fault(text!("formula-many-switches", most = MOST_SWITCHES));
             }
             Operation::Switch(kind, _) => {
                 self.switches.push(Switch { used: Used::default(), operations, kind, span: span.clone() });

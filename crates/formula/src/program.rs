@@ -1,6 +1,6 @@
 //! A formula as a sequence of operations on a stack.
 
-use crate::number::Number;
+use std::ops::Range;
 
 /// A quantity that a formula may use, all in SI.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,36 +93,79 @@ impl Operation {
     }
 }
 
+/// Greatest number of switches; their sides are bits of a number.
+pub(crate) const MOST_SWITCHES: usize = 32;
+
 /// Numbers that may wait on the stack; more nesting is refused when a formula is read.
 pub(crate) const DEPTH: usize = 32;
 
-/// The result of operations that leave one number on the stack. `switch` gives the value of a function with a switch from
-/// its number and its arguments.
-#[inline]
-pub(crate) fn evaluate<N: Number>(
-    operations: &[Operation],
-    variable: impl Fn(Variable) -> N,
-    switch: impl Fn(Kind, usize, N, N) -> N,
-) -> N {
-    let mut stack = [N::of(0.0); DEPTH];
-    let mut top = 0;
-    for operation in operations {
-        let count = operation.operands();
-        top -= count;
-        let (one, other) = (stack[top], stack[(top + 1).min(DEPTH - 1)]);
-        stack[top] = match *operation {
-            Operation::Number(value) => N::of(value),
-            Operation::Variable(name) => variable(name),
-            Operation::Negate => one.negate(),
-            Operation::Add => one.add(other),
-            Operation::Subtract => one.add(other.negate()),
-            Operation::Multiply => one.multiply(other),
-            Operation::Divide => one.divide(other),
-            Operation::Power => one.power(other),
-            Operation::Call(function) => one.call(function),
-            Operation::Switch(kind, index) => switch(kind, index, one, other),
-        };
-        top += 1;
+/// Values of the variables of a formula, SI.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Variables {
+    /// `q`: the input coordinate, rad or m.
+    pub coordinate: f64,
+    /// `w`: its speed, positive along the growing coordinate, rad/s or m/s.
+    pub speed: f64,
+    /// `t`: time, s.
+    pub time: f64,
+    /// `x`: place of a point between the extremes of its stroke, 0 to 1.
+    pub place: f64,
+}
+
+impl Variables {
+    /// The value of one variable.
+    pub fn get(&self, variable: Variable) -> f64 {
+        match variable {
+            Variable::Coordinate => self.coordinate,
+            Variable::Speed => self.speed,
+            Variable::Time => self.time,
+            Variable::Place => self.place,
+        }
     }
-    stack[0]
+}
+
+/// Which variables are used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "one for each of four variables")]
+pub struct Used {
+    /// `q`.
+    pub coordinate: bool,
+    /// `w`.
+    pub speed: bool,
+    /// `t`.
+    pub time: bool,
+    /// `x`.
+    pub place: bool,
+}
+
+impl Used {
+    /// How many of them.
+    pub(crate) fn count(self) -> usize {
+        [self.coordinate, self.speed, self.time, self.place].into_iter().filter(|used| *used).count()
+    }
+
+    /// The only variable, if it is one of those along which an integrator steps.
+    pub fn only(self) -> Option<Variable> {
+        match self {
+            Self { place: true, .. } => None,
+            Self { coordinate: true, speed: false, time: false, .. } => Some(Variable::Coordinate),
+            Self { coordinate: false, speed: true, time: false, .. } => Some(Variable::Speed),
+            Self { coordinate: false, speed: false, time: true, .. } => Some(Variable::Time),
+            _ => None,
+        }
+    }
+}
+
+/// A place in a formula at which one smooth branch ends and another begins: the argument of `sign`, `step` or `abs`, the
+/// difference of the arguments of `min` or `max`, or the first argument of `atan2` passes zero.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Switch {
+    /// Variables on which it depends.
+    pub used: Used,
+    /// Operations of its arguments.
+    pub(crate) operations: Range<usize>,
+    /// The function that switches.
+    pub(crate) kind: Kind,
+    /// Where it stands in the text, bytes.
+    pub span: Range<usize>,
 }

@@ -7,7 +7,7 @@ use assur_mechanism::{LinkId, Named};
 use assur_number::elementary;
 use serde::Serialize;
 
-use crate::rigid::RigidParts;
+use crate::rigid::{RigidParts, modulus};
 
 /// Centers of the motion of one link as seen from another link (or from the ground), in the frame of that one, m.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -168,8 +168,4 @@ pub(crate) fn center(one: &Body<f64>, two: &Body<f64>, scale: f64) -> CenterAt {
         return CenterAt::Direction(scaled(1.0 / size, perp(slip)));
     }
     CenterAt::Everywhere
-}
-
-pub(crate) fn modulus(v: [f64; 2]) -> f64 {
-    elementary::hypot(v[0], v[1])
 }

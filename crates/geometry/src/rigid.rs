@@ -4,9 +4,9 @@ use assur_group::plane::minus;
 use assur_group::{Body, GroupFrame, Pair};
 use assur_kinematics::{Linkage, Position};
 use assur_mechanism::{GROUND, LinkId, PairId};
+use assur_number::elementary;
 
 use crate::course::Cycle;
-use crate::instant::modulus;
 
 /// Rounding units of the terms of a relative velocity: of four products and their sums, in each of two bodies.
 const UNITS: f64 = 16.0;
@@ -114,4 +114,9 @@ fn rests(linkage: &Linkage, position: &Position, factors: &[f64], [one, other]: 
     let slip = modulus(minus([a.x1, a.y1], b.first(arm)));
     let terms = motion + b.w1.abs() * modulus(arm);
     slip + scale * (a.w1 - b.w1).abs() <= UNITS * f64::EPSILON * terms * (factors[one] + factors[other])
+}
+
+/// The length of a vector.
+pub(crate) fn modulus(v: [f64; 2]) -> f64 {
+    elementary::hypot(v[0], v[1])
 }

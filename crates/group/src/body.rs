@@ -274,3 +274,14 @@ impl<T: Real> Anchor<T> {
         }
     }
 }
+
+/// Order up to which transfer functions are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Order {
+    /// Places only (PF0).
+    Place,
+    /// Places and first derivatives (PF0, PF1).
+    First,
+    /// Places, first and second derivatives (PF0, PF1, PF2).
+    Second,
+}

@@ -2,18 +2,9 @@
 
 use assur_number::Real;
 
-use crate::{Body, GroupError, GroupFrame, Wrench, derive_generally, health_generally, reactions_generally};
-
-/// Order up to which transfer functions are computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Order {
-    /// Places only (PF0).
-    Place,
-    /// Places and first derivatives (PF0, PF1).
-    First,
-    /// Places, first and second derivatives (PF0, PF1, PF2).
-    Second,
-}
+use crate::{
+    Body, GroupError, GroupFrame, Order, Wrench, derive_generally, health_generally, reactions_generally,
+};
 
 /// One real assembly of a group at the poses of the bodies around it.
 #[derive(Debug, Clone)]

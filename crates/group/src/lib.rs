@@ -30,17 +30,18 @@ mod sparse;
 assur_words::resources!();
 
 pub use assur_plugin::RegistryError;
-pub use body::{Anchor, Body, Forces, Wrench};
+pub use body::{Anchor, Body, Forces, Order, Wrench};
 pub use builders::{Builders, GroupKind, Number};
 pub use closed::{Closed, ClosedForm, ClosedKind};
 pub use error::{BuildError, GroupError, LEAST_HEALTH};
-pub use general::{constraints, derive_generally, health_generally, reactions_generally};
+pub use general::{derive_generally, health_generally, reactions_generally};
 pub use joint::{PinJoint, SlideJoint, motion_at};
-pub use kernel::{AssurGroup, Mode, Order};
+pub use kernel::{AssurGroup, Mode};
 pub use newton::{Iterated, certify_generally, place_by_newton};
 pub use pair::{GroupFrame, Pair, PairGeometry};
 pub use pattern::{PairSort, Pattern, Reading, SeenPair};
 pub use registry::{Assemblies, ForceAngle, GroupPlugin, groups, kernel_of, plugin_for};
+pub use solver::constraints;
 
 pub use inventory;
 

@@ -5,9 +5,9 @@
 
 use assur_number::{Real, elementary};
 
-use crate::general::{derive_by, entries, guide, quadratic, reactions_under_generally, sized, unfit};
+use crate::general::{derive_by, quadratic, reactions_under_generally, sized, unfit};
 use crate::plane::{direction, minus, times, vector};
-use crate::solver::Solver;
+use crate::solver::{Solver, entries, guide};
 use crate::{
     AssurGroup, Body, BuildError, GroupError, GroupFrame, GroupKind, LEAST_HEALTH, Number, Order, Pair,
     PairGeometry, Wrench,

@@ -2,9 +2,9 @@
 
 use assur_number::Real;
 
-use crate::general::entries;
+use crate::plane::{direction, minus, vector};
 use crate::sparse::SparseLu;
-use crate::{Body, GroupFrame};
+use crate::{Body, GroupFrame, Pair, PairGeometry};
 
 /// The factored matrix J of a group, or its transpose.
 pub(crate) trait Solver<T: Real>: Sized {
@@ -99,6 +99,62 @@ impl<T: Real> Solver<T> for SparseLu<T> {
 
     fn is_positive(&self) -> bool {
         self.is_positive
+    }
+}
+
+/// Unit vector along the guide of a slide, in the frame of the ground.
+pub(crate) fn guide<T: Real>(bodies: &[Body<T>], carrier: usize, angle: f64) -> [T; 2] {
+    bodies[carrier].turned(direction(angle))
+}
+
+/// Arms of the point of application of a pair, on `a` and on `b`. A slide acts at the point of `a`.
+pub(crate) fn arms<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> ([T; 2], [T; 2]) {
+    match pair.geometry {
+        PairGeometry::Pin { at_a, at_b } => {
+            (bodies[pair.a].arm(vector(at_a)), bodies[pair.b].arm(vector(at_b)))
+        }
+        PairGeometry::Slide { point, .. } => {
+            let on_a = bodies[pair.a].arm(vector(point));
+            (on_a, minus(bodies[pair.a].point(vector(point)), bodies[pair.b].origin()))
+        }
+    }
+}
+
+/// The two constraint directions of a pair: for a pin x and y; for a slide the normal of its guide, and the angle.
+pub(crate) fn rows<T: Real>(pair: &Pair, bodies: &[Body<T>]) -> [Option<[T; 2]>; 2] {
+    match pair.geometry {
+        PairGeometry::Pin { .. } => [Some([T::ONE, T::ZERO]), Some([T::ZERO, T::ONE])],
+        PairGeometry::Slide { angle, .. } => {
+            let [c, s] = guide(bodies, pair.b, angle);
+            [Some([-s, c]), None]
+        }
+    }
+}
+
+/// The two constraints of a pair: for each the coefficients in it of the velocities of `a` and of `b`, of the origin in units of
+/// the scale and of the rotation.
+pub fn constraints<T: Real>(pair: &Pair, bodies: &[Body<T>], scale: f64) -> [[[T; 3]; 2]; 2] {
+    let inverse_scale = T::ONE / T::from_f64(scale);
+    let (on_a, on_b) = arms(pair, bodies);
+    rows(pair, bodies).map(|direction| {
+        [(on_a, T::ONE), (on_b, -T::ONE)].map(|(arm, sign)| match direction {
+            Some([nx, ny]) => [sign * nx, sign * ny, sign * (ny * arm[0] - nx * arm[1]) * inverse_scale],
+            None => [T::ZERO, T::ZERO, sign],
+        })
+    })
+}
+
+/// Calls a function with each entry of J in units of the scale that may differ from 0: row, column, entry.
+pub(crate) fn entries<T: Real>(frame: &GroupFrame, bodies: &[Body<T>], mut put: impl FnMut(usize, usize, T)) {
+    let is_zero = |entry: T| entry.abs().greatest() == 0.0;
+    for (k, pair) in frame.pairs().enumerate() {
+        for (row, sides) in constraints(pair, bodies, frame.scale).into_iter().enumerate() {
+            for (body, entries) in [pair.a, pair.b].into_iter().zip(sides) {
+                let Some(column) = frame.column(body) else { continue };
+                let entries = entries.into_iter().enumerate().filter(|(_, entry)| !is_zero(*entry));
+                entries.for_each(|(i, entry)| put(2 * k + row, 3 * column + i, entry));
+            }
+        }
     }
 }
 

@@ -8,8 +8,8 @@ use crate::branch::{Branch, Passage};
 use crate::dependence::Dependence;
 use crate::meeting::{Judge, Minimum};
 use crate::poses::Poses;
-use crate::samples::{Samples, Scratch, pose_distance};
-use crate::track::Tracker;
+use crate::samples::{Samples, Scratch};
+use crate::track::{Tracker, pose_distance};
 use crate::wide::{Assembly, Wide};
 use crate::{Chain, ChainError};
 

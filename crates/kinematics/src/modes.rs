@@ -2,7 +2,7 @@
 
 use assur_group::{AssurGroup, Body, GroupError, Mode};
 
-use crate::samples::pose_distance;
+use crate::track::pose_distance;
 use crate::{Linkage, Position};
 
 /// The modes of a group in a position, and which of them the mechanism is in.

@@ -2,10 +2,10 @@
 
 use assur_group::{AssurGroup, Body, GroupError};
 use assur_mechanism::GROUND;
-use assur_number::{Lanes, Real as _, elementary};
+use assur_number::{Lanes, Real as _};
 
 use crate::branch::Branch;
-use crate::track::{LONGEST, Tracker};
+use crate::track::{LONGEST, Tracker, pose_distance};
 
 /// A local minimum of the determinant among the samples that is above this can't belong to a zero between two of them.
 pub(crate) const SUSPECT: f64 = 0.2;
@@ -207,20 +207,6 @@ impl<'a> Samples<'a> {
             .clamp(sample.saturating_sub(1) as f64, last.min(sample + 1) as f64);
         Some(place - sample as f64)
     }
-}
-
-/// The greatest difference between two poses of the same links, of directions (rad) or of places (parts of the
-/// scale).
-pub(crate) fn pose_distance(
-    one: impl IntoIterator<Item = Body<f64>>,
-    other: impl IntoIterator<Item = Body<f64>>,
-    scale: f64,
-) -> f64 {
-    let apart = |(a, b): (Body<f64>, Body<f64>)| {
-        let place = elementary::hypot(a.x - b.x, a.y - b.y) / scale;
-        place.max(elementary::hypot(a.c - b.c, a.s - b.s))
-    };
-    one.into_iter().zip(other).map(apart).fold(0.0, f64::max)
 }
 
 /// Raises each number to the square of the distance of a pose from the one before, if that is greater; `by`: factor of

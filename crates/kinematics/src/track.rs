@@ -1,11 +1,11 @@
 //! Follows a group that iterates between two neighboring samples, in steps so short that its pose can't jump.
 
 use assur_group::{Body, GroupError};
+use assur_number::elementary;
 
 use crate::Chain;
 use crate::branch::Branch;
 use crate::dependence::Dependence;
-use crate::samples::pose_distance;
 use crate::wide::Assembly;
 
 /// Longest step of a pose, rad or parts of the scale: far less than what lies between two modes whose determinants have the
@@ -101,4 +101,18 @@ impl Tracker<'_> {
         kernel.place(&mut bodies, usize::from(way))?;
         Ok(links.iter().map(|&link| bodies[link]).collect())
     }
+}
+
+/// The greatest difference between two poses of the same links, of directions (rad) or of places (parts of the
+/// scale).
+pub(crate) fn pose_distance(
+    one: impl IntoIterator<Item = Body<f64>>,
+    other: impl IntoIterator<Item = Body<f64>>,
+    scale: f64,
+) -> f64 {
+    let apart = |(a, b): (Body<f64>, Body<f64>)| {
+        let place = elementary::hypot(a.x - b.x, a.y - b.y) / scale;
+        place.max(elementary::hypot(a.c - b.c, a.s - b.s))
+    };
+    one.into_iter().zip(other).map(apart).fold(0.0, f64::max)
 }

@@ -1,6 +1,6 @@
 //! The motion over the positions, or over its samples: coordinate, speed, acceleration, energies over time, moments of the loads over its way.
 
-use assur_analysis::results::{Column, Owner, Quantity, Table};
+use assur_analysis::results::{Column, Owner, Quantity};
 use assur_book::{Course, catalogue};
 use assur_figure::number::number;
 use assur_figure::{Axis, Cursor, Figure, Panel};
@@ -63,12 +63,12 @@ fn over_time(found: &Found, look: &Look<'_>) -> Vec<Panel> {
     let times = (0..=last).filter_map(|row| analysis.trajectory.get(row, time));
     let x = Axis::around(text!("motion-time"), times, 0.0);
     let panel = |(told, unit, of): (&'static str, String, Quantity)| {
-        let course = sampled(found, time, of);
+        let course = plots::sampled(found, time, of);
         let value = course.between(now).unwrap_or(f64::NAN);
         let cursor = Cursor { at: now, value: quantity(number(value), unit) };
         plots::curves(text!(told), vec![(text!(told), course)], (x.clone(), 1.0), Some(cursor))
     };
-    let energies = energies(found, time, (x.clone(), 1.0), now);
+    let energies = plots::energies(found, time, (x.clone(), 1.0), now);
     all.map(panel).into_iter().chain(energies).chain(loads_over_way(found, row)).collect()
 }
 
@@ -84,7 +84,7 @@ fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
     let curve = |owner| {
         let column = Column::of(Quantity::ReducedLoad, owner);
         let resists = table.get(last, Column::of(Quantity::Work, owner)).is_some_and(|work| work < 0.0);
-        let course = over_samples(found, place, column, if resists { -sense } else { sense });
+        let course = plots::over_samples(found, place, column, if resists { -sense } else { sense });
         let told =
             if let Owner::Load(_) = owner { schema.named(owner)?.into() } else { catalogue::kind(column) };
         let told = if resists { text!("regime-against", load = told) } else { told };
@@ -100,35 +100,4 @@ fn loads_over_way(found: &Found, row: usize) -> Option<Panel> {
     let alone = curves.iter().map(|(told, _)| told.clone()).filter(|_| curves.len() == 1);
     let title = joined(": ", std::iter::once(text!("motion-loads")).chain(alone));
     Some(plots::curves(title, curves, (x, 1.0), Some(now.into())))
-}
-
-/// A quantity of the input over the samples of the motion: over their times, or over their coordinates.
-fn sampled(found: &Found, over: Column, quantity: Quantity) -> Course {
-    over_samples(found, over, Column::of(quantity, Owner::Input), 1.0)
-}
-
-/// A column over the samples of the motion, times a factor; where the motion comes to rest, the value before it comes first.
-fn over_samples(found: &Found, over: Column, column: Column, factor: f64) -> Course {
-    let point = |table: &Table, row| Some([table.get(row, over)?, factor * table.get(row, column)?]);
-    let samples = &found.analysis.trajectory;
-    let points = (0..samples.len()).flat_map(|row| {
-        let before = found.stops.row_of(samples.numbers()[row]).and_then(|row| point(&found.stops, row));
-        before.into_iter().chain(point(samples, row))
-    });
-    Course::from_points(points)
-}
-
-/// The works of the driving and the resisting loads and of dry friction, and the kinetic energy at the samples of the motion; `None` where they are
-/// not known.
-pub(crate) fn energies(found: &Found, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
-    let all = [
-        ("regime-driving-work", Quantity::DrivingWork),
-        ("regime-resisting-work", Quantity::ResistingWork),
-        ("regime-kinetic-energy", Quantity::KineticEnergy),
-    ];
-    let mut curves: Vec<_> = all.map(|(told, of)| (text!(told), sampled(found, over, of))).into();
-    let known = curves.iter().all(|(_, course)| !course.is_empty());
-    let friction = sampled(found, over, Quantity::FrictionWork);
-    curves.extend((!friction.is_empty()).then(|| (text!("regime-friction-work"), friction)));
-    known.then(|| plots::curves(text!("regime-energies"), curves, x, Some(cursor.into())))
 }

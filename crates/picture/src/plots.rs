@@ -1,12 +1,13 @@
 //! Panels of figures: curves over the positions or over time, and vectors in a plane of their own.
 
+use assur_analysis::results::{Column, Owner, Quantity, Table};
 use assur_book::{Course, Node};
 use assur_figure::number::digits;
 use assur_figure::{Axis, AxisKind, Bounds, Cursor, Frame, Ink, Item, Panel, Point, Sign, Stroke};
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, name, number, text, unit};
 
-use crate::{Look, Series, coordinate_at, coordinate_unit};
+use crate::{Found, Look, Series, coordinate_at, coordinate_unit};
 
 /// Positions that are marked on a curve at most; more of them would hide it.
 const MARKED: usize = 24;
@@ -190,4 +191,35 @@ pub fn one_scale(panels: &mut [Panel]) {
             *bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
         }
     }
+}
+
+/// A quantity of the input over the samples of the motion: over their times, or over their coordinates.
+pub(crate) fn sampled(found: &Found, over: Column, quantity: Quantity) -> Course {
+    over_samples(found, over, Column::of(quantity, Owner::Input), 1.0)
+}
+
+/// A column over the samples of the motion, times a factor; where the motion comes to rest, the value before it comes first.
+pub(crate) fn over_samples(found: &Found, over: Column, column: Column, factor: f64) -> Course {
+    let point = |table: &Table, row| Some([table.get(row, over)?, factor * table.get(row, column)?]);
+    let samples = &found.analysis.trajectory;
+    let points = (0..samples.len()).flat_map(|row| {
+        let before = found.stops.row_of(samples.numbers()[row]).and_then(|row| point(&found.stops, row));
+        before.into_iter().chain(point(samples, row))
+    });
+    Course::from_points(points)
+}
+
+/// The works of the driving and the resisting loads and of dry friction, and the kinetic energy at the samples of the motion; `None` where they are
+/// not known.
+pub(crate) fn energies(found: &Found, over: Column, x: (Axis, f64), cursor: f64) -> Option<Panel> {
+    let all = [
+        ("regime-driving-work", Quantity::DrivingWork),
+        ("regime-resisting-work", Quantity::ResistingWork),
+        ("regime-kinetic-energy", Quantity::KineticEnergy),
+    ];
+    let mut works: Vec<_> = all.map(|(told, of)| (text!(told), sampled(found, over, of))).into();
+    let known = works.iter().all(|(_, course)| !course.is_empty());
+    let friction = sampled(found, over, Quantity::FrictionWork);
+    works.extend((!friction.is_empty()).then(|| (text!("regime-friction-work"), friction)));
+    known.then(|| curves(text!("regime-energies"), works, x, Some(cursor.into())))
 }

@@ -10,7 +10,6 @@ use assur_figure::{Axis, AxisKind, Bounds, Frame, Ink, Item, Key, Panel, Point, 
 use assur_kinematics::Linkage;
 use assur_words::{Text, joined, list, name, number, quantity, text, unit};
 
-use crate::motion::energies;
 use crate::{Found, Look, coordinate_at, coordinate_unit, plots};
 
 /// A quantity of the regime over the cycle; where `read` gives none, the course has none.
@@ -36,7 +35,8 @@ pub(crate) fn course(found: &Found, regime: &RegimeOverCycle, look: &Look<'_>) -
         axis(&found.linkage),
         Some(cursor(&found.linkage, look).into()),
     );
-    let energies = energies(found, Column::COORDINATE, axis(&found.linkage), cursor(&found.linkage, look));
+    let energies =
+        plots::energies(found, Column::COORDINATE, axis(&found.linkage), cursor(&found.linkage, look));
     [speed, moments(found, regime, look)].into_iter().chain(energies).collect()
 }
 

@@ -2,16 +2,22 @@
 
 use std::collections::BTreeSet;
 
-use assur_mechanism::{GROUND, Input, Load, LoadId, LoadKind, Name};
+use assur_mechanism::{GROUND, Input, InputPair, Load, LoadId, LoadKind, Name};
 use assur_words::{Text, text};
 
 use crate::error::Fault;
-use crate::input::coordinate_of;
-
 use crate::linkage::SceneLinks;
 use crate::text::shown;
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
+
+/// The dimension and meaning of an input's coordinate.
+pub(crate) fn coordinate_of(pair: InputPair) -> Dimension {
+    match pair {
+        InputPair::Pin(_) => Dimension::Angle,
+        InputPair::Slide(_) => Dimension::Length,
+    }
+}
 
 /// What is known after links, slides and input have been read.
 #[derive(Debug)]

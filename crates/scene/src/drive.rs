@@ -10,8 +10,7 @@ use assur_words::{name, text};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::loads::exclude;
-use crate::text::{brief, shown, such_as};
+use crate::text::{brief, exclude, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 

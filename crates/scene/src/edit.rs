@@ -12,7 +12,7 @@ use assur_mechanism::Key;
 use assur_words::Text;
 use toml::de::DeTable;
 
-pub(crate) use find::{element_name, place, within};
+pub(crate) use find::{place, within};
 pub use values::{SceneValue, bare};
 pub use values::{decimal, quoted, split};
 

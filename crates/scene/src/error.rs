@@ -4,11 +4,12 @@ use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::ops::Range;
 
-use assur_mechanism::{Key, Notice};
-use assur_words::Text;
+use assur_mechanism::{Key, LONGEST_NAME, Notice};
+use assur_words::{Text, text};
 use toml::de::DeTable;
 
 use crate::reading::{Told, keys};
+use crate::text::shown;
 
 /// One fault of a scene file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -161,6 +162,15 @@ impl Faults {
 
     pub(crate) fn push(&self, fault: Fault) {
         self.note(|| fault);
+    }
+
+    /// Notes a name or title that is too long; `span`: where it stands.
+    pub(crate) fn check_name(&self, span: &Range<usize>, name: &str) {
+        let count = name.chars().count();
+        if count > LONGEST_NAME {
+            let message = text!("scene-long-name", name = shown(name), count = count, most = LONGEST_NAME);
+            self.push(Fault::new(span.clone(), message).label(text!("scene-take-shorter")));
+        }
     }
 
     /// Notes what is allowed, but probably not meant.

@@ -6,11 +6,10 @@ use assur_mechanism::{GROUND, Input, InputPair, LinkId, Range, Sense};
 
 use assur_words::{name, number, quantity, text};
 
+use crate::context::coordinate_of;
 use crate::linkage::SceneLinks;
-use crate::links::on_ground;
-use crate::loads::exclude;
 use crate::reference;
-use crate::text::{rounded, row, shown};
+use crate::text::{exclude, rounded, row, shown};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
 
@@ -46,20 +45,12 @@ pub(crate) fn read(root: &Section<'_>, linkage: &SceneLinks) -> Option<Input> {
     Some(Input { link: link?.0, pair: pair?, from, positions, range, direction })
 }
 
-/// The dimension and meaning of an input's coordinate.
-pub(crate) fn coordinate_of(pair: InputPair) -> Dimension {
-    match pair {
-        InputPair::Pin(_) => Dimension::Angle,
-        InputPair::Slide(_) => Dimension::Length,
-    }
-}
-
 /// The single pair between the link and the ground.
 fn pair(linkage: &SceneLinks, link: LinkId, entry: &Entry<'_>) -> Option<InputPair> {
     let stands = |id: usize, link| linkage.points[id].places.iter().any(|place| place.link == link);
     let pins =
         (0..linkage.points.len()).filter(|&id| stands(id, GROUND) && stands(id, link)).map(InputPair::Pin);
-    let slides = on_ground(linkage, link).into_iter().map(InputPair::Slide);
+    let slides = linkage.on_ground(link).map(InputPair::Slide);
     let pairs: Vec<InputPair> = pins.chain(slides).collect();
     if let [pair] = pairs[..] {
         return Some(pair);

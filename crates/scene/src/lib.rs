@@ -41,9 +41,8 @@ use linkage::SceneLinks;
 use walk::{Known, Section};
 
 pub use error::{SceneError, SceneErrors};
-pub use reading::{Reading, SceneNumber};
+pub use reading::{Note, Reading, SceneNumber};
 pub use units::{Dimension, LEAST, Unit, UnitError, UnitFault, quantity};
-pub use wishes::Note;
 
 assur_words::resources!();
 
@@ -85,7 +84,8 @@ fn read_as(file_name: &str, text: &str, faults: Faults) -> Result<Reading, Scene
     document::read_known((file_name, text), text!("scene-a-scene"), known, faults, |root| {
         let (mechanism, note) = scene(root);
         let told = root.faults.told.as_ref().filter(|_| root.faults.is_empty());
-        let numbers = told.map(|told| told.take().numbers(root, mechanism.clone())).unwrap_or_default();
+        let numbers =
+            told.map(|told| told.take().numbers(root.table(), mechanism.clone())).unwrap_or_default();
         Reading { mechanism, note, numbers }
     })
 }
@@ -105,7 +105,7 @@ fn scene(root: &Section<'_>) -> (Mechanism, Note) {
     }
     let title = root.get("title").and_then(|entry| {
         let title = entry.line()?;
-        limits::check_name(&entry, &entry.span, &title);
+        entry.faults.check_name(&entry.span, &title);
         Some(title)
     });
     let title = title.unwrap_or_default();

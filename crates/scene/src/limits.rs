@@ -1,14 +1,11 @@
 //! What a scene has at most of anything that takes memory: counted before anything is read.
 
-use std::ops::Range;
-
-use assur_mechanism::{LONGEST_NAME, MOST_LINKS, MOST_LOADS, MOST_PLACES, MOST_SLIDES};
+use assur_mechanism::{MOST_LINKS, MOST_LOADS, MOST_PLACES, MOST_SLIDES};
 use assur_words::{Text, text};
 use toml::de::DeValue;
 
 use crate::error::Fault;
 use crate::loads::SORTS;
-use crate::text::shown;
 use crate::walk::{Entry, Section};
 
 /// Whether the scene has too many of anything; noted at the first that is too many.
@@ -30,15 +27,6 @@ pub(crate) fn exceeded(root: &Section<'_>) -> bool {
 /// How many loads the scene has.
 pub(crate) fn loads(root: &Section<'_>) -> usize {
     SORTS.iter().filter_map(|sort| root.get(sort.list)).map(|entry| parts(&entry).len()).sum()
-}
-
-/// Notes a name or title that is too long; `span`: where it stands.
-pub(crate) fn check_name(entry: &Entry<'_>, span: &Range<usize>, name: &str) {
-    let count = name.chars().count();
-    if count > LONGEST_NAME {
-        let message = text!("scene-long-name", name = shown(name), count = count, most = LONGEST_NAME);
-        entry.note(Fault::new(span.clone(), message).label(text!("scene-take-shorter")));
-    }
 }
 
 /// The parts of a table or list.

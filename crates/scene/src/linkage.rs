@@ -11,7 +11,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use crate::error::{Fault, Faults};
-use crate::numbers::Bound;
+use crate::reference::Bound;
 use crate::text::{did_you_mean, nearest, row, shown};
 use crate::units::{Dimension, quantity};
 use crate::walk::{Entry, Section};
@@ -89,6 +89,12 @@ impl SceneLinks {
         let name = entry.text(text!("scene-name-of-a-slide"))?;
         let names = self.slides.iter().map(|slide| slide.name.as_str());
         Self::known(entry, ("slide", name), names.clone().position(|slide| slide == name), names)
+    }
+
+    /// Slides between a link and the ground, in either order.
+    pub(crate) fn on_ground(&self, link: LinkId) -> impl Iterator<Item = SlideId> {
+        let joins = move |slide: &Slide| slide.link == link && slide.on == GROUND;
+        (0..self.slides.len()).filter(move |&index| joins(&self.slides[index]))
     }
 
     pub(crate) fn point_named(&self, name: &str) -> Option<PointId> {

@@ -9,7 +9,6 @@ use assur_words::{Text, joined, text};
 use crate::edit::place;
 use crate::error::Fault;
 use crate::inertia;
-use crate::limits;
 use crate::linkage::{SceneLinks, coordinates};
 use crate::reference;
 use crate::text::{is_unprintable, row, shown, such_as};
@@ -101,7 +100,7 @@ fn check_name(entry: &Entry<'_>, message: &'static str) {
         let fault = Fault::new(entry.key.clone(), text!(message, name = shown(name)));
         entry.faults.push(fault.label(text!("scene-what-is-a-name")));
     }
-    limits::check_name(entry, &entry.key, name);
+    entry.faults.check_name(&entry.key, name);
 }
 
 fn add_mass(linkage: &mut SceneLinks, (id, first): (LinkId, Option<PointId>), section: &Section<'_>) {
@@ -202,10 +201,4 @@ fn name(section: &Section<'_>, linkage: &mut SceneLinks, default: Text) -> Name 
         section.faults.push(fault.label(text!("scene-own-name")));
     }
     name
-}
-
-/// Slides between a link and the ground, in either order.
-pub(crate) fn on_ground(linkage: &SceneLinks, link: usize) -> Vec<usize> {
-    let joins = |slide: &Slide| slide.link == link && slide.on == GROUND;
-    (0..linkage.slides.len()).filter(|&index| joins(&linkage.slides[index])).collect()
 }

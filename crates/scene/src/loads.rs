@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 
 use assur_mechanism::{Brake, Direction, Force, Load, LoadId, LoadKind, Moment, Value};
-use assur_words::{Text, name, text};
+use assur_words::{name, text};
 
 use crate::context::{Context, Sort};
 use crate::joints::{contact, spring};
 use crate::linkage::pair;
-use crate::text::shown;
+use crate::text::{exclude, shown};
 use crate::units::Dimension;
 use crate::value;
 use crate::walk::{Section, quoted};
@@ -26,11 +26,6 @@ pub(crate) fn gravity(root: &Section<'_>) -> Option<[f64; 2]> {
         entry.fault(text!("scene-gravity-upward"), text!("scene-or-both-components"));
     }
     Some([0.0, -size])
-}
-
-/// That two keys exclude each other.
-pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
-    text!("scene-exclude", one = one, other = other)
 }
 
 /// Reads all loads: forces, moments, brakes, springs, contacts.

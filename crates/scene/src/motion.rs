@@ -8,7 +8,7 @@ use assur_words::{Text, name as words, number, text};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::numbers::Bound;
+use crate::reference::Bound;
 use crate::reference::table;
 use crate::text::{brief, did_you_mean, shown, such_as};
 use crate::units::{Dimension, UnitFault, is_bare, measures, quantity};

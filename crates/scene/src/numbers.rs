@@ -1,38 +1,15 @@
 //! Numbers and quantities in the file.
 
 use std::f64::consts::TAU;
-use std::ops::{Bound as End, RangeBounds};
+use std::ops::RangeBounds;
 
-use assur_words::{Describe, Text, joined, name, number, quantity as with_unit, text, unit};
+use assur_words::{Describe, Text, name, number, quantity as with_unit, text, unit};
 use toml::de::DeValue;
 
-use crate::text::{did_you_mean, shown, such_as};
+use crate::reference::Bound;
+use crate::text::{did_you_mean, in_quotes, shown, such_as};
 use crate::units::{Dimension, UnitFault, is_bare, quantity, within};
-use crate::walk::Entry;
-
-/// The range of a number, besides being finite.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Bound {
-    /// Anything.
-    Any,
-    NotNegative,
-    /// Greater than 0.
-    Positive,
-    /// An angle that is a direction.
-    Direction,
-}
-
-impl Bound {
-    /// Both ends of the range.
-    fn ends(self) -> (End<f64>, End<f64>) {
-        match self {
-            Self::Any => (End::Unbounded, End::Unbounded),
-            Self::NotNegative => (End::Included(0.0), End::Unbounded),
-            Self::Positive => (End::Excluded(0.0), End::Unbounded),
-            Self::Direction => (End::Included(-MOST_DIRECTION), End::Included(MOST_DIRECTION)),
-        }
-    }
-}
+use crate::walk::{Entry, kind};
 
 /// The greatest bare angle that is not doubted, rad: a turn.
 const MOST_BARE_ANGLE: f64 = TAU;
@@ -44,9 +21,6 @@ fn is_in_quarter_turns(angle: f64) -> bool {
     let quarters = angle / (TAU / 4.0);
     (quarters - quarters.round()).abs() <= 1e-7 * quarters.abs()
 }
-
-/// The greatest angle of a direction, rad, 1000 turns: a greater one would lose more than four of its 16 digits.
-const MOST_DIRECTION: f64 = 1000.0 * TAU;
 
 impl Entry<'_> {
     /// Reads a bare number (SI) or a text with a unit. Without a dimension (which another fault has hidden) any unit
@@ -121,7 +95,7 @@ impl Entry<'_> {
             DeValue::String(text) => in_quotes(text),
             DeValue::Integer(number) => shown(&number.to_string()),
             DeValue::Float(number) => shown(&number.to_string()),
-            other => crate::walk::kind(other),
+            other => kind(other),
         }
     }
 
@@ -228,9 +202,4 @@ fn example(wanted: Dimension) -> Text {
         Dimension::Number => such_as("0.5"),
         _ => text!("scene-such-as-or-in", example = in_quotes(wanted.example()), unit = name(wanted.si())),
     }
-}
-
-/// A text of the scene with the quotes of TOML.
-pub(crate) fn in_quotes(text: &str) -> Text {
-    joined("", [name("\""), shown(text), name("\"")])
 }

@@ -9,10 +9,22 @@ use assur_mechanism::{Key, Mechanism, Step};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::Note;
-use crate::edit::element_name;
 use crate::units::{self, Dimension};
-use crate::walk::Section;
+
+/// What a scene says about its explanatory note.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Note {
+    /// Who wrote it.
+    pub author: Option<String>,
+    /// The group of the author.
+    pub group: Option<String>,
+    /// The variant of the task.
+    pub variant: Option<String>,
+    /// Its language: `en`, `uk` or `ru`.
+    pub language: &'static str,
+    /// Numbers of the positions that are drawn and worked out; empty: chosen by the program.
+    pub positions: Vec<usize>,
+}
 
 /// A scene that was read.
 #[derive(Debug)]
@@ -138,8 +150,8 @@ impl Told {
     }
 
     /// All numbers with their keys and places in the mechanism, which is lost.
-    pub(crate) fn numbers(self, root: &Section<'_>, mut mechanism: Mechanism) -> Vec<SceneNumber> {
-        let keys = keys(root.table());
+    pub(crate) fn numbers(self, root: &DeTable<'_>, mut mechanism: Mechanism) -> Vec<SceneNumber> {
+        let keys = keys(root);
         let mut all: Vec<SceneNumber> = Vec::with_capacity(self.numbers.len());
         let mut told = self.numbers;
         told.sort_by_key(|(span, ..)| span.start);
@@ -206,4 +218,13 @@ fn within(step: Step, value: &Spanned<DeValue<'_>>, steps: &mut Vec<Step>, keys:
         }
     }
     steps.pop();
+}
+
+/// The name of a load; of a slide its name or default name; of a friction its pair.
+pub(crate) fn element_name(value: &DeValue<'_>) -> Option<String> {
+    let DeValue::Table(table) = value else { return None };
+    let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
+    let default = || Some(format!("{}/{}", text("link")?, text("on")?));
+    let pair = || text("pair").map(str::to_owned);
+    text("name").map(str::to_owned).or_else(default).or_else(pair)
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use assur_mechanism::appearance;
-use assur_words::{Text, name, number, text};
+use assur_words::{Text, joined, name, number, text};
 
 /// The longest piece of a scene that a message quotes, in characters.
 const LONGEST: usize = 40;
@@ -93,4 +93,14 @@ pub(crate) fn listed(mut names: Vec<String>, most: usize) -> Text {
     names.truncate(most);
     let shown = name(names.join(", "));
     if more == 0 { shown } else { text!("scene-and-more", names = shown, more = more) }
+}
+
+/// A text of the scene with the quotes of TOML.
+pub(crate) fn in_quotes(text: &str) -> Text {
+    joined("", [name("\""), shown(text), name("\"")])
+}
+
+/// That two keys exclude each other.
+pub(crate) fn exclude([one, other]: [Text; 2]) -> Text {
+    text!("scene-exclude", one = one, other = other)
 }

@@ -9,9 +9,9 @@ use assur_words::{Describe, Text, joined, number, text, unit};
 
 use crate::context::Context;
 use crate::error::Fault;
-use crate::numbers::{Bound, in_quotes};
+use crate::reference::Bound;
 use crate::reference::table;
-use crate::text::{brief, rounded, shown, such_as};
+use crate::text::{brief, in_quotes, rounded, shown, such_as};
 use crate::units::{Dimension, quantity, within};
 use crate::walk::{Entry, Known, Section};
 

@@ -13,10 +13,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{Fault, Faults};
-use crate::limits;
-use crate::numbers::in_quotes;
 use crate::reference::{KeyDefault, KeyTable, SceneKey, ValueKind, table};
-use crate::text::{did_you_mean, is_unprintable, nearest, row, shown};
+use crate::text::{did_you_mean, in_quotes, is_unprintable, nearest, row, shown};
 use crate::units::Dimension;
 
 /// A table of the file with a known set of keys.
@@ -202,7 +200,7 @@ impl<'a> Section<'a> {
         let given = entry.as_ref().and_then(|entry| entry.text(text!("scene-a-name")));
         let name = given.map_or_else(|| default().into(), Name::from);
         if let Some(entry) = &entry {
-            limits::check_name(entry, &entry.span, &name);
+            self.faults.check_name(&entry.span, &name);
         }
         (name, entry.map_or(self.span.clone(), |entry| entry.span))
     }

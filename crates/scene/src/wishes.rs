@@ -5,6 +5,7 @@ use assur_mechanism::{Balance, Output, PairId, PointId};
 use assur_words::{name, text};
 
 use crate::linkage::{SceneLinks, pair};
+use crate::reading::Note;
 use crate::text::{row, shown, such_as};
 use crate::units::Dimension;
 use crate::walk::{Entry, Section};
@@ -96,21 +97,6 @@ const LANGUAGES: [(&str, &str); 3] = [("en", "en"), ("uk", "uk"), ("ru", "ru")];
 
 /// Most positions that a note draws and works out.
 const MOST_POSITIONS: usize = 12;
-
-/// What a scene says about its explanatory note.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Note {
-    /// Who wrote it.
-    pub author: Option<String>,
-    /// The group of the author.
-    pub group: Option<String>,
-    /// The variant of the task.
-    pub variant: Option<String>,
-    /// Its language: `en`, `uk` or `ru`.
-    pub language: &'static str,
-    /// Numbers of the positions that are drawn and worked out; empty: chosen by the program.
-    pub positions: Vec<usize>,
-}
 
 /// Reads `[note]`; `positions` is the number of positions of the scene, where it is known.
 pub(crate) fn read(root: &Section<'_>, positions: Option<usize>) -> Note {

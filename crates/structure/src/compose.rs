@@ -6,8 +6,7 @@ use assur_group::{GroupFrame, Pair, plugin_for};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, Name, PairId, Point, likeness};
 use assur_words::{Text, joined, name, text};
 
-use crate::excess::LeftOut;
-use crate::frame::{Incidence, frame_of, input_pair, pair_alone, typical_length};
+use crate::frame::{Incidence, LeftOut, frame_of, input_pair, pair_alone, typical_length};
 use crate::graph::{Block, Graph, Node};
 use crate::{
     Counted, Group, Mobility, NamedPair, Passive, PassivePart, Structure, StructureError, name_of, roman,
@@ -291,4 +290,21 @@ fn path_without(frame: &GroupFrame, joined: &HashMap<LinkId, Vec<usize>>, skippe
         }
     }
     None
+}
+
+/// What the count of equations says of a mechanism without some parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Excess {
+    /// Number of surplus constraints.
+    pub surplus: usize,
+    /// Whether a link can move while the input is fixed.
+    pub loose: bool,
+}
+
+impl Excess {
+    /// Counts; nothing is solved, and lengths don't matter.
+    pub fn of(mechanism: &Mechanism, without: &[PassivePart]) -> Self {
+        let graph = counted_system(mechanism, &LeftOut::of(mechanism, without));
+        Self { surplus: graph.unmatched(), loose: graph.is_loose() }
+    }
 }

@@ -1,11 +1,46 @@
-//! The links and pairs of a group, as indices and lengths in the compiled chain.
+//! The links and pairs of a group, as indices and lengths in the compiled chain, without the parts that are left out.
+
+use std::collections::HashSet;
 
 use assur_group::{GroupFrame, Pair, PairGeometry};
 use assur_mechanism::{GROUND, InputPair, LinkId, Mechanism, PairId, Place, PointId, Slide, SlideId};
 use assur_number::elementary;
 
-use crate::excess::LeftOut;
-use crate::{NamedPair, Structure};
+use crate::{NamedPair, PassivePart, Structure};
+
+/// The parts that are left out.
+pub(crate) struct LeftOut {
+    links: Vec<bool>,
+    pairs: HashSet<(PairId, LinkId)>,
+}
+
+impl LeftOut {
+    pub(crate) fn of(mechanism: &Mechanism, parts: &[PassivePart]) -> Self {
+        let mut found = Self { links: vec![false; mechanism.links.len()], pairs: HashSet::new() };
+        for part in parts {
+            match *part {
+                PassivePart::Link(link) => found.links[link] = true,
+                PassivePart::Pair(pair, link) => _ = found.pairs.insert((pair, link)),
+            }
+        }
+        found
+    }
+
+    /// Whether a link is left out.
+    pub(crate) fn link(&self, link: LinkId) -> bool {
+        self.links[link]
+    }
+
+    /// Whether a pair of a link is left out, alone or with the link.
+    pub(crate) fn pair(&self, pair: PairId, link: LinkId) -> bool {
+        self.link(link) || self.is_alone(pair, link)
+    }
+
+    /// Whether a pair of a link is left out by itself.
+    pub(crate) fn is_alone(&self, pair: PairId, link: LinkId) -> bool {
+        self.pairs.contains(&(pair, link))
+    }
+}
 
 /// Points and slides of each link, in the order of the scene.
 pub(crate) struct Incidence {

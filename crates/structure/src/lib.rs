@@ -9,15 +9,14 @@
 
 mod compose;
 mod error;
-mod excess;
 mod frame;
 mod graph;
 mod taken_apart;
 
 assur_words::resources!();
 
+pub use compose::Excess;
 pub use error::{Counted, StructureError};
-pub use excess::Excess;
 pub use taken_apart::{Group, Mobility, NamedPair, Passive, PassivePart, Structure, name_of, roman};
 
 #[cfg(test)]

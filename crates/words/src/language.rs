@@ -1,10 +1,11 @@
 //! Texts in a language.
 
-use std::fmt;
+use std::fmt::{self, Display};
 use std::sync::OnceLock;
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use serde::{Serialize, Serializer};
 use unic_langid::LanguageIdentifier;
 
 use crate::Text;
@@ -195,4 +196,23 @@ macro_rules! resources {
             }
         })*
     };
+}
+
+impl Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&Language::english().render(self))
+    }
+}
+
+impl Serialize for Text {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl Text {
+    /// The text in a language.
+    pub fn render(&self, language: &Language) -> String {
+        language.render(self)
+    }
 }

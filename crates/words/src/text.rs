@@ -1,16 +1,12 @@
 //! A text by its identity and values.
 
 use std::borrow::Cow;
-use std::fmt::{self, Display};
+use std::fmt::Display;
 use std::io;
-
-use serde::{Serialize, Serializer};
-
-use crate::Language;
 
 /// A text that a person reads, before it is put into a language.
 ///
-/// Its [`Display`] is English: so JSON has it, which is never translated.
+/// Its `Display` is English: so JSON has it, which is never translated.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Text(pub(crate) Content);
 
@@ -92,29 +88,12 @@ impl Text {
     pub fn short(self) -> Self {
         Self(Content::Short(Box::new(self)))
     }
-
-    /// The text in a language.
-    pub fn render(&self, language: &Language) -> String {
-        language.render(self)
-    }
 }
 
 impl Default for Text {
     /// The empty text.
     fn default() -> Self {
         name("")
-    }
-}
-
-impl Display for Text {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&Language::english().render(self))
-    }
-}
-
-impl Serialize for Text {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
     }
 }
 

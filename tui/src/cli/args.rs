@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use assur_fixtures::SCENES;
 use assur_words::LANGUAGES;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
@@ -72,7 +73,7 @@ pub(crate) enum Command {
         /// File to write; must not exist
         file: PathBuf,
         /// Mechanism of the scene (default: a slider-crank compressor)
-        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(super::shell::kinds()))]
+        #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(SCENES.iter().map(|(name, _)| *name)))]
         kind: Option<String>,
     },
     /// Print the default configuration of the terminal UI, commented

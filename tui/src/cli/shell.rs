@@ -36,11 +36,6 @@ pub(crate) fn man() -> Result<Status, Fault> {
     Ok(Status::Done)
 }
 
-/// The mechanisms of which a scene can be written.
-pub(crate) fn kinds() -> impl Iterator<Item = &'static str> {
-    SCENES.iter().map(|(name, _)| *name)
-}
-
 /// Writes a scene to start from.
 pub(crate) fn new(path: &Path, kind: Option<&str>) -> Result<Status, Fault> {
     let scene =

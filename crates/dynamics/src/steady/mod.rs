@@ -19,8 +19,7 @@ mod solution;
 mod solver;
 mod tuning;
 
-pub use regime::{
-    CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Iteration, Regime, RegimeState,
-    TorqueRequest, Trial,
-};
+pub use regime::{CycleRequest, DriveRequest, Effort, Figures, FlywheelByMethod, Regime, TorqueRequest};
+pub use solution::{Iteration, RegimeState};
 pub use solver::RegimeSolver;
+pub use tuning::Trial;

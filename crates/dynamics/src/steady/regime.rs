@@ -6,8 +6,8 @@ use assur_words::Text;
 use serde::Serialize;
 
 use super::path::Values;
-use super::solution::{CycleSolution, Extreme};
-use super::tuning::Tuned;
+use super::solution::{CycleSolution, Extreme, Iteration, RegimeState};
+use super::tuning::{Trial, Tuned};
 use crate::drive::{InputDrive, TorqueSource};
 
 /// The figures of a periodic regime. Speeds and coordinates have the signs of the coordinate; "least" and "greatest"
@@ -166,35 +166,6 @@ impl Regime {
     }
 }
 
-/// One cycle of the iteration to the periodic regime (S fig. 10).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Iteration {
-    /// Number of the cycle, from 1.
-    pub number: usize,
-    /// Speed at its start, rad/s, signed.
-    pub speed_start: f64,
-    /// Speed at its end, rad/s, signed.
-    pub speed_end: f64,
-    /// End less start, rad/s: zero for the periodic regime.
-    pub residual: f64,
-}
-
-/// One trial of ratio and flywheel, with its periodic regime (S stage 6).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Trial {
-    /// Number of the trial, from 1.
-    pub number: usize,
-    /// Gear ratio; `None` without a motor.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ratio: Option<f64>,
-    /// Flywheel on its own shaft, kg m².
-    pub flywheel: f64,
-    /// Mean speed, rad/s, signed.
-    pub mean_speed: f64,
-    /// Unevenness.
-    pub unevenness: f64,
-}
-
 /// A flywheel by one method.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FlywheelByMethod {
@@ -221,32 +192,6 @@ pub struct Effort {
     pub panels: usize,
     /// Largest residual of the equation between the nodes, part of the kinetic energy.
     pub residual: f64,
-}
-
-/// The steady regime at one coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct RegimeState {
-    /// The coordinate, rad.
-    pub coordinate: f64,
-    /// Time since the start of the cycle, s.
-    #[serde(skip)]
-    pub time: f64,
-    /// Speed, rad/s, signed.
-    pub speed: f64,
-    /// Acceleration, rad/s², signed.
-    #[serde(skip)]
-    pub acceleration: f64,
-    /// Speed in the first cycle from the mean speed, rad/s, signed; absent where the machine stalls in it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub first_turn: Option<f64>,
-    /// Moment of the drive on the input link, N m, along the coordinate.
-    pub drive: f64,
-    /// Reduced moment of the loads, N m, along the coordinate.
-    pub load: f64,
-    /// Reduced inertia of the machine, without flywheel and rotor, kg m².
-    pub inertia: f64,
-    /// Its derivative with respect to the coordinate, kg m²/rad.
-    pub inertia_derivative: f64,
 }
 
 /// The cycle of the regime.

@@ -1,11 +1,9 @@
 //! The periodic regime: a cycle that ends with the speed with which it began.
 
 use super::path::{Path, PathPanel};
-use super::regime::Iteration;
 use super::run::run_cycle;
 use super::segment::{BY_DRIVE, Misses, Setup};
-use super::solution::{Closing, CycleSolution};
-use super::solution::{Stretch, extremes};
+use super::solution::{Closing, CycleSolution, Iteration, Stretch, extremes};
 use crate::DynamicsError;
 use crate::drive::TorqueSource;
 

@@ -2,9 +2,9 @@
 //! parameters; and the extremes of any function that is known with its derivative at the nodes of panels.
 
 use assur_number::search::bisect;
+use serde::Serialize;
 
 use super::path::{CyclePath, RULE, S, Values};
-use super::regime::{Iteration, RegimeState};
 use super::segment::{BY_DRIVE, BY_ENERGY, BY_FLYWHEEL, PARAMETERS, Segment, Setup};
 
 /// What makes the cycle close.
@@ -251,4 +251,43 @@ impl Stretch {
         let [low, high] = bisect(low, high, 2.0 * f64::EPSILON, keeps_sign);
         f64::midpoint(low, high)
     }
+}
+
+/// One cycle of the iteration to the periodic regime (S fig. 10).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Iteration {
+    /// Number of the cycle, from 1.
+    pub number: usize,
+    /// Speed at its start, rad/s, signed.
+    pub speed_start: f64,
+    /// Speed at its end, rad/s, signed.
+    pub speed_end: f64,
+    /// End less start, rad/s: zero for the periodic regime.
+    pub residual: f64,
+}
+
+/// The steady regime at one coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct RegimeState {
+    /// The coordinate, rad.
+    pub coordinate: f64,
+    /// Time since the start of the cycle, s.
+    #[serde(skip)]
+    pub time: f64,
+    /// Speed, rad/s, signed.
+    pub speed: f64,
+    /// Acceleration, rad/s², signed.
+    #[serde(skip)]
+    pub acceleration: f64,
+    /// Speed in the first cycle from the mean speed, rad/s, signed; absent where the machine stalls in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first_turn: Option<f64>,
+    /// Moment of the drive on the input link, N m, along the coordinate.
+    pub drive: f64,
+    /// Reduced moment of the loads, N m, along the coordinate.
+    pub load: f64,
+    /// Reduced inertia of the machine, without flywheel and rotor, kg m².
+    pub inertia: f64,
+    /// Its derivative with respect to the coordinate, kg m²/rad.
+    pub inertia_derivative: f64,
 }

@@ -6,14 +6,11 @@ use assur_words::text;
 use super::diagram::WorkDiagram;
 use super::path::RULE;
 use super::path::{CyclePath, Path, PathPanel};
-use super::regime::Regime;
-use super::regime::{CycleRequest, DriveRequest, TorqueRequest};
-use super::regime::{Effort, Iteration};
+use super::regime::{CycleRequest, DriveRequest, Effort, Regime, TorqueRequest};
 use super::segment::Setup;
 use super::shooting::Shooting;
-use super::solution::{Closing, CycleSolution};
-use super::tuning::{Tuned, Tuner, TuningTarget, Unknowns};
-use super::tuning::{working_ratio, working_speed};
+use super::solution::{Closing, CycleSolution, Iteration};
+use super::tuning::{Tuned, Tuner, TuningTarget, Unknowns, working_ratio, working_speed};
 use crate::DynamicsError;
 use crate::drive::TorqueSource;
 

@@ -7,8 +7,8 @@
 use assur_motor::Characteristic;
 use assur_number::elementary;
 use assur_number::search::bisect;
+use serde::Serialize;
 
-use super::regime::Trial;
 use super::segment::Setup;
 use super::shooting::Shooting;
 use super::solution::{Closing, CycleSolution, SpeedRange};
@@ -20,6 +20,22 @@ const MOST_TRIALS: usize = 60;
 
 /// Relative deviations below this are rounding.
 const ROUNDING: f64 = 2e-12;
+
+/// One trial of ratio and flywheel, with its periodic regime (S stage 6).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Trial {
+    /// Number of the trial, from 1.
+    pub number: usize,
+    /// Gear ratio; `None` without a motor.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ratio: Option<f64>,
+    /// Flywheel on its own shaft, kg m².
+    pub flywheel: f64,
+    /// Mean speed, rad/s, signed.
+    pub mean_speed: f64,
+    /// Unevenness.
+    pub unevenness: f64,
+}
 
 /// What is given and what is wanted. Speeds are positive.
 #[derive(Debug, Clone, Copy, PartialEq)]

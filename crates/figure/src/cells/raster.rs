@@ -1,8 +1,8 @@
 //! A grid of dots that is converted to characters: Braille, half blocks, or ASCII strokes.
 
 use super::{Marker, Spot};
+use crate::bounds::inside;
 use crate::model::{Ink, Stroke};
-use crate::trace::inside;
 
 /// A piece of a chain longer than this many dots is beyond any screen.
 const MOST_DOTS: f64 = 1e5;

@@ -1,8 +1,8 @@
 //! Names beside their points, where they cover least.
 
 use super::{EM, Room};
+use crate::bounds::inside;
 use crate::model::Point;
-use crate::trace::inside;
 
 /// Mean width of a letter and of a digit of a proportional font, in text sizes.
 const LETTER: f64 = 0.62;

@@ -4,7 +4,7 @@ use assur_mechanism::{LawTable, Shape};
 use proptest::prelude::*;
 
 use super::near;
-use crate::law::Curve;
+use crate::curve::Curve;
 
 /// Rows of small whole numbers, so that some arguments are equal: jumps.
 fn rows() -> impl Strategy<Value = Vec<[f64; 2]>> {

@@ -4,7 +4,7 @@ use assur_book::{Cell, Column, Printed, Table};
 use assur_words::{Text, unit};
 use unicode_width::UnicodeWidthStr;
 
-use super::layout::{Line, LineKind, Style, joined, wrap};
+use super::line::{Line, LineKind, Style, joined, wrap};
 
 /// Blanks between the columns of a table.
 pub(super) const GAP: usize = 2;

@@ -1,16 +1,11 @@
 //! Blocks of a document as lines of a width: for a page of the text report, and for a view of the terminal UI.
 
-use std::borrow::Cow;
-
 use assur_book::{Block, Cell, Column, Document, Fact, Printed, Table, Term};
-use assur_words::{Language, Text, text};
-use textwrap::Options;
-use textwrap::WordSeparator::AsciiSpace;
-use textwrap::WordSplitter::NoHyphenation;
+use assur_words::{Text, text};
 use unicode_width::UnicodeWidthStr;
 
 use super::grid::{GAP, Ready, fold, grid, total};
-use crate::to_ascii;
+use super::line::{Line, LineKind, Style, joined, wrap};
 
 /// Columns of the report.
 const WIDTH: usize = 100;
@@ -25,39 +20,6 @@ const SCREEN: usize = 78;
 /// Facts on a narrower page are no table.
 const NARROW: usize = 60;
 
-/// How a text is written.
-#[derive(Debug, Clone, Copy)]
-pub struct Style<'l> {
-    /// Its language.
-    pub language: &'l Language,
-    /// No character beyond ASCII.
-    pub ascii: bool,
-}
-
-/// What a line is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LineKind {
-    /// A heading, or the caption of a table.
-    Heading,
-    /// The heads of the columns of a table, and their units.
-    Head,
-    /// A rule below a heading or below the heads of columns.
-    Rule,
-    /// Words, or facts.
-    Words,
-    /// The row of a table of this number, from 0; a row may have several lines.
-    Row(usize),
-}
-
-/// A line of a page.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Line {
-    /// What it is.
-    pub kind: LineKind,
-    /// Its characters.
-    pub text: String,
-}
-
 /// A document as a text.
 pub fn written(document: &Document, style: Style<'_>) -> String {
     joined(&lines(&document.blocks, style, WIDTH))
@@ -70,23 +32,6 @@ pub fn lines(blocks: &[Block], style: Style<'_>, width: usize) -> Vec<Line> {
         page.block(block);
     }
     page.lines
-}
-
-pub(super) fn joined(lines: &[Line]) -> String {
-    lines.iter().flat_map(|line| [line.text.as_str(), "\n"]).collect()
-}
-
-impl Style<'_> {
-    /// English, with all characters.
-    pub fn english() -> Self {
-        Self { language: Language::english(), ascii: false }
-    }
-
-    /// A text in the language.
-    pub fn line(self, text: &Text) -> String {
-        let line = text.render(self.language);
-        if self.ascii { to_ascii(&line).into_owned() } else { line }
-    }
 }
 
 /// A page that is being written.
@@ -276,14 +221,4 @@ impl Page<'_> {
             self.push(LineKind::Words, self.style.line(&text!("report-columns-shown", shown, all)));
         }
     }
-}
-
-/// Words broken into lines; the first is indented by `first` columns, those after it by `rest`.
-pub(super) fn wrap(words: &str, first: usize, rest: usize, width: usize) -> Vec<String> {
-    // A space that does not break keeps the digits of a number together.
-    let words: Vec<_> = words.split_ascii_whitespace().collect();
-    let indents = [first, rest].map(|columns| " ".repeat(columns));
-    let options = Options::new(width).initial_indent(&indents[0]).subsequent_indent(&indents[1]);
-    let whole = options.break_words(false).word_separator(AsciiSpace).word_splitter(NoHyphenation);
-    textwrap::wrap(&words.join(" "), whole).into_iter().map(Cow::into_owned).collect()
 }

@@ -4,6 +4,7 @@
 
 mod grid;
 mod layout;
+mod line;
 
 use assur_analysis::results::Analysis;
 use assur_book::Document;
@@ -14,7 +15,8 @@ use crate::json::analysis::finite as finite_analysis;
 use crate::json::{NotFinite, finite};
 use crate::topic::{self, Source};
 pub use grid::columns;
-pub use layout::{Line, LineKind, Style, lines, written};
+pub use layout::{lines, written};
+pub use line::{Line, LineKind, Style};
 
 /// The text of a topic alone: of the blocks that it adds to a document.
 pub fn told(style: Style<'_>, topic: impl FnOnce(&mut Document)) -> String {

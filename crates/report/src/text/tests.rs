@@ -1,7 +1,7 @@
 //! Digits and columns.
 
 use super::columns;
-use super::layout::wrap;
+use super::line::wrap;
 use super::{Style, told, written};
 use assur_all as _;
 use assur_analysis::results::{Check, Finding};

@@ -6,6 +6,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 use super::TextPlace;
+use crate::reading::{self, element_name};
 use crate::text::nearest;
 
 /// Greatest number of names that a message lists.
@@ -134,15 +135,6 @@ fn in_array<'a, 'b>(
     }
 }
 
-/// The name of a load; of a slide its name or default name; of a friction its pair.
-pub(crate) fn element_name(value: &DeValue<'_>) -> Option<String> {
-    let DeValue::Table(table) = value else { return None };
-    let text = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
-    let default = || Some(format!("{}/{}", text("link")?, text("on")?));
-    let pair = || text("pair").map(str::to_owned);
-    text("name").map(str::to_owned).or_else(default).or_else(pair)
-}
-
 fn leaf(at: &Spanned<DeValue<'_>>, steps: &[Step]) -> Result<TextPlace, Text> {
     let key = key(steps);
     let text = match at.get_ref() {
@@ -184,7 +176,7 @@ fn longer(table: &DeTable<'_>, steps: &[Step]) -> Option<Key> {
         steps.iter().all(|step| rest.any(|other| other == step))
             && rest.all(|step| matches!(step, Step::Index(_)))
     };
-    let keys: Vec<(usize, Key)> = crate::reading::keys(table).into_iter().collect();
+    let keys: Vec<(usize, Key)> = reading::keys(table).into_iter().collect();
     keys.iter().filter(is_part).min_by_key(|key| key.0).map(|key| key.1.clone())
 }
 

@@ -5,11 +5,12 @@
 #[cfg(test)]
 mod tests;
 
+use std::f64::consts::TAU;
+use std::ops::Bound as End;
 use std::sync::LazyLock;
 
 use assur_words::{Describe, Language, Text, joined, name, text};
 
-use crate::numbers::Bound;
 use crate::units::Dimension;
 
 /// All tables in the order of the reference.
@@ -302,4 +303,31 @@ pub fn search<'w>(
 pub fn near(word: &str) -> Option<&'static str> {
     let names = TABLES.iter().flat_map(|table| table.names(None).chain([table.name()]));
     crate::text::nearest(word, names)
+}
+
+/// The greatest angle of a direction, rad, 1000 turns: a greater one would lose more than four of its 16 digits.
+const MOST_DIRECTION: f64 = 1000.0 * TAU;
+
+/// The range of a number, besides being finite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Bound {
+    /// Anything.
+    Any,
+    NotNegative,
+    /// Greater than 0.
+    Positive,
+    /// An angle that is a direction.
+    Direction,
+}
+
+impl Bound {
+    /// Both ends of the range.
+    pub(crate) fn ends(self) -> (End<f64>, End<f64>) {
+        match self {
+            Self::Any => (End::Unbounded, End::Unbounded),
+            Self::NotNegative => (End::Included(0.0), End::Unbounded),
+            Self::Positive => (End::Excluded(0.0), End::Unbounded),
+            Self::Direction => (End::Included(-MOST_DIRECTION), End::Included(MOST_DIRECTION)),
+        }
+    }
 }

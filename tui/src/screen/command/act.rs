@@ -2,7 +2,7 @@
 
 use assur_words::{name, number, text};
 
-use super::{jobs, report, whatif};
+use super::{jobs, whatif};
 use crate::screen::state::{
     FRAMES, PACES, Pictures, Purpose, Role, Scene, Source, State, View, ViewPart, Wanted, following,
     next_kind, round,
@@ -224,7 +224,7 @@ pub(super) fn close(state: &mut State) {
     } else if state.values_open() {
         whatif::toggle(state);
     } else if state.probe.take().is_none() && !opened_in_view(state) {
-        report::stop(state);
+        jobs::stop_measuring(state);
         jobs::stop(state);
     }
 }

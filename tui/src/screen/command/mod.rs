@@ -7,6 +7,7 @@ mod jump;
 mod line;
 mod modes;
 mod motors;
+mod outcome;
 mod picker;
 mod probe;
 mod report;
@@ -14,8 +15,8 @@ mod table;
 mod whatif;
 mod write;
 pub(crate) use find::pick_all;
-pub(crate) use jobs::take;
 pub(crate) use line::search;
+pub(crate) use outcome::take;
 pub(crate) use table::COMMANDS;
 
 use assur_words::{number, text};

@@ -1,25 +1,15 @@
 //! Commands of the views that show a long text: the report on the methods, and the working of the position.
 
-use assur_words::text;
-
 use super::{act, find, jobs};
-use crate::screen::state::{Purpose, Role, State, View, ViewPart};
+use crate::screen::state::{Purpose, State, View, ViewPart};
 use crate::screen::view::{report as view, room};
 
 /// Starts a measurement, or stops the one in progress.
 pub(super) fn measure(state: &mut State) {
     if state.measuring().is_some() {
-        stop(state);
+        jobs::stop_measuring(state);
     } else {
         jobs::ask(state, Purpose::Measurement);
-    }
-}
-
-/// Stops the measurement in progress; finished measurements are shown.
-pub(super) fn stop(state: &mut State) {
-    if let Some(running) = state.measuring() {
-        running.cancel.stop();
-        state.say(Role::Plain, text!("say-stopping"));
     }
 }
 

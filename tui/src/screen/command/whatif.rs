@@ -1,15 +1,14 @@
-//! Commands of the list of values, and the result of reading a changed scene.
+//! Commands of the list of values.
 
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use assur_words::{Text, name, text};
+use assur_words::{name, text};
 
+use super::jobs;
 use super::write::home;
-use super::{jobs, modes};
 use crate::screen::state::{
-    Assembled, Change, Compared, Effect, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State,
-    Wanted,
+    Assembled, Change, Effect, OutputFile, PromptKind, Reading, Role, STEPS, Scene, Source, State, Wanted,
 };
 
 /// Shows the list of values, or closes it.
@@ -73,7 +72,7 @@ pub(super) fn undo(state: &mut State) {
 }
 
 /// Requests the scene with the present values, unless it is shown or the one before is still being read.
-fn ask(state: &mut State) {
+pub(super) fn ask(state: &mut State) {
     let (what, Some(scene)) = (&mut state.what_if, &state.scene) else { return };
     if what.reading == Reading::Runs {
         return;
@@ -90,61 +89,6 @@ fn ask(state: &mut State) {
         text: what.changed_text(),
     };
     jobs::read(state, Wanted::Change(change));
-}
-
-/// Takes a changed scene, or the reason why it can't be read; returns whether the frame may differ.
-pub(super) fn take(state: &mut State, change: &Change, scene: Result<Box<Scene>, Text>) -> bool {
-    let what = &mut state.what_if;
-    if change.opening != what.opening {
-        return false;
-    }
-    what.reading = Reading::Done;
-    let late = change.edits != what.wanted;
-    match scene {
-        Ok(scene) => {
-            let is_of_modes = what.is_of_modes(&change.edits);
-            what.shown.clone_from(&change.edits);
-            let before = state.scene.as_ref().filter(|_| !late && !is_of_modes);
-            let before = before.and_then(|scene| Some((scene.pose(0, 0.0)?.coordinate, modes::all(scene))));
-            show(state, *scene);
-            if let Some((coordinate, before)) = before {
-                modes::keep(state, coordinate, &before);
-            }
-        }
-        Err(text) if !late => {
-            what.reading = Reading::Refused;
-            state.fault = Some((text!("say-change-fault"), text));
-        }
-        Err(_) => {}
-    }
-    if late {
-        ask(state);
-    }
-    true
-}
-
-/// Shows a changed scene in place of the one before, with its difference to the same other analyzer; the scene as the
-/// file has it is compared with it, unless another one is.
-fn show(state: &mut State, scene: Scene) {
-    if let Some(old) = state.scene.as_ref().filter(|old| old.found.is_some()) {
-        state.what_if.compared = old.other.as_ref().map(|other| other.analyzer.clone());
-    }
-    let same = state.positions() == scene.positions();
-    let old = jobs::exchange(state, scene);
-    if !same || state.what_if.shown.is_empty() {
-        state.compared.take_if(|compared| compared.before || !same);
-    } else if state.compared.is_none() {
-        let compared = |old: Scene| Compared {
-            name: text!("say-before"),
-            own: Text::default(),
-            results: Box::new(old.results),
-            before: true,
-        };
-        state.compared = old.map(compared);
-    }
-    if let Some(other) = state.what_if.compared.clone() {
-        jobs::ask_difference(state, Some(other));
-    }
 }
 
 /// Another scene was opened, or the file was reread: changes are dropped, with a message.

@@ -4,8 +4,6 @@ use assur_picture::ViewPart;
 use assur_words::{Language, Text, text};
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
-use super::picker::Entry;
-
 #[derive(
     Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, IntoStaticStr, EnumString, VariantArray,
 )]
@@ -112,22 +110,6 @@ pub(crate) fn next_kind<T: Copy + PartialEq + VariantArray>(now: T) -> T {
 pub(crate) fn round(now: usize, by: isize, count: usize) -> usize {
     let count = isize::try_from(count.max(1)).unwrap_or(isize::MAX);
     usize::try_from((isize::try_from(now).unwrap_or(0) + by).rem_euclid(count)).unwrap_or(0)
-}
-
-/// What the one-line input is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum PromptKind {
-    Command,
-    Search,
-}
-
-/// The one-line input for `:` and `/` while it is written.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Prompt {
-    pub(crate) kind: PromptKind,
-    pub(crate) text: Entry,
-    /// Number of the completion inserted by Tab, and the text that was typed before.
-    pub(crate) completing: Option<(usize, String)>,
 }
 
 /// What is chosen in each view.

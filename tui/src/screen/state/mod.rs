@@ -31,9 +31,9 @@ pub(crate) use job::{
     Running, Wanted,
 };
 pub(crate) use keymap::{Command, Group, Key, Keymap};
-pub(crate) use kinds::{Chosen, Prompt, PromptKind, View, following, next_kind, round};
+pub(crate) use kinds::{Chosen, View, following, next_kind, round};
 pub(crate) use look::{Kind, Look, Panels, Pictures, Role, SETTINGS, Theme};
-pub(crate) use picker::{Choice, Entry, Help, LONGEST, Picker, PickerKind};
+pub(crate) use picker::{Choice, Entry, Help, LONGEST, Picker, PickerKind, Prompt, PromptKind};
 pub(crate) use scene::Scene;
 pub(crate) use shown::Stop;
 pub(crate) use whatif::{Assembled, Change, Reading, STEPS, WhatIf};

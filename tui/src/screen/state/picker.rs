@@ -194,3 +194,19 @@ fn same_number(field: &str, typed: &str) -> bool {
     let value = |text: &str| text.replace(',', ".").parse::<f64>().ok();
     value(field).zip(value(typed)).is_some_and(|(field, typed)| field.total_cmp(&typed).is_eq())
 }
+
+/// What the one-line input is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PromptKind {
+    Command,
+    Search,
+}
+
+/// The one-line input for `:` and `/` while it is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Prompt {
+    pub(crate) kind: PromptKind,
+    pub(crate) text: Entry,
+    /// Number of the completion inserted by Tab, and the text that was typed before.
+    pub(crate) completing: Option<(usize, String)>,
+}
