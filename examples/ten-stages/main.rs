@@ -161,7 +161,7 @@ fn stage_6(linkage: &Linkage, loads: &Loads) -> Done<Steady> {
 fn state(found: &Steady, q: f64) -> LoadState {
     let at = found.regime.state(q);
     let (speed, acceleration, time) = (at.speed, at.acceleration, at.time);
-    LoadState { coordinate: q, speed, acceleration, time, side: Side::After }
+    LoadState { coordinate: q, speed, acceleration, time, side: Side::After, drive: None }
 }
 
 /// Real motion and inertia loads: those of the rocker.

@@ -73,6 +73,7 @@ const ANSWERS: &[(&str, Answer)] = &[
     ("check_silent_1_0", Numbers(|found| no_value_anywhere(found, "load `z`"))),
     ("contact-formula-from-rest", Numbers(nothing_drives)),
     ("contact-formula-moving", Numbers(any)),
+    ("cycle-part-of-a-turn", Numbers(the_travel_of_a_cycle)),
     ("cycle-not-whole", Message(&["is not periodic", "whole turns"])),
     ("defect-length-h900014", Numbers(any)),
     ("direction-of-a-short-link", Numbers(any)),
@@ -91,6 +92,7 @@ const ANSWERS: &[(&str, Answer)] = &[
                 && is(&positions[13]["balancing"], -4.594_761_88, 1e-8)
         }),
     ),
+    ("friction-of-the-drive", Numbers(the_drive_balances)),
     ("friction-after-gap-nan", Numbers(friction_takes_power)),
     ("geo-rigid-h800227", Numbers(any)),
     ("formula-mixed", Numbers(any)),
@@ -177,6 +179,7 @@ const ANSWERS: &[(&str, Answer)] = &[
     ),
     // It swings, and turns where it lacks little energy to pass its top.
     ("turns-just-below-the-top", Numbers(any)),
+    ("stroke-to-its-end", Numbers(a_stroke_to_its_end)),
 ];
 
 /// The checks say all.
@@ -190,6 +193,40 @@ fn the_least_of_two_solutions(found: &Value) -> bool {
         let solutions = found["positions"][index]["solutions"].as_array().map_or(&[][..], Vec::as_slice);
         solutions.len() == 2 && (index != 5 || is(&solutions[1]["balancing"], -27.604_216_02, 1e-7))
     }) && is(&found["positions"][5]["balancing"], -27.604_216_02, 1e-7)
+}
+
+/// In a motion the balancing moment is that of the drive, in every sample before the rest.
+fn the_drive_balances(found: &Value) -> bool {
+    let samples = found["trajectory"].as_array().map_or(&[][..], Vec::as_slice);
+    let moving = samples.iter().take(samples.len().saturating_sub(1));
+    samples.len() == 11 && moving.clone().all(|sample| is(&sample["balancing"], 3.673, 1e-9))
+}
+
+/// The piston returns from the greatest place of the cycle to its dead point at -90 degrees, the least: 0.06 sin q and the rod.
+fn the_travel_of_a_cycle(found: &Value) -> bool {
+    let place = |q: f64| {
+        let rod = (0.24_f64.powi(2) - (0.06 * q.cos()).powi(2)).sqrt();
+        let slope = 0.06 * q.cos() + 0.06 * 0.06 * q.sin() * q.cos() / rod;
+        [0.06 * q.sin() + rod, slope]
+    };
+    let [least, greatest] = [-std::f64::consts::FRAC_PI_2, 0.0].map(|q| place(q)[0]);
+    let positions = found["positions"].as_array().map_or(&[][..], Vec::as_slice);
+    positions.len() == 24
+        && (0_u8..).zip(positions).all(|(index, position)| {
+            let [at, slope] = place(-f64::from(index) * 100_f64.to_radians() / 24.0);
+            // Beyond the dead point it goes forward, where it begins with nothing.
+            let share = (at - least) / (greatest - least);
+            let force = if index < 22 { (15_000.0 * (share - 0.8)).max(0.0) } else { 1_400.0 * share };
+            is(&position["balancing"], force * slope, 1e-9)
+        })
+}
+
+/// A table over the stroke to its last row: the positions divide it into eight.
+fn a_stroke_to_its_end(found: &Value) -> bool {
+    let wanted = [0.0, 175.0, 350.0, 525.0, 700.0, 4_975.0 / 3.0, 7_850.0 / 3.0, 3_750.0, 5_000.0];
+    let positions = found["positions"].as_array().map_or(&[][..], Vec::as_slice);
+    positions.len() == wanted.len()
+        && positions.iter().zip(wanted).all(|(position, wanted)| is(&position["balancing"], wanted, 1e-8))
 }
 
 /// Friction takes power in each of the ten positions that can be assembled.

@@ -97,7 +97,7 @@ impl InputMotion {
             Self::Steady(found) => {
                 let at = found.regime.state(coordinate);
                 let (speed, acceleration, time) = (at.speed, at.acceleration, at.time);
-                LoadState { coordinate, speed, acceleration, time, side: Side::After }
+                LoadState { coordinate, speed, acceleration, time, side: Side::After, drive: None }
             }
         }
     }

@@ -4,7 +4,7 @@ use assur_force::LoadState;
 use assur_formula::{Branches, Formula, Sign, Variables};
 use assur_group::Order;
 use assur_kinematics::Linkage;
-use assur_mechanism::{LawTable, Over, Place, Range, Value};
+use assur_mechanism::{LawTable, Over, Place, Value};
 use assur_number::search::try_least;
 
 /// Least and greatest place of a point along an axis, m.
@@ -211,15 +211,13 @@ fn around(table: &LawTable, x: f64, tolerance: f64, period: Option<f64>) -> [f64
 /// range.
 pub(crate) fn extremes(linkage: &Linkage, place: Place, axis: f64) -> Option<Extremes> {
     let input = &linkage.mechanism.input;
-    let cycle =
-        input.period().and_then(|period| over(linkage, place, axis, [input.from, input.from + period]));
-    match (cycle, input.range) {
-        (None, Range::To(to)) => over(linkage, place, axis, [input.from, to]),
-        (cycle, _) => cycle,
-    }
+    let turns = input.period().filter(|_| input.turns_wholly());
+    let cycle = turns.and_then(|turns| over(linkage, place, axis, [input.from, input.from + turns]));
+    cycle.or_else(|| over(linkage, place, axis, input.ends()))
 }
 
-fn over(linkage: &Linkage, place: Place, axis: f64, [from, to]: [f64; 2]) -> Option<Extremes> {
+fn over(linkage: &Linkage, place: Place, axis: f64, [one, other]: [f64; 2]) -> Option<Extremes> {
+    let (from, to) = (one.min(other), one.max(other));
     let mut position = linkage.position();
     let (s, c) = axis.sin_cos();
     let mut along = |q: f64| {

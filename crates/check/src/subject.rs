@@ -113,6 +113,7 @@ impl Subject<'_> {
         let mut reactions = Reactions::new(self.linkage).with_friction(loads, self.linkage);
         if let Some(friction) = &mut reactions.friction {
             loads.senses(state, &position.bodies, &mut friction.senses);
+            friction.drive = state.drive;
             if part < 1.0 {
                 for bearing in &mut Arc::make_mut(&mut friction.frictions).bearings {
                     bearing.coefficient *= part;

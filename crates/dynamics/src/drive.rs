@@ -95,6 +95,12 @@ impl InputDrive {
         }
     }
 
+    /// A state with the load of this drive on the input: its moment less that of its inertia.
+    pub(crate) fn driving(&self, state: assur_force::LoadState) -> assur_force::LoadState {
+        let load = self.torque(&state) - self.inertia * state.acceleration;
+        assur_force::LoadState { drive: Some(load), ..state }
+    }
+
     /// Moment on the input link at the speed `v` by the formula of the branch with this factor, continued beyond the branch.
     #[inline]
     pub(crate) fn moment(&self, factor: f64, v: f64) -> Moment {

@@ -44,7 +44,7 @@ impl Driven<'_> {
         let on_bound = bounds.iter().any(|bound| (bound - speed).abs() <= ROUNDING * speed.abs());
         if speed != 0.0 && !on_bound {
             let (free, found) = self.on_side(&at, side, 0.0)?;
-            return Ok(Instant::free(&at, free.acceleration(speed)?, side, found.moment));
+            return Ok(self.free(&at, free.acceleration(speed)?, side, found.moment));
         }
         let (above, over) = self.on_side(&at, side, 1.0)?;
         let (below, under) = self.on_side(&at, side, -1.0)?;
@@ -52,11 +52,11 @@ impl Driven<'_> {
         if is_end && sample.acceleration != 0.0 {
             // The motion reached this speed from the other side than the one to which its acceleration leads.
             let (acceleration, found) = if sample.acceleration > 0.0 { (down, under) } else { (up, over) };
-            return Ok(Instant::free(&at, acceleration, side, found.moment));
+            return Ok(self.free(&at, acceleration, side, found.moment));
         }
         if up > 0.0 || down < 0.0 {
             let (acceleration, found) = if up > 0.0 { (up, over) } else { (down, under) };
-            return Ok(Instant::free(&at, acceleration, Side::After, found.moment));
+            return Ok(self.free(&at, acceleration, Side::After, found.moment));
         }
         let jump = down - up;
         let mut upper = if jump > 0.0 { down / jump } else { 0.5 };
@@ -68,7 +68,7 @@ impl Driven<'_> {
         let holding = Holding { moment: -0.5 * (net_up + net_down), bound: 0.5 * (net_down - net_up) };
         let state = assur_force::LoadState { side: Side::Held { upper }, ..load_state(&at) };
         let known = jump > 0.0 && !(over.jams || under.jams);
-        Ok(Instant { state, holding: known.then_some(holding), friction })
+        Ok(Instant { state: self.drive.driving(state), holding: known.then_some(holding), friction })
     }
 
     /// Coefficients of the equation by the formulas on a side of a state, above (1), below (-1) or at (0) its speed.
@@ -97,14 +97,9 @@ impl Driven<'_> {
         let others = self.machine.load_moment(&state(lower))? + self.drive.torque(&state(lower));
         Ok((lower, 0.5 * ideal.inertia_derivative * at.speed * at.speed - others))
     }
-}
 
-impl Instant {
-    fn free(at: &State, acceleration: f64, side: Side, friction: f64) -> Self {
-        Self {
-            state: assur_force::LoadState { acceleration, side, ..load_state(at) },
-            holding: None,
-            friction,
-        }
+    fn free(&self, at: &State, acceleration: f64, side: Side, friction: f64) -> Instant {
+        let state = assur_force::LoadState { acceleration, side, ..load_state(at) };
+        Instant { state: self.drive.driving(state), holding: None, friction }
     }
 }

@@ -48,18 +48,13 @@ impl Breaks {
         }
     }
 
-    /// A place within the interval of this index; if the interval has only one end, beyond that end.
-    pub(crate) fn inside(&self, index: usize) -> f64 {
+    /// The middle of the interval of this index; an end that it lacks is that of the span in which the breaks were looked for.
+    pub(crate) fn inside(&self, index: usize, [from, to]: [f64; 2]) -> f64 {
         let first = if self.period.is_some() { index } else { index.wrapping_sub(1) };
         let after = if self.period.is_some() { index + 1 } else { index };
         let wrapped = || Some(self.points.first()? + self.period?);
-        let ends = (self.points.get(first).copied(), self.points.get(after).copied().or_else(wrapped));
-        match ends {
-            (Some(low), Some(high)) => f64::midpoint(low, high),
-            (Some(low), None) => low + 1.0,
-            (None, Some(high)) => high - 1.0,
-            (None, None) => 0.0,
-        }
+        let low = self.points.get(first).copied().unwrap_or(from);
+        f64::midpoint(low, self.points.get(after).copied().or_else(wrapped).unwrap_or(to))
     }
 
     /// Sum of the whole cycles between the cycle of the points and this coordinate.

@@ -9,7 +9,7 @@ use assur_group::Body;
 use assur_kinematics::{AssemblyRange, Linkage};
 use assur_mechanism::{
     Contact, Direction, Force, GROUND, InputPair, LawTable, LinkId, Load, LoadId, LoadKind, Mechanism,
-    Motion, Over, Place, Range, Value,
+    Motion, Over, Place, Value,
 };
 use assur_number::elementary;
 use assur_words::{Text, text};
@@ -326,9 +326,11 @@ impl<'a> Compiler<'a> {
     /// Where the motion may be, of which the span of a stroke is a part: a range lists places, and a motion that an equation
     /// determines may leave it.
     fn reach(&self, span: &Span) -> Span {
-        let stays = self.is_given();
-        let whole = self.linkage.range.filter(|range| !(stays || span.periodic || range.full));
-        let Some(whole) = whole else { return *span };
+        let stays = self.is_given() || span.periodic;
+        let Some(whole) = self.linkage.range.filter(|_| !stays) else { return *span };
+        if whole.full {
+            return Span { length: TAU, periodic: true, cells: GRID, ..*span };
+        }
         let beside = AT_ENDS * (whole.high - whole.low);
         let from = span.from.min(whole.low + beside);
         let length = (span.from + span.length).max(whole.high - beside) - from;
@@ -348,10 +350,9 @@ impl<'a> Compiler<'a> {
     /// A cycle from the first position; where the input has none, its range.
     fn cycle(&self) -> [f64; 2] {
         let input = &self.mechanism.input;
-        match (input.period(), input.range) {
-            (Some(period), _) => [input.from, input.from + period],
-            (None, Range::To(to)) => [input.from.min(to), input.from.max(to)],
-            (None, Range::Cycle(_)) => [input.from; 2],
+        match input.period() {
+            Some(period) if input.turns_wholly() => [input.from, input.from + period],
+            _ => sorted(input.ends()),
         }
     }
 
@@ -365,22 +366,22 @@ impl<'a> Compiler<'a> {
         Span { from, length, periodic: false, cells: GRID * cycles }
     }
 
-    /// The interval of a stroke: a cycle and, where the scene gives a range, the range.
+    /// The interval of a stroke: a cycle of whole turns and, where the scene gives a range or another cycle, that.
     fn spans(&self) -> Vec<Span> {
         let input = &self.mechanism.input;
         // Dead points are often at round coordinates; a reversal on a grid point would be bracketed by rounding alone.
         let beside = |length: f64| input.from + BESIDE * length;
-        let cycle =
-            input.period().map(|length| Span { from: beside(length), length, periodic: true, cells: GRID });
-        let range = match input.range {
-            Range::To(to) => {
-                let length = (to - input.from).abs();
-                Some(Span { from: to.min(input.from), length, periodic: false, cells: GRID })
-            }
-            Range::Cycle(_) => None,
-        };
-        cycle.into_iter().chain(range).collect()
+        let turns = input.period().filter(|_| input.turns_wholly());
+        let cycle = turns.map(|length| Span { from: beside(length), length, periodic: true, cells: GRID });
+        let [low, high] = sorted(input.ends());
+        let listed = Span { from: low, length: high - low, periodic: false, cells: GRID };
+        let own = (cycle.is_none() || !input.is_cycle()).then_some(listed);
+        cycle.into_iter().chain(own).collect()
     }
+}
+
+fn sorted([one, other]: [f64; 2]) -> [f64; 2] {
+    [one.min(other), one.max(other)]
 }
 
 /// The ends of a contact's interval, and which interval between them is the one with contact.

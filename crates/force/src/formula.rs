@@ -130,7 +130,7 @@ impl FormulaLaw {
         let breaks = Breaks::new(points, span.periodic.then_some(span.length));
         for index in 0..breaks.count() {
             let within = |q: f64| if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
-            let inside = within(breaks.inside(index));
+            let inside = breaks.inside(index, span.ends());
             // The argument may just touch zero in the middle, at a dead point.
             let other = within(inside + BESIDE * (span.at(1) - span.at(0)));
             let other = if breaks.interval(other).index == index { other } else { inside };

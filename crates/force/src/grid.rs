@@ -58,6 +58,11 @@ impl Span {
         Self { cells, ..self }
     }
 
+    /// Its ends.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        [self.from, self.from + self.length]
+    }
+
     pub(crate) fn period(&self) -> Option<f64> {
         self.periodic.then_some(self.length)
     }

@@ -57,6 +57,7 @@ impl<'a> Kinetostatics<'a> {
         self.loads.evaluate(state, &position.bodies, &mut self.wrenches);
         if let Some(friction) = &mut self.reactions.friction {
             self.loads.senses(state, &position.bodies, &mut friction.senses);
+            friction.drive = state.drive;
         }
     }
 

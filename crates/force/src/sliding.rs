@@ -79,9 +79,9 @@ impl Sliding {
         }
         let breaks = Breaks::new(turns, span.period());
         let mut signs = vec![0.0; breaks.count()];
-        let inside = (0..breaks.count()).map(|index| breaks.inside(index));
+        let inside = (0..breaks.count()).map(|index| breaks.inside(index, span.ends()));
         let inside: Vec<_> = inside.map(|q| (q, rate(q).ok())).collect();
-        // The place inside an interval that is open to one side lies beyond the span: it counts only where no sample is in it.
+        // The middle of an interval counts only where no sample is in it.
         for (q, found) in rates.into_iter().chain(inside) {
             let known = &mut signs[breaks.interval(q).index];
             if let (Some(rate), true) = (found, *known == 0.0) {

@@ -20,6 +20,9 @@ pub struct LoadState {
     pub time: f64,
     /// Which formulas apply if the state is on a jump.
     pub side: Side,
+    /// In a motion that a drive made: its load on the input along the coordinate, that of its inertia included, N m (N). Of several
+    /// reactions with dry friction, those belong to the motion whose balancing load this is.
+    pub drive: Option<f64>,
 }
 
 /// Which formulas of the loads apply at a state on a jump. The choice is common to all loads, and the acceleration of
@@ -60,7 +63,7 @@ impl LoadState {
                 let turn = || if acceleration == 0.0 { 0.0 } else { -speed / acceleration };
                 let way = coordinate - mechanism.input.from;
                 let time = passage(way, speed, acceleration).unwrap_or_else(turn);
-                Self { coordinate, speed, acceleration, time, side: Side::Prescribed }
+                Self { coordinate, speed, acceleration, time, ..Self::default() }
             }
             _ => Self { coordinate, ..Self::default() },
         }

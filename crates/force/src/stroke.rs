@@ -225,9 +225,7 @@ impl Stroke {
         let breaks = Breaks::new(points, span.period());
         let mut chosen = Vec::with_capacity(breaks.count());
         for index in 0..breaks.count() {
-            let q = breaks.inside(index);
-            let q = if span.periodic { q } else { q.clamp(span.from, span.from + span.length) };
-            let [s, velocity, curvature] = along.place(q)?;
+            let [s, velocity, curvature] = along.place(breaks.inside(index, span.ends()))?;
             let velocity = if velocity == 0.0 { curvature } else { velocity };
             let back = (velocity < 0.0) != falling;
             chosen.push(Segment { back, segment: self.tables[usize::from(back)].segment(share(s)) });

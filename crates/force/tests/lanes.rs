@@ -31,7 +31,14 @@ fn states(linkage: &Linkage, rng: &mut Rng) -> States {
             _ => Side::After,
         };
         let mut some = |size: f64| if rng.chance(0.2) { 0.0 } else { rng.signed(0.0, size) };
-        LoadState { coordinate, speed: some(9.0), acceleration: some(50.0), time: some(0.1).abs(), side }
+        LoadState {
+            coordinate,
+            speed: some(9.0),
+            acceleration: some(50.0),
+            time: some(0.1).abs(),
+            side,
+            drive: None,
+        }
     })
 }
 

@@ -245,11 +245,14 @@ const START: f64 = 1e-3;
 /// Ratio of two parts of the coefficients between which no interval without solutions is looked for.
 const RATIO: f64 = 1.03;
 
-/// The index of the solution that is taken: the one that follows by continuity from small coefficients, else that of the least
-/// balancing load; `None` where there is none.
+/// The index of the solution that is taken: in a motion that a drive made, the one with its load; else the one that follows by
+/// continuity from small coefficients, else that of the least balancing load; `None` where there is none.
 pub(crate) fn taken(chain: &Chain<'_>, loads: &[Wrench<f64>], found: &Solutions) -> Option<usize> {
     if found.branches.len() < 2 {
         return (!found.branches.is_empty()).then_some(0);
+    }
+    if let Some(driven) = chain.driven(found.branches.iter().map(|branch| branch.balancing)) {
+        return Some(driven);
     }
     let size = |branch: &Branch| branch.balancing.abs();
     let least = (0..found.branches.len())

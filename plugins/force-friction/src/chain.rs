@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use assur_force::{
-    Block, ForceError, FreeMotion, Frictions, Reactions, UnitBalance, Unknown, UnknownKind, Unsolved,
-    input_link,
+    Block, ForceError, FreeMotion, FrictionForces, Frictions, Reactions, UnitBalance, Unknown, UnknownKind,
+    Unsolved, input_link,
 };
 use assur_friction::{Moduli, Width};
 use assur_group::Wrench;
@@ -17,7 +17,7 @@ pub(crate) struct Chain<'a> {
     pub(crate) linkage: &'a Linkage,
     pub(crate) position: &'a Position,
     pub(crate) frictions: &'a Frictions,
-    senses: &'a [f64],
+    given: &'a FrictionForces,
     solved: &'a [bool],
     unit: Option<UnitBalance>,
     /// What acts in a motion whose acceleration takes the place of the balancing load.
@@ -52,13 +52,18 @@ impl<'a> Chain<'a> {
     /// `None` where all pairs are ideal.
     pub(crate) fn of(linkage: &'a Linkage, position: &'a Position, out: &'a Reactions) -> Option<Self> {
         let friction = out.friction.as_ref()?;
-        let (frictions, senses) = (friction.frictions.as_ref(), &friction.senses[..]);
-        Some(Self { linkage, position, frictions, senses, solved: &out.solved, unit: out.unit, free: None })
+        let (frictions, given) = (friction.frictions.as_ref(), friction);
+        Some(Self { linkage, position, frictions, given, solved: &out.solved, unit: out.unit, free: None })
     }
 
     /// The chain in a motion whose acceleration is looked for: the drive balances it.
     pub(crate) fn moved_by<'b>(&'b self, motion: &'b FreeMotion<'b>) -> Chain<'b> {
         Chain { unit: None, free: Some(motion), ..*self }
+    }
+
+    /// Which of several solutions belongs to the motion, by their balancing loads; `None` where no drive on the input made it.
+    pub(crate) fn driven(&self, balancing: impl Iterator<Item = f64>) -> Option<usize> {
+        if self.unit.is_none() { self.given.driven(balancing) } else { None }
     }
 
     /// Whether the acceleration is looked for.
@@ -87,7 +92,7 @@ impl<'a> Chain<'a> {
 
     /// Coefficient and sense of an unknown, where all coefficients are taken times `scale`.
     pub(crate) fn factor(&self, unknown: &Unknown, scale: f64) -> f64 {
-        scale * self.senses[unknown.bearing] * self.frictions.bearings[unknown.bearing].coefficient
+        scale * self.given.senses[unknown.bearing] * self.frictions.bearings[unknown.bearing].coefficient
     }
 
     /// The vector of an unknown from the reactions of a response.

@@ -117,7 +117,10 @@ impl Frictional<'_> {
             .map(|z| each.iter().zip(z).fold(base.clone(), |sum, (one, z)| sum.plus(*z, one)))
             .collect();
         let size = |i: &usize| sums[*i].balancing.abs();
-        let Some(taken) = taken.or_else(|| (0..sums.len()).min_by(|a, b| size(a).total_cmp(&size(b)))) else {
+        let of_motion = found.driven(sums.iter().map(|sum| sum.balancing)).filter(|_| out.unit.is_none());
+        let Some(taken) =
+            of_motion.or(taken).or_else(|| (0..sums.len()).min_by(|a, b| size(a).total_cmp(&size(b))))
+        else {
             return Ok(Equilibrium::None { proved: all.complete });
         };
         let mut solutions = Vec::new();

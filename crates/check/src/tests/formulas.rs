@@ -97,7 +97,7 @@ fn states() -> Vec<LoadState> {
     for coordinate in [0.0, 0.5, PI, 4.0] {
         for (speed, acceleration) in [(0.0, 20.0), (0.0, -20.0), (0.0, 0.0), (5.0, -3.0), (-5.0, 3.0)] {
             for side in sides.into_iter().filter(|side| speed == 0.0 || !matches!(side, Side::Held { .. })) {
-                all.push(LoadState { coordinate, speed, acceleration, time: 0.0, side });
+                all.push(LoadState { coordinate, speed, acceleration, side, ..LoadState::default() });
             }
         }
     }

@@ -42,6 +42,8 @@ pub struct FrictionForces<T = f64> {
     pub frictions: Arc<Frictions>,
     /// For each bearing, the sign of its relative speed; 0 where it never moves. Given to the method.
     pub senses: Vec<T>,
+    /// The load of the drive that made the motion, see [`LoadState::drive`]. Given to the method.
+    pub drive: Option<f64>,
     /// For each bearing, the moment (N m, counter-clockwise) on the link that turns, or the force (N, along the guide) on the
     /// link that slides.
     pub forces: Vec<T>,
@@ -119,6 +121,7 @@ impl<T: Real> FrictionForces<T> {
         let bearings = frictions.bearings.len();
         Self {
             senses: vec![T::ZERO; bearings],
+            drive: None,
             forces: vec![T::ZERO; bearings],
             certificates: vec![T::from_f64(f64::NAN); linkage.groups().len()],
             doubts: Vec::new(),
@@ -129,6 +132,13 @@ impl<T: Real> FrictionForces<T> {
 }
 
 impl FrictionForces {
+    /// Which of several solutions belongs to the motion, by their balancing loads on the input; `None` where no drive made it.
+    pub fn driven(&self, balancing: impl Iterator<Item = f64>) -> Option<usize> {
+        let drive = self.drive?;
+        let off = balancing.map(|load| (load - drive).abs()).enumerate();
+        off.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(index, _)| index)
+    }
+
     /// The forces that press the faces of slides, whose magnitudes give their friction, from reactions with friction.
     pub fn pressing(&self, bodies: &[Body<f64>], pairs: &[Wrench<f64>]) -> Vec<f64> {
         let Frictions { bearings, unknowns, .. } = self.frictions.as_ref();
