@@ -112,6 +112,14 @@ impl Results {
         self.modes.borrow_mut().entry([group, position]).or_insert_with(list).clone()
     }
 
+    /// The names of the groups.
+    pub fn group_names(&self) -> Vec<Text> {
+        let structure = &self.linkage.structure;
+        (0..structure.groups.len())
+            .map(|group| structure.group_name(&self.linkage.mechanism, group))
+            .collect()
+    }
+
     /// What a quantity belongs to: its kind and its name.
     pub fn owner(&self, owner: &Owner) -> (&'static str, &str) {
         let mechanism = &self.linkage.mechanism;

@@ -46,7 +46,6 @@ impl Stage {
     pub const ALL: [Self; 6] =
         [Self::Kinematics, Self::Forces, Self::Friction, Self::Motion, Self::Flywheel, Self::Steady];
 
-    /// Its name in JSON and CSV, its heading, and what its times are of.
     fn texts(self) -> (&'static str, Text, Text) {
         let position = text!("chart-one-position");
         match self {

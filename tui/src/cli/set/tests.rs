@@ -1,4 +1,4 @@
-//! Numbers as they are written into a scene.
+//! Tests of `set`.
 
 use assur_scene::edit::TextPlace;
 use assur_scene::{Dimension, quantity};

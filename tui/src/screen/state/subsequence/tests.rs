@@ -1,4 +1,4 @@
-//! What a search finds, and in which order.
+//! Tests of `subsequence`.
 
 use super::score;
 
