@@ -153,10 +153,6 @@ pub struct File<W: Write + Send> {
 impl<W: Write + Send> File<W> {
     /// Begins a file with these columns; `data`: keys and values of its own; `searchable`: its groups tell the extremes of their
     /// columns, so that readers leave groups out.
-    ///
-    /// # Errors
-    ///
-    /// [`ParquetError`] if the writer fails.
     pub fn new(
         columns: &[Column],
         data: Vec<(String, String)>,

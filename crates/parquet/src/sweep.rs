@@ -113,10 +113,6 @@ fn columns(columns: &Columns) -> Vec<Column> {
 }
 
 /// The parameters of a row of a file with rows of a sweep: the columns before `status`. `None` without such a row or column.
-///
-/// # Errors
-///
-/// [`ParquetError`] if the file can't be read.
 pub fn parameters(file: File, row: usize) -> Result<Option<Vec<(String, f64)>>, ParquetError> {
     let metadata = ParquetMetaDataReader::new().parse_and_finish(&file)?;
     let (file, mut row) = (Arc::new(file), row);
